@@ -1,0 +1,25 @@
+/// \file
+/// Whether this translation unit may do exact integer work in hardware doubles.
+#pragma once
+
+#include <cfloat>
+#include <limits>
+
+namespace fixed::detail {
+
+/// True if double is IEEE binary64 and the compiler evaluates what is written: neither in a wider
+/// format nor with reciprocals, reassociation or the like. Otherwise integers do the work; results
+/// are the same, to the bit, so translation units may differ.
+///
+/// Define FIXED_NO_HARDWARE_DOUBLE on targets without a floating-point unit, and with flags that
+/// loosen floating point but announce themselves by no macro (clang's -fassociative-math).
+#if defined(FIXED_NO_HARDWARE_DOUBLE) || defined(__FAST_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || FLT_EVAL_METHOD < 0 ||                 \
+    FLT_EVAL_METHOD > 1
+inline constexpr bool hardware_double = false;
+#else
+inline constexpr bool hardware_double =
+    std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53;
+#endif
+
+}  // namespace fixed::detail

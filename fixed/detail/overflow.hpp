@@ -1,0 +1,51 @@
+/// \file
+/// The one place where an exact result meets the range of the type.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "fixed/policy.hpp"
+
+namespace fixed::detail {
+
+/// Whether a Raw can hold the value.
+template <class Raw, class Wide>
+constexpr bool fits(Wide value) noexcept {
+  return std::in_range<Raw>(value);
+}
+
+/// The value as a Raw by rule O; under overflow::trap, `raise` is called for a value that does not
+/// fit, and must throw.
+template <overflow O, class Raw, class Wide, class Raise>
+constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::trap) {
+  if constexpr (O == overflow::saturate) {
+    constexpr Wide lowest{std::numeric_limits<Raw>::min()};
+    constexpr Wide highest{std::numeric_limits<Raw>::max()};
+    return static_cast<Raw>(value < lowest ? lowest : value > highest ? highest : value);
+  } else {
+    if constexpr (O == overflow::trap) {
+      if (!fits<Raw>(value)) raise();
+    }
+    return static_cast<Raw>(value);
+  }
+}
+
+/// The integer, or +-2^32 if it is farther from zero than that: out of every range either way, with
+/// room to be shifted.
+template <std::integral Int>
+constexpr std::int64_t clamp_far(Int value) noexcept {
+  constexpr std::int64_t far = std::int64_t{1} << 32;
+  if constexpr (sizeof(Int) <= sizeof(std::uint32_t)) {
+    return std::int64_t{value};
+  } else if constexpr (std::is_signed_v<Int>) {
+    return value < -far ? -far : value > far ? far : std::int64_t{value};
+  } else {
+    return value > std::uint64_t{far} ? far : static_cast<std::int64_t>(value);
+  }
+}
+
+}  // namespace fixed::detail

@@ -1,0 +1,42 @@
+/// \file
+/// The one place where a rounding rule becomes integer arithmetic.
+#pragma once
+
+#include <limits>
+
+#include "fixed/policy.hpp"
+
+namespace fixed::detail {
+
+/// What to add to a value, counted in parts of which `unit` make one, before a floor division by
+/// `unit`, so that the quotient is rounded by rule R.
+/// \param negative whether the value is below zero
+/// \param unit     even and positive, so that a half is a whole number of parts
+template <rounding R, class Int>
+constexpr Int bias(bool negative, Int unit) noexcept {
+  if constexpr (R == rounding::half_up) {
+    return unit / 2;
+  } else if constexpr (R == rounding::half_away) {
+    return unit / 2 - Int{negative};
+  } else if constexpr (R == rounding::truncate) {
+    return negative ? unit - 1 : Int{0};
+  } else {
+    static_assert(R == rounding::floor);
+    return 0;
+  }
+}
+
+/// value / 2^bits, rounded by rule R. `value` must leave room for 2^bits above it.
+template <rounding R, class Int>
+constexpr Int shift_right(Int value, int bits) noexcept {
+  static_assert(std::numeric_limits<Int>::is_signed);
+  return (value + bias<R>(value < 0, Int{1} << bits)) >> bits;
+}
+
+/// numerator / divisor toward -infinity, for a positive divisor.
+template <class Int>
+constexpr Int floor_divide(Int numerator, Int divisor) noexcept {
+  return numerator / divisor - Int{numerator % divisor < 0};
+}
+
+}  // namespace fixed::detail

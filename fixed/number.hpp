@@ -1,0 +1,218 @@
+/// \file
+/// The fixed-point type.
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "fixed/detail/divide.hpp"
+#include "fixed/detail/floating.hpp"
+#include "fixed/detail/overflow.hpp"
+#include "fixed/detail/raise.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixed {
+
+/// A two's complement number with FractionBits bits before and after the binary point.
+///
+/// 16.16 covers -32768 to 32767 + 65535/65536 in steps of 2^-16 and takes four bytes; 8.8 covers
+/// -128 to 127 + 255/256 in steps of 2^-8 and takes two. What inexact and out-of-range results
+/// become is the policy's; no operation is undefined for any operand. Nothing throws unless the
+/// policy says so: overflow::trap throws overflow_error, and a divide that its policy calls an
+/// error throws divide_error.
+///
+/// \tparam FractionBits 16 or 8
+/// \tparam P            see policy; its `multiply` rounds all but quotients
+template <int FractionBits, policy P = policies::wrapping>
+class number {
+ public:
+  using raw_type = detail::raw_t<FractionBits>;
+
+  static constexpr int fraction_bits = FractionBits;
+  static constexpr policy rules = P;
+  /// Whether every operation but division returns.
+  static constexpr bool never_throws = P.range != overflow::trap;
+  /// Whether division returns for every divisor.
+  static constexpr bool divide_never_throws = never_throws && P.fault == divide_fault::none;
+
+  /// Zero.
+  constexpr number() noexcept = default;
+
+  /// The number whose stored integer is `raw`: raw / 2^FractionBits.
+  static constexpr number from_raw(raw_type raw) noexcept {
+    number result;
+    result.raw_ = raw;
+    return result;
+  }
+
+  /// The stored integer: the value times 2^FractionBits.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// An integer; out of range by the policy.
+  template <std::integral Int>
+  explicit constexpr number(Int value) noexcept(never_throws) {
+    if constexpr (P.range == overflow::wrap) {
+      raw_ = static_cast<raw_type>(static_cast<std::uint32_t>(value) << FractionBits);
+    } else {
+      const std::int64_t units = detail::clamp_far(value) * (std::int64_t{1} << FractionBits);
+      raw_ = detail::narrow<P.range, raw_type>(
+          units, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
+    }
+  }
+
+  /// A float or double, rounded as products are and out of range by the policy; wrapping keeps the
+  /// rounded value modulo the range, however large. NaN becomes 0 and an infinity the end of the
+  /// range on its side; under overflow::trap NaN throws domain_error and infinities overflow_error.
+  /// Decoded with integers: the same bits whatever the compiler's floating-point flags.
+  template <detail::binary_float Float>
+  explicit constexpr number(Float value) noexcept(never_throws) {
+    using kind = detail::scaled_float::kind;
+    const detail::scaled_float x = detail::scale<P.multiply>(value, FractionBits);
+    if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
+      raw_ = detail::narrow<P.range, raw_type>(
+          x.integer, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
+      return;
+    }
+    if constexpr (P.range == overflow::trap) {
+      if (x.what == kind::nan) detail::raise<domain_error>("domain error", "conversion", value);
+      detail::raise<overflow_error>("overflow", "conversion", value);
+    } else {
+      if (x.what != kind::nan) raw_ = x.negative ? lowest : highest;
+    }
+  }
+
+  /// A number of another width or policy: fraction bits that have no place are rounded as products
+  /// are, out of range by the policy of the result.
+  template <int OtherBits, policy Q>
+  requires(OtherBits != FractionBits ||
+           Q != P) explicit constexpr number(number<OtherBits, Q> other) noexcept(never_throws) {
+    if constexpr (OtherBits <= FractionBits) {
+      raw_ = static_cast<raw_type>(other.raw() * (1 << (FractionBits - OtherBits)));
+    } else {
+      constexpr int dropped = OtherBits - FractionBits;
+      const auto value = detail::shift_right<P.multiply>(std::int64_t{other.raw()}, dropped);
+      raw_ = detail::narrow<P.range, raw_type>(
+          value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
+    }
+  }
+
+  /// Exact.
+  explicit constexpr operator double() const noexcept {
+    return static_cast<double>(raw_) / static_cast<double>(std::int32_t{1} << FractionBits);
+  }
+
+  /// The nearest float, halves to even, whatever the rounding mode of the processor.
+  explicit constexpr operator float() const noexcept {
+    return detail::to_float(raw_, FractionBits);
+  }
+
+  /// The whole part, toward zero as from double; where Int is too small for it, modulo 2^bits.
+  /// See to_integer() for other roundings.
+  template <std::integral Int>
+  requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
+    return static_cast<Int>(
+        detail::shift_right<rounding::truncate>(std::int64_t{raw_}, FractionBits));
+  }
+
+  friend constexpr bool operator==(number, number) noexcept = default;
+  friend constexpr auto operator<=>(number, number) noexcept = default;
+
+  constexpr number operator+() const noexcept { return *this; }
+
+  constexpr number operator-() const noexcept(never_throws) {
+    return narrowed(-wide{raw_}, "operator-", *this);
+  }
+
+  friend constexpr number operator+(number a, number b) noexcept(never_throws) {
+    return narrowed(wide{a.raw_} + wide{b.raw_}, "operator+", a, b);
+  }
+
+  friend constexpr number operator-(number a, number b) noexcept(never_throws) {
+    return narrowed(wide{a.raw_} - wide{b.raw_}, "operator-", a, b);
+  }
+
+  /// The product, rounded once.
+  friend constexpr number operator*(number a, number b) noexcept(never_throws) {
+    const wide product = wide{a.raw_} * wide{b.raw_};
+    return narrowed(detail::shift_right<P.multiply>(product, FractionBits), "operator*", a, b);
+  }
+
+  /// The quotient, rounded once. Division by zero, where the policy does not throw, gives the end
+  /// of the range on the numerator's side, and 0 / 0 is 0.
+  friend constexpr number operator/(number n, number d) noexcept(divide_never_throws) {
+    if constexpr (!divide_never_throws) {
+      const detail::division end = detail::try_division<FractionBits, P>(n.raw_, d.raw_);
+      if (end == detail::division::divide_error) {
+        detail::raise<divide_error>("divide error", "operator/", operand{n.raw_}, operand{d.raw_});
+      }
+      if (end == detail::division::out_of_range) {
+        detail::raise_overflow<FractionBits>("operator/", n.raw_, d.raw_);
+      }
+    }
+    return from_raw(detail::total_divide<FractionBits, P>(n.raw_, d.raw_));
+  }
+
+  constexpr number& operator+=(number b) noexcept(never_throws) { return *this = *this + b; }
+  constexpr number& operator-=(number b) noexcept(never_throws) { return *this = *this - b; }
+  constexpr number& operator*=(number b) noexcept(never_throws) { return *this = *this * b; }
+  constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
+
+ private:
+  using wide = detail::wide_t<FractionBits>;
+  using operand = detail::operand<FractionBits>;
+
+  static constexpr raw_type lowest = std::numeric_limits<raw_type>::min();
+  static constexpr raw_type highest = std::numeric_limits<raw_type>::max();
+
+  template <class... Operands>
+  static constexpr number narrowed(wide value, const char* operation,
+                                   Operands... operands) noexcept(never_throws) {
+    return from_raw(detail::narrow<P.range, raw_type>(
+        value, [&] { detail::raise_overflow<FractionBits>(operation, operands.raw_...); }));
+  }
+
+  raw_type raw_ = 0;
+};
+
+/// n / d, or nothing where there is no quotient to return: where operator/ throws, and for a zero
+/// divisor.
+template <int FractionBits, policy P>
+constexpr std::optional<number<FractionBits, P>> try_divide(number<FractionBits, P> n,
+                                                            number<FractionBits, P> d) noexcept {
+  if (detail::try_division<FractionBits, P>(n.raw(), d.raw()) != detail::division::done) {
+    return std::nullopt;
+  }
+  return number<FractionBits, P>::from_raw(detail::total_divide<FractionBits, P>(n.raw(), d.raw()));
+}
+
+using q16_16 = number<16>;
+using q16_16_saturating = number<16, policies::saturating>;
+using q16_16_trapping = number<16, policies::trapping>;
+using q16_16_i386 = number<16, policies::i386>;
+using q16_16_i386_mul_rounded = number<16, policies::i386_mul_rounded>;
+using q16_16_i386_div_rounded = number<16, policies::i386_div_rounded>;
+using q16_16_i386_unrounded = number<16, policies::i386_unrounded>;
+using q16_16_i8088 = number<16, policies::i8088>;
+using q16_16_i8088_mul_rounded = number<16, policies::i8088_mul_rounded>;
+using q16_16_i8088_div_rounded = number<16, policies::i8088_div_rounded>;
+using q16_16_i8088_unrounded = number<16, policies::i8088_unrounded>;
+
+using q8_8 = number<8>;
+using q8_8_saturating = number<8, policies::saturating>;
+using q8_8_trapping = number<8, policies::trapping>;
+using q8_8_i386 = number<8, policies::i386>;
+using q8_8_i386_mul_rounded = number<8, policies::i386_mul_rounded>;
+using q8_8_i386_div_rounded = number<8, policies::i386_div_rounded>;
+using q8_8_i386_unrounded = number<8, policies::i386_unrounded>;
+using q8_8_i8088 = number<8, policies::i8088>;
+using q8_8_i8088_mul_rounded = number<8, policies::i8088_mul_rounded>;
+using q8_8_i8088_div_rounded = number<8, policies::i8088_div_rounded>;
+using q8_8_i8088_unrounded = number<8, policies::i8088_unrounded>;
+
+}  // namespace fixed

@@ -1,0 +1,98 @@
+/// \file
+/// What a number does when a result is not exact, not in range, or not a number at all.
+#pragma once
+
+namespace fixed {
+
+/// Which neighbour stands for a result that falls between two representable values.
+enum class rounding {
+  half_up,    ///< the nearest; an exact half goes toward +infinity
+  half_away,  ///< the nearest; an exact half goes away from zero
+  floor,      ///< toward -infinity
+  truncate,   ///< toward zero
+};
+
+/// What becomes of a result outside the range of the type.
+enum class overflow {
+  wrap,      ///< taken modulo 2^32 (2^16 for 8.8)
+  saturate,  ///< replaced by the nearest value of the type
+  trap,      ///< throws fixed::overflow_error
+};
+
+/// How much of the divisor a divide looks at.
+enum class divisor_width {
+  full,        ///< all of it
+  whole_part,  ///< the whole part of its magnitude, with its sign: 2.75 counts as 2, -0.5 as 0
+};
+
+/// When a divide is a divide error (#DE) that throws fixed::divide_error, whatever `overflow` says.
+/// The error is found before the result is wrapped or saturated.
+enum class divide_fault {
+  none,               ///< only under overflow::trap, for a zero divisor
+  zero_divisor,       ///< the divisor, as far as divisor_width looks at it, is zero
+  unsigned_quotient,  ///< the magnitude of the quotient, truncated, is 2^32 (2^16) units or more
+  signed_quotient,    ///< the rounded quotient is outside the range of the type
+};
+
+/// The rules of one number type; a template argument.
+///
+/// `multiply` also rounds everything that is neither a product nor a quotient: conversions from
+/// binary floating point and from text, mul_add, dot and lerp.
+struct policy {
+  rounding multiply = rounding::half_up;
+  rounding divide = rounding::half_up;
+  overflow range = overflow::wrap;
+  divisor_width divisor = divisor_width::full;
+  divide_fault fault = divide_fault::none;
+
+  friend constexpr bool operator==(const policy&, const policy&) = default;
+};
+
+/// Policies by name.
+///
+/// `wrapping`, `saturating` and `trapping` round every operation to nearest, halves up.
+///
+/// The others are the eight builds of FIXED.ASM (Abrash, Graphics Programming Black Book, chapter
+/// 54): the processor, then what is rounded. Without a suffix, multiply and divide are; the names
+/// say what the code does, not what the printed switches are set to.
+namespace policies {
+
+inline constexpr policy wrapping{};
+inline constexpr policy saturating{.range = overflow::saturate};
+inline constexpr policy trapping{.range = overflow::trap};
+
+/// IMUL, and DIV on magnitudes: only a quotient beyond 32 unsigned bits faults.
+inline constexpr policy i386{.multiply = rounding::half_up,
+                             .divide = rounding::half_away,
+                             .fault = divide_fault::unsigned_quotient};
+inline constexpr policy i386_div_rounded{.multiply = rounding::floor,
+                                         .divide = rounding::half_away,
+                                         .fault = divide_fault::unsigned_quotient};
+/// IMUL, and IDIV: a quotient beyond 32 signed bits faults.
+inline constexpr policy i386_mul_rounded{.multiply = rounding::half_up,
+                                         .divide = rounding::truncate,
+                                         .fault = divide_fault::signed_quotient};
+inline constexpr policy i386_unrounded{.multiply = rounding::floor,
+                                       .divide = rounding::truncate,
+                                       .fault = divide_fault::signed_quotient};
+
+/// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction.
+inline constexpr policy i8088{.multiply = rounding::half_away,
+                              .divide = rounding::half_away,
+                              .divisor = divisor_width::whole_part,
+                              .fault = divide_fault::zero_divisor};
+inline constexpr policy i8088_mul_rounded{.multiply = rounding::half_away,
+                                          .divide = rounding::truncate,
+                                          .divisor = divisor_width::whole_part,
+                                          .fault = divide_fault::zero_divisor};
+inline constexpr policy i8088_div_rounded{.multiply = rounding::truncate,
+                                          .divide = rounding::half_away,
+                                          .divisor = divisor_width::whole_part,
+                                          .fault = divide_fault::zero_divisor};
+inline constexpr policy i8088_unrounded{.multiply = rounding::truncate,
+                                        .divide = rounding::truncate,
+                                        .divisor = divisor_width::whole_part,
+                                        .fault = divide_fault::zero_divisor};
+
+}  // namespace policies
+}  // namespace fixed
