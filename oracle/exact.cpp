@@ -1,0 +1,70 @@
+#include "oracle/exact.hpp"
+
+#include <stdexcept>
+
+#include "oracle/unbounded.hpp"
+
+namespace oracle {
+namespace {
+
+/// The 386 divides the magnitudes as unsigned integers and lets the sign fall where it may, so only
+/// a quotient too wide for an unsigned word faults, and it does so before it is rounded.
+std::optional<Word> i386_rounded(Word n, Word d, int fraction_bits) {
+  const auto truncated = exact_quotient(n, d, Rounding::truncate, fraction_bits);
+  if (!truncated || abs(*truncated) >= Integer(1) << word_bits(fraction_bits)) return std::nullopt;
+  return quotient(n, d, Rounding::half_away, fraction_bits);
+}
+
+std::optional<Word> i386_unrounded(Word n, Word d, int fraction_bits) {
+  const auto truncated = exact_quotient(n, d, Rounding::truncate, fraction_bits);
+  if (!truncated || !fits(*truncated, word_bits(fraction_bits))) return std::nullopt;
+  return wrap(*truncated, word_bits(fraction_bits));
+}
+
+/// The 8088 divides by the divisor's magnitude in whole units, so the scale of n is that of the
+/// quotient.
+std::optional<Word> i8088(Word n, Word d, Rounding rule, int fraction_bits) {
+  const Integer units = rounded(ulps(d, fraction_bits), one(fraction_bits), Rounding::truncate);
+  if (units == 0) return std::nullopt;
+  return wrap(rounded(ulps(n, fraction_bits), units, rule), word_bits(fraction_bits));
+}
+
+}  // namespace
+
+Word mul(Word a, Word b, Rounding rule, int fraction_bits) {
+  return wrap(exact_product(a, b, rule, fraction_bits), word_bits(fraction_bits));
+}
+
+std::optional<Word> div(Word n, Word d, DivideRule rule, int fraction_bits) {
+  switch (rule) {
+    case DivideRule::i386_rounded:
+      return i386_rounded(n, d, fraction_bits);
+    case DivideRule::i386_unrounded:
+      return i386_unrounded(n, d, fraction_bits);
+    case DivideRule::i8088_rounded:
+      return i8088(n, d, Rounding::half_away, fraction_bits);
+    case DivideRule::i8088_unrounded:
+      return i8088(n, d, Rounding::truncate, fraction_bits);
+  }
+  throw std::invalid_argument("no such divide rule");
+}
+
+std::optional<Word> quotient(Word n, Word d, Rounding rule, int fraction_bits) {
+  const auto exact = exact_quotient(n, d, rule, fraction_bits);
+  if (!exact) return std::nullopt;
+  return wrap(*exact, word_bits(fraction_bits));
+}
+
+Word mul_add(Word a, Word b, Word c, Rounding rule, int fraction_bits) {
+  return wrap(exact_mul_add(a, b, c, rule, fraction_bits), word_bits(fraction_bits));
+}
+
+Word dot(std::span<const Word> a, std::span<const Word> b, Rounding rule, int fraction_bits) {
+  return wrap(exact_dot(a, b, rule, fraction_bits), word_bits(fraction_bits));
+}
+
+Word lerp(Word a, Word b, Word t, Rounding rule, int fraction_bits) {
+  return wrap(exact_lerp(a, b, t, rule, fraction_bits), word_bits(fraction_bits));
+}
+
+}  // namespace oracle
