@@ -1,7 +1,26 @@
 /// \file
-/// Everything of namespace fixed.
+/// Everything of namespace fixed, but for fixed/rapidcheck.hpp.
+///
+///     #include "fixed/fixed.hpp"
+///
+///     using fixed::q16_16;                             // 16.16 in four bytes, nearest, wraps
+///     constexpr q16_16 half(0.5);                      // conversions are explicit
+///     constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
+///     static_assert(x == q16_16(4) && x.raw() == 0x40000);
+///     const auto [cos, sin] = fixed::sin_cos<q16_16>(450);  // 45.0 degrees
+///     std::cout << x * cos << '\n';                    // exact decimal: 2.82843017578125
+///     fixed::q16_16_saturating far(1e9);               // 32767.9999847412109375
+///     if (auto q = fixed::try_divide(x, q16_16())) {}  // no quotient by zero
+///
+/// Policies other than the default are in fixed/policy.hpp, their types at the end of
+/// fixed/number.hpp.
 #pragma once
 
 #include "fixed/error.hpp"
+#include "fixed/format.hpp"
+#include "fixed/limits.hpp"
+#include "fixed/math.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
+#include "fixed/text.hpp"
+#include "fixed/trig.hpp"

@@ -33,11 +33,9 @@ inline constexpr int numerator_shift = P.divisor == divisor_width::full ? Fracti
 
 /// What stands for n / 0 where that is no error: the limit of the quotient for a divisor that falls
 /// to zero, that is the end of the range on the numerator's side; 0 / 0 is 0.
-template <class Raw>
-constexpr Raw limit_toward_zero(Raw n) noexcept {
-  constexpr Raw lowest = std::numeric_limits<Raw>::min();
-  constexpr Raw highest = std::numeric_limits<Raw>::max();
-  return n > 0 ? highest : n < 0 ? lowest : Raw{0};
+constexpr std::int32_t limit_toward_zero(std::int32_t n, std::int32_t highest) noexcept {
+  const std::int32_t end = (n >> 31) ^ highest;
+  return n == 0 ? 0 : end;
 }
 
 /// n / d for operands whose division is done: wrapped or saturated, never an error.
@@ -46,15 +44,17 @@ constexpr raw_t<FractionBits> total_divide(raw_t<FractionBits> n, raw_t<Fraction
   using raw = raw_t<FractionBits>;
   constexpr int shift = numerator_shift<FractionBits, P>;
   const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
-  // Divided by 1 instead of 0, and chosen afterwards: no branch, so that loops are vectorised.
-  const std::int32_t nonzero = divisor == 0 ? 1 : divisor;
-  raw result{};
+  // Divided by 1 instead of 0 and chosen by a mask afterwards: with a branch, loops would not be
+  // vectorised.
+  const std::int32_t by_zero = -std::int32_t{divisor == 0};
+  const std::int32_t limit = limit_toward_zero(n, std::numeric_limits<raw>::max());
+  std::int32_t quotient = 0;
   if constexpr (P.range == overflow::saturate) {
-    result = saturated_quotient<raw, P.divide, shift>(n, nonzero);
+    quotient = saturated_quotient<raw, P.divide, shift>(n, divisor - by_zero);
   } else {
-    result = static_cast<raw>(rounded_quotient<P.divide, shift>(n, nonzero));
+    quotient = static_cast<std::int32_t>(rounded_quotient<P.divide, shift>(n, divisor - by_zero));
   }
-  return divisor == 0 ? limit_toward_zero(n) : result;
+  return static_cast<raw>((quotient & ~by_zero) | (limit & by_zero));
 }
 
 /// How n / d ends under the policy.
@@ -65,9 +65,10 @@ constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) no
   const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
   if (divisor == 0) return division::divide_error;
   if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    constexpr std::int64_t limit = std::int64_t{1} << (2 * FractionBits);
-    const auto truncated = rounded_quotient<rounding::truncate, shift>(n, divisor);
-    if (truncated >= limit || truncated <= -limit) return division::divide_error;
+    // |n| 2^shift / |divisor| >= 2^(2 FractionBits), multiplied out.
+    const std::int64_t numerator = n < 0 ? -std::int64_t{n} : std::int64_t{n};
+    const std::int64_t magnitude = divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor};
+    if (numerator >= magnitude << (2 * FractionBits - shift)) return division::divide_error;
   }
   if constexpr (P.fault == divide_fault::signed_quotient) {
     if (!fits<raw>(rounded_quotient<P.divide, shift>(n, divisor))) return division::divide_error;

@@ -16,9 +16,9 @@ namespace fixed::detail {
 #if defined(FIXED_NO_HARDWARE_DOUBLE) || defined(__FAST_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || FLT_EVAL_METHOD < 0 ||                 \
     FLT_EVAL_METHOD > 1
-inline constexpr bool hardware_double = false;
+constexpr bool hardware_double = false;
 #else
-inline constexpr bool hardware_double =
+constexpr bool hardware_double =
     std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53;
 #endif
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 
 #include "fixed/detail/hardware.hpp"
@@ -23,76 +23,91 @@ constexpr std::int64_t quotient_by_integers(std::int32_t numerator, std::int32_t
   return floor_divide(parts + bias<R>(parts < 0, unit), unit);
 }
 
-/// The same by one division in double, with the result brought into [Lowest, Highest].
+/// The upper half of the bits: the sign, the exponent and what follows.
+inline std::int32_t upper_bits(double x) noexcept {
+  return static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(x) >> 32);
+}
+
+/// Before the last step of the rounding: the quotient by one division in double, plus a half if R
+/// rounds to nearest. What floor, or for half_away and truncate trunc, makes of it is the rounded
+/// quotient.
 ///
 /// Bit-identical to the integers for every operand and in every rounding mode of the processor:
 ///
 /// Let Q = N / D be the exact quotient, N = numerator * 2^Shift, |N| <= 2^47, 0 < |D| <= 2^31, and
-/// q the double nearest to it in the direction of the current mode: |q - Q| < |Q| 2^-52 = |N / D|
-/// 2^-52
-/// <= 2^-5 / |D|.
-///  - If Q is an integer or an integer and a half, it has at most 48 bits, so q = Q, and q +- 1/2
-///  is
-///    exact.
-///  - If not, Q is at least 1 / |D| from every integer and 1 / (2 |D|) from every half. Adding 1/2
-///    rounds once more, by less than (|Q| + 1/2) 2^-52 <= 2^-5 / |D| + 2^-53. Both errors together
-///    are less than 2^-4 / |D| + 2^-53 < 1 / (2 |D|): no integer lies between Q + 1/2 and what is
-///    computed for it, nor is one met. Without the addition the first error alone is less than
-///    1 / |D|.
-/// So floor and trunc of the sum are those of the exact sum.
+/// q its double in the current mode: |q - Q| < |Q| 2^-52 = |N / D| 2^-52 <= 2^-5 / |D|.
+/// If Q is an integer or a half more than one, it has at most 48 bits, so q = Q and q +- 1/2 is
+/// exact.
 ///
-/// Floor itself: adding 1.5 * 2^52 to |s| < 2^51 leaves a double whose last bit counts ones. The
-/// mode decides which neighbour of s it is; comparing it to s (the subtraction is exact) tells
-/// whether to step back, and the integer is read off the bits. No conversion instruction, whose
-/// 64-bit form SSE2 has no vector of, and no range: compilers vectorise the whole.
-template <rounding R, int Shift, std::int64_t Lowest, std::int64_t Highest>
-inline std::int64_t quotient_by_double(std::int32_t numerator, std::int32_t divisor) noexcept {
+/// If not, Q is at least 1 / |D| from every integer and 1 / (2 |D|) from every half. Adding 1/2
+/// rounds once more, by less than (|Q| + 1/2) 2^-52 <= 2^-5 / |D| + 2^-53. Both errors together are
+/// less than 2^-4 / |D| + 2^-53 < 1 / (4 |D|), so the computed sum stays on the same side of every
+/// integer as the exact one, and at least 1 / (4 |D|) >= 2^-33 away from it.
+///
+/// So floor and trunc of the computed sum are those of the exact sum.
+template <rounding R, int Shift>
+inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr double scale = std::int64_t{1} << Shift;
   const double q = static_cast<double>(numerator) * scale / static_cast<double>(divisor);
-
-  double sum = q;
-  if constexpr (R == rounding::half_up) sum = q + 0.5;
-  if constexpr (R == rounding::half_away) sum = q + (q < 0 ? -0.5 : 0.5);
-  constexpr double highest = static_cast<double>(Highest) + 0.5;
-  constexpr double lowest = static_cast<double>(Lowest);
-  sum = sum > lowest ? sum : lowest;
-  sum = sum < highest ? sum : highest;
-
-  constexpr double ones = 0x1.8p52;
-  const double placed = sum + ones;
-  const double neighbour = placed - ones;
-  const std::int64_t integer =
-      std::bit_cast<std::int64_t>(placed) - std::bit_cast<std::int64_t>(ones);
-  if constexpr (R == rounding::half_up || R == rounding::floor) {
-    return integer - (neighbour > sum ? 1 : 0);
+  if constexpr (R == rounding::half_up) {
+    return q + 0.5;
+  } else if constexpr (R == rounding::half_away) {
+    return q + std::copysign(0.5, q);
   } else {
-    const std::int64_t outward = sum < 0 ? neighbour < sum : neighbour > sum;
-    return sum < 0 ? integer + outward : integer - outward;
+    return q;
   }
 }
 
-/// No bounds: every quotient of two stored integers is within them.
-inline constexpr std::int64_t any_quotient = std::int64_t{1} << 48;
+/// floor of what quotient_sum() returns, in every rounding mode.
+///
+/// Adding 1.5 * 2^52 to a sum below 2^51 leaves a double whose last bit counts ones; which
+/// neighbour of the sum it is, the mode decides. The integer is read off the bits, and the sign of
+/// the difference from the sum tells whether to step back. That difference is 0 or at least 2^-33;
+/// 2^-40 keeps the zero, which is negative when rounding downward, from stepping. Without a branch
+/// and without the 64-bit conversion that SSE2 has for single values only, compilers vectorise it.
+inline std::int64_t floor_of_sum(double sum) noexcept {
+  constexpr double ones = 0x1.8p52;
+  const double placed = sum + ones;
+  const double over_neighbour = sum - (placed - ones);
+  const std::uint64_t step = std::bit_cast<std::uint64_t>(over_neighbour + 0x1p-40) >> 63;
+  return std::bit_cast<std::int64_t>(placed) - std::bit_cast<std::int64_t>(ones) -
+         static_cast<std::int64_t>(step);
+}
+
+/// Whether rule R is a floor once its half is added; if not, it is a trunc.
+template <rounding R>
+inline constexpr bool rounds_by_floor = R == rounding::half_up || R == rounding::floor;
 
 /// numerator * 2^Shift / divisor rounded by rule R. `divisor` is not zero, Shift <= 16.
 template <rounding R, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
-  if (hardware_double && !std::is_constant_evaluated()) {
-    return quotient_by_double<R, Shift, -any_quotient, any_quotient>(numerator, divisor);
+  if (!hardware_double || std::is_constant_evaluated()) {
+    return quotient_by_integers<R, Shift>(numerator, divisor);
   }
-  return quotient_by_integers<R, Shift>(numerator, divisor);
+  const double sum = quotient_sum<R, Shift>(numerator, divisor);
+  return rounds_by_floor<R> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
 }
 
-/// The same, brought into the range of Raw.
+/// The same, saturated to the range of Raw.
 template <class Raw, rounding R, int Shift>
-constexpr Raw saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
-  constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
-  constexpr std::int64_t highest = std::numeric_limits<Raw>::max();
-  if (hardware_double && !std::is_constant_evaluated()) {
-    return static_cast<Raw>(quotient_by_double<R, Shift, lowest, highest>(numerator, divisor));
+constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
+  constexpr std::int32_t highest = std::numeric_limits<Raw>::max();
+  constexpr std::int32_t lowest = std::numeric_limits<Raw>::min();
+  if (!hardware_double || std::is_constant_evaluated() || !rounds_by_floor<R>) {
+    const std::int64_t quotient = rounded_quotient<R, Shift>(numerator, divisor);
+    return static_cast<std::int32_t>(quotient < lowest    ? lowest
+                                     : quotient > highest ? highest
+                                                          : quotient);
   }
-  const std::int64_t exact = quotient_by_integers<R, Shift>(numerator, divisor);
-  return static_cast<Raw>(exact < lowest ? lowest : exact > highest ? highest : exact);
+  // Out of range if the sum is below `lowest` (or is a negative zero above it: the same end) or has
+  // reached `highest` + 1. At such a quotient the divisor is at most 2^16, so a sum that has not
+  // reached it stays 2^-18 below.
+  constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
+  const double sum = quotient_sum<R, Shift>(numerator, divisor);
+  const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
+  const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
+  const std::int32_t out = (upper_bits(sum - lowest) | upper_bits(below_end - sum)) >> 31;
+  return (low & ~out) | (end & out);
 }
 
 }  // namespace fixed::detail

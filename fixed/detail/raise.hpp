@@ -40,14 +40,14 @@ template <class Error, class... Operands>
 [[noreturn]] void raise(std::string_view what, std::string_view operation, Operands... operands) {
   std::string text = "fixed-point ";
   text.append(what).append(": ").append(operation);
-  char separator = '(';
-  for (const std::string& operand : {describe(operands)...}) {
-    text += separator;
-    if (separator == ',') text += ' ';
-    text += operand;
-    separator = ',';
+  if constexpr (sizeof...(Operands) != 0) {
+    const char* separator = "(";
+    for (const std::string& operand : {describe(operands)...}) {
+      text.append(separator).append(operand);
+      separator = ", ";
+    }
+    text += ')';
   }
-  text += ')';
   throw Error(text);
 }
 

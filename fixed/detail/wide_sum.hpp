@@ -1,0 +1,41 @@
+/// \file
+/// A sum of products that cannot overflow.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace fixed::detail {
+
+/// A 128-bit two's complement sum in two words: room for 2^64 terms of 63 bits.
+class wide_sum {
+ public:
+  constexpr void add(std::int64_t term) noexcept {
+    const auto low = static_cast<std::uint64_t>(term);
+    low_ += low;
+    high_ += (term < 0 ? -1 : 0) + (low_ < low ? 1 : 0);
+  }
+
+  constexpr bool negative() const noexcept { return high_ < 0; }
+
+  /// The sum / 2^bits toward -infinity modulo 2^64, for 0 < bits < 64.
+  constexpr std::int64_t low_shifted_right(int bits) const noexcept {
+    return static_cast<std::int64_t>((low_ >> bits) |
+                                     (static_cast<std::uint64_t>(high_) << (64 - bits)));
+  }
+
+  /// The sum / 2^bits toward -infinity, for 0 < bits < 64; where that does not fit, the end of
+  /// std::int64_t on its side.
+  constexpr std::int64_t clamped_shifted_right(int bits) const noexcept {
+    const std::int64_t above = high_ >> (bits - 1);
+    if (above == 0 || above == -1) return low_shifted_right(bits);
+    return negative() ? std::numeric_limits<std::int64_t>::min()
+                      : std::numeric_limits<std::int64_t>::max();
+  }
+
+ private:
+  std::uint64_t low_ = 0;
+  std::int64_t high_ = 0;
+};
+
+}  // namespace fixed::detail

@@ -1,0 +1,84 @@
+/// \file
+/// `{}` of std::format, where the library has it, and of fmt, where fmt is included before this.
+///
+/// The format of a field is `[[fill]align][width]` with align one of `<`, `>` (the default) and
+/// `^`, and fill one char: the exact value, as to_chars() writes it, in a field at least that wide.
+///
+/// Where fmt comes later than fixed/fixed.hpp, include this once more after it; hence no #pragma
+/// once.
+#ifndef FIXED_FORMAT_HPP
+#define FIXED_FORMAT_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <version>
+
+#include "fixed/detail/decimal.hpp"
+#include "fixed/number.hpp"
+
+#if defined(__cpp_lib_format)
+#include <format>
+#endif
+
+namespace fixed::detail {
+
+/// What the formatters of both libraries do; Error is the library's format_error.
+template <int FractionBits, policy P, class Error>
+class text_formatter {
+ public:
+  template <class Context>
+  constexpr auto parse(Context& context) {
+    auto it = context.begin();
+    const auto end = context.end();
+    if (it != end && it + 1 != end && is_align(it[1]) && *it != '{' && *it != '}') {
+      fill_ = *it++;
+    }
+    if (it != end && is_align(*it)) align_ = *it++;
+    for (; it != end && *it >= '0' && *it <= '9'; ++it) {
+      width_ = width_ * 10 + static_cast<std::size_t>(*it - '0');
+      if (width_ > max_width) throw Error("the width of a fixed-point number is too large");
+    }
+    if (it != end && *it != '}') {
+      throw Error("the format of a fixed-point number is [[fill]align][width]");
+    }
+    return it;
+  }
+
+  template <class Context>
+  auto format(number<FractionBits, P> value, Context& context) const {
+    char text[max_decimal_chars<FractionBits>];
+    const char* last = write_decimal<FractionBits>(text, value.raw());
+    const auto length = static_cast<std::size_t>(last - text);
+    const std::size_t padding = width_ > length ? width_ - length : 0;
+    const std::size_t before = align_ == '<' ? 0 : align_ == '^' ? padding / 2 : padding;
+    auto out = std::fill_n(context.out(), before, fill_);
+    out = std::copy(static_cast<const char*>(text), last, out);
+    return std::fill_n(out, padding - before, fill_);
+  }
+
+ private:
+  static constexpr std::size_t max_width = 1'000'000;
+
+  static constexpr bool is_align(char c) noexcept { return c == '<' || c == '>' || c == '^'; }
+
+  char fill_ = ' ';
+  char align_ = '>';
+  std::size_t width_ = 0;
+};
+
+}  // namespace fixed::detail
+
+#if defined(__cpp_lib_format)
+template <int FractionBits, fixed::policy P>
+struct std::formatter<fixed::number<FractionBits, P>, char>
+    : fixed::detail::text_formatter<FractionBits, P, std::format_error> {};
+#endif
+
+#endif
+
+#if defined(FMT_VERSION) && !defined(FIXED_FMT_FORMATTER)
+#define FIXED_FMT_FORMATTER
+template <int FractionBits, fixed::policy P>
+struct fmt::formatter<fixed::number<FractionBits, P>, char>
+    : fixed::detail::text_formatter<FractionBits, P, fmt::format_error> {};
+#endif

@@ -1,0 +1,85 @@
+/// \file
+/// std::numeric_limits and std::hash.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+#include "fixed/number.hpp"
+#include "fixed/policy.hpp"
+
+/// Fixed-point numbers in the terms of the standard: `min` is the smallest positive number, as for
+/// floating point, and `epsilon` the step to the next.
+template <int FractionBits, fixed::policy P>
+class std::numeric_limits<fixed::number<FractionBits, P>> {
+  using number = fixed::number<FractionBits, P>;
+  using raw_limits = std::numeric_limits<typename number::raw_type>;
+
+  static constexpr bool to_nearest(fixed::rounding r) noexcept {
+    return r == fixed::rounding::half_up || r == fixed::rounding::half_away;
+  }
+
+  static constexpr std::float_round_style style() noexcept {
+    if (to_nearest(P.multiply) && to_nearest(P.divide)) return std::round_to_nearest;
+    if (P.multiply != P.divide) return std::round_indeterminate;
+    return P.multiply == fixed::rounding::floor ? std::round_toward_neg_infinity
+                                                : std::round_toward_zero;
+  }
+
+ public:
+  static constexpr bool is_specialized = true;
+  static constexpr bool is_signed = true;
+  static constexpr bool is_integer = false;
+  static constexpr bool is_exact = true;
+  static constexpr bool is_bounded = true;
+  static constexpr bool is_iec559 = false;
+  /// Whether sums and products wrap.
+  static constexpr bool is_modulo = P.range == fixed::overflow::wrap;
+  /// Whether some operation throws.
+  static constexpr bool traps = !number::divide_never_throws;
+  static constexpr bool tinyness_before = false;
+
+  static constexpr bool has_infinity = false;
+  static constexpr bool has_quiet_NaN = false;
+  static constexpr bool has_signaling_NaN = false;
+  static constexpr std::float_denorm_style has_denorm = std::denorm_absent;
+  static constexpr bool has_denorm_loss = false;
+
+  /// Of products and quotients; round_indeterminate if they are rounded in different directions.
+  static constexpr std::float_round_style round_style = style();
+
+  static constexpr int radix = 2;
+  static constexpr int digits = raw_limits::digits;
+  /// 4 decimal digits before the point and 4 after it survive in 16.16; 2 and 2 in 8.8.
+  static constexpr int digits10 = FractionBits == 16 ? 4 + 4 : 2 + 2;
+  /// 5 decimal digits before the point and 5 after it tell all numbers apart in 16.16; 3 and 3 in
+  /// 8.8.
+  static constexpr int max_digits10 = FractionBits == 16 ? 5 + 5 : 3 + 3;
+  static constexpr int min_exponent = 1 - FractionBits;
+  static constexpr int max_exponent = FractionBits - 1;
+  static constexpr int min_exponent10 = FractionBits == 16 ? -4 : -2;
+  static constexpr int max_exponent10 = FractionBits == 16 ? 4 : 2;
+
+  static constexpr number min() noexcept { return number::from_raw(1); }
+  static constexpr number max() noexcept { return number::from_raw(raw_limits::max()); }
+  static constexpr number lowest() noexcept { return number::from_raw(raw_limits::min()); }
+  static constexpr number epsilon() noexcept { return number::from_raw(1); }
+  /// In units of the last place: 1/2 if everything is rounded to nearest, else 1.
+  static constexpr number round_error() noexcept {
+    return number::from_raw(
+        1 << (style() == std::round_to_nearest ? FractionBits - 1 : FractionBits));
+  }
+  /// There are no denormal numbers: min().
+  static constexpr number denorm_min() noexcept { return min(); }
+  static constexpr number infinity() noexcept { return number(); }
+  static constexpr number quiet_NaN() noexcept { return number(); }
+  static constexpr number signaling_NaN() noexcept { return number(); }
+};
+
+template <int FractionBits, fixed::policy P>
+struct std::hash<fixed::number<FractionBits, P>> {
+  std::size_t operator()(fixed::number<FractionBits, P> x) const noexcept {
+    return std::hash<typename fixed::number<FractionBits, P>::raw_type>{}(x.raw());
+  }
+};

@@ -1,0 +1,176 @@
+/// \file
+/// Functions of numbers: whole parts, absolute value, square root, and sums of products that are
+/// rounded once.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <ranges>
+#include <string>
+
+#include "fixed/detail/raise.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/square_root.hpp"
+#include "fixed/detail/wide_sum.hpp"
+#include "fixed/number.hpp"
+
+namespace fixed {
+
+/// x rounded to an integer by rule R. Never out of range.
+template <rounding R, int F, policy P>
+constexpr std::int32_t to_integer(number<F, P> x) noexcept {
+  return static_cast<std::int32_t>(detail::shift_right<R>(std::int64_t{x.raw()}, F));
+}
+
+namespace detail {
+
+/// x rounded to a whole number by rule R; out of range by the policy.
+template <rounding R, int F, policy P>
+constexpr number<F, P> whole(number<F, P> x,
+                             const char* operation) noexcept(number<F, P>::never_throws) {
+  const std::int64_t units = std::int64_t{to_integer<R>(x)} * (std::int64_t{1} << F);
+  return number<F, P>::from_raw(
+      narrow<P.range, raw_t<F>>(units, [&] { raise_overflow<F>(operation, x.raw()); }));
+}
+
+}  // namespace detail
+
+/// The greatest whole number not above x.
+template <int F, policy P>
+constexpr number<F, P> floor(number<F, P> x) noexcept(number<F, P>::never_throws) {
+  return detail::whole<rounding::floor>(x, "floor");
+}
+
+/// The least whole number not below x; out of range, above the highest one, by the policy.
+template <int F, policy P>
+constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws) {
+  const bool whole = floor(x) == x;
+  const std::int64_t units =
+      (std::int64_t{to_integer<rounding::floor>(x)} + (whole ? 0 : 1)) * (std::int64_t{1} << F);
+  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
+      units, [&] { detail::raise_overflow<F>("ceil", x.raw()); }));
+}
+
+/// The nearest whole number; halves go away from zero if the policy's products do, up otherwise.
+template <int F, policy P>
+constexpr number<F, P> round(number<F, P> x) noexcept(number<F, P>::never_throws) {
+  constexpr bool away = P.multiply == rounding::half_away;
+  return detail::whole < away ? rounding::half_away : rounding::half_up > (x, "round");
+}
+
+/// The whole part: x toward zero.
+template <int F, policy P>
+constexpr number<F, P> trunc(number<F, P> x) noexcept(number<F, P>::never_throws) {
+  return detail::whole<rounding::truncate>(x, "trunc");
+}
+
+/// The magnitude; that of the lowest number is out of range, by the policy.
+template <int F, policy P>
+constexpr number<F, P> abs(number<F, P> x) noexcept(number<F, P>::never_throws) {
+  const std::int64_t raw = x.raw();
+  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
+      raw < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
+}
+
+template <int F, policy P>
+constexpr number<F, P> min(number<F, P> a, number<F, P> b) noexcept {
+  return b < a ? b : a;
+}
+
+template <int F, policy P>
+constexpr number<F, P> max(number<F, P> a, number<F, P> b) noexcept {
+  return a < b ? b : a;
+}
+
+/// The number nearest to the square root, under every policy; there are no ties. The root of a
+/// negative number is 0; under overflow::trap it throws domain_error.
+template <int F, policy P>
+constexpr number<F, P> sqrt(number<F, P> x) noexcept(number<F, P>::never_throws) {
+  if (x.raw() < 0) {
+    if constexpr (P.range == overflow::trap) {
+      detail::raise<domain_error>("domain error", "sqrt", detail::operand<F>{x.raw()});
+    }
+    return {};
+  }
+  return number<F, P>::from_raw(static_cast<detail::raw_t<F>>(
+      detail::nearest_sqrt(std::int64_t{x.raw()} * (std::int64_t{1} << F))));
+}
+
+/// a * b + c, rounded once, as a product.
+template <int F, policy P>
+constexpr number<F, P> mul_add(number<F, P> a, number<F, P> b,
+                               number<F, P> c) noexcept(number<F, P>::never_throws) {
+  using wide = detail::wide_t<F>;
+  const wide sum = wide{a.raw()} * wide{b.raw()} + wide{c.raw()} * (wide{1} << F);
+  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
+      detail::shift_right<P.multiply>(sum, F),
+      [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));
+}
+
+/// a + (b - a) * t, rounded once, as a product: a at t = 0, b at t = 1, and beyond them outside.
+template <int F, policy P>
+constexpr number<F, P> lerp(number<F, P> a, number<F, P> b,
+                            number<F, P> t) noexcept(number<F, P>::never_throws) {
+  // The product has 63 bits and a sign. Adding `a` to it would overflow; adding `a` afterwards is
+  // the same, as long as the rounding knows the sign of the sum.
+  const std::int64_t product = (std::int64_t{b.raw()} - a.raw()) * t.raw();
+  const bool negative = a.raw() + (product >> F) < 0;
+  const std::int64_t rounded =
+      (product + detail::bias<P.multiply>(negative, std::int64_t{1} << F)) >> F;
+  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
+      a.raw() + rounded, [&] { detail::raise_overflow<F>("lerp", a.raw(), b.raw(), t.raw()); }));
+}
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_number = false;
+template <int F, policy P>
+inline constexpr bool is_number<number<F, P>> = true;
+
+/// An array, vector, span or the like of numbers.
+template <class Range>
+concept number_range = std::ranges::contiguous_range<Range> && std::ranges::sized_range<Range> &&
+    is_number<std::ranges::range_value_t<Range>>;
+
+}  // namespace detail
+
+/// The sum of a[i] * b[i], exact until it is rounded once, as a product. Where one is longer, its
+/// rest does not count. An empty sum is 0.
+template <detail::number_range A, detail::number_range B>
+requires std::same_as<std::ranges::range_value_t<A>, std::ranges::range_value_t<B>>
+constexpr auto dot(const A& a, const B& b) noexcept(std::ranges::range_value_t<A>::never_throws) {
+  using result = std::ranges::range_value_t<A>;
+  using raw = typename result::raw_type;
+  constexpr policy rules = result::rules;
+  constexpr int bits = result::fraction_bits;
+  constexpr std::int64_t unit = std::int64_t{1} << bits;
+
+  const auto* x = std::ranges::data(a);
+  const auto* y = std::ranges::data(b);
+  const auto terms = static_cast<std::size_t>(
+      std::ranges::size(a) < std::ranges::size(b) ? std::ranges::size(a) : std::ranges::size(b));
+  const auto product = [x, y](std::size_t i) { return std::int64_t{x[i].raw()} * y[i].raw(); };
+
+  if constexpr (rules.range == overflow::wrap && detail::rounds_by_floor<rules.multiply>) {
+    // Neither the wrap nor the rounding asks for the upper bits of the sum.
+    auto sum = static_cast<std::uint64_t>(detail::bias<rules.multiply>(false, unit));
+    for (std::size_t i = 0; i < terms; ++i) sum += static_cast<std::uint64_t>(product(i));
+    return result::from_raw(static_cast<raw>(sum >> bits));
+  } else {
+    detail::wide_sum sum;
+    for (std::size_t i = 0; i < terms; ++i) sum.add(product(i));
+    sum.add(detail::bias<rules.multiply>(sum.negative(), unit));
+    if constexpr (rules.range == overflow::wrap) {
+      return result::from_raw(static_cast<raw>(sum.low_shifted_right(bits)));
+    } else {
+      return result::from_raw(
+          detail::narrow<rules.range, raw>(sum.clamped_shifted_right(bits), [terms] {
+            detail::raise<overflow_error>("overflow", "dot of " + std::to_string(terms) + " terms");
+          }));
+    }
+  }
+}
+
+}  // namespace fixed

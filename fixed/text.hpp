@@ -1,0 +1,91 @@
+/// \file
+/// Exact decimal text, in the manner of <charconv>, and streams.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <istream>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "fixed/detail/decimal.hpp"
+#include "fixed/number.hpp"
+
+namespace fixed {
+
+/// Room enough for to_chars() of any number of the type.
+template <class Number>
+inline constexpr std::size_t max_chars = detail::max_decimal_chars<Number::fraction_bits>;
+
+/// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
+/// \return the end of the text; or {last, errc::value_too_large}, with nothing written, if it does
+///         not fit
+template <int F, policy P>
+constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> value) noexcept {
+  char text[detail::max_decimal_chars<F>];
+  const char* end = detail::write_decimal<F>(text, value.raw());
+  if (last - first < end - text) return {last, std::errc::value_too_large};
+  return {std::copy(static_cast<const char*>(text), end, first), std::errc{}};
+}
+
+/// Reads the longest prefix that is `[sign]digits[.digits]`, of any length, and rounds it once, as
+/// a product.
+/// \return the end of that prefix. errc::invalid_argument, with `first`, if there is none;
+///         errc::result_out_of_range if the rounded value is out of range, whatever the policy. The
+///         value then stays as it was.
+template <int F, policy P>
+constexpr std::from_chars_result from_chars(const char* first, const char* last,
+                                            number<F, P>& value) noexcept {
+  detail::decimal_reader reader;
+  const char* end = first;
+  while (end != last && reader.take(*end)) ++end;
+  if (reader.ends_in_point()) --end;
+  if (!reader.complete() && !reader.ends_in_point()) return {first, std::errc::invalid_argument};
+  const auto raw = reader.value<F, P.multiply>();
+  if (!raw) return {end, std::errc::result_out_of_range};
+  value = number<F, P>::from_raw(*raw);
+  return {end, std::errc{}};
+}
+
+/// The exact value, as to_chars() writes it.
+template <int F, policy P>
+std::string to_string(number<F, P> value) {
+  char text[detail::max_decimal_chars<F>];
+  return {text, detail::write_decimal<F>(text, value.raw())};
+}
+
+/// Writes the exact value; of the stream's flags, width, fill and left or right count.
+template <class Traits, int F, policy P>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
+                                             number<F, P> value) {
+  char text[detail::max_decimal_chars<F>];
+  const char* end = detail::write_decimal<F>(text, value.raw());
+  return out << std::basic_string_view<char, Traits>(text, static_cast<std::size_t>(end - text));
+}
+
+/// Reads what from_chars() reads, after white space, and sets failbit for what it refuses, leaving
+/// the value as it was. A point must have a digit after it: "1." fails.
+template <class Traits, int F, policy P>
+std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
+                                             number<F, P>& value) {
+  const typename std::basic_istream<char, Traits>::sentry ready(in);
+  if (!ready) return in;
+  detail::decimal_reader reader;
+  for (auto next = in.peek(); !Traits::eq_int_type(next, Traits::eof()); next = in.peek()) {
+    if (!reader.take(Traits::to_char_type(next))) break;
+    in.get();
+  }
+  const auto raw = reader.complete() ? reader.value<F, P.multiply>() : std::nullopt;
+  if (raw) {
+    value = number<F, P>::from_raw(*raw);
+  } else {
+    in.setstate(std::ios_base::failbit);
+  }
+  return in;
+}
+
+}  // namespace fixed

@@ -1,0 +1,62 @@
+/// \file
+/// Sine and cosine of an angle in tenths of a degree, as CosSin of FIXED.ASM returns them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fixed/detail/cosine_table.hpp"
+#include "fixed/number.hpp"
+
+namespace fixed {
+
+template <class Number>
+struct cos_sin {
+  Number cos;
+  Number sin;
+
+  friend constexpr bool operator==(const cos_sin&, const cos_sin&) = default;
+};
+
+/// The cosine and the sine, each the nearest number, of an angle in tenths of a degree. Any angle:
+/// whole turns (3600) do not count. The same under every policy.
+///
+///     const auto [cos, sin] = fixed::sin_cos<fixed::q16_16>(450);
+template <class Number>
+constexpr cos_sin<Number> sin_cos(std::int16_t angle) noexcept {
+  constexpr int turn = 3600;
+  constexpr int quarter = turn / 4;
+  constexpr const auto& table = detail::cosine_table<Number::fraction_bits, quarter / 90>;
+  const int in_turn = (angle % turn + turn) % turn;
+  const auto from_axis = static_cast<std::size_t>(in_turn % quarter);
+  const std::int32_t along = table[from_axis];
+  const std::int32_t across = table[quarter - from_axis];
+  const auto result = [](std::int32_t cos, std::int32_t sin) -> cos_sin<Number> {
+    using raw = typename Number::raw_type;
+    return {Number::from_raw(static_cast<raw>(cos)), Number::from_raw(static_cast<raw>(sin))};
+  };
+  switch (in_turn / quarter) {
+    case 0:
+      return result(along, across);
+    case 1:
+      return result(-across, along);
+    case 2:
+      return result(-along, -across);
+    default:
+      return result(across, -along);
+  }
+}
+
+/// The cosine alone; see sin_cos().
+template <class Number>
+constexpr Number cos(std::int16_t angle) noexcept {
+  return sin_cos<Number>(angle).cos;
+}
+
+/// The sine alone; see sin_cos().
+template <class Number>
+constexpr Number sin(std::int16_t angle) noexcept {
+  return sin_cos<Number>(angle).sin;
+}
+
+}  // namespace fixed
