@@ -1,0 +1,130 @@
+/// @file
+/// Listings, and the assembly that settles their conditional rows and labels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "x86model/instruction.hpp"
+
+namespace x86model {
+
+/// The rows of one routine as printed: instructions, labels and conditional assembly.
+struct Listing {
+  std::array<Instruction, 640> rows{};
+  std::size_t size = 0;
+
+  constexpr Listing() = default;
+  constexpr Listing(std::initializer_list<Instruction> more) { *this += more; }
+
+  constexpr Listing& operator+=(std::initializer_list<Instruction> more) {
+    for (const Instruction& row : more) rows.at(size++) = row;
+    return *this;
+  }
+  constexpr Listing& operator+=(const Listing& more) {
+    for (std::size_t i = 0; i < more.size; ++i) rows.at(size++) = more.rows.at(i);
+    return *this;
+  }
+};
+
+/// The switches of the conditional assembly: each says what the code does.
+struct Build {
+  bool mul_rounding = true;
+  bool div_rounding = true;
+  /// The routine as chapter 52 has it: always rounded; the divide ends in MOV and SHR, and
+  /// ConcatXforms adds the translation in all four columns. 386 only.
+  bool chapter_52 = false;
+  /// The 8088 divide with its last ADC after the endif, as the scan of chapter 54 has it: without
+  /// rounding it adds a carry that DIV leaves undefined.
+  bool endif_as_scanned = false;
+
+  friend constexpr bool operator==(const Build&, const Build&) = default;
+};
+
+/// A routine ready to run: every row an instruction, every label operand a position.
+struct Program {
+  std::array<Instruction, 600> code{};
+  std::size_t size = 0;
+
+  [[nodiscard]] constexpr std::span<const Instruction> instructions() const {
+    return std::span(code).first(size);
+  }
+};
+
+namespace detail {
+
+constexpr bool holds(Condition condition, const Build& build) {
+  switch (condition) {
+    case Condition::mul_rounding: return build.mul_rounding;
+    case Condition::div_rounding: return build.div_rounding;
+    case Condition::chapter_52: return build.chapter_52;
+    case Condition::endif_as_scanned: return build.endif_as_scanned;
+    case Condition::none: break;
+  }
+  throw std::logic_error("a conditional row without a condition");
+}
+
+constexpr std::size_t position_of(std::string_view label, const Program& program) {
+  for (std::size_t i = 0; i < program.size; ++i) {
+    const char* here = program.code.at(i).label;
+    if (here != nullptr && label == here) return i;
+  }
+  throw std::logic_error("a jump to a label that does not exist");
+}
+
+}  // namespace detail
+
+/// Assembles a listing for one setting of its switches.
+///
+/// @throws std::logic_error where the listing is malformed: in a constant expression the program then
+///         does not compile.
+constexpr Program assemble(const Listing& listing, const Build& build) {
+  Program program;
+  std::array<bool, 4> kept{true};
+  std::size_t depth = 0;
+  const char* label = nullptr;
+  bool is_procedure = false;
+  for (std::size_t i = 0; i < listing.size; ++i) {
+    const Instruction& row = listing.rows.at(i);
+    switch (row.directive) {
+      case Directive::if_:
+        kept.at(depth + 1) = kept.at(depth) && detail::holds(row.condition, build);
+        ++depth;
+        break;
+      case Directive::else_: kept.at(depth) = kept.at(depth - 1) && !kept.at(depth); break;
+      case Directive::endif: --depth; break;
+      case Directive::procedure:
+      case Directive::label:
+        if (!kept.at(depth)) break;
+        if (label != nullptr) throw std::logic_error("two labels at one instruction");
+        label = row.label;
+        is_procedure = row.is_procedure;
+        break;
+      case Directive::none:
+        if (!kept.at(depth)) break;
+        Instruction& placed = program.code.at(program.size++);
+        placed = row;
+        placed.label = label;
+        placed.is_procedure = is_procedure;
+        label = nullptr;
+        is_procedure = false;
+        break;
+    }
+  }
+  if (depth != 0) throw std::logic_error("an if without its endif");
+  if (label != nullptr) throw std::logic_error("a label after the last instruction");
+  for (std::size_t i = 0; i < program.size; ++i) {
+    for (Operand& operand : program.code.at(i).operands) {
+      if (operand.kind == Operand::Kind::label) {
+        operand.value = static_cast<std::int32_t>(detail::position_of(operand.name, program));
+      }
+    }
+  }
+  return program;
+}
+
+}  // namespace x86model

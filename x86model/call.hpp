@@ -1,0 +1,164 @@
+/// @file
+/// Calls a routine as C would: arguments on the stack, results in DX:AX or in memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "x86model/compiled.hpp"
+#include "x86model/cosine_table.hpp"
+#include "x86model/machine.hpp"
+#include "x86model/routine.hpp"
+#include "x86model/run.hpp"
+
+namespace x86model {
+
+namespace detail {
+
+// Where things stand in memory, in bytes for 16-bit words: the stack below 0x60, then operands and
+// results, then the cosine table at cos_table_address.
+inline constexpr std::int32_t stack_top = 0x60;
+inline constexpr std::int32_t data = stack_top;
+inline constexpr std::int32_t bytes_of_value = 4;
+
+/// Words of memory that a call needs. At half width the same words are single bytes.
+constexpr std::size_t words_of_memory(Routine routine) {
+  const int operands = arity(routine).in + arity(routine).out;
+  switch (routine) {
+    case Routine::mul:
+    case Routine::div: return stack_top / 2;
+    case Routine::cossin: return cos_table_address / 2 + 2 * cosine_table.size();
+    case Routine::xformvec:
+    case Routine::concat: break;
+  }
+  return static_cast<std::size_t>(data + operands * bytes_of_value) / 2;
+}
+
+}  // namespace detail
+
+/// A machine with just the memory that a call of `routine` needs.
+template <Routine routine, int WordBits>
+using CallMachine = Machine<WordBits, WordMemory<WordBits, detail::words_of_memory(routine)>>;
+
+namespace detail {
+
+template <class M>
+X86MODEL_INLINE void store(M& m, std::int32_t address, std::uint32_t value) {
+  constexpr int bits = M::word_bits;
+  m.memory.write(static_cast<std::uint32_t>(scaled_bytes<bits>(address)), value);
+  m.memory.write(static_cast<std::uint32_t>(scaled_bytes<bits>(address + 2)), value >> bits);
+}
+
+template <class M>
+X86MODEL_INLINE std::uint32_t load(const M& m, std::int32_t address) {
+  constexpr int bits = M::word_bits;
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  m.memory.read(static_cast<std::uint32_t>(scaled_bytes<bits>(address)), low);
+  m.memory.read(static_cast<std::uint32_t>(scaled_bytes<bits>(address + 2)), high);
+  return low | high << bits;
+}
+
+/// Pushes a pointer argument.
+template <class M>
+X86MODEL_INLINE void push_pointer(M& m, std::int32_t address) {
+  push(m, static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(address)));
+}
+
+}  // namespace detail
+
+/// Puts the cosine table in place; needed once for a machine that runs CosSin.
+template <class M>
+X86MODEL_INLINE void load_cosine_table(M& m) {
+  for (std::size_t i = 0; i < cosine_table.size(); ++i) {
+    detail::store(m, cos_table_address + static_cast<std::int32_t>(4 * i), cosine_table[i]);
+  }
+}
+
+/// Sets up the stack and the operands as a C caller of `routine` does, last argument first. Registers
+/// other than SP keep what they hold; flags become undefined.
+/// @param in arity(routine).in words
+template <Routine routine, class M>
+X86MODEL_INLINE void enter(M& m, std::span<const std::uint32_t> in) {
+  using namespace detail;
+  constexpr std::int32_t out = data + arity(routine).in * bytes_of_value;
+  m.flags = all_undefined;
+  m.registers.write(Register::sp, Size::word,
+                    static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(stack_top)));
+  if constexpr (routine == Routine::mul || routine == Routine::div) {
+    for (const std::uint32_t value : {in[1], in[0]}) {
+      push(m, value >> M::word_bits);
+      push(m, value);
+    }
+  } else if constexpr (routine == Routine::cossin) {
+    push_pointer(m, out + bytes_of_value);
+    push_pointer(m, out);
+    push(m, in[0]);
+  } else {
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      store(m, data + static_cast<std::int32_t>(i) * bytes_of_value, in[i]);
+    }
+    push_pointer(m, out);
+    push_pointer(m, data + 12 * bytes_of_value);
+    push_pointer(m, data);
+  }
+  push(m, return_to_caller<M::word_bits>);
+}
+
+/// Collects what `routine` returned.
+/// @param out arity(routine).out words
+template <Routine routine, class M>
+X86MODEL_INLINE void leave(const M& m, std::span<std::uint32_t> out) {
+  using namespace detail;
+  if constexpr (routine == Routine::mul || routine == Routine::div) {
+    out[0] = m.registers.read(Register::ax, Size::word) |
+             m.registers.read(Register::dx, Size::word) << M::word_bits;
+  } else {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const auto place = static_cast<std::int32_t>(i) + arity(routine).in;
+      out[i] = load(m, data + place * bytes_of_value);
+    }
+  }
+}
+
+/// Calls `routine`, running `code` on the plain interpreter. `code` may be any program with the
+/// routine's arguments, a broken one too.
+template <Routine routine, int WordBits, class Observer>
+Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in,
+            std::span<std::uint32_t> out, Observer&& observe) {
+  CallMachine<routine, WordBits> m;
+  if constexpr (routine == Routine::cossin) load_cosine_table(m);
+  enter<routine>(m, in);
+  const Ending ending = run(code, m, observe);
+  leave<routine>(m, out);
+  return ending;
+}
+
+/// Calls the compiled routine for each of a batch of cases.
+/// @param in  cases * arity.in words
+/// @param out cases * arity.out words; those of a faulting case are unspecified
+/// @param outcomes one for each case
+template <Routine routine, Target target, Build build, int WordBits>
+void call_compiled(std::span<const std::uint32_t> in, std::span<std::uint32_t> out,
+                   std::span<Outcome> outcomes) {
+  constexpr auto taken = static_cast<std::size_t>(arity(routine).in);
+  constexpr auto given = static_cast<std::size_t>(arity(routine).out);
+  CallMachine<routine, WordBits> ready;
+  if constexpr (routine == Routine::cossin) load_cosine_table(ready);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if constexpr (routine == Routine::mul || routine == Routine::div) {
+      // A machine of its own for each case: it never leaves the processor's registers.
+      CallMachine<routine, WordBits> m;
+      enter<routine>(m, in.subspan(i * taken, taken));
+      outcomes[i] = run_compiled<program<routine, target, build>>(m);
+      leave<routine>(m, out.subspan(i * given, given));
+    } else {
+      enter<routine>(ready, in.subspan(i * taken, taken));
+      outcomes[i] = run_compiled<program<routine, target, build>>(ready);
+      leave<routine>(ready, out.subspan(i * given, given));
+    }
+  }
+}
+
+}  // namespace x86model

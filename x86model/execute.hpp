@@ -1,0 +1,229 @@
+/// @file
+/// One instruction: what it does to a machine.
+#pragma once
+
+#include <cstdint>
+
+#include "x86model/alu.hpp"
+#include "x86model/inline.hpp"
+#include "x86model/instruction.hpp"
+#include "x86model/machine.hpp"
+
+namespace x86model {
+
+/// How an instruction, or a run, came to its end.
+enum class Outcome : std::uint8_t {
+  proceeds,        ///< the instruction is done
+  returned,        ///< RET from the routine itself
+  divide_error,    ///< #DE; nothing was changed
+  undefined_flag,  ///< a flag that Intel leaves undefined was read
+  bad_address,     ///< there is no memory there
+  step_limit,      ///< the run did not end
+};
+
+namespace detail {
+
+template <class M>
+X86MODEL_INLINE int bits_of(Size size) {
+  return size == Size::word ? M::word_bits : 2 * M::word_bits;
+}
+
+template <class M>
+X86MODEL_INLINE std::uint32_t address_of(const Operand& o, const M& m) {
+  std::int32_t displacement = o.value;
+  if (o.symbol == Symbol::cos_table) displacement += cos_table_address;
+  const auto base = m.registers.read(o.reg, Size::word);
+  return (base + static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(displacement))) &
+         alu::mask(M::word_bits);
+}
+
+template <class M>
+X86MODEL_INLINE std::uint32_t immediate(const Operand& o) {
+  switch (o.scaling) {
+    case Scaling::literal: break;
+    case Scaling::bytes: return static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(o.value));
+    case Scaling::half_unit: return std::uint32_t{1} << (M::word_bits - 1);
+    case Scaling::word_bits: return M::word_bits;
+  }
+  return static_cast<std::uint32_t>(o.value);
+}
+
+/// Reads `size` bits at an operand into `value`; false where there is no memory.
+template <class M>
+X86MODEL_INLINE bool read(const Operand& o, Size size, const M& m, std::uint32_t& value) {
+  if (o.kind == Operand::Kind::reg) {
+    value = m.registers.read(o.reg, size);
+    return true;
+  }
+  if (o.kind == Operand::Kind::immediate) {
+    value = immediate<M>(o) & alu::mask(bits_of<M>(size));
+    return true;
+  }
+  const std::uint32_t address = address_of(o, m);
+  if (!m.memory.read(address, value)) return false;
+  if (size == Size::word) return true;
+  std::uint32_t high = 0;
+  if (!m.memory.read(address + M::word_bits / 8, high)) return false;
+  value |= high << M::word_bits;
+  return true;
+}
+
+template <class M>
+X86MODEL_INLINE bool write(const Operand& o, Size size, M& m, std::uint32_t value) {
+  if (o.kind == Operand::Kind::reg) {
+    m.registers.write(o.reg, size, value);
+    return true;
+  }
+  const std::uint32_t address = address_of(o, m);
+  if (!m.memory.write(address, value)) return false;
+  return size == Size::word || m.memory.write(address + M::word_bits / 8, value >> M::word_bits);
+}
+
+template <class M>
+X86MODEL_INLINE bool push(M& m, std::uint32_t value) {
+  const std::uint32_t top =
+      (m.registers.read(Register::sp, Size::word) - M::word_bits / 8) & alu::mask(M::word_bits);
+  if (!m.memory.write(top, value)) return false;
+  m.registers.write(Register::sp, Size::word, top);
+  return true;
+}
+
+template <class M>
+X86MODEL_INLINE bool pop(M& m, std::uint32_t& value) {
+  const std::uint32_t top = m.registers.read(Register::sp, Size::word);
+  if (!m.memory.read(top, value)) return false;
+  m.registers.write(Register::sp, Size::word, top + M::word_bits / 8);
+  return true;
+}
+
+X86MODEL_INLINE bool is_two_operand(Mnemonic op) {
+  return op == Mnemonic::add || op == Mnemonic::adc || op == Mnemonic::sub || op == Mnemonic::sbb ||
+         op == Mnemonic::cmp || op == Mnemonic::and_ || op == Mnemonic::xor_;
+}
+X86MODEL_INLINE bool is_one_operand(Mnemonic op) {
+  return op == Mnemonic::neg || op == Mnemonic::inc || op == Mnemonic::dec;
+}
+X86MODEL_INLINE bool is_shift(Mnemonic op) {
+  return op == Mnemonic::shl || op == Mnemonic::shr || op == Mnemonic::sar || op == Mnemonic::rol;
+}
+X86MODEL_INLINE bool is_double_shift(Mnemonic op) {
+  return op == Mnemonic::shld || op == Mnemonic::shrd;
+}
+X86MODEL_INLINE bool is_multiply(Mnemonic op) { return op == Mnemonic::mul || op == Mnemonic::imul; }
+X86MODEL_INLINE bool is_divide(Mnemonic op) { return op == Mnemonic::div || op == Mnemonic::idiv; }
+
+template <Mnemonic op>
+X86MODEL_INLINE alu::Result two_operand(std::uint32_t a, std::uint32_t b, bool carry, int bits) {
+  if constexpr (op == Mnemonic::add) return alu::add(a, b, false, bits);
+  if constexpr (op == Mnemonic::adc) return alu::add(a, b, carry, bits);
+  if constexpr (op == Mnemonic::sub || op == Mnemonic::cmp) return alu::sub(a, b, false, bits);
+  if constexpr (op == Mnemonic::sbb) return alu::sub(a, b, carry, bits);
+  if constexpr (op == Mnemonic::and_) return alu::logic(a & b, bits);
+  if constexpr (op == Mnemonic::xor_) return alu::logic(a ^ b, bits);
+}
+
+template <Mnemonic op>
+X86MODEL_INLINE alu::Result one_operand(std::uint32_t a, int bits) {
+  if constexpr (op == Mnemonic::neg) return alu::sub(0, a, false, bits);
+  if constexpr (op == Mnemonic::inc) return alu::add(a, 1, false, bits);
+  if constexpr (op == Mnemonic::dec) return alu::sub(a, 1, false, bits);
+}
+
+template <Mnemonic op>
+X86MODEL_INLINE alu::Result shift(std::uint32_t a, int count, int bits) {
+  if constexpr (op == Mnemonic::shl) return alu::shl(a, count, bits);
+  if constexpr (op == Mnemonic::shr) return alu::shr(a, count, bits);
+  if constexpr (op == Mnemonic::sar) return alu::sar(a, count, bits);
+  if constexpr (op == Mnemonic::rol) return alu::rol(a, count, bits);
+}
+
+}  // namespace detail
+
+/// Executes one instruction that is not a jump, call or return.
+/// @return proceeds, or why not; on a fault the machine is as before.
+template <Mnemonic op, class M>
+X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
+  using namespace detail;
+  const Operand& first = instruction.operands[0];
+  const Operand& second = instruction.operands[1];
+  const Size size = first.size;
+  const int bits = bits_of<M>(size);
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+
+  if constexpr (op == Mnemonic::mov) {
+    if (!read(second, size, m, b) || !write(first, size, m, b)) return Outcome::bad_address;
+  } else if constexpr (op == Mnemonic::push) {
+    if (!read(first, size, m, a) || !push(m, a)) return Outcome::bad_address;
+  } else if constexpr (op == Mnemonic::pop) {
+    if (!pop(m, a) || !write(first, size, m, a)) return Outcome::bad_address;
+  } else if constexpr (is_two_operand(op)) {
+    if constexpr (op == Mnemonic::adc || op == Mnemonic::sbb) {
+      if ((m.flags.undefined & CF) != 0) return Outcome::undefined_flag;
+    }
+    if (!read(first, size, m, a) || !read(second, size, m, b)) return Outcome::bad_address;
+    const alu::Result result = two_operand<op>(a, b, (m.flags.value & CF) != 0, bits);
+    if constexpr (op != Mnemonic::cmp) {
+      if (!write(first, size, m, result.value)) return Outcome::bad_address;
+    }
+    m.flags = result.flags;
+  } else if constexpr (is_one_operand(op)) {
+    if (!read(first, size, m, a)) return Outcome::bad_address;
+    const alu::Result result = one_operand<op>(a, bits);
+    if (!write(first, size, m, result.value)) return Outcome::bad_address;
+    // INC and DEC leave CF alone.
+    m.flags = op == Mnemonic::neg ? result.flags : result.flags.keeping(CF, m.flags);
+  } else if constexpr (is_shift(op) || is_double_shift(op)) {
+    const Operand& amount = is_shift(op) ? second : instruction.operands[2];
+    // The 386 takes the count modulo 32; by 0 nothing changes, flags included.
+    const int count = static_cast<int>(immediate<M>(amount) & 31U);
+    if (count == 0) return Outcome::proceeds;
+    if (!read(first, size, m, a) || !read(second, size, m, b)) return Outcome::bad_address;
+    alu::Result result{};
+    if constexpr (is_shift(op)) result = shift<op>(a, count, bits);
+    if constexpr (op == Mnemonic::shld) result = alu::shld(a, b, count, bits);
+    if constexpr (op == Mnemonic::shrd) result = alu::shrd(a, b, count, bits);
+    if (!write(first, size, m, result.value)) return Outcome::bad_address;
+    m.flags = op == Mnemonic::rol ? result.flags.keeping(SF | ZF | AF | PF, m.flags) : result.flags;
+  } else if constexpr (is_multiply(op)) {
+    if (!read(first, size, m, b)) return Outcome::bad_address;
+    a = m.registers.read(Register::ax, size);
+    const alu::Product product =
+        op == Mnemonic::mul ? alu::mul(a, b, bits) : alu::imul(a, b, bits);
+    m.registers.write(Register::ax, size, product.low);
+    m.registers.write(Register::dx, size, product.high);
+    m.flags = product.flags;
+  } else if constexpr (is_divide(op)) {
+    if (!read(first, size, m, b)) return Outcome::bad_address;
+    const std::uint32_t high = m.registers.read(Register::dx, size);
+    const std::uint32_t low = m.registers.read(Register::ax, size);
+    const auto quotient =
+        op == Mnemonic::div ? alu::div(high, low, b, bits) : alu::idiv(high, low, b, bits);
+    if (!quotient) return Outcome::divide_error;
+    m.registers.write(Register::ax, size, quotient->quotient);
+    m.registers.write(Register::dx, size, quotient->remainder);
+    m.flags = all_undefined;
+  } else {
+    static_assert(op == Mnemonic::mov, "control flow belongs to the interpreter");
+  }
+  return Outcome::proceeds;
+}
+
+constexpr bool is_control_flow(Mnemonic op) { return op >= Mnemonic::jmp; }
+
+/// Whether a jump is taken. @return proceeds, or undefined_flag where the condition reads one.
+X86MODEL_INLINE Outcome jump_taken(Mnemonic op, const Flags& flags, bool& taken) {
+  std::uint16_t reads = 0;
+  const auto set = [&](Flag f) { return (flags.value & f) != 0; };
+  switch (op) {
+    case Mnemonic::js: reads = SF; taken = set(SF); break;
+    case Mnemonic::jns: reads = SF; taken = !set(SF); break;
+    case Mnemonic::jz: reads = ZF; taken = set(ZF); break;
+    case Mnemonic::ja: reads = CF | ZF; taken = !set(CF) && !set(ZF); break;
+    case Mnemonic::jg: reads = ZF | SF | OF; taken = !set(ZF) && set(SF) == set(OF); break;
+    default: taken = true; break;
+  }
+  return (flags.undefined & reads) != 0 ? Outcome::undefined_flag : Outcome::proceeds;
+}
+
+}  // namespace x86model

@@ -1,0 +1,42 @@
+/// @file
+/// The six arithmetic flags, each 0, 1 or undefined.
+#pragma once
+
+#include <cstdint>
+
+#include "x86model/inline.hpp"
+
+namespace x86model {
+
+/// Bit positions in the FLAGS register (Intel SDM volume 1, figure 3-8).
+enum Flag : std::uint16_t {
+  CF = 0x001,
+  PF = 0x004,
+  AF = 0x010,
+  ZF = 0x040,
+  SF = 0x080,
+  OF = 0x800,
+};
+
+inline constexpr std::uint16_t arithmetic_flags = CF | PF | AF | ZF | SF | OF;
+
+/// A set of flags. `value` holds the bits of the defined ones, `undefined` marks those that Intel
+/// leaves undefined; an undefined flag has a 0 in `value`.
+struct Flags {
+  std::uint16_t value = 0;
+  std::uint16_t undefined = 0;
+
+  friend constexpr bool operator==(const Flags&, const Flags&) = default;
+
+  /// These flags, with those in `keep` taken from `before` instead.
+  [[nodiscard]] X86MODEL_INLINE Flags keeping(std::uint16_t keep, Flags before) const noexcept {
+    const auto change = static_cast<std::uint16_t>(~keep);
+    return {static_cast<std::uint16_t>((value & change) | (before.value & keep)),
+            static_cast<std::uint16_t>((undefined & change) | (before.undefined & keep))};
+  }
+};
+
+/// What a caller may assume on entry to a routine: nothing.
+inline constexpr Flags all_undefined{0, arithmetic_flags};
+
+}  // namespace x86model

@@ -1,0 +1,72 @@
+/// @file
+/// What an instruction is: a mnemonic and up to three operands, as plain data.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace x86model {
+
+/// The general registers, in the order of their encoding.
+enum class Register : std::uint8_t { ax, cx, dx, bx, sp, bp, si, di };
+inline constexpr std::size_t register_count = 8;
+
+/// The instructions that the routines use, and no others.
+enum class Mnemonic : std::uint8_t {
+  // data movement
+  mov, push, pop,
+  // arithmetic
+  add, adc, sub, sbb, cmp, neg, inc, dec, mul, imul, div, idiv,
+  // logic and shifts
+  and_, xor_, shl, shr, sar, rol, shld, shrd,
+  // control flow
+  jmp, js, jns, jz, ja, jg, call, ret,
+};
+inline constexpr std::size_t mnemonic_count = static_cast<std::size_t>(Mnemonic::ret) + 1;
+
+/// Operand size in terms of the machine word: 16 and 32 bits at full width, 8 and 16 at half width.
+enum class Size : std::uint8_t { none, word, dword };
+
+/// How a constant in a listing follows the width of the machine word.
+enum class Scaling : std::uint8_t {
+  literal,    ///< the same at every width
+  bytes,      ///< a count of bytes, written for 16-bit words
+  half_unit,  ///< the top bit of a word (8000h): half a unit of the product's last place
+  word_bits,  ///< the number of bits of a word (16)
+};
+
+/// A place in memory that has a name.
+enum class Symbol : std::uint8_t { none, cos_table };
+
+struct Operand {
+  enum class Kind : std::uint8_t { none, reg, memory, immediate, label };
+
+  Kind kind = Kind::none;
+  Size size = Size::none;
+  Scaling scaling = Scaling::literal;
+  Symbol symbol = Symbol::none;     ///< memory: added to the displacement
+  Register reg = Register::ax;      ///< register, or base of a memory operand
+  std::int32_t value = 0;           ///< immediate, displacement in bytes, or position of a label
+  const char* name = nullptr;       ///< label
+};
+
+/// Rows of a listing that are settled when it is assembled.
+enum class Directive : std::uint8_t { none, procedure, label, if_, else_, endif };
+
+/// What a conditional row asks of a build.
+enum class Condition : std::uint8_t { none, mul_rounding, div_rounding, chapter_52, endif_as_scanned };
+
+/// One row of a listing; once assembled, one instruction.
+struct Instruction {
+  Mnemonic mnemonic = Mnemonic::ret;
+  std::array<Operand, 3> operands{};
+  Directive directive = Directive::none;
+  Condition condition = Condition::none;
+  /// The name of the procedure or label at this row, or null.
+  const char* label = nullptr;
+  /// Whether `label` is that of a procedure.
+  bool is_procedure = false;
+};
+
+}  // namespace x86model

@@ -1,0 +1,134 @@
+/// @file
+/// The notation in which the listings are written: `mov(ax, word[bp + 4])`.
+///
+/// Every function only builds a row. Displacements and `bytes()` are written for 16-bit machine words
+/// and follow the width of the machine.
+#pragma once
+
+#include "x86model/instruction.hpp"
+
+namespace x86model::notation {
+
+constexpr Operand register_operand(Register r, Size size) {
+  return {.kind = Operand::Kind::reg, .size = size, .reg = r};
+}
+
+inline constexpr Operand ax = register_operand(Register::ax, Size::word);
+inline constexpr Operand bx = register_operand(Register::bx, Size::word);
+inline constexpr Operand cx = register_operand(Register::cx, Size::word);
+inline constexpr Operand dx = register_operand(Register::dx, Size::word);
+inline constexpr Operand sp = register_operand(Register::sp, Size::word);
+inline constexpr Operand bp = register_operand(Register::bp, Size::word);
+inline constexpr Operand si = register_operand(Register::si, Size::word);
+inline constexpr Operand di = register_operand(Register::di, Size::word);
+inline constexpr Operand eax = register_operand(Register::ax, Size::dword);
+inline constexpr Operand ebx = register_operand(Register::bx, Size::dword);
+inline constexpr Operand ecx = register_operand(Register::cx, Size::dword);
+inline constexpr Operand edx = register_operand(Register::dx, Size::dword);
+
+/// Base register, named place and displacement of a memory operand.
+struct Address {
+  Register base;
+  Symbol symbol = Symbol::none;
+  std::int32_t displacement = 0;
+
+  // A bare base register is an address: word[di].
+  constexpr Address(Operand r) : base(r.reg) {}  // NOLINT(google-explicit-constructor)
+  constexpr Address(Register r, Symbol s, std::int32_t d) : base(r), symbol(s), displacement(d) {}
+};
+
+constexpr Address operator+(Address a, int displacement) {
+  return {a.base, a.symbol, a.displacement + displacement};
+}
+constexpr Address operator+(Symbol s, Operand r) { return {r.reg, s, 0}; }
+
+inline constexpr Symbol CosTable = Symbol::cos_table;
+
+template <Size size>
+struct Memory {
+  constexpr Operand operator[](Address a) const {
+    return {.kind = Operand::Kind::memory,
+            .size = size,
+            .scaling = Scaling::bytes,
+            .symbol = a.symbol,
+            .reg = a.base,
+            .value = a.displacement};
+  }
+};
+inline constexpr Memory<Size::word> word;
+inline constexpr Memory<Size::dword> dword;
+
+/// An immediate: a plain number, or one of the width-dependent constants below.
+struct Immediate {
+  Operand operand;
+  constexpr Immediate(int value)  // NOLINT(google-explicit-constructor)
+      : operand{.kind = Operand::Kind::immediate, .value = value} {}
+  constexpr explicit Immediate(Scaling scaling, int value = 0)
+      : operand{.kind = Operand::Kind::immediate, .scaling = scaling, .value = value} {}
+};
+inline constexpr Immediate half_unit{Scaling::half_unit};
+inline constexpr Immediate word_bits{Scaling::word_bits};
+constexpr Immediate bytes(int count) { return Immediate{Scaling::bytes, count}; }
+
+constexpr Instruction row(Mnemonic m, Operand a = {}, Operand b = {}, Operand c = {}) {
+  return {.mnemonic = m, .operands = {a, b, c}};
+}
+constexpr Instruction row(Mnemonic m, Operand a, Immediate i) { return row(m, a, i.operand); }
+constexpr Instruction jump(Mnemonic m, const char* target) {
+  return row(m, {.kind = Operand::Kind::label, .name = target});
+}
+
+constexpr Instruction mov(Operand to, Operand from) { return row(Mnemonic::mov, to, from); }
+constexpr Instruction push(Operand a) { return row(Mnemonic::push, a); }
+constexpr Instruction pop(Operand a) { return row(Mnemonic::pop, a); }
+constexpr Instruction add(Operand a, Operand b) { return row(Mnemonic::add, a, b); }
+constexpr Instruction add(Operand a, Immediate b) { return row(Mnemonic::add, a, b); }
+constexpr Instruction adc(Operand a, Operand b) { return row(Mnemonic::adc, a, b); }
+constexpr Instruction adc(Operand a, Immediate b) { return row(Mnemonic::adc, a, b); }
+constexpr Instruction sub(Operand a, Operand b) { return row(Mnemonic::sub, a, b); }
+constexpr Instruction sub(Operand a, Immediate b) { return row(Mnemonic::sub, a, b); }
+constexpr Instruction sbb(Operand a, Immediate b) { return row(Mnemonic::sbb, a, b); }
+constexpr Instruction cmp(Operand a, Operand b) { return row(Mnemonic::cmp, a, b); }
+constexpr Instruction cmp(Operand a, Immediate b) { return row(Mnemonic::cmp, a, b); }
+constexpr Instruction neg(Operand a) { return row(Mnemonic::neg, a); }
+constexpr Instruction inc(Operand a) { return row(Mnemonic::inc, a); }
+constexpr Instruction dec(Operand a) { return row(Mnemonic::dec, a); }
+constexpr Instruction mul(Operand a) { return row(Mnemonic::mul, a); }
+constexpr Instruction imul(Operand a) { return row(Mnemonic::imul, a); }
+constexpr Instruction div(Operand a) { return row(Mnemonic::div, a); }
+constexpr Instruction idiv(Operand a) { return row(Mnemonic::idiv, a); }
+constexpr Instruction and_(Operand a, Operand b) { return row(Mnemonic::and_, a, b); }
+constexpr Instruction xor_(Operand a, Immediate b) { return row(Mnemonic::xor_, a, b); }
+constexpr Instruction shl(Operand a, Immediate n) { return row(Mnemonic::shl, a, n); }
+constexpr Instruction shr(Operand a, Immediate n) { return row(Mnemonic::shr, a, n); }
+constexpr Instruction sar(Operand a, Immediate n) { return row(Mnemonic::sar, a, n); }
+constexpr Instruction rol(Operand a, Immediate n) { return row(Mnemonic::rol, a, n); }
+constexpr Instruction shld(Operand a, Operand b, Immediate n) {
+  return row(Mnemonic::shld, a, b, n.operand);
+}
+constexpr Instruction shrd(Operand a, Operand b, Immediate n) {
+  return row(Mnemonic::shrd, a, b, n.operand);
+}
+constexpr Instruction jmp(const char* to) { return jump(Mnemonic::jmp, to); }
+constexpr Instruction js(const char* to) { return jump(Mnemonic::js, to); }
+constexpr Instruction jns(const char* to) { return jump(Mnemonic::jns, to); }
+constexpr Instruction jz(const char* to) { return jump(Mnemonic::jz, to); }
+constexpr Instruction ja(const char* to) { return jump(Mnemonic::ja, to); }
+constexpr Instruction jg(const char* to) { return jump(Mnemonic::jg, to); }
+constexpr Instruction call(const char* procedure) { return jump(Mnemonic::call, procedure); }
+constexpr Instruction ret() { return row(Mnemonic::ret); }
+
+constexpr Instruction proc(const char* name) {
+  return {.directive = Directive::procedure, .label = name, .is_procedure = true};
+}
+constexpr Instruction label(const char* name) { return {.directive = Directive::label, .label = name}; }
+constexpr Instruction if_(Condition c) { return {.directive = Directive::if_, .condition = c}; }
+constexpr Instruction else_() { return {.directive = Directive::else_}; }
+constexpr Instruction endif() { return {.directive = Directive::endif}; }
+
+inline constexpr Condition mul_rounding_on = Condition::mul_rounding;
+inline constexpr Condition div_rounding_on = Condition::div_rounding;
+inline constexpr Condition chapter_52 = Condition::chapter_52;
+inline constexpr Condition endif_as_scanned = Condition::endif_as_scanned;
+
+}  // namespace x86model::notation
