@@ -1,0 +1,17 @@
+/// @file
+/// The commands of fixproof. Each function adds one to the command line; when it has been chosen,
+/// `status` is set to the exit status: 0 all well, 1 a mismatch was found, 2 bad usage or input.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace fixproof {
+
+void add_verify(CLI::App& app, int& status);
+void add_merge(CLI::App& app, int& status);
+void add_eval(CLI::App& app, int& status);
+void add_step(CLI::App& app, int& status);
+void add_trace(CLI::App& app, int& status);
+void add_list(CLI::App& app, int& status);
+
+}  // namespace fixproof

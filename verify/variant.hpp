@@ -1,0 +1,77 @@
+/// @file
+/// What is asked: an operation in one of its variants.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fixproof {
+
+/// The FIXED.ASM routines, then the operations that only the type has.
+enum class Operation : std::uint8_t {
+  mul, div, cossin, xformvec, concat,
+  sqrt,       ///< square root; a negative operand gives 0
+  decimal,    ///< to decimal text and back: the identity
+  binary64,   ///< to double and back: the identity
+};
+
+/// Whose rules apply.
+enum class Target : std::uint8_t {
+  i386,
+  i8088,
+  standard,  ///< the rules of fixed::q16_16: nearest, halves up, wrapping; only a zero divisor faults
+};
+
+/// One operation under one set of rules. `mul_round` and `div_round` say what the code does.
+struct Variant {
+  Operation operation = Operation::mul;
+  Target target = Target::i386;
+  bool mul_round = true;
+  bool div_round = true;
+  /// The routine as chapter 52 has it (386, rounded): see ConcatXforms.
+  bool chapter_52 = false;
+  /// 16 for 16.16 words, 8 for 8.8 words.
+  int fraction_bits = 16;
+
+  friend bool operator==(const Variant&, const Variant&) = default;
+};
+
+/// Words a case of the operation takes and gives.
+constexpr std::size_t words_in(Operation o) {
+  switch (o) {
+    case Operation::mul:
+    case Operation::div: return 2;
+    case Operation::xformvec: return 15;
+    case Operation::concat: return 24;
+    default: return 1;
+  }
+}
+constexpr std::size_t words_out(Operation o) {
+  switch (o) {
+    case Operation::cossin: return 2;
+    case Operation::xformvec: return 3;
+    case Operation::concat: return 12;
+    default: return 1;
+  }
+}
+inline constexpr std::size_t most_words_in = 24;
+inline constexpr std::size_t most_words_out = 12;
+
+/// Bits of operand `index`: the angle of cossin has half as many as a word.
+constexpr int operand_bits(const Variant& v) {
+  return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
+}
+
+std::string_view name_of(Operation o);
+std::string_view name_of(Target t);
+/// The name on the command line; throws std::invalid_argument for any other.
+Operation operation_named(std::string_view name);
+
+/// Every variant of 16.16, in the order of the verification table: each routine on both processors under
+/// both roundings, the forms of chapter 52, then the operations under the type's standard rules.
+std::vector<Variant> all_variants();
+
+}  // namespace fixproof
