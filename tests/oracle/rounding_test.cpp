@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "oracle/unbounded.hpp"
+#include "tests/oracle/rules.hpp"
+
+namespace oracle {
+namespace {
+
+/// Whether q is n / d rounded, by the inequalities that define each rule, for d > 0.
+bool defined_by_rule(int q, int n, int d, Rounding rule) {
+  const int error = q * d - n;  // of q, in units of 1 / d
+  switch (rule) {
+    case Rounding::half_up:
+      return 2 * error <= d && 2 * error > -d;
+    case Rounding::half_away:
+      return 2 * std::abs(error) < d || (2 * std::abs(error) == d && std::abs(q) * d > std::abs(n));
+    case Rounding::floor:
+      return error <= 0 && error > -d;
+    case Rounding::truncate:
+      return std::abs(error) < d && std::abs(q) * d <= std::abs(n);
+  }
+  return false;
+}
+
+TEST(OracleRounding, ObeysTheInequalitiesOfEveryRule) {
+  for (const Rounding rule : test::kRoundings) {
+    for (int d = 1; d <= 12; ++d) {
+      for (int n = -60; n <= 60; ++n) {
+        const int q = static_cast<int>(rounded(n, d, rule));
+        EXPECT_TRUE(defined_by_rule(q, n, d, rule)) << n << " / " << d << " gave " << q;
+        EXPECT_EQ(rounded(-n, -d, rule), q) << n << " / " << d << " with both signs changed";
+      }
+    }
+  }
+}
+
+TEST(OracleRounding, HalvesGoWhereTheRuleSays) {
+  EXPECT_EQ(rounded(3, 2, Rounding::half_up), 2);
+  EXPECT_EQ(rounded(3, 2, Rounding::half_away), 2);
+  EXPECT_EQ(rounded(3, 2, Rounding::floor), 1);
+  EXPECT_EQ(rounded(3, 2, Rounding::truncate), 1);
+  EXPECT_EQ(rounded(-3, 2, Rounding::half_up), -1);
+  EXPECT_EQ(rounded(-3, 2, Rounding::half_away), -2);
+  EXPECT_EQ(rounded(-3, 2, Rounding::floor), -2);
+  EXPECT_EQ(rounded(-3, 2, Rounding::truncate), -1);
+}
+
+TEST(OracleRounding, NeedsADenominator) {
+  EXPECT_THROW((void)rounded(1, 0, Rounding::floor), std::domain_error);
+}
+
+TEST(OracleWord, IsReadAsTwosComplementOfItsFormat) {
+  EXPECT_EQ(ulps(0x7fffffff, 16), 2147483647);
+  EXPECT_EQ(ulps(0x80000000, 16), Integer("-2147483648"));
+  EXPECT_EQ(ulps(0x8000, 8), -32768);
+  EXPECT_EQ(ulps(0x7, 2), 7);
+  EXPECT_EQ(ulps(0x8, 2), -8);
+}
+
+TEST(OracleWord, BitsAboveTheFormatAreIgnored) { EXPECT_EQ(ulps(0xabcd0180, 8), 0x180); }
+
+TEST(OracleWord, WrapIsTheResidueModuloThePowerOfTwo) {
+  EXPECT_EQ(wrap(Integer(1) << 32, 32), 0U);
+  EXPECT_EQ(wrap((Integer(1) << 70) + 5, 32), 5U);
+  EXPECT_EQ(wrap(-1, 32), 0xffffffffU);
+  EXPECT_EQ(wrap(-1, 16), 0xffffU);
+  EXPECT_EQ(wrap(-65536, 16), 0U);
+  EXPECT_EQ(wrap(-65537, 16), 0xffffU);
+}
+
+TEST(OracleWord, FitsAtTheEdgesOfTheRange) {
+  EXPECT_TRUE(fits(32767, 16));
+  EXPECT_FALSE(fits(32768, 16));
+  EXPECT_TRUE(fits(-32768, 16));
+  EXPECT_FALSE(fits(-32769, 16));
+}
+
+TEST(OracleWord, SaturateStopsAtTheEdgesOfTheRange) {
+  EXPECT_EQ(saturate(32767, 16), 0x7fffU);
+  EXPECT_EQ(saturate(32768, 16), 0x7fffU);
+  EXPECT_EQ(saturate(-32768, 16), 0x8000U);
+  EXPECT_EQ(saturate(-32769, 16), 0x8000U);
+  EXPECT_EQ(saturate(Integer(1) << 90, 32), 0x7fffffffU);
+  EXPECT_EQ(saturate(-(Integer(1) << 90), 32), 0x80000000U);
+  EXPECT_EQ(saturate(-7, 32), 0xfffffff9U);
+}
+
+TEST(OracleWord, WidthsOutsideTheRangeAreRefused) {
+  for (const int bits : {-1, 0, 33}) {
+    EXPECT_THROW((void)wrap(0, bits), std::invalid_argument) << bits;
+    EXPECT_THROW((void)fits(0, bits), std::invalid_argument) << bits;
+    EXPECT_THROW((void)saturate(0, bits), std::invalid_argument) << bits;
+  }
+}
+
+}  // namespace
+}  // namespace oracle

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <array>
+
+#include "oracle/rule.hpp"
+
+/// Every value of the rules, for tests that hold for all of them.
+namespace oracle::test {
+
+inline constexpr std::array kRoundings{Rounding::half_up, Rounding::half_away, Rounding::floor,
+                                       Rounding::truncate};
+
+inline constexpr std::array kDivideRules{DivideRule::i386_rounded, DivideRule::i386_unrounded,
+                                         DivideRule::i8088_rounded, DivideRule::i8088_unrounded};
+
+}  // namespace oracle::test

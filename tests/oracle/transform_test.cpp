@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "oracle/exact.hpp"
+#include "tests/oracle/rules.hpp"
+
+namespace oracle {
+namespace {
+
+using Vector = std::array<Word, 3>;
+using Transform = std::array<Word, 12>;
+
+template <std::size_t N>
+std::array<Word, N> whole(std::array<Word, N> numbers, int fraction_bits) {
+  for (Word& number : numbers) number <<= fraction_bits;
+  return numbers;
+}
+
+constexpr Transform kCounting{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+
+TEST(OracleXformVec, TakesTheMatrixRowByRow) {
+  for (const int fraction_bits : {8, 16}) {
+    for (const Rounding rule : test::kRoundings) {
+      EXPECT_EQ(xform_vec(whole(kCounting, fraction_bits), whole<3>({1, 2, 3}, fraction_bits), rule,
+                          fraction_bits),
+                whole<3>({18, 46, 74}, fraction_bits));
+    }
+  }
+}
+
+TEST(OracleXformVec, RoundsEveryProductOnItsOwn) {
+  constexpr Word kHalf = 0x8000;
+  const Transform m{kHalf, kHalf, kHalf, 5, kHalf, kHalf, 0, 5, kHalf, 0, 0, 5};
+  const Vector one{1, 1, 1};
+  EXPECT_EQ(xform_vec(m, one, Rounding::half_up, 16), (Vector{8, 7, 6}));
+  EXPECT_EQ(xform_vec(m, one, Rounding::half_away, 16), (Vector{8, 7, 6}));
+  EXPECT_EQ(xform_vec(m, one, Rounding::floor, 16), (Vector{5, 5, 5}));
+  EXPECT_EQ(xform_vec(m, one, Rounding::truncate, 16), (Vector{5, 5, 5}));
+  const Vector minus_one{0xffffffff, 0xffffffff, 0xffffffff};
+  EXPECT_EQ(xform_vec(m, minus_one, Rounding::half_up, 16), (Vector{5, 5, 5}));
+  EXPECT_EQ(xform_vec(m, minus_one, Rounding::half_away, 16), (Vector{2, 3, 4}));
+  EXPECT_EQ(xform_vec(m, minus_one, Rounding::floor, 16), (Vector{2, 3, 4}));
+  EXPECT_EQ(xform_vec(m, minus_one, Rounding::truncate, 16), (Vector{5, 5, 5}));
+}
+
+TEST(OracleXformVec, SumsWrap) {
+  const Transform m{0x10000, 0, 0, 0x7fffffff, 0, 0x10000, 0, 0, 0x10000, 0, 0, 0x80000000};
+  EXPECT_EQ(xform_vec(m, Vector{1, 0x80000000, 0}, Rounding::floor, 16),
+            (Vector{0x80000000, 0x80000000, 0x80000001}));
+}
+
+TEST(OracleConcat, AddsTheFirstTranslationWhereItIsTold) {
+  const Transform second{1, 0, 2, 1, 0, 1, 0, 2, 3, 0, 1, 3};
+  for (const int fraction_bits : {8, 16}) {
+    const Transform a = whole(kCounting, fraction_bits);
+    const Transform b = whole(second, fraction_bits);
+    for (const Rounding rule : test::kRoundings) {
+      EXPECT_EQ(concat(a, b, rule, TranslationColumn::fourth, fraction_bits),
+                whole(Transform{10, 2, 5, 18, 26, 6, 17, 46, 42, 10, 29, 74}, fraction_bits));
+      EXPECT_EQ(concat(a, b, rule, TranslationColumn::every, fraction_bits),
+                whole(Transform{14, 6, 9, 18, 34, 14, 25, 46, 54, 22, 41, 74}, fraction_bits));
+    }
+  }
+}
+
+TEST(OracleConcat, RoundsEveryProductOnItsOwn) {
+  constexpr Word kMinusHalf = 0xffff8000;
+  const Transform first{kMinusHalf, kMinusHalf, kMinusHalf, 9, 0, 0, 0, 0, 0, 0, 0, 0};
+  const Transform second{1, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1};
+  const auto row = [&](Rounding rule) {
+    const Transform product = concat(first, second, rule, TranslationColumn::fourth, 16);
+    return std::array{product[0], product[1], product[2], product[3]};
+  };
+  using Row = std::array<Word, 4>;
+  EXPECT_EQ(row(Rounding::half_up), (Row{0, 0, 0, 9}));
+  EXPECT_EQ(row(Rounding::half_away), (Row{0xfffffffd, 0xfffffffe, 0, 6}));
+  EXPECT_EQ(row(Rounding::floor), (Row{0xfffffffd, 0xfffffffe, 0, 6}));
+  EXPECT_EQ(row(Rounding::truncate), (Row{0, 0, 0, 9}));
+}
+
+}  // namespace
+}  // namespace oracle
