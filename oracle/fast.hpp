@@ -12,7 +12,8 @@
 /// The answers of exact.hpp and unbounded.hpp again, for sweeps: floor division in 64-bit integers
 /// with the remainder deciding the rounding. Nothing can overflow: a product of two words is below
 /// 2^63 in magnitude, a dividend scaled by 2^16 below 2^48. Every function that takes
-/// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16.
+/// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16. Calls are qualified because
+/// the rules, being of namespace oracle, would bring in its functions of the same names.
 namespace oracle::fast {
 
 namespace detail {
@@ -94,13 +95,13 @@ namespace detail {
 
 /// a * b.
 [[nodiscard]] constexpr Word mul(Word a, Word b, Rounding rule, int fraction_bits) {
-  return wrap(exact_product(a, b, rule, fraction_bits), fraction_bits);
+  return wrap(fast::exact_product(a, b, rule, fraction_bits), fraction_bits);
 }
 
 /// n / d as mathematics gives it; empty exactly when d is 0.
 [[nodiscard]] constexpr std::optional<Word> quotient(Word n, Word d, Rounding rule,
                                                      int fraction_bits) {
-  const auto exact = exact_quotient(n, d, rule, fraction_bits);
+  const auto exact = fast::exact_quotient(n, d, rule, fraction_bits);
   if (!exact) return std::nullopt;
   return wrap(*exact, fraction_bits);
 }
@@ -115,14 +116,14 @@ namespace detail {
   switch (rule) {
     case DivideRule::i386_rounded:
       if (size <= detail::magnitude(dividend) >> fraction_bits) return std::nullopt;
-      return quotient(n, d, Rounding::half_away, fraction_bits);
+      return fast::quotient(n, d, Rounding::half_away, fraction_bits);
     case DivideRule::i386_unrounded: {
       // The magnitude that no longer fits: 2^(2F-1), or one more for a negative quotient.
       const bool negative = (dividend < 0) != (divisor < 0);
       const std::int64_t limit = (std::int64_t{1} << (2 * fraction_bits - 1)) + (negative ? 1 : 0);
       const std::int64_t scaled = detail::magnitude(dividend) << fraction_bits;
       if (scaled >= limit * size) return std::nullopt;
-      return quotient(n, d, Rounding::truncate, fraction_bits);
+      return fast::quotient(n, d, Rounding::truncate, fraction_bits);
     }
     case DivideRule::i8088_rounded:
     case DivideRule::i8088_unrounded: {
@@ -161,8 +162,9 @@ namespace detail {
   std::array<Word, 3> result{};
   for (std::size_t row = 0; row < 3; ++row) {
     const auto r = m.subspan(4 * row, 4);
-    const Word sum = mul(r[0], v[0], rule, fraction_bits) + mul(r[1], v[1], rule, fraction_bits) +
-                     mul(r[2], v[2], rule, fraction_bits) + r[3];
+    const Word sum = fast::mul(r[0], v[0], rule, fraction_bits) +
+                     fast::mul(r[1], v[1], rule, fraction_bits) +
+                     fast::mul(r[2], v[2], rule, fraction_bits) + r[3];
     result[row] = wrap(sum, fraction_bits);
   }
   return result;
@@ -179,7 +181,7 @@ namespace detail {
     const std::size_t column = i % 4;
     Word sum = column == 3 || translation == TranslationColumn::every ? row[3] : 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      sum += mul(row[k], second[4 * k + column], rule, fraction_bits);
+      sum += fast::mul(row[k], second[4 * k + column], rule, fraction_bits);
     }
     result[i] = wrap(sum, fraction_bits);
   }

@@ -1,5 +1,3 @@
-#include "oracle/fast.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "oracle/exact.hpp"
+#include "oracle/fast.hpp"
 #include "oracle/unbounded.hpp"
 #include "tests/oracle/rules.hpp"
 
@@ -34,8 +33,8 @@ testing::AssertionResult agree(Word a, Word b, int fraction_bits) {
       return differ("mul", i);
     }
     const auto exact = exact_quotient(a, b, rule, fraction_bits);
-    const auto fast = fast::exact_quotient(a, b, rule, fraction_bits);
-    if (exact.has_value() != fast.has_value() || (exact && *exact != *fast)) {
+    const auto quick = fast::exact_quotient(a, b, rule, fraction_bits);
+    if (exact.has_value() != quick.has_value() || (exact && *exact != *quick)) {
       return differ("exact quotient", i);
     }
     if (quotient(a, b, rule, fraction_bits) != fast::quotient(a, b, rule, fraction_bits)) {
