@@ -12,17 +12,22 @@ namespace fixproof {
 
 /// The FIXED.ASM routines, then the operations that only the type has.
 enum class Operation : std::uint8_t {
-  mul, div, cossin, xformvec, concat,
-  sqrt,       ///< square root; a negative operand gives 0
-  decimal,    ///< to decimal text and back: the identity
-  binary64,   ///< to double and back: the identity
+  mul,
+  div,
+  cossin,
+  xformvec,
+  concat,
+  sqrt,      ///< square root; a negative operand gives 0
+  decimal,   ///< to decimal text and back: the identity
+  binary64,  ///< to double and back: the identity
 };
 
 /// Whose rules apply.
 enum class Target : std::uint8_t {
   i386,
   i8088,
-  standard,  ///< the rules of fixed::q16_16: nearest, halves up, wrapping; only a zero divisor faults
+  standard,  ///< the rules of fixed::q16_16: nearest, halves up, wrapping; only a zero divisor
+             ///< faults
 };
 
 /// One operation under one set of rules. `mul_round` and `div_round` say what the code does.
@@ -43,18 +48,26 @@ struct Variant {
 constexpr std::size_t words_in(Operation o) {
   switch (o) {
     case Operation::mul:
-    case Operation::div: return 2;
-    case Operation::xformvec: return 15;
-    case Operation::concat: return 24;
-    default: return 1;
+    case Operation::div:
+      return 2;
+    case Operation::xformvec:
+      return 15;
+    case Operation::concat:
+      return 24;
+    default:
+      return 1;
   }
 }
 constexpr std::size_t words_out(Operation o) {
   switch (o) {
-    case Operation::cossin: return 2;
-    case Operation::xformvec: return 3;
-    case Operation::concat: return 12;
-    default: return 1;
+    case Operation::cossin:
+      return 2;
+    case Operation::xformvec:
+      return 3;
+    case Operation::concat:
+      return 12;
+    default:
+      return 1;
   }
 }
 inline constexpr std::size_t most_words_in = 24;
@@ -70,8 +83,9 @@ std::string_view name_of(Target t);
 /// The name on the command line; throws std::invalid_argument for any other.
 Operation operation_named(std::string_view name);
 
-/// Every variant of 16.16, in the order of the verification table: each routine on both processors under
-/// both roundings, the forms of chapter 52, then the operations under the type's standard rules.
+/// Every variant of 16.16, in the order of the verification table: each routine on both processors
+/// under both roundings, the forms of chapter 52, then the operations under the type's standard
+/// rules.
 std::vector<Variant> all_variants();
 
 }  // namespace fixproof

@@ -1,9 +1,9 @@
 /// @file
-/// Results and flags of the arithmetic instructions, as Intel's Software Developer's Manual (volume 2)
-/// defines them for the 386; the 8088 agrees on every form that an 8088 listing uses.
+/// Results and flags of the arithmetic instructions, as Intel's Software Developer's Manual (volume
+/// 2) defines them for the 386; the 8088 agrees on every form that an 8088 listing uses.
 ///
-/// Operands are `bits` wide (at most 32) and zero-extended. A flag that the manual leaves undefined is
-/// marked so; a flag that an instruction leaves alone is the caller's to keep.
+/// Operands are `bits` wide (at most 32) and zero-extended. A flag that the manual leaves undefined
+/// is marked so; a flag that an instruction leaves alone is the caller's to keep.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,9 @@ struct Result {
 X86MODEL_INLINE std::uint32_t mask(int bits) {
   return static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
 }
-X86MODEL_INLINE bool sign(std::uint32_t value, int bits) { return ((value >> (bits - 1)) & 1U) != 0; }
+X86MODEL_INLINE bool sign(std::uint32_t value, int bits) {
+  return ((value >> (bits - 1)) & 1U) != 0;
+}
 X86MODEL_INLINE std::int64_t as_signed(std::uint64_t value, int bits) {
   return static_cast<std::int64_t>(value << (64 - bits)) >> (64 - bits);
 }
@@ -58,10 +60,13 @@ X86MODEL_INLINE Result sub(std::uint32_t a, std::uint32_t b, bool borrow, int bi
 }
 
 /// AND and XOR: CF and OF cleared, AF undefined.
-X86MODEL_INLINE Result logic(std::uint32_t value, int bits) { return {value, {result_flags(value, bits), AF}}; }
+X86MODEL_INLINE Result logic(std::uint32_t value, int bits) {
+  return {value, {result_flags(value, bits), AF}};
+}
 
 /// Flags of a shift by `count` > 0: AF undefined, OF defined for a shift by one only.
-X86MODEL_INLINE Flags shift_flags(std::uint32_t value, int bits, int count, bool carry, bool overflow) {
+X86MODEL_INLINE Flags shift_flags(std::uint32_t value, int bits, int count, bool carry,
+                                  bool overflow) {
   const auto flags = static_cast<std::uint16_t>(result_flags(value, bits) | when(carry, CF) |
                                                 when(count == 1 && overflow, OF));
   return {flags, static_cast<std::uint16_t>(AF | when(count != 1, OF))};
@@ -97,12 +102,12 @@ X86MODEL_INLINE Result sar(std::uint32_t a, int count, int bits) {
 /// ROL, 0 < count < 32: only CF and OF are the result's; the caller keeps the others.
 X86MODEL_INLINE Result rol(std::uint32_t a, int count, int bits) {
   const int turn = count % bits;
-  const auto value = static_cast<std::uint32_t>((std::uint64_t{a} << turn) |
-                                                (std::uint64_t{a} >> (bits - turn))) &
-                     mask(bits);
+  const auto value =
+      static_cast<std::uint32_t>((std::uint64_t{a} << turn) | (std::uint64_t{a} >> (bits - turn))) &
+      mask(bits);
   const bool carry = (value & 1U) != 0;
-  const auto flags = static_cast<std::uint16_t>(
-      when(carry, CF) | when(count == 1 && sign(value, bits) != carry, OF));
+  const auto flags = static_cast<std::uint16_t>(when(carry, CF) |
+                                                when(count == 1 && sign(value, bits) != carry, OF));
   return {value, {flags, when(count != 1, OF)}};
 }
 
@@ -154,8 +159,8 @@ struct Quotient {
 
 /// DIV of high:low. Nothing (#DE) for a zero divisor and for a quotient that does not fit. All six
 /// flags are undefined afterwards.
-X86MODEL_INLINE std::optional<Quotient> div(std::uint32_t high, std::uint32_t low, std::uint32_t divisor,
-                                      int bits) {
+X86MODEL_INLINE std::optional<Quotient> div(std::uint32_t high, std::uint32_t low,
+                                            std::uint32_t divisor, int bits) {
   // The quotient fits exactly where the high half is below the divisor.
   if (high >= divisor) return std::nullopt;
   const std::uint64_t dividend = (std::uint64_t{high} << bits) | low;
@@ -165,8 +170,8 @@ X86MODEL_INLINE std::optional<Quotient> div(std::uint32_t high, std::uint32_t lo
 
 /// IDIV of high:low, truncating; the remainder has the dividend's sign. Nothing (#DE) for a zero
 /// divisor and for a quotient outside the signed range.
-X86MODEL_INLINE std::optional<Quotient> idiv(std::uint32_t high, std::uint32_t low, std::uint32_t divisor,
-                                       int bits) {
+X86MODEL_INLINE std::optional<Quotient> idiv(std::uint32_t high, std::uint32_t low,
+                                             std::uint32_t divisor, int bits) {
   const std::int64_t d = as_signed(divisor, bits);
   const std::int64_t n = as_signed((std::uint64_t{high} << bits) | low, 2 * bits);
   if (d == 0) return std::nullopt;

@@ -59,11 +59,16 @@ namespace detail {
 
 constexpr bool holds(Condition condition, const Build& build) {
   switch (condition) {
-    case Condition::mul_rounding: return build.mul_rounding;
-    case Condition::div_rounding: return build.div_rounding;
-    case Condition::chapter_52: return build.chapter_52;
-    case Condition::endif_as_scanned: return build.endif_as_scanned;
-    case Condition::none: break;
+    case Condition::mul_rounding:
+      return build.mul_rounding;
+    case Condition::div_rounding:
+      return build.div_rounding;
+    case Condition::chapter_52:
+      return build.chapter_52;
+    case Condition::endif_as_scanned:
+      return build.endif_as_scanned;
+    case Condition::none:
+      break;
   }
   throw std::logic_error("a conditional row without a condition");
 }
@@ -80,7 +85,8 @@ constexpr std::size_t position_of(std::string_view label, const Program& program
 
 /// Assembles a listing for one setting of its switches.
 ///
-/// @throws std::logic_error where the listing is malformed: in a constant expression the program then
+/// @throws std::logic_error where the listing is malformed: in a constant expression the program
+/// then
 ///         does not compile.
 constexpr Program assemble(const Listing& listing, const Build& build) {
   Program program;
@@ -95,8 +101,12 @@ constexpr Program assemble(const Listing& listing, const Build& build) {
         kept.at(depth + 1) = kept.at(depth) && detail::holds(row.condition, build);
         ++depth;
         break;
-      case Directive::else_: kept.at(depth) = kept.at(depth - 1) && !kept.at(depth); break;
-      case Directive::endif: --depth; break;
+      case Directive::else_:
+        kept.at(depth) = kept.at(depth - 1) && !kept.at(depth);
+        break;
+      case Directive::endif:
+        --depth;
+        break;
       case Directive::procedure:
       case Directive::label:
         if (!kept.at(depth)) break;

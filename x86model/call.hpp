@@ -27,10 +27,13 @@ constexpr std::size_t words_of_memory(Routine routine) {
   const int operands = arity(routine).in + arity(routine).out;
   switch (routine) {
     case Routine::mul:
-    case Routine::div: return stack_top / 2;
-    case Routine::cossin: return cos_table_address / 2 + 2 * cosine_table.size();
+    case Routine::div:
+      return stack_top / 2;
+    case Routine::cossin:
+      return cos_table_address / 2 + 2 * cosine_table.size();
     case Routine::xformvec:
-    case Routine::concat: break;
+    case Routine::concat:
+      break;
   }
   return static_cast<std::size_t>(data + operands * bytes_of_value) / 2;
 }
@@ -76,8 +79,8 @@ X86MODEL_INLINE void load_cosine_table(M& m) {
   }
 }
 
-/// Sets up the stack and the operands as a C caller of `routine` does, last argument first. Registers
-/// other than SP keep what they hold; flags become undefined.
+/// Sets up the stack and the operands as a C caller of `routine` does, last argument first.
+/// Registers other than SP keep what they hold; flags become undefined.
 /// @param in arity(routine).in words
 template <Routine routine, class M>
 X86MODEL_INLINE void enter(M& m, std::span<const std::uint32_t> in) {
@@ -112,8 +115,8 @@ template <Routine routine, class M>
 X86MODEL_INLINE void leave(const M& m, std::span<std::uint32_t> out) {
   using namespace detail;
   if constexpr (routine == Routine::mul || routine == Routine::div) {
-    out[0] = m.registers.read(Register::ax, Size::word) |
-             m.registers.read(Register::dx, Size::word) << M::word_bits;
+    out[0] = m.registers.read(Register::ax, Size::word) | m.registers.read(Register::dx, Size::word)
+                                                              << M::word_bits;
   } else {
     for (std::size_t i = 0; i < out.size(); ++i) {
       const auto place = static_cast<std::int32_t>(i) + arity(routine).in;
@@ -133,6 +136,12 @@ Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in
   const Ending ending = run(code, m, observe);
   leave<routine>(m, out);
   return ending;
+}
+
+template <Routine routine, int WordBits>
+Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in,
+            std::span<std::uint32_t> out) {
+  return call<routine, WordBits>(code, in, out, [](std::size_t, const auto&) {});
 }
 
 /// Calls the compiled routine for each of a batch of cases.

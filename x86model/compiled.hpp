@@ -1,10 +1,10 @@
 /// @file
 /// The compiled run: a program unrolled at compile time, for sweeps.
 ///
-/// Instructions are laid out in their order and every jump becomes "skip until": a pass goes through all
-/// instructions once and leaves out those before the pending target. Whether an instruction can be left
-/// out at all is known at compile time, so straight-line code has no test. A jump backwards starts
-/// another pass.
+/// Instructions are laid out in their order and every jump becomes "skip until": a pass goes
+/// through all instructions once and leaves out those before the pending target. Whether an
+/// instruction can be left out at all is known at compile time, so straight-line code has no test.
+/// A jump backwards starts another pass.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ constexpr bool jumps(const Instruction& i) {
   return is_control_flow(i.mnemonic) && i.mnemonic != Mnemonic::call && i.mnemonic != Mnemonic::ret;
 }
 
-/// For each instruction of the routine that starts at `entry`, whether a pass can come by with its target
-/// still ahead: a jump from before leads past it, or any jump leads backwards.
+/// For each instruction of the routine that starts at `entry`, whether a pass can come by with its
+/// target still ahead: a jump from before leads past it, or any jump leads backwards.
 template <const Program& program, std::size_t entry>
 inline constexpr auto can_be_skipped = [] {
   constexpr std::size_t end = end_of_routine(program, entry);
@@ -122,9 +122,9 @@ template <const Program& program, std::size_t entry, class M>
 
 }  // namespace detail
 
-/// Runs `program` (a variable of static storage) from its first instruction, inlined into the caller.
-/// The same outcome and the same machine as run(), at near native speed; for whole programs only, which
-/// end by themselves.
+/// Runs `program` (a variable of static storage) from its first instruction, inlined into the
+/// caller. The same outcome and the same machine as run(), at near native speed; for whole programs
+/// only, which end by themselves.
 template <const Program& program, class M>
 [[gnu::always_inline]] inline Outcome run_compiled(M& m) {
   return detail::passes<program, 0>(m);

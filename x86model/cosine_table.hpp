@@ -12,8 +12,8 @@ namespace detail {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ needs typedef
 
-/// Fraction bits of the series below: the table needs 28 good bits (one cosine lies within 0.0006 of a
-/// half), this gives more than 55.
+/// Fraction bits of the series below: the table needs 28 good bits (one cosine lies within 0.0006
+/// of a half), this gives more than 55.
 inline constexpr int series_bits = 61;
 
 /// pi in units of 2^-61 (its first 63 binary digits, rounded).
@@ -38,12 +38,12 @@ constexpr std::int64_t cosine(std::int64_t x) {
 
 /// Cosines of 0 to 90 degrees, each the nearest 16.16 value.
 /// @tparam steps_per_degree entries for one degree: 10 for CosSin
-template <int steps_per_degree>
+template <std::size_t steps_per_degree>
 constexpr std::array<std::uint32_t, 90 * steps_per_degree + 1> make_cosine_table() {
   std::array<std::uint32_t, 90 * steps_per_degree + 1> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const auto angle = static_cast<std::int64_t>(detail::Wide{detail::pi} * static_cast<int>(i) /
-                                                 (180 * steps_per_degree));
+    const auto angle = static_cast<std::int64_t>(
+        detail::Wide{detail::pi} * static_cast<std::int64_t>(i) / (180 * steps_per_degree));
     constexpr int surplus = detail::series_bits - 16;
     const std::int64_t half = std::int64_t{1} << (surplus - 1);
     table[i] = static_cast<std::uint32_t>((detail::cosine(angle) + half) >> surplus);

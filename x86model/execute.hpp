@@ -40,10 +40,14 @@ X86MODEL_INLINE std::uint32_t address_of(const Operand& o, const M& m) {
 template <class M>
 X86MODEL_INLINE std::uint32_t immediate(const Operand& o) {
   switch (o.scaling) {
-    case Scaling::literal: break;
-    case Scaling::bytes: return static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(o.value));
-    case Scaling::half_unit: return std::uint32_t{1} << (M::word_bits - 1);
-    case Scaling::word_bits: return M::word_bits;
+    case Scaling::literal:
+      break;
+    case Scaling::bytes:
+      return static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(o.value));
+    case Scaling::half_unit:
+      return std::uint32_t{1} << (M::word_bits - 1);
+    case Scaling::word_bits:
+      return M::word_bits;
   }
   return static_cast<std::uint32_t>(o.value);
 }
@@ -109,7 +113,9 @@ X86MODEL_INLINE bool is_shift(Mnemonic op) {
 X86MODEL_INLINE bool is_double_shift(Mnemonic op) {
   return op == Mnemonic::shld || op == Mnemonic::shrd;
 }
-X86MODEL_INLINE bool is_multiply(Mnemonic op) { return op == Mnemonic::mul || op == Mnemonic::imul; }
+X86MODEL_INLINE bool is_multiply(Mnemonic op) {
+  return op == Mnemonic::mul || op == Mnemonic::imul;
+}
 X86MODEL_INLINE bool is_divide(Mnemonic op) { return op == Mnemonic::div || op == Mnemonic::idiv; }
 
 template <Mnemonic op>
@@ -188,8 +194,7 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
   } else if constexpr (is_multiply(op)) {
     if (!read(first, size, m, b)) return Outcome::bad_address;
     a = m.registers.read(Register::ax, size);
-    const alu::Product product =
-        op == Mnemonic::mul ? alu::mul(a, b, bits) : alu::imul(a, b, bits);
+    const alu::Product product = op == Mnemonic::mul ? alu::mul(a, b, bits) : alu::imul(a, b, bits);
     m.registers.write(Register::ax, size, product.low);
     m.registers.write(Register::dx, size, product.high);
     m.flags = product.flags;
@@ -216,12 +221,29 @@ X86MODEL_INLINE Outcome jump_taken(Mnemonic op, const Flags& flags, bool& taken)
   std::uint16_t reads = 0;
   const auto set = [&](Flag f) { return (flags.value & f) != 0; };
   switch (op) {
-    case Mnemonic::js: reads = SF; taken = set(SF); break;
-    case Mnemonic::jns: reads = SF; taken = !set(SF); break;
-    case Mnemonic::jz: reads = ZF; taken = set(ZF); break;
-    case Mnemonic::ja: reads = CF | ZF; taken = !set(CF) && !set(ZF); break;
-    case Mnemonic::jg: reads = ZF | SF | OF; taken = !set(ZF) && set(SF) == set(OF); break;
-    default: taken = true; break;
+    case Mnemonic::js:
+      reads = SF;
+      taken = set(SF);
+      break;
+    case Mnemonic::jns:
+      reads = SF;
+      taken = !set(SF);
+      break;
+    case Mnemonic::jz:
+      reads = ZF;
+      taken = set(ZF);
+      break;
+    case Mnemonic::ja:
+      reads = CF | ZF;
+      taken = !set(CF) && !set(ZF);
+      break;
+    case Mnemonic::jg:
+      reads = ZF | SF | OF;
+      taken = !set(ZF) && set(SF) == set(OF);
+      break;
+    default:
+      taken = true;
+      break;
   }
   return (flags.undefined & reads) != 0 ? Outcome::undefined_flag : Outcome::proceeds;
 }

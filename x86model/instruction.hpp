@@ -15,13 +15,40 @@ inline constexpr std::size_t register_count = 8;
 /// The instructions that the routines use, and no others.
 enum class Mnemonic : std::uint8_t {
   // data movement
-  mov, push, pop,
+  mov,
+  push,
+  pop,
   // arithmetic
-  add, adc, sub, sbb, cmp, neg, inc, dec, mul, imul, div, idiv,
+  add,
+  adc,
+  sub,
+  sbb,
+  cmp,
+  neg,
+  inc,
+  dec,
+  mul,
+  imul,
+  div,
+  idiv,
   // logic and shifts
-  and_, xor_, shl, shr, sar, rol, shld, shrd,
+  and_,
+  xor_,
+  shl,
+  shr,
+  sar,
+  rol,
+  shld,
+  shrd,
   // control flow
-  jmp, js, jns, jz, ja, jg, call, ret,
+  jmp,
+  js,
+  jns,
+  jz,
+  ja,
+  jg,
+  call,
+  ret,
 };
 inline constexpr std::size_t mnemonic_count = static_cast<std::size_t>(Mnemonic::ret) + 1;
 
@@ -45,17 +72,23 @@ struct Operand {
   Kind kind = Kind::none;
   Size size = Size::none;
   Scaling scaling = Scaling::literal;
-  Symbol symbol = Symbol::none;     ///< memory: added to the displacement
-  Register reg = Register::ax;      ///< register, or base of a memory operand
-  std::int32_t value = 0;           ///< immediate, displacement in bytes, or position of a label
-  const char* name = nullptr;       ///< label
+  Symbol symbol = Symbol::none;  ///< memory: added to the displacement
+  Register reg = Register::ax;   ///< register, or base of a memory operand
+  std::int32_t value = 0;        ///< immediate, displacement in bytes, or position of a label
+  const char* name = nullptr;    ///< label
 };
 
 /// Rows of a listing that are settled when it is assembled.
 enum class Directive : std::uint8_t { none, procedure, label, if_, else_, endif };
 
 /// What a conditional row asks of a build.
-enum class Condition : std::uint8_t { none, mul_rounding, div_rounding, chapter_52, endif_as_scanned };
+enum class Condition : std::uint8_t {
+  none,
+  mul_rounding,
+  div_rounding,
+  chapter_52,
+  endif_as_scanned
+};
 
 /// One row of a listing; once assembled, one instruction.
 struct Instruction {

@@ -13,7 +13,8 @@
 
 namespace x86model {
 
-/// The general registers. A dword register holds 2 * WordBits bits; its low half is the word register.
+/// The general registers. A dword register holds 2 * WordBits bits; its low half is the word
+/// register.
 template <int WordBits>
 class Registers {
  public:

@@ -1,8 +1,8 @@
 /// @file
 /// The notation in which the listings are written: `mov(ax, word[bp + 4])`.
 ///
-/// Every function only builds a row. Displacements and `bytes()` are written for 16-bit machine words
-/// and follow the width of the machine.
+/// Every function only builds a row. Displacements and `bytes()` are written for 16-bit machine
+/// words and follow the width of the machine.
 #pragma once
 
 #include "x86model/instruction.hpp"
@@ -121,7 +121,9 @@ constexpr Instruction ret() { return row(Mnemonic::ret); }
 constexpr Instruction proc(const char* name) {
   return {.directive = Directive::procedure, .label = name, .is_procedure = true};
 }
-constexpr Instruction label(const char* name) { return {.directive = Directive::label, .label = name}; }
+constexpr Instruction label(const char* name) {
+  return {.directive = Directive::label, .label = name};
+}
 constexpr Instruction if_(Condition c) { return {.directive = Directive::if_, .condition = c}; }
 constexpr Instruction else_() { return {.directive = Directive::else_}; }
 constexpr Instruction endif() { return {.directive = Directive::endif}; }

@@ -22,11 +22,16 @@ enum class Target : std::uint8_t { i386, i8088 };
 constexpr const Listing& listing(Routine routine, Target target) {
   const bool i386 = target == Target::i386;
   switch (routine) {
-    case Routine::mul: return i386 ? routines::fixed_mul_i386 : routines::fixed_mul_i8088;
-    case Routine::div: return i386 ? routines::fixed_div_i386 : routines::fixed_div_i8088;
-    case Routine::cossin: return i386 ? routines::cos_sin_i386 : routines::cos_sin_i8088;
-    case Routine::xformvec: return i386 ? routines::xform_vec_i386 : routines::xform_vec_i8088;
-    case Routine::concat: break;
+    case Routine::mul:
+      return i386 ? routines::fixed_mul_i386 : routines::fixed_mul_i8088;
+    case Routine::div:
+      return i386 ? routines::fixed_div_i386 : routines::fixed_div_i8088;
+    case Routine::cossin:
+      return i386 ? routines::cos_sin_i386 : routines::cos_sin_i8088;
+    case Routine::xformvec:
+      return i386 ? routines::xform_vec_i386 : routines::xform_vec_i8088;
+    case Routine::concat:
+      break;
   }
   return i386 ? routines::concat_xforms_i386 : routines::concat_xforms_i8088;
 }
@@ -40,10 +45,14 @@ struct Arity {
 constexpr Arity arity(Routine routine) {
   switch (routine) {
     case Routine::mul:
-    case Routine::div: return {2, 1};
-    case Routine::cossin: return {1, 2};
-    case Routine::xformvec: return {15, 3};
-    case Routine::concat: break;
+    case Routine::div:
+      return {2, 1};
+    case Routine::cossin:
+      return {1, 2};
+    case Routine::xformvec:
+      return {15, 3};
+    case Routine::concat:
+      break;
   }
   return {24, 12};
 }

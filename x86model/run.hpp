@@ -28,14 +28,17 @@ template <class M>
 Outcome execute_any(const Instruction& instruction, M& m) {
   using Handler = Outcome (*)(const Instruction&, M&);
   static constexpr auto handlers = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Handler, sizeof...(I)>{
-        +[](const Instruction& i, M& machine) { return execute<static_cast<Mnemonic>(I)>(i, machine); }...};
-  }(std::make_index_sequence<static_cast<std::size_t>(Mnemonic::jmp)>{});
+    return std::array<Handler, sizeof...(I)>{+[](const Instruction& i, M& machine) {
+      return execute<static_cast<Mnemonic>(I)>(i, machine);
+    }...};
+  }
+  (std::make_index_sequence<static_cast<std::size_t>(Mnemonic::jmp)>{});
   return handlers[static_cast<std::size_t>(instruction.mnemonic)](instruction, m);
 }
 
-/// Runs `code` from its first instruction until it returns to its caller, faults, reads an undefined
-/// flag, leaves memory, or has taken `limit` steps. Stack, arguments and SP are the caller's to set up.
+/// Runs `code` from its first instruction until it returns to its caller, faults, reads an
+/// undefined flag, leaves memory, or has taken `limit` steps. Stack, arguments and SP are the
+/// caller's to set up.
 ///
 /// @param observe called as observe(position, machine) after each instruction that was executed.
 template <class M, class Observer>

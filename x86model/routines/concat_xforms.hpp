@@ -14,8 +14,8 @@ inline constexpr int SourceXform2 = 6;
 inline constexpr int DestXform = 8;
 }  // namespace detail
 
-/// Listing 52.4 is C and adds the first transform's translation in every column; the assembly adds it
-/// in the fourth only.
+/// Listing 52.4 is C and adds the first transform's translation in every column; the assembly adds
+/// it in the fourth only.
 inline constexpr Listing concat_xforms_i386 = [] {
   using namespace notation;
   using namespace detail;

@@ -20,24 +20,15 @@ inline constexpr int quarter_turn = 90 * 10 * 4;
 constexpr Listing angle_in_range() {
   using namespace notation;
   return Listing{
-      proc("CosSin"),
-      push(bp),
-      mov(bp, sp),
-      mov(bx, word[bp + Angle]),
-      and_(bx, bx),
-      jns("CheckInRange"),
-      label("MakePos"),
-      add(bx, 360 * 10),
-      js("MakePos"),
-      jmp("CheckInRange"),
-      label("MakeInRange"),
-      sub(bx, 360 * 10),
-      label("CheckInRange"),
-      cmp(bx, 360 * 10),
-      jg("MakeInRange"),
-      cmp(bx, 180 * 10),
-      ja("BottomHalf"),
-      cmp(bx, 90 * 10),
+      proc("CosSin"),        push(bp),
+      mov(bp, sp),           mov(bx, word[bp + Angle]),
+      and_(bx, bx),          jns("CheckInRange"),
+      label("MakePos"),      add(bx, 360 * 10),
+      js("MakePos"),         jmp("CheckInRange"),
+      label("MakeInRange"),  sub(bx, 360 * 10),
+      label("CheckInRange"), cmp(bx, 360 * 10),
+      jg("MakeInRange"),     cmp(bx, 180 * 10),
+      ja("BottomHalf"),      cmp(bx, 90 * 10),
       ja("Quadrant1"),
   };
 }

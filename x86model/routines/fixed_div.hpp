@@ -13,8 +13,8 @@ inline constexpr int Dividend = 4;
 inline constexpr int Divisor = 8;
 }  // namespace detail
 
-/// Rounded: unsigned 64/32 divide of the magnitudes, the remainder compared with half the divisor, the
-/// sign put back. Unrounded: one IDIV.
+/// Rounded: unsigned 64/32 divide of the magnitudes, the remainder compared with half the divisor,
+/// the sign put back. Unrounded: one IDIV.
 inline constexpr Listing fixed_div_i386 = [] {
   using namespace notation;
   using namespace detail;
@@ -70,9 +70,9 @@ inline constexpr Listing fixed_div_i386 = [] {
   };
 }();
 
-/// Two 32/16 divides by the whole part of the divisor: the first gives the whole part of the quotient,
-/// its remainder joined to the dividend's fraction gives the fraction. Negates the low words of its
-/// caller's pushed arguments in place.
+/// Two 32/16 divides by the whole part of the divisor: the first gives the whole part of the
+/// quotient, its remainder joined to the dividend's fraction gives the fraction. Negates the low
+/// words of its caller's pushed arguments in place.
 inline constexpr Listing fixed_div_i8088 = [] {
   using namespace notation;
   using namespace detail;

@@ -31,8 +31,8 @@ constexpr Listing sum_of_products_i386(int first, int second, int stride) {
 }
 
 /// BP:CX = the sum of three products by FixedMul, each a dword at [SI + first ...] times one at
-/// [DI + second ...]; offsets as above. FixedMul destroys CX and keeps BP: the low word of the running
-/// total waits on the stack.
+/// [DI + second ...]; offsets as above. FixedMul destroys CX and keeps BP: the low word of the
+/// running total waits on the stack.
 constexpr Listing sum_of_products_i8088(int first, int second, int stride) {
   using namespace notation;
   Listing listing;

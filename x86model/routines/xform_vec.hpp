@@ -61,11 +61,8 @@ inline constexpr Listing xform_vec_i8088 = [] {
     listing += {push(bx)};
     listing += sum_of_products_i8088(soff, 0, 4);
     listing += {
-        add(cx, word[si + soff + 12]),
-        adc(bp, word[si + soff + 12 + 2]),
-        pop(bx),
-        mov(word[bx + doff], cx),
-        mov(word[bx + doff + 2], bp),
+        add(cx, word[si + soff + 12]), adc(bp, word[si + soff + 12 + 2]), pop(bx),
+        mov(word[bx + doff], cx),      mov(word[bx + doff + 2], bp),
     };
   }
   listing += {pop(bp), pop(di), pop(si), pop(bp), ret()};

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "verify/commands/commands.hpp"
+#include "verify/commands/lines.hpp"
+#include "verify/hex.hpp"
+#include "verify/options.hpp"
+#include "verify/party.hpp"
+
+namespace fixproof {
+
+namespace {
+
+struct Options {
+  std::string operation;
+  std::string by = "model";
+  VariantOptions variant;
+};
+
+/// Splits a line into exactly as many words as the operation takes.
+void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
+  const auto digits = static_cast<std::size_t>(operand_bits(v) / 4);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto space = line.find(' ');
+    const bool last = i + 1 == words.size();
+    if (last != (space == std::string_view::npos)) {
+      throw UsageError(fmt::format("{} takes {} word{} with single spaces between",
+                                   name_of(v.operation), words.size(),
+                                   words.size() > 1 ? "s" : ""));
+    }
+    words[i] = parse_hex(line.substr(0, space), digits);
+    if (!last) line.remove_prefix(space + 1);
+  }
+}
+
+void append_answer(std::string& output, Ending ending, std::span<const std::uint32_t> words) {
+  if (ending == Ending::divide_error) {
+    output += "DE";
+    return;
+  }
+  if (ending != Ending::value) throw UsageError("the party gave no answer");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) output += ' ';
+    append_hex(output, words[i], 8);
+  }
+}
+
+int run(const Options& options) {
+  const Operation operation = operation_named(options.operation);
+  if (operation > Operation::concat) {
+    throw UsageError(fmt::format("eval answers mul, div, cossin, xformvec and concat, not {}",
+                                 options.operation));
+  }
+  const Variant variant = options.variant.choose(operation);
+  const Party& party = party_named(options.by);
+  if (!party.answers(variant)) {
+    throw UsageError(
+        fmt::format("{} does not answer this variant of {}", options.by, options.operation));
+  }
+  std::array<std::uint32_t, most_words_in> in{};
+  std::array<std::uint32_t, most_words_out> out{};
+  const auto taken = std::span(in).first(words_in(operation));
+  const auto given = std::span(out).first(words_out(operation));
+  answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
+    parse_words(line, variant, taken);
+    std::array<Ending, 1> ending{};
+    party.answer(variant, {taken, given, ending});
+    append_answer(output, ending[0], given);
+  });
+  return 0;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("eval", "answer one case a line, read from standard input");
+  command->add_option("operation", options->operation, "mul, div, cossin, xformvec or concat")
+      ->required();
+  command->add_option("--by", options->by, "who answers: model, interpreter, oracle, fast or type")
+      ->capture_default_str();
+  options->variant.add_to(*command);
+  command->footer(
+      "Words are 8 lower-case hex digits of two's complement, single spaces between:\n"
+      "  mul, div   a b                             -> one word, DE for a divide error\n"
+      "  cossin     an angle in tenths, 4 digits    -> cosine and sine\n"
+      "  xformvec   12 words by rows, then x y z    -> 3 words\n"
+      "  concat     12 words, then 12               -> 12 words\n"
+      "Blank lines and lines that start with # are passed over.\n\n"
+      "Examples:\n"
+      "  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000\n"
+      "  echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE\n"
+      "  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace fixproof

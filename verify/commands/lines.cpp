@@ -1,0 +1,46 @@
+#include "verify/commands/lines.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "verify/options.hpp"
+
+namespace fixproof {
+
+namespace {
+
+void write(std::ostream& out, std::string& pending) {
+  out.write(pending.data(), static_cast<std::streamsize>(pending.size()));
+  out.flush();
+  pending.clear();
+  if (!out) throw UsageError("cannot write standard output");
+}
+
+bool passed_over(std::string_view line) {
+  return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+}  // namespace
+
+void answer_lines(std::istream& in, std::ostream& out,
+                  const std::function<void(std::string_view, std::string&)>& answer) {
+  constexpr std::size_t enough = 1U << 16U;
+  std::string line;
+  std::string pending;
+  for (std::uint64_t number = 1; std::getline(in, line); ++number) {
+    if (passed_over(line)) continue;
+    try {
+      answer(line, pending);
+    } catch (const UsageError& error) {
+      write(out, pending);
+      throw UsageError(fmt::format("line {}: {}", number, error.what()));
+    }
+    pending += '\n';
+    if (pending.size() > enough || in.rdbuf()->in_avail() <= 0) write(out, pending);
+  }
+  write(out, pending);
+  if (in.bad()) throw UsageError("cannot read standard input");
+}
+
+}  // namespace fixproof

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "verify/commands/commands.hpp"
+#include "verify/commands/lines.hpp"
+#include "verify/hex.hpp"
+#include "verify/options.hpp"
+#include "x86model/forms.hpp"
+#include "x86model/parse.hpp"
+#include "x86model/run.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+
+/// A line holds no memory: reading it is impossible, what is written to it is not shown.
+struct NoMemory {
+  static bool read(std::uint32_t, std::uint32_t&) { return false; }
+  static bool write(std::uint32_t, std::uint32_t) { return true; }
+};
+using StepMachine = x86::Machine<16, NoMemory>;
+
+using x86::Register;
+/// The registers in the order in which a line shows them.
+constexpr std::array shown{Register::ax, Register::bx, Register::cx, Register::dx,
+                           Register::si, Register::di, Register::bp, Register::sp};
+
+constexpr std::array<std::pair<x86::Flag, std::string_view>, 6> flag_names{{{x86::CF, "CF"},
+                                                                            {x86::PF, "PF"},
+                                                                            {x86::AF, "AF"},
+                                                                            {x86::ZF, "ZF"},
+                                                                            {x86::SF, "SF"},
+                                                                            {x86::OF, "OF"}}};
+
+/// Register state as a line writes it.
+struct State {
+  StepMachine machine;
+  std::array<bool, shown.size()> wide{};  ///< given as eax=…, with 8 digits
+  std::uint32_t other_flags = 0;          ///< bits of fl that are none of the six
+};
+
+std::uint32_t flag_mask() {
+  std::uint32_t mask = 0;
+  for (const auto& [flag, name] : flag_names) mask |= flag;
+  return mask;
+}
+
+State parse_state(std::string_view text, x86::Target cpu) {
+  State state;
+  std::array<bool, shown.size()> seen{};
+  bool seen_flags = false;
+  const auto once = [](bool& is_seen, std::string_view name) {
+    if (is_seen) throw UsageError(fmt::format("{} is given twice", quoted(name)));
+    is_seen = true;
+  };
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    if (text.empty()) break;
+    const std::string_view field = text.substr(0, text.find(' '));
+    text.remove_prefix(field.size());
+    const auto equals = field.find('=');
+    if (equals == std::string_view::npos) {
+      throw UsageError(fmt::format("{} is not NAME=DIGITS", quoted(field)));
+    }
+    const std::string_view name = field.substr(0, equals);
+    const std::string_view digits = field.substr(equals + 1);
+    if (name == "fl") {
+      once(seen_flags, name);
+      const std::uint32_t value = parse_hex(digits, 4);
+      state.machine.flags = {static_cast<std::uint16_t>(value & flag_mask()), 0};
+      state.other_flags = value & ~flag_mask();
+      continue;
+    }
+    bool known = false;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      for (const x86::Size size : {x86::Size::word, x86::Size::dword}) {
+        if (size == x86::Size::dword && cpu == x86::Target::i8088) continue;
+        if (name != x86::name_of(shown[i], size)) continue;
+        known = true;
+        once(seen[i], name);
+        state.wide[i] = size == x86::Size::dword;
+        state.machine.registers.write(shown[i], x86::Size::dword,
+                                      parse_hex(digits, state.wide[i] ? 8 : 4));
+      }
+    }
+    if (!known) throw UsageError(fmt::format("{} is no register", quoted(name)));
+  }
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (!seen[i]) {
+      throw UsageError(fmt::format("{} is missing", x86::name_of(shown[i], x86::Size::word)));
+    }
+  }
+  if (!seen_flags) throw UsageError("fl is missing");
+  return state;
+}
+
+void append_state(std::string& output, const State& state) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const std::uint32_t value = state.machine.registers.read(shown[i], x86::Size::dword);
+    // An upper half that the instruction has filled is shown even where it was not given.
+    const bool wide = state.wide[i] || value > 0xFFFF;
+    output += x86::name_of(shown[i], wide ? x86::Size::dword : x86::Size::word);
+    output += '=';
+    append_hex(output, value, wide ? 8 : 4);
+    output += ' ';
+  }
+  output += "fl=";
+  append_hex(output, state.other_flags | state.machine.flags.value, 4);
+  output += " undef=";
+  bool any = false;
+  for (const auto& [flag, name] : flag_names) {
+    if ((state.machine.flags.undefined & flag) == 0) continue;
+    if (any) output += ',';
+    output += name;
+    any = true;
+  }
+  if (!any) output += '-';
+}
+
+/// Answers one line; counts it where the instruction is not modelled.
+void answer(std::string_view line, x86::Target cpu, std::string& output,
+            std::uint64_t& unmodelled) {
+  const auto bar = line.find('|');
+  if (bar == std::string_view::npos) throw UsageError("no '|' between instruction and registers");
+  std::optional<x86::Instruction> instruction;
+  try {
+    instruction = x86::parse(line.substr(0, bar));
+  } catch (const x86::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  State state = parse_state(line.substr(bar + 1), cpu);
+  const auto without_answer = [&] {
+    output += "unmodelled";
+    ++unmodelled;
+  };
+  if (!instruction || !x86::is_modelled(*instruction, cpu)) return without_answer();
+  const x86::Mnemonic op = instruction->mnemonic;
+  // CALL and RET need code and a stack; a jump, not taken, changes nothing.
+  if (op == x86::Mnemonic::call || op == x86::Mnemonic::ret) return without_answer();
+  if (!x86::is_control_flow(op)) {
+    const x86::Outcome outcome = x86::execute_any(*instruction, state.machine);
+    if (outcome == x86::Outcome::divide_error) {
+      output += "DE";
+      return;
+    }
+    if (outcome != x86::Outcome::proceeds) return without_answer();
+  }
+  append_state(output, state);
+}
+
+int run(x86::Target cpu) {
+  std::uint64_t unmodelled = 0;
+  answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
+    answer(line, cpu, output, unmodelled);
+  });
+  if (unmodelled > 0) {
+    fmt::print(stderr, "fixproof step: {} line{} unmodelled\n", unmodelled,
+               unmodelled > 1 ? "s" : "");
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_step(CLI::App& app, int& status) {
+  static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
+                                                             {"386", x86::Target::i386}};
+  auto cpu = std::make_shared<std::string>("386");
+  CLI::App* command =
+      app.add_subcommand("step", "execute one instruction a line, read from standard input");
+  command->add_option("--cpu", *cpu, "8088 or 386")
+      ->check(CLI::IsMember(&processors))
+      ->capture_default_str();
+  command->footer(
+      "A line is an instruction and all registers; the answer is the state after it, then the "
+      "flags\n"
+      "it leaves undefined. DE is a divide error; unmodelled is an instruction that no routine "
+      "has, or\n"
+      "one that reads memory. With --cpu 386 a register may be given as eax= with 8 digits and "
+      "comes\n"
+      "back so. Jumps are not taken.\n\n"
+      "Example:\n"
+      "  echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe "
+      "fl=0001' |\n"
+      "    fixproof step --cpu 8088");
+  command->callback([cpu, &status] { status = run(processors.at(*cpu)); });
+}
+
+}  // namespace fixproof

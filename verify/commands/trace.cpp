@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "verify/commands/commands.hpp"
+#include "verify/commands/program.hpp"
+#include "verify/hex.hpp"
+#include "x86model/call.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+
+struct Options {
+  ProgramOptions program;
+  std::vector<std::string> words;
+};
+
+constexpr std::array flags{x86::CF, x86::PF, x86::AF, x86::ZF, x86::SF, x86::OF};
+constexpr std::array registers{x86::Register::ax, x86::Register::bx, x86::Register::cx,
+                               x86::Register::dx, x86::Register::si, x86::Register::di,
+                               x86::Register::bp, x86::Register::sp};
+
+/// The six flags as 0, 1 or ? where undefined, under the heading's columns.
+std::string flag_columns(const x86::Flags& f) {
+  std::string columns;
+  for (const x86::Flag flag : flags) {
+    const char* set = (f.value & flag) != 0 ? " 1 " : " 0 ";
+    columns += (f.undefined & flag) != 0 ? " ? " : set;
+  }
+  return columns;
+}
+
+/// Registers and memory words that differ, as "bp=0058 [0054]=0000".
+template <class M>
+std::string changes(const M& before, const M& after, x86::Size size) {
+  std::string text;
+  for (const x86::Register r : registers) {
+    const std::uint32_t value = after.registers.read(r, size);
+    if (value == before.registers.read(r, size)) continue;
+    text += fmt::format("{}=", x86::name_of(r, size));
+    append_hex(text, value, size == x86::Size::word ? 4 : 8);
+    text += ' ';
+  }
+  std::uint32_t was = 0;
+  std::uint32_t is = 0;
+  for (std::uint32_t address = 0; after.memory.read(address, is); address += 2) {
+    before.memory.read(address, was);
+    if (is == was) continue;
+    text += '[';
+    append_hex(text, address, 4);
+    text += "]=";
+    append_hex(text, is, 4);
+    text += ' ';
+  }
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+std::string_view reason(x86::Outcome outcome) {
+  switch (outcome) {
+    case x86::Outcome::divide_error:
+      return "#DE: divide error";
+    case x86::Outcome::undefined_flag:
+      return "reads a flag that Intel leaves undefined";
+    case x86::Outcome::step_limit:
+      return "does not end";
+    default:
+      return "reaches for memory that is not there";
+  }
+}
+
+std::string decimal(std::uint32_t word) {
+  return fmt::format("{}", static_cast<double>(static_cast<std::int32_t>(word)) / 65536.0);
+}
+
+template <x86::Routine routine>
+void trace(const ProgramChoice& chosen, std::span<const std::uint32_t> in) {
+  const auto program = std::make_unique<x86::Program>(
+      x86::assemble(x86::listing(routine, chosen.target), chosen.build));
+  const auto code = program->instructions();
+  x86::CallMachine<routine, 16> machine;
+  if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(machine);
+  x86::enter<routine>(machine, in);
+  const auto size = chosen.target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
+
+  fmt::print("   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
+  auto before = machine;
+  const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {
+    fmt::print("{:4}  {:<30} {} {}\n", at, x86::text_of(code[at]), flag_columns(after.flags),
+               changes(before, after, size));
+    before = after;
+  });
+  if (ending.outcome != x86::Outcome::returned) {
+    fmt::print("{:4}  {:<30} {} {}\n", ending.position, x86::text_of(code[ending.position]),
+               flag_columns(machine.flags), reason(ending.outcome));
+    return;
+  }
+  std::array<std::uint32_t, most_words_out> out{};
+  const auto given = std::span(out).first(static_cast<std::size_t>(x86::arity(routine).out));
+  x86::leave<routine>(machine, given);
+  fmt::print("{} instructions; result", ending.steps);
+  for (const std::uint32_t word : given) fmt::print(" {:08x} ({})", word, decimal(word));
+  fmt::print("\n");
+}
+
+int run(const Options& options) {
+  const ProgramChoice chosen = options.program.choose();
+  const auto wanted = static_cast<std::size_t>(x86::arity(chosen.routine).in);
+  if (options.words.size() != wanted) {
+    throw UsageError(fmt::format("{} takes {} words, not {}", options.program.operation, wanted,
+                                 options.words.size()));
+  }
+  std::vector<std::uint32_t> in;
+  const std::size_t digits = chosen.routine == x86::Routine::cossin ? 4 : 8;
+  for (const std::string& word : options.words) in.push_back(parse_hex(word, digits));
+  using enum x86::Routine;
+  switch (chosen.routine) {
+    case mul:
+      trace<mul>(chosen, in);
+      break;
+    case div:
+      trace<div>(chosen, in);
+      break;
+    case cossin:
+      trace<cossin>(chosen, in);
+      break;
+    case xformvec:
+      trace<xformvec>(chosen, in);
+      break;
+    case concat:
+      trace<concat>(chosen, in);
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("trace", "show what each instruction of a routine changes");
+  options->program.add_to(*command);
+  command->add_option("words", options->words, "operands, as for eval");
+  command->footer(
+      "Flags are 0, 1 or ? where Intel leaves them undefined. [0054] is the word at that "
+      "address.\n\n"
+      "Examples:\n"
+      "  fixproof trace mul 00018000 00028000\n"
+      "  fixproof trace div 00010000 00008000 --target i8088\n"
+      "  fixproof trace div 00018000 00028000 --target i8088 --round off --as-scanned");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace fixproof

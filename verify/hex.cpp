@@ -1,0 +1,37 @@
+#include "verify/hex.hpp"
+
+#include <fmt/format.h>
+
+#include "verify/options.hpp"
+
+namespace fixproof {
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string result = "'";
+  for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > longest ? "...'" : "'");
+}
+
+std::uint32_t parse_hex(std::string_view text, std::size_t digits) {
+  std::uint32_t word = 0;
+  for (const char c : text) {
+    const bool decimal = c >= '0' && c <= '9';
+    if (!decimal && (c < 'a' || c > 'f')) {
+      throw UsageError(fmt::format("{} is not lower-case hex", quoted(text)));
+    }
+    word = word << 4U | static_cast<std::uint32_t>(decimal ? c - '0' : c - 'a' + 10);
+  }
+  if (text.size() != digits) {
+    throw UsageError(
+        fmt::format("{} has {} hex digits instead of {}", quoted(text), text.size(), digits));
+  }
+  return word;
+}
+
+void append_hex(std::string& to, std::uint32_t word, std::size_t digits) {
+  constexpr std::string_view alphabet = "0123456789abcdef";
+  for (std::size_t i = digits; i-- > 0;) to += alphabet[(word >> (4 * i)) & 0xFU];
+}
+
+}  // namespace fixproof

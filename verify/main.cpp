@@ -1,0 +1,45 @@
+// The command `fixproof`: only joins the commands, which have a file each.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "verify/commands/commands.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Bit-exact verification of 16.16 fixed-point arithmetic: a register-level model of the 8088\n"
+      "and 386 sequences of FIXED.ASM, a big-integer oracle and a production C++ type, compared."};
+  app.name("fixproof");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", FIXPROOF_VERSION);
+  // A reader that goes away is an error that is reported, not a silent end.
+  std::signal(SIGPIPE, SIG_IGN);
+  int status = 0;
+  fixproof::add_eval(app, status);
+  fixproof::add_step(app, status);
+  fixproof::add_trace(app, status);
+  fixproof::add_list(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "fixproof: {} (see fixproof --help)\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::cout.flush();
+    fmt::print(stderr, "fixproof: {}\n", error.what());
+    return 2;
+  }
+  // A full disk or a closed pipe shows at the latest here.
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "fixproof: cannot write standard output\n");
+    return 2;
+  }
+  return status;
+}

@@ -1,0 +1,59 @@
+#include "verify/options.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace fixproof {
+
+namespace {
+
+const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
+const std::map<std::string, Target> targets{{"i386", Target::i386}, {"i8088", Target::i8088}};
+
+}  // namespace
+
+void VariantOptions::add_to(CLI::App& command) {
+  const auto named = [](const auto& names) { return CLI::IsMember(&names); };
+  command
+      .add_option_function<std::string>(
+          "--target", [this](const std::string& t) { target = targets.at(t); },
+          "which half of the listing: i386 or i8088")
+      ->check(named(targets));
+  command
+      .add_option_function<std::string>(
+          "--round", [this](const std::string& r) { mul_round = div_round = on_off.at(r); },
+          "both roundings: on or off")
+      ->check(named(on_off));
+  command
+      .add_option_function<std::string>(
+          "--mul-round", [this](const std::string& r) { mul_round = on_off.at(r); },
+          "rounding of multiplies: on or off")
+      ->check(named(on_off));
+  command
+      .add_option_function<std::string>(
+          "--div-round", [this](const std::string& r) { div_round = on_off.at(r); },
+          "rounding of divides: on or off")
+      ->check(named(on_off));
+  command.add_flag("--as-printed", as_printed,
+                   "take the roundings for the printed switches; the 8088 divide inverts its own");
+  command
+      .add_option_function<int>(
+          "--chapter", [this](int chapter) { chapter_52 = chapter == 52; },
+          "which printing: 54, or 52 (386 only, always rounded)")
+      ->check(CLI::IsMember({52, 54}));
+}
+
+Variant VariantOptions::choose(Operation operation) const {
+  Variant v{.operation = operation, .target = target.value_or(Target::i386)};
+  v.mul_round = mul_round.value_or(true);
+  v.div_round = div_round.value_or(!as_printed);
+  if (as_printed) v.div_round = div_round_as_printed(v.target, v.div_round);
+  v.chapter_52 = chapter_52;
+  if (chapter_52 && (v.target != Target::i386 || !v.mul_round || !v.div_round)) {
+    throw UsageError("--chapter 52 has only rounded 386 routines");
+  }
+  return v;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,42 @@
+/// @file
+/// The options that name a variant, shared by the commands.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "verify/variant.hpp"
+
+namespace fixproof {
+
+/// Bad usage or input: one line for stderr, and exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What was given on the command line to choose a variant; what was not given is empty.
+struct VariantOptions {
+  std::optional<Target> target;
+  std::optional<bool> mul_round;
+  std::optional<bool> div_round;
+  bool chapter_52 = false;
+  bool as_printed = false;
+
+  /// Adds --target, --round, --mul-round, --div-round, --as-printed and --chapter to a command.
+  void add_to(CLI::App& command);
+
+  /// The variant of `operation` that was chosen. The target defaults to i386; both roundings to on,
+  /// or with --as-printed to what the listings print (multiply on, divide off).
+  /// @throws UsageError for a combination that does not exist
+  [[nodiscard]] Variant choose(Operation operation) const;
+
+  /// What the divide code of `target` does when its printed switch reads `printed`: the 8088 divide
+  /// tests it the wrong way round.
+  static bool div_round_as_printed(Target target, bool printed) {
+    return target == Target::i8088 ? !printed : printed;
+  }
+};
+
+}  // namespace fixproof

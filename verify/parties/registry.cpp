@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "verify/parties/parties.hpp"
+
+namespace fixproof {
+
+const std::vector<std::unique_ptr<Party>>& parties() {
+  static const auto all = [] {
+    std::vector<std::unique_ptr<Party>> made;
+    made.push_back(make_model());
+    made.push_back(make_interpreter());
+    made.push_back(make_oracle());
+    made.push_back(make_fast_oracle());
+    made.push_back(make_type());
+    return made;
+  }();
+  return all;
+}
+
+const Party& party_named(std::string_view name) {
+  std::string known;
+  for (const auto& party : parties()) {
+    if (party->name() == name) return *party;
+    known += known.empty() ? "" : ", ";
+    known += party->name();
+  }
+  throw std::invalid_argument(fmt::format("unknown party '{}'; there are {}", name, known));
+}
+
+}  // namespace fixproof

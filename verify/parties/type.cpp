@@ -1,0 +1,147 @@
+// The production type, under the policy that is to be bit-identical to the variant.
+#include <array>
+#include <span>
+
+#include "fixed/fixed.hpp"
+#include "verify/parties/parties.hpp"
+
+namespace fixproof {
+
+namespace {
+
+template <class Number>
+Number number_of(std::uint32_t word) {
+  return Number::from_raw(static_cast<typename Number::raw_type>(word));
+}
+
+template <class Number>
+std::uint32_t word_of(Number x) {
+  return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
+}
+
+/// One case of one operation with numbers of one type; false where there is no value.
+template <class Number, Operation operation>
+bool one_case(const Variant& v, std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
+  const auto operand = [&](std::size_t i) { return number_of<Number>(in[i]); };
+  if constexpr (operation == Operation::mul) {
+    out[0] = word_of(operand(0) * operand(1));
+  } else if constexpr (operation == Operation::div) {
+    const auto quotient = fixed::try_divide(operand(0), operand(1));
+    if (!quotient) return false;
+    out[0] = word_of(*quotient);
+  } else if constexpr (operation == Operation::cossin) {
+    const auto angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(in[0]));
+    const auto [cos, sin] = fixed::sin_cos<Number>(angle);
+    out[0] = word_of(cos);
+    out[1] = word_of(sin);
+  } else if constexpr (operation == Operation::xformvec) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      Number sum = operand(4 * row + 3);
+      for (std::size_t k = 0; k < 3; ++k) sum += operand(4 * row + k) * operand(12 + k);
+      out[row] = word_of(sum);
+    }
+  } else if constexpr (operation == Operation::concat) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) {
+        Number sum;
+        for (std::size_t k = 0; k < 3; ++k) {
+          sum += operand(4 * row + k) * operand(12 + 4 * k + column);
+        }
+        if (column == 3 || v.chapter_52) sum += operand(4 * row + 3);
+        out[4 * row + column] = word_of(sum);
+      }
+    }
+  } else if constexpr (operation == Operation::sqrt) {
+    out[0] = word_of(fixed::sqrt(operand(0)));
+  } else if constexpr (operation == Operation::decimal) {
+    std::array<char, fixed::max_chars<Number>> text{};
+    const auto written = fixed::to_chars(text.data(), text.data() + text.size(), operand(0));
+    Number back;
+    const auto read = fixed::from_chars(text.data(), written.ptr, back);
+    // A text that is not read back whole is no value.
+    if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
+    out[0] = word_of(back);
+  } else {
+    out[0] = word_of(Number(static_cast<double>(operand(0))));
+  }
+  return true;
+}
+
+template <class Number, Operation operation>
+void each_case(const Variant& v, const Batch& batch) {
+  constexpr std::size_t in = words_in(operation);
+  constexpr std::size_t out = words_out(operation);
+  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+    const bool valued = one_case<Number, operation>(v, batch.in.subspan(i * in, in),
+                                                    batch.out.subspan(i * out, out));
+    batch.endings[i] = valued ? Ending::value : Ending::divide_error;
+  }
+}
+
+template <class Number>
+void each_case(const Variant& v, const Batch& batch) {
+  using enum Operation;
+  switch (v.operation) {
+    case mul:
+      return each_case<Number, mul>(v, batch);
+    case div:
+      return each_case<Number, div>(v, batch);
+    case cossin:
+      return each_case<Number, cossin>(v, batch);
+    case xformvec:
+      return each_case<Number, xformvec>(v, batch);
+    case concat:
+      return each_case<Number, concat>(v, batch);
+    case sqrt:
+      return each_case<Number, sqrt>(v, batch);
+    case decimal:
+      return each_case<Number, decimal>(v, batch);
+    case binary64:
+      return each_case<Number, binary64>(v, batch);
+  }
+}
+
+/// The policy that the variant's rules name.
+template <fixed::policy both, fixed::policy mul_only, fixed::policy div_only, fixed::policy neither,
+          int bits>
+void with_switches(const Variant& v, const Batch& batch) {
+  if (v.mul_round) {
+    v.div_round ? each_case<fixed::number<bits, both>>(v, batch)
+                : each_case<fixed::number<bits, mul_only>>(v, batch);
+  } else {
+    v.div_round ? each_case<fixed::number<bits, div_only>>(v, batch)
+                : each_case<fixed::number<bits, neither>>(v, batch);
+  }
+}
+
+template <int bits>
+void with_policy(const Variant& v, const Batch& batch) {
+  namespace p = fixed::policies;
+  switch (v.target) {
+    case Target::i386:
+      return with_switches<p::i386, p::i386_mul_rounded, p::i386_div_rounded, p::i386_unrounded,
+                           bits>(v, batch);
+    case Target::i8088:
+      return with_switches<p::i8088, p::i8088_mul_rounded, p::i8088_div_rounded, p::i8088_unrounded,
+                           bits>(v, batch);
+    case Target::standard:
+      return each_case<fixed::number<bits, p::wrapping>>(v, batch);
+  }
+}
+
+class Type final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "type"; }
+  [[nodiscard]] bool answers(const Variant& v) const override {
+    return v.operation != Operation::cossin || v.fraction_bits == 16;
+  }
+  void answer(const Variant& v, const Batch& batch) const override {
+    v.fraction_bits == 8 ? with_policy<8>(v, batch) : with_policy<16>(v, batch);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Party> make_type() { return std::make_unique<Type>(); }
+
+}  // namespace fixproof

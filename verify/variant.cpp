@@ -1,0 +1,70 @@
+#include "verify/variant.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace fixproof {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Operation>, 8> operations{{
+    {"mul", Operation::mul},
+    {"div", Operation::div},
+    {"cossin", Operation::cossin},
+    {"xformvec", Operation::xformvec},
+    {"concat", Operation::concat},
+    {"sqrt", Operation::sqrt},
+    {"decimal", Operation::decimal},
+    {"binary64", Operation::binary64},
+}};
+
+}  // namespace
+
+std::string_view name_of(Operation o) { return operations.at(static_cast<std::size_t>(o)).first; }
+
+std::string_view name_of(Target t) {
+  switch (t) {
+    case Target::i386:
+      return "i386";
+    case Target::i8088:
+      return "i8088";
+    case Target::standard:
+      break;
+  }
+  return "standard";
+}
+
+Operation operation_named(std::string_view name) {
+  for (const auto& [known, operation] : operations) {
+    if (known == name) return operation;
+  }
+  throw std::invalid_argument(
+      fmt::format("unknown operation '{}'; there are mul, div, cossin, xformvec, concat, sqrt, "
+                  "decimal, binary64",
+                  name));
+}
+
+std::vector<Variant> all_variants() {
+  std::vector<Variant> all;
+  for (const Operation o : {Operation::mul, Operation::div, Operation::cossin, Operation::xformvec,
+                            Operation::concat}) {
+    for (const Target t : {Target::i386, Target::i8088}) {
+      for (const bool round : {true, false}) {
+        all.push_back({.operation = o, .target = t, .mul_round = round, .div_round = round});
+      }
+    }
+  }
+  for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
+    all.push_back({.operation = o, .target = Target::i386, .chapter_52 = true});
+  }
+  for (const Operation o : {Operation::mul, Operation::div, Operation::xformvec, Operation::concat,
+                            Operation::sqrt, Operation::decimal, Operation::binary64}) {
+    all.push_back({.operation = o, .target = Target::standard});
+  }
+  return all;
+}
+
+}  // namespace fixproof

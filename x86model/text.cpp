@@ -1,0 +1,115 @@
+#include "x86model/text.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "x86model/cosine_table.hpp"
+
+namespace x86model {
+
+namespace {
+
+constexpr std::array<std::string_view, register_count> dword_names{"eax", "ecx", "edx", "ebx",
+                                                                   "esp", "ebp", "esi", "edi"};
+
+constexpr std::array<std::string_view, mnemonic_count> mnemonics{
+    "mov",  "push", "pop", "add",  "adc", "sub", "sbb", "cmp",  "neg", "inc", "dec",
+    "mul",  "imul", "div", "idiv", "and", "xor", "shl", "shr",  "sar", "rol", "shld",
+    "shrd", "jmp",  "js",  "jns",  "jz",  "ja",  "jg",  "call", "ret"};
+
+std::string_view size_prefix(Size size) { return size == Size::word ? "word " : "dword "; }
+
+std::string address_text(const Operand& o) {
+  std::string text = "[";
+  if (o.symbol == Symbol::cos_table) text += "CosTable+";
+  text += name_of(o.reg, Size::word);
+  if (o.value != 0) text.append(1, '+').append(std::to_string(o.value));
+  return text + ']';
+}
+
+std::string immediate_text(const Operand& o) {
+  switch (o.scaling) {
+    case Scaling::half_unit:
+      return "0x8000";
+    case Scaling::word_bits:
+      return "16";
+    case Scaling::literal:
+    case Scaling::bytes:
+      break;
+  }
+  return std::to_string(o.value);
+}
+
+/// @param sized whether a register operand already tells the size of a memory operand
+std::string operand_text(const Instruction& i, const Operand& o, bool sized) {
+  switch (o.kind) {
+    case Operand::Kind::reg:
+      return std::string(name_of(o.reg, o.size));
+    case Operand::Kind::immediate:
+      return immediate_text(o);
+    case Operand::Kind::memory:
+      return sized ? address_text(o) : std::string(size_prefix(o.size)) + address_text(o);
+    case Operand::Kind::label:
+      return std::string(i.mnemonic == Mnemonic::call ? "" : ".").append(o.name);
+    case Operand::Kind::none:
+      break;
+  }
+  return {};
+}
+
+void append_cosine_table(std::string& source) {
+  constexpr std::size_t per_line = 8;
+  source += "\n; cosines of 0.0 to 90.0 degrees, each the nearest 16.16 value\nCosTable:\n";
+  for (std::size_t i = 0; i < cosine_table.size(); ++i) {
+    source += i % per_line == 0 ? "        dd " : ", ";
+    source += std::to_string(cosine_table[i]);
+    if (i % per_line == per_line - 1 || i + 1 == cosine_table.size()) source += '\n';
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(Register r, Size size) {
+  const std::string_view name = dword_names.at(static_cast<std::size_t>(r));
+  return size == Size::word ? name.substr(1) : name;
+}
+
+std::string_view name_of(Mnemonic m) { return mnemonics.at(static_cast<std::size_t>(m)); }
+
+std::string_view name_of(Routine r) { return listing(r, Target::i386).rows.front().label; }
+
+std::string text_of(const Instruction& instruction) {
+  std::string text(name_of(instruction.mnemonic));
+  bool sized = false;
+  for (const Operand& o : instruction.operands) sized |= o.kind == Operand::Kind::reg;
+  bool first = true;
+  for (const Operand& o : instruction.operands) {
+    if (o.kind == Operand::Kind::none) break;
+    text += first ? " " : ", ";
+    text += operand_text(instruction, o, sized);
+    first = false;
+  }
+  return text;
+}
+
+std::string nasm_source(Routine routine, Target target, const Build& build) {
+  const Program program = assemble(listing(routine, target), build);
+  std::string source = "; ";
+  source += name_of(routine);
+  source += target == Target::i386 ? " for the 386" : " for the 8088";
+  source += build.chapter_52 ? ", as chapter 52 has it\n" : "\n";
+  source += target == Target::i386 ? "        cpu 386\n" : "        cpu 8086\n";
+  source += "        bits 16\n";
+  for (const Instruction& instruction : program.instructions()) {
+    if (instruction.label != nullptr) {
+      source += instruction.is_procedure ? "\n" : ".";
+      source += instruction.label;
+      source += ":\n";
+    }
+    source += "        " + text_of(instruction) + '\n';
+  }
+  if (routine == Routine::cossin) append_cosine_table(source);
+  return source;
+}
+
+}  // namespace x86model
