@@ -1,0 +1,100 @@
+/// Sums, products and quotients of every type against exact fractions, at every pair of edges and
+/// at random.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "fixed/fixed.hpp"
+#include "fixed/rapidcheck.hpp"
+#include "tests/fixed/exact.hpp"
+#include "tests/fixed/types.hpp"
+
+namespace {
+
+template <class Number>
+class Arithmetic : public testing::Test {};
+TYPED_TEST_SUITE(Arithmetic, fixed::all_types);
+
+/// The first operation of a and b that does not give what it should, or null.
+template <class Number>
+const char* first_wrong(Number a, Number b) {
+  using exact::integer;
+  const auto differs = [](exact::outcome<Number> expected, const auto& call) {
+    return !(exact::run<Number>(call) == expected);
+  };
+  const integer x = a.raw();
+  const integer y = b.raw();
+  const integer unit = exact::one<Number>;
+  if (differs(exact::in_range<Number>(x + y), [&] { return a + b; })) return "a + b";
+  if (differs(exact::in_range<Number>(x - y), [&] { return a - b; })) return "a - b";
+  if (differs(exact::in_range<Number>(-x), [&] { return -a; })) return "-a";
+  if (differs(exact::result<Number>({x * y, unit}), [&] { return a * b; })) return "a * b";
+  const auto quotient = exact::quotient(a, b);
+  if (differs(quotient, [&] { return a / b; })) return "a / b";
+  const auto tried = fixed::try_divide(a, b);
+  if (tried.has_value() != !(quotient.throws || exact::no_quotient(a, b))) return "try_divide";
+  if (tried && tried->raw() != quotient.raw) return "*try_divide";
+  if ((a < b) != (x < y) || (a == b) != (x == y) || (a >= b) != (x >= y)) return "a <=> b";
+  return nullptr;
+}
+
+TYPED_TEST(Arithmetic, EveryPairOfEdges) {
+  const auto edges = exact::edges<TypeParam>();
+  for (const auto a : edges) {
+    for (const auto b : edges) {
+      const char* operation = first_wrong(a, b);
+      ASSERT_EQ(operation, nullptr) << operation << " at a = " << a << ", b = " << b;
+    }
+  }
+}
+
+TYPED_TEST(Arithmetic, Properties) {
+  EXPECT_TRUE(rc::check([](TypeParam a, TypeParam b) {
+    const char* operation = first_wrong(a, b);
+    if (operation != nullptr) RC_LOG(operation);
+    RC_ASSERT(operation == nullptr);
+  }));
+}
+
+TYPED_TEST(Arithmetic, CompoundAssignmentIsTheOperator) {
+  EXPECT_TRUE(rc::check([](TypeParam a, TypeParam b) {
+    const auto same = [&](const auto& plain, const auto& assign) {
+      return exact::run<TypeParam>(plain) == exact::run<TypeParam>([&] {
+               TypeParam x = a;
+               return assign(x);
+             });
+    };
+    RC_ASSERT(same([&] { return a + b; }, [&](TypeParam& x) { return x += b; }));
+    RC_ASSERT(same([&] { return a - b; }, [&](TypeParam& x) { return x -= b; }));
+    RC_ASSERT(same([&] { return a * b; }, [&](TypeParam& x) { return x *= b; }));
+    RC_ASSERT(same([&] { return a / b; }, [&](TypeParam& x) { return x /= b; }));
+  }));
+}
+
+/// All of 8.8 against operands that reach every rule.
+template <class Number>
+class Exhaustive : public testing::Test {};
+using half_width =
+    testing::Types<fixed::q8_8, fixed::q8_8_saturating, fixed::q8_8_i386,
+                   fixed::q8_8_i386_unrounded, fixed::q8_8_i8088, fixed::q8_8_i8088_unrounded>;
+TYPED_TEST_SUITE(Exhaustive, half_width);
+
+TYPED_TEST(Exhaustive, EveryOperandAgainstEdges) {
+  using raw = typename TypeParam::raw_type;
+  for (const int other : {0, 1, -1, 2, -3, 0x7f, 0x80, -0x80, 0xff, 0x100, -0x100, 0x101, 0x17f,
+                          -0x180, 0x1234, 0x7fff, -0x7fff, -0x8000}) {
+    const auto b = TypeParam::from_raw(static_cast<raw>(other));
+    for (int value = std::numeric_limits<raw>::min(); value <= std::numeric_limits<raw>::max();
+         ++value) {
+      const auto a = TypeParam::from_raw(static_cast<raw>(value));
+      const char* operation = first_wrong(a, b);
+      ASSERT_EQ(operation, nullptr) << operation << " at a = " << a << ", b = " << b;
+      operation = first_wrong(b, a);
+      ASSERT_EQ(operation, nullptr) << operation << " at a = " << b << ", b = " << a;
+    }
+  }
+}
+
+}  // namespace

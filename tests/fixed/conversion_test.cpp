@@ -1,0 +1,212 @@
+/// Conversions from and to float, double, integers and other number types.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include "fixed/fixed.hpp"
+#include "fixed/rapidcheck.hpp"
+#include "tests/fixed/exact.hpp"
+#include "tests/fixed/types.hpp"
+
+namespace {
+
+using namespace fixed;
+
+/// The significand and the exponent of a finite float or double: value = m 2^e.
+struct parts {
+  std::int64_t m;
+  int e;
+};
+
+parts take_apart(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
+  auto m = static_cast<std::int64_t>(bits & 0xfffffffffffff);
+  if (biased != 0) m += 0x10000000000000;
+  return {bits >> 63 != 0 ? -m : m, (biased == 0 ? 1 : biased) - 1075};
+}
+
+parts take_apart(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const auto biased = static_cast<int>(bits >> 23 & 0xff);
+  auto m = static_cast<std::int64_t>(bits & 0x7fffff);
+  if (biased != 0) m += 0x800000;
+  return {bits >> 31 != 0 ? -m : m, (biased == 0 ? 1 : biased) - 150};
+}
+
+/// What the number of a finite floating-point value should be.
+template <class Number, class Float>
+exact::outcome<Number> converted(Float x) {
+  const auto [m, e] = take_apart(x);
+  const int scale = e + Number::fraction_bits;
+  if (scale <= 0) {
+    // Below 2^-70 only the sign matters.
+    return exact::result<Number>({m, exact::integer{1} << (scale < -70 ? 70 : -scale)});
+  }
+  if (scale <= 60) return exact::in_range<Number>(exact::integer{m} << scale);
+  // A multiple of every range: it wraps to 0.
+  const exact::integer sign = m < 0 ? -1 : m > 0 ? 1 : 0;
+  return exact::in_range<Number>(sign * (exact::integer{1} << 100));
+}
+
+template <class Number>
+class Conversion : public testing::Test {};
+TYPED_TEST_SUITE(Conversion, all_types);
+
+template <class Number, class Float>
+void expect_converted(Float x) {
+  ASSERT_EQ(exact::run<Number>([x] { return Number(x); }), converted<Number>(x))
+      << take_apart(x).m << " * 2^" << take_apart(x).e;
+}
+
+TYPED_TEST(Conversion, FromFloatingPointOfEveryExponent) {
+  std::mt19937_64 random(21);
+  for (std::uint64_t exponent = 0; exponent < 0x7ff; ++exponent) {
+    for (const std::uint64_t fraction :
+         {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0xfffffffffffff},
+          std::uint64_t{0x8000000000000}, random() >> 12, random() >> 12 << 30}) {
+      const std::uint64_t bits = exponent << 52 | fraction;
+      expect_converted<TypeParam>(std::bit_cast<double>(bits));
+      expect_converted<TypeParam>(std::bit_cast<double>(bits | std::uint64_t{1} << 63));
+    }
+  }
+  for (std::uint32_t exponent = 0; exponent < 0xff; ++exponent) {
+    for (const std::uint32_t fraction : {0u, 1u, 0x7fffffu, 0x400000u, 0x123456u}) {
+      const std::uint32_t bits = exponent << 23 | fraction;
+      expect_converted<TypeParam>(std::bit_cast<float>(bits));
+      expect_converted<TypeParam>(std::bit_cast<float>(bits | std::uint32_t{1} << 31));
+    }
+  }
+}
+
+TYPED_TEST(Conversion, FromDoubleAroundEveryHalf) {
+  for (const auto x : exact::edges<TypeParam>()) {
+    for (const int eighths : {-5, -4, -3, -1, 0, 1, 3, 4, 5}) {
+      const double units = static_cast<double>(x.raw()) + eighths / 8.0;
+      expect_converted<TypeParam>(units / static_cast<double>(exact::one<TypeParam>));
+    }
+  }
+}
+
+TYPED_TEST(Conversion, FromWhatIsNoNumber) {
+  using limits = std::numeric_limits<TypeParam>;
+  constexpr bool trap = TypeParam::rules.range == overflow::trap;
+  const auto expect = [](exact::outcome<TypeParam> expected, auto x) {
+    EXPECT_EQ(exact::run<TypeParam>([x] { return TypeParam(x); }), expected);
+  };
+  const auto end = [](TypeParam x) {
+    return trap ? exact::outcome<TypeParam>{true, 0} : exact::outcome<TypeParam>{false, x.raw()};
+  };
+  expect(end(TypeParam()), std::bit_cast<double>(std::uint64_t{0x7ff8000000000000}));
+  expect(end(TypeParam()), std::bit_cast<double>(std::uint64_t{0xfff0000000000001}));
+  expect(end(TypeParam()), std::bit_cast<float>(std::uint32_t{0x7fc00000}));
+  expect(end(limits::max()), std::bit_cast<double>(std::uint64_t{0x7ff0000000000000}));
+  expect(end(limits::lowest()), std::bit_cast<double>(std::uint64_t{0xfff0000000000000}));
+  expect(end(limits::max()), std::bit_cast<float>(std::uint32_t{0x7f800000}));
+  expect(end(limits::lowest()), std::bit_cast<float>(std::uint32_t{0xff800000}));
+}
+
+TYPED_TEST(Conversion, ToDoubleAndBackIsTheSame) {
+  EXPECT_TRUE(rc::check([](TypeParam x) {
+    const auto value = static_cast<double>(x);
+    const auto [m, e] = take_apart(value);
+    // value = raw 2^-bits
+    const int shift = e + TypeParam::fraction_bits;
+    RC_ASSERT(shift <= 0);
+    RC_ASSERT(m == (shift < -62 ? std::int64_t{0} : std::int64_t{x.raw()} << -shift));
+    RC_ASSERT(TypeParam(value) == x);
+  }));
+}
+
+TYPED_TEST(Conversion, ToFloatIsNearestEven) {
+  const auto check = [](TypeParam x) {
+    const auto [m, e] = take_apart(static_cast<float>(x));
+    // The float in units of the last place, as near as a 24-bit significand can be.
+    const int shift = e + TypeParam::fraction_bits;
+    if (shift <= 0) return x.raw() == 0 ? m == 0 : m == std::int64_t{x.raw()} << -shift;
+    const std::int64_t step = std::int64_t{1} << shift;
+    const std::int64_t error = 2 * (m * step - x.raw());
+    return (m > -0x1000000 && m < 0x1000000) && (error < 0 ? -error : error) <= step &&
+           ((error != step && error != -step) || m % 2 == 0);
+  };
+  for (const auto x : exact::edges<TypeParam>()) EXPECT_TRUE(check(x)) << x;
+  EXPECT_TRUE(rc::check([check](TypeParam x) { RC_ASSERT(check(x)); }));
+}
+
+template <class Number, class Int>
+void expect_integer(Int value) {
+  const exact::integer units = exact::integer{value} * exact::one<Number>;
+  EXPECT_EQ(exact::run<Number>([value] { return Number(value); }), exact::in_range<Number>(units))
+      << +value;
+}
+
+template <class Number, class Int>
+void expect_integers() {
+  using limits = std::numeric_limits<Int>;
+  for (const exact::integer edge :
+       {exact::integer{0}, exact::integer{1}, exact::integer{127}, exact::integer{128},
+        exact::integer{32767}, exact::integer{32768}, exact::integer{65536},
+        exact::integer{1} << 31, exact::integer{1} << 32, exact::integer{1} << 47,
+        exact::integer{limits::max()}, exact::integer{limits::min()}}) {
+    for (const int step : {-1, 0, 1}) {
+      for (const exact::integer value : {edge + step, -edge + step}) {
+        if (value < limits::min() || value > limits::max()) continue;
+        expect_integer<Number>(static_cast<Int>(value));
+      }
+    }
+  }
+}
+
+TYPED_TEST(Conversion, FromIntegersOfEveryType) {
+  expect_integers<TypeParam, signed char>();
+  expect_integers<TypeParam, unsigned char>();
+  expect_integers<TypeParam, char>();
+  expect_integers<TypeParam, short>();
+  expect_integers<TypeParam, unsigned short>();
+  expect_integers<TypeParam, int>();
+  expect_integers<TypeParam, unsigned>();
+  expect_integers<TypeParam, long>();
+  expect_integers<TypeParam, unsigned long>();
+  expect_integers<TypeParam, long long>();
+  expect_integers<TypeParam, unsigned long long>();
+  expect_integers<TypeParam, char32_t>();
+  EXPECT_EQ(TypeParam(true).raw(), exact::one<TypeParam>);
+}
+
+TYPED_TEST(Conversion, ToIntegerIsTowardZero) {
+  EXPECT_TRUE(rc::check([](TypeParam x) {
+    const std::int64_t whole = x.raw() / exact::one<TypeParam>;
+    RC_ASSERT(static_cast<int>(x) == whole);
+    RC_ASSERT(static_cast<long long>(x) == whole);
+    RC_ASSERT(static_cast<unsigned char>(x) == static_cast<unsigned char>(whole));
+    RC_ASSERT(static_cast<unsigned long>(x) == static_cast<unsigned long>(whole));
+  }));
+}
+
+template <class To, class From>
+void expect_between() {
+  for (const From x : exact::edges<From>()) {
+    const exact::fraction units{exact::integer{x.raw()} * exact::one<To>, exact::one<From>};
+    EXPECT_EQ(exact::run<To>([x] { return To(x); }), exact::result<To>(units)) << x;
+  }
+}
+
+TEST(ConversionBetweenNumbers, IsOneRounding) {
+  expect_between<q8_8, q16_16>();
+  expect_between<q8_8_saturating, q16_16>();
+  expect_between<q8_8_trapping, q16_16>();
+  expect_between<q8_8_i386_unrounded, q16_16>();
+  expect_between<q8_8_i8088, q16_16_saturating>();
+  expect_between<q8_8_i8088_unrounded, q16_16>();
+  expect_between<q16_16, q8_8>();
+  expect_between<q16_16_trapping, q8_8_i8088>();
+  expect_between<q16_16_i386, q16_16>();
+}
+
+}  // namespace

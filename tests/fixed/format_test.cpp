@@ -1,0 +1,37 @@
+/// fmt fields, with fmt included after the umbrella header.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "fixed/fixed.hpp"
+// Not sorted: what is tested is that a later fmt is served too.
+#include <fmt/format.h>
+
+#include "fixed/format.hpp"
+
+namespace {
+
+using fixed::q16_16;
+using fixed::q8_8_saturating;
+
+TEST(Format, ExactValueInAField) {
+  EXPECT_EQ(fmt::format("{}", q16_16(-1.5)), "-1.5");
+  EXPECT_EQ(fmt::format("{}", q8_8_saturating(1000)), "127.99609375");
+  EXPECT_EQ(fmt::format("{:}|{:1}", q16_16(2.5), q16_16(2.5)), "2.5|2.5");
+  EXPECT_EQ(
+      fmt::format("{:6}|{:<6}|{:^6}|{:>6}", q16_16(2.5), q16_16(2.5), q16_16(2.5), q16_16(-2.5)),
+      "   2.5|2.5   | 2.5  |  -2.5");
+  EXPECT_EQ(fmt::format("{:*<6}{:<^7}{:->12}", q16_16(1), q16_16(2), q16_16(3)),
+            "1*****<<<2<<<-----------3");
+}
+
+TEST(Format, RefusesWhatItDoesNotKnow) {
+  const q16_16 x(1);
+  for (const char* field :
+       {"{:x}", "{:.2}", "{:+}", "{:6f}", "{:<<<}", "{:99999999999999999999999}", "{:*}"}) {
+    EXPECT_THROW(static_cast<void>(fmt::format(fmt::runtime(field), x)), fmt::format_error)
+        << field;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,44 @@
+/// \file
+/// The types that every test of arithmetic runs over.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "fixed/number.hpp"
+
+namespace fixed {
+
+/// Rules that no preset has: each rounding under each overflow is among these and the aliases.
+inline constexpr policy floor_and_saturate{
+    .multiply = rounding::floor, .divide = rounding::floor, .range = overflow::saturate};
+inline constexpr policy truncate_and_saturate{
+    .multiply = rounding::truncate, .divide = rounding::truncate, .range = overflow::saturate};
+inline constexpr policy away_and_saturate{
+    .multiply = rounding::half_away, .divide = rounding::half_away, .range = overflow::saturate};
+inline constexpr policy truncate_and_trap{
+    .multiply = rounding::truncate, .divide = rounding::truncate, .range = overflow::trap};
+inline constexpr policy floor_and_wrap{.multiply = rounding::floor, .divide = rounding::floor};
+inline constexpr policy away_and_wrap{.multiply = rounding::half_away,
+                                      .divide = rounding::half_away};
+inline constexpr policy whole_divisor_saturating{.range = overflow::saturate,
+                                                 .divisor = divisor_width::whole_part};
+inline constexpr policy fault_before_trap{.range = overflow::trap,
+                                          .fault = divide_fault::unsigned_quotient};
+
+using all_types = testing::Types<
+    q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386, q16_16_i386_mul_rounded,
+    q16_16_i386_div_rounded, q16_16_i386_unrounded, q16_16_i8088, q16_16_i8088_mul_rounded,
+    q16_16_i8088_div_rounded, q16_16_i8088_unrounded, q8_8, q8_8_saturating, q8_8_trapping,
+    q8_8_i386, q8_8_i386_mul_rounded, q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088,
+    q8_8_i8088_mul_rounded, q8_8_i8088_div_rounded, q8_8_i8088_unrounded,
+    number<16, floor_and_saturate>, number<16, truncate_and_saturate>,
+    number<16, away_and_saturate>, number<16, truncate_and_trap>, number<16, floor_and_wrap>,
+    number<16, away_and_wrap>, number<16, whole_divisor_saturating>, number<16, fault_before_trap>,
+    number<8, floor_and_saturate>, number<8, whole_divisor_saturating>>;
+
+/// One of each width and overflow, for what does not depend on the rest.
+using some_types = testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i8088,
+                                  q16_16_i386_unrounded, q8_8, q8_8_saturating, q8_8_trapping,
+                                  q8_8_i8088, number<16, floor_and_saturate>>;
+
+}  // namespace fixed

@@ -1,0 +1,39 @@
+/// The two-word sum against 128-bit integers of the compiler.
+#include "fixed/detail/wide_sum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <random>
+
+#include "tests/fixed/exact.hpp"
+
+namespace {
+
+TEST(WideSum, IsThe128BitSum) {
+  std::mt19937_64 random(22);
+  constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t highest = std::numeric_limits<std::int64_t>::max();
+  for (int run = 0; run < 300; ++run) {
+    fixed::detail::wide_sum sum;
+    exact::integer expected = 0;
+    for (int term = 0; term < 50; ++term) {
+      std::int64_t value = static_cast<std::int64_t>(random()) >> (random() % 64);
+      if (random() % 4 == 0) value = random() % 2 == 0 ? lowest : highest;
+      sum.add(value);
+      expected += value;
+      ASSERT_EQ(sum.negative(), expected < 0);
+      for (const int bits : {1, 8, 16, 63}) {
+        const exact::integer shifted = expected >> bits;
+        ASSERT_EQ(sum.low_shifted_right(bits), static_cast<std::int64_t>(shifted));
+        const exact::integer clamped = shifted < lowest    ? lowest
+                                       : shifted > highest ? highest
+                                                           : shifted;
+        ASSERT_EQ(sum.clamped_shifted_right(bits), static_cast<std::int64_t>(clamped));
+      }
+    }
+  }
+}
+
+}  // namespace
