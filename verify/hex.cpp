@@ -31,7 +31,12 @@ std::uint32_t parse_hex(std::string_view text, std::size_t digits) {
 
 void append_hex(std::string& to, std::uint32_t word, std::size_t digits) {
   constexpr std::string_view alphabet = "0123456789abcdef";
-  for (std::size_t i = digits; i-- > 0;) to += alphabet[(word >> (4 * i)) & 0xFU];
+  const std::size_t end = to.size() + digits;
+  to.resize(end);
+  for (std::size_t i = 1; i <= digits; ++i) {
+    to[end - i] = alphabet[word & 0xFU];
+    word >>= 4U;
+  }
 }
 
 }  // namespace fixproof

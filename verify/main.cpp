@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", FIXPROOF_VERSION);
   // A reader that goes away is an error that is reported, not a silent end.
   std::signal(SIGPIPE, SIG_IGN);
+  // Commands that read a line at a time need a buffer of their own; none mixes the two libraries.
+  std::ios::sync_with_stdio(false);
   int status = 0;
   fixproof::add_eval(app, status);
   fixproof::add_step(app, status);
