@@ -6,15 +6,16 @@
 
 namespace fixproof {
 
-/// The finaliser of splitmix64: a bijection in which every bit of the result depends on every bit of `x`.
+/// The finaliser of splitmix64: a bijection in which every bit of the result depends on every bit
+/// of `x`.
 constexpr std::uint64_t mix(std::uint64_t x) {
   x = (x ^ x >> 30U) * 0xbf58476d1ce4e5b9U;
   x = (x ^ x >> 27U) * 0x94d049bb133111ebU;
   return x ^ x >> 31U;
 }
 
-/// The random choices of one case: a splitmix64 sequence that starts where `key` and the number of the
-/// case say, so that no case depends on another.
+/// The random choices of one case: a splitmix64 sequence that starts where `key` and the number of
+/// the case say, so that no case depends on another.
 class Draw {
  public:
   constexpr Draw(std::uint64_t key, std::uint64_t index) : state_(mix(mix(key) + index)) {}

@@ -29,8 +29,8 @@ struct Answer {
 /// Asks one party one case.
 Answer ask(const Party& party, const Variant& variant, std::span<const std::uint32_t> words);
 
-/// Whether the answers of a case are all alike, and a value or #DE: parties that agree on a broken program
-/// have verified nothing.
+/// Whether the answers of a case are all alike, and a value or #DE: parties that agree on a broken
+/// program have verified nothing.
 bool agree(std::span<const Answer> answers);
 
 struct RunOptions {
@@ -39,12 +39,13 @@ struct RunOptions {
   /// Where set and true, threads end with the chunk they are at.
   const std::atomic<bool>* stop = nullptr;
   /// Called with the state reached, every `observe_every`, on the thread that called run().
+  /// Smallest cases are sought only at the end.
   std::function<void(const Report&)> observe = nullptr;
   std::chrono::milliseconds observe_every{200};
 };
 
-/// Runs the chunks of the report's shard that are not done, adding what they find. `parties` holds at
-/// least those that the rows of the plan name. What a party throws comes out of here.
+/// Runs the chunks of the report's shard that are not done, adding what they find. `parties` holds
+/// at least those that the rows of the plan name. What a party throws comes out of here.
 /// @throws std::invalid_argument if a party of the plan is missing
 void run(Report& report, std::span<const Party* const> parties, const RunOptions& options = {});
 

@@ -29,6 +29,21 @@ std::uint32_t parse_hex(std::string_view text, std::size_t digits) {
   return word;
 }
 
+void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
+  const auto digits = static_cast<std::size_t>(operand_bits(v) / 4);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto space = line.find(' ');
+    const bool last = i + 1 == words.size();
+    if (last != (space == std::string_view::npos)) {
+      throw UsageError(fmt::format("{} takes {} word{} with single spaces between",
+                                   name_of(v.operation), words.size(),
+                                   words.size() > 1 ? "s" : ""));
+    }
+    words[i] = parse_hex(line.substr(0, space), digits);
+    if (!last) line.remove_prefix(space + 1);
+  }
+}
+
 void append_hex(std::string& to, std::uint32_t word, std::size_t digits) {
   constexpr std::string_view alphabet = "0123456789abcdef";
   const std::size_t end = to.size() + digits;

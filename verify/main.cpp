@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
   // Commands that read a line at a time need a buffer of their own; none mixes the two libraries.
   std::ios::sync_with_stdio(false);
   int status = 0;
+  fixproof::add_verify(app, status);
+  fixproof::add_merge(app, status);
   fixproof::add_eval(app, status);
   fixproof::add_step(app, status);
   fixproof::add_trace(app, status);

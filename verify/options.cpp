@@ -10,16 +10,19 @@ namespace {
 
 const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
 const std::map<std::string, Target> targets{{"i386", Target::i386}, {"i8088", Target::i8088}};
+const std::map<std::string, Target> targets_and_standard{
+    {"i386", Target::i386}, {"i8088", Target::i8088}, {"standard", Target::standard}};
 
 }  // namespace
 
-void VariantOptions::add_to(CLI::App& command) {
+void VariantOptions::add_to(CLI::App& command, bool with_standard) {
   const auto named = [](const auto& names) { return CLI::IsMember(&names); };
   command
       .add_option_function<std::string>(
-          "--target", [this](const std::string& t) { target = targets.at(t); },
-          "which half of the listing: i386 or i8088")
-      ->check(named(targets));
+          "--target", [this](const std::string& t) { target = targets_and_standard.at(t); },
+          with_standard ? "whose rules: i386, i8088 or standard (those of the type)"
+                        : "which half of the listing: i386 or i8088")
+      ->check(named(with_standard ? targets_and_standard : targets));
   command
       .add_option_function<std::string>(
           "--round", [this](const std::string& r) { mul_round = div_round = on_off.at(r); },

@@ -25,7 +25,8 @@ struct VariantOptions {
   bool as_printed = false;
 
   /// Adds --target, --round, --mul-round, --div-round, --as-printed and --chapter to a command.
-  void add_to(CLI::App& command);
+  /// `with_standard`: whether the rules of the type may be chosen as target too.
+  void add_to(CLI::App& command, bool with_standard = false);
 
   /// The variant of `operation` that was chosen. The target defaults to i386; both roundings to on,
   /// or with --as-printed to what the listings print (multiply on, divide off).

@@ -1,10 +1,10 @@
 #include "verify/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 namespace fixproof {
 
@@ -20,25 +20,33 @@ struct Share {
 /// answer from big integers takes 0.1 us for a product and ten times that for a transform.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
-    case Operation::mul: return 500'000;
-    case Operation::div: return 250'000;
-    case Operation::xformvec: return 50'000;
-    case Operation::concat: return 15'000;
-    default: return 200'000;
+    case Operation::mul:
+      return 500'000;
+    case Operation::div:
+      return 250'000;
+    case Operation::xformvec:
+      return 50'000;
+    case Operation::concat:
+      return 15'000;
+    default:
+      return 200'000;
   }
 }
 
 /// What level 2 has more of: five minutes where level 1 takes ten seconds.
 constexpr std::uint64_t level_2_factor = 30;
 
-/// Cases of a chunk: some ten milliseconds, so that Ctrl-C is answered at once and a thread that has
-/// nothing left waits for the others no longer than that.
+/// Cases of a chunk: some ten milliseconds, so that Ctrl-C is answered at once and a thread that
+/// has nothing left waits for the others no longer than that.
 std::uint64_t cases_per_chunk(Operation operation, int level) {
   if (level == 3) return std::uint64_t{1} << 20U;
   switch (operation) {
-    case Operation::xformvec: return std::uint64_t{1} << 13U;
-    case Operation::concat: return std::uint64_t{1} << 11U;
-    default: return std::uint64_t{1} << 16U;
+    case Operation::xformvec:
+      return std::uint64_t{1} << 13U;
+    case Operation::concat:
+      return std::uint64_t{1} << 11U;
+    default:
+      return std::uint64_t{1} << 16U;
   }
 }
 
@@ -60,7 +68,8 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::large_quotients, sample},
               {Stream::small_divisors, sample},
               {Stream::fault_edge, sample}};
-    case Operation::cossin: return {{Stream::every}};
+    case Operation::cossin:
+      return {{Stream::every}};
     case Operation::xformvec:
     case Operation::concat:
       return {{Stream::rotations, sample},     {Stream::uniform, sample},
@@ -72,7 +81,8 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::scaled, sample},
               {Stream::root_ties, sample}};
     case Operation::decimal:
-    case Operation::binary64: break;
+    case Operation::binary64:
+      break;
   }
   return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};
 }
@@ -126,8 +136,10 @@ std::optional<Variant> at_level(int level, const Variant& variant) {
       v.fraction_bits = 8;
       return v;
     case Operation::xformvec:
-    case Operation::concat: return std::nullopt;
-    default: return v;
+    case Operation::concat:
+      return std::nullopt;
+    default:
+      return v;
   }
 }
 

@@ -1,5 +1,6 @@
 /// @file
-/// What a verification runs: rows of the table, each with its jobs, all cut into one list of chunks.
+/// What a verification runs: rows of the table, each with its jobs, all cut into one list of
+/// chunks.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@ namespace fixproof {
 /// One row of the table: a variant and who answers it.
 struct Row {
   Variant variant;
-  /// The party that is judged, then those it is judged against. With fewer than two nothing is compared.
+  /// The party that is judged, then those it is judged against. With fewer than two nothing is
+  /// compared.
   std::vector<std::string> parties;
 
   [[nodiscard]] bool compared() const { return parties.size() >= 2; }
@@ -40,8 +42,8 @@ struct Chunk {
   std::uint64_t cases;
 };
 
-/// Jobs for rows, cut into chunks that are numbered through. Two plans of the same level, seed and rows
-/// are the same.
+/// Jobs for rows, cut into chunks that are numbered through. Two plans of the same level, seed and
+/// rows are the same.
 class Plan {
  public:
   /// The jobs that `level` has for each row that is compared.
@@ -68,9 +70,9 @@ class Plan {
   std::uint64_t chunks_ = 0;
 };
 
-/// The form of `variant` that a level compares: levels 1 and 2 take it as it is, level 3 takes multiply
-/// and divide at half width. Empty where a level has no cases: level 3 samples nothing, so that it leaves
-/// out the transforms; and at half width the two chapters have one program.
+/// The form of `variant` that a level compares: levels 1 and 2 take it as it is, level 3 takes
+/// multiply and divide at half width. Empty where a level has no cases: level 3 samples nothing, so
+/// that it leaves out the transforms; and at half width the two chapters have one program.
 std::optional<Variant> at_level(int level, const Variant& variant);
 
 /// The row of `variant`: those of `candidates` that answer it, in their order.

@@ -58,8 +58,9 @@ class Words {
 
 }  // namespace
 
-std::vector<std::uint32_t> shrink(std::vector<std::uint32_t> words, int word_bits,
-                                  const std::function<bool(std::span<const std::uint32_t>)>& fails) {
+std::vector<std::uint32_t> shrink(
+    std::vector<std::uint32_t> words, int word_bits,
+    const std::function<bool(std::span<const std::uint32_t>)>& fails) {
   const Words format(word_bits);
   const auto simplify = [&](std::uint32_t& word) {
     const std::uint32_t before = word;

@@ -15,8 +15,8 @@ std::int64_t odd(Draw& draw, int widest) { return draw.magnitude(widest) | 1; }
 /// -1, 0 or 1.
 std::int64_t beside(Draw& draw) { return static_cast<std::int64_t>(draw.below(3)) - 1; }
 
-/// The number whose product with the odd `a` is 1 modulo 2^64: each step of Newton's doubles the bits
-/// that are right, three at first.
+/// The number whose product with the odd `a` is 1 modulo 2^64: each step of Newton's doubles the
+/// bits that are right, three at first.
 std::uint64_t inverse(std::uint64_t a) {
   std::uint64_t x = a;
   for (int step = 0; step < 5; ++step) x *= 2 - a * x;
@@ -25,15 +25,15 @@ std::uint64_t inverse(std::uint64_t a) {
 
 using Quaternion = std::array<std::int64_t, 4>;
 
-/// The rotation that a quaternion (w, x, y, z) gives, row by row in units, rounded to nearest. It is made
-/// of integers alone, since sines differ between libraries and cases must not.
+/// The rotation that a quaternion (w, x, y, z) gives, row by row in units, rounded to nearest. It
+/// is made of integers alone, since sines differ between libraries and cases must not.
 std::array<std::int64_t, 9> rotation_of(const Quaternion& q, const Format& format) {
   const auto [w, x, y, z] = q;
   const std::int64_t norm = w * w + x * x + y * y + z * z;
   const std::array<std::int64_t, 9> scaled{
-      w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),
-      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
-      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z};
+      w * w + x * x - y * y - z * z, 2 * (x * y - w * z),           2 * (x * z + w * y),
+      2 * (x * y + w * z),           w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
+      2 * (x * z - w * y),           2 * (y * z + w * x),           w * w - x * x - y * y + z * z};
   std::array<std::int64_t, 9> rows{};
   std::transform(scaled.begin(), scaled.end(), rows.begin(), [&](std::int64_t entry) {
     const std::int64_t twice = 2 * entry * format.one();
@@ -158,12 +158,14 @@ void rotation(Draw& draw, const Format& format, std::span<std::uint32_t> words) 
     write_matrix(rotation_of(random_quaternion(draw), format), draw, format, rest);
     return;
   }
-  for (auto& word : rest) word = format.word(draw.either_sign(draw.magnitude(format.word_bits - 7)));
+  for (auto& word : rest)
+    word = format.word(draw.either_sign(draw.magnitude(format.word_bits - 7)));
 }
 
 void axes(Draw& draw, const Format& format, std::span<std::uint32_t> words) {
   std::array<std::size_t, 3> order{0, 1, 2};
-  for (auto step = draw.below(6); step > 0; --step) std::next_permutation(order.begin(), order.end());
+  for (auto step = draw.below(6); step > 0; --step)
+    std::next_permutation(order.begin(), order.end());
   for (auto& word : words) word = scaled_word(draw, format);
   // The turned axes stand on either side of a product of two transforms.
   const auto turned = words.size() == 24 && draw.coin() ? words.subspan(12) : words.first(12);

@@ -1,11 +1,11 @@
 #include "verify/streams.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "verify/draw.hpp"
 #include "verify/stream_makers.hpp"
@@ -14,16 +14,27 @@ namespace fixproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 17> stream_names{
-    "uniform",        "scaled",        "lattice",         "every",
-    "product_ties",   "near_product_ties", "quotient_ties", "near_quotient_ties",
-    "whole_divisor_ties", "large_quotients", "small_divisors", "fault_edge",
-    "rotations",      "axes",          "lattice_words",   "transform_ties",
-    "root_ties"};
+constexpr std::array<std::string_view, 17> stream_names{"uniform",
+                                                        "scaled",
+                                                        "lattice",
+                                                        "every",
+                                                        "product_ties",
+                                                        "near_product_ties",
+                                                        "quotient_ties",
+                                                        "near_quotient_ties",
+                                                        "whole_divisor_ties",
+                                                        "large_quotients",
+                                                        "small_divisors",
+                                                        "fault_edge",
+                                                        "rotations",
+                                                        "axes",
+                                                        "lattice_words",
+                                                        "transform_ties",
+                                                        "root_ties"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
-  throw std::invalid_argument(fmt::format("stream {} has no cases of {}", name_of(stream),
-                                          name_of(variant.operation)));
+  throw std::invalid_argument(
+      fmt::format("stream {} has no cases of {}", name_of(stream), name_of(variant.operation)));
 }
 
 /// Writes the cases that `make(draw, words of one case)` draws.
@@ -60,7 +71,8 @@ void count_lattice(std::size_t arity, const Format& format, std::uint64_t first,
 void count_every(std::size_t arity, const Format& format, std::uint64_t first,
                  std::span<std::uint32_t> words) {
   if (arity == 1) {
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] = format.word(static_cast<std::int64_t>(first + i));
+    for (std::size_t i = 0; i < words.size(); ++i)
+      words[i] = format.word(static_cast<std::int64_t>(first + i));
     return;
   }
   for (std::size_t i = 0; 2 * i < words.size(); ++i) {
@@ -74,30 +86,37 @@ bool is_stream_of(Stream stream, Operation operation) {
   const std::size_t arity = words_in(operation);
   switch (stream) {
     case Stream::uniform:
-    case Stream::scaled: return true;
+    case Stream::scaled:
+      return true;
     case Stream::lattice:
-    case Stream::every: return arity <= 2;
+    case Stream::every:
+      return arity <= 2;
     case Stream::product_ties:
-    case Stream::near_product_ties: return operation == Operation::mul;
+    case Stream::near_product_ties:
+      return operation == Operation::mul;
     case Stream::quotient_ties:
     case Stream::near_quotient_ties:
     case Stream::whole_divisor_ties:
     case Stream::large_quotients:
     case Stream::small_divisors:
-    case Stream::fault_edge: return operation == Operation::div;
+    case Stream::fault_edge:
+      return operation == Operation::div;
     case Stream::rotations:
     case Stream::axes:
     case Stream::lattice_words:
     case Stream::transform_ties:
       return operation == Operation::xformvec || operation == Operation::concat;
-    case Stream::root_ties: break;
+    case Stream::root_ties:
+      break;
   }
   return operation == Operation::sqrt;
 }
 
 }  // namespace
 
-std::string_view name_of(Stream stream) { return stream_names.at(static_cast<std::size_t>(stream)); }
+std::string_view name_of(Stream stream) {
+  return stream_names.at(static_cast<std::size_t>(stream));
+}
 
 std::vector<std::uint32_t> boundary_lattice(int word_bits) {
   const std::uint32_t all_ones = ~std::uint32_t{0} >> (32 - word_bits);
@@ -113,8 +132,8 @@ std::vector<std::uint32_t> boundary_lattice(int word_bits) {
     add(power);
     add(power + 1);
   }
-  for (const std::uint32_t pattern : {0x55555555U, 0xaaaaaaaaU, 0x33333333U, 0xccccccccU, 0x0f0f0f0fU,
-                                      0xf0f0f0f0U, 0x00ff00ffU, 0xff00ff00U}) {
+  for (const std::uint32_t pattern : {0x55555555U, 0xaaaaaaaaU, 0x33333333U, 0xccccccccU,
+                                      0x0f0f0f0fU, 0xf0f0f0f0U, 0x00ff00ffU, 0xff00ff00U}) {
     add(pattern);
   }
   return {values.begin(), values.end()};
@@ -146,22 +165,33 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
   switch (stream) {
     case Stream::uniform:
       return cases([&](Draw& draw, auto one_case) {
-        for (auto& word : one_case) word = format.word(static_cast<std::int64_t>(draw.bits() >> 1U));
+        for (auto& word : one_case)
+          word = format.word(static_cast<std::int64_t>(draw.bits() >> 1U));
       });
     case Stream::scaled:
       return cases([&](Draw& draw, auto one_case) {
         for (auto& word : one_case) word = scaled_word(draw, format);
       });
-    case Stream::lattice: return count_lattice(arity, format, first, words);
-    case Stream::every: return count_every(arity, format, first, words);
-    case Stream::product_ties: return pairs(product_tie);
-    case Stream::near_product_ties: return pairs(near_product_tie);
-    case Stream::quotient_ties: return pairs(quotient_tie);
-    case Stream::near_quotient_ties: return pairs(near_quotient_tie);
-    case Stream::whole_divisor_ties: return pairs(whole_divisor_tie);
-    case Stream::large_quotients: return pairs(large_quotient);
-    case Stream::small_divisors: return pairs(small_divisor);
-    case Stream::fault_edge: return pairs(fault_edge);
+    case Stream::lattice:
+      return count_lattice(arity, format, first, words);
+    case Stream::every:
+      return count_every(arity, format, first, words);
+    case Stream::product_ties:
+      return pairs(product_tie);
+    case Stream::near_product_ties:
+      return pairs(near_product_tie);
+    case Stream::quotient_ties:
+      return pairs(quotient_tie);
+    case Stream::near_quotient_ties:
+      return pairs(near_quotient_tie);
+    case Stream::whole_divisor_ties:
+      return pairs(whole_divisor_tie);
+    case Stream::large_quotients:
+      return pairs(large_quotient);
+    case Stream::small_divisors:
+      return pairs(small_divisor);
+    case Stream::fault_edge:
+      return pairs(fault_edge);
     case Stream::rotations:
       return cases([&](Draw& draw, auto one_case) { rotation(draw, format, one_case); });
     case Stream::axes:

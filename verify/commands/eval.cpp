@@ -20,22 +20,6 @@ struct Options {
   VariantOptions variant;
 };
 
-/// Splits a line into exactly as many words as the operation takes.
-void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
-  const auto digits = static_cast<std::size_t>(operand_bits(v) / 4);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto space = line.find(' ');
-    const bool last = i + 1 == words.size();
-    if (last != (space == std::string_view::npos)) {
-      throw UsageError(fmt::format("{} takes {} word{} with single spaces between",
-                                   name_of(v.operation), words.size(),
-                                   words.size() > 1 ? "s" : ""));
-    }
-    words[i] = parse_hex(line.substr(0, space), digits);
-    if (!last) line.remove_prefix(space + 1);
-  }
-}
-
 void append_answer(std::string& output, Ending ending, std::span<const std::uint32_t> words) {
   if (ending == Ending::divide_error) {
     output += "DE";

@@ -1,0 +1,84 @@
+#include "verify/chunk_runner.hpp"
+
+#include <algorithm>
+
+#include "verify/streams.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// Cases answered at a time: few enough that all their words stay in the processor's caches.
+constexpr std::size_t batch_cases = 1024;
+
+}  // namespace
+
+ChunkRunner::ChunkRunner(const Plan& plan, const std::vector<std::vector<const Party*>>& parties,
+                         std::size_t max_shown)
+    : plan_(plan),
+      parties_(parties),
+      max_shown_(max_shown),
+      in_(batch_cases * most_words_in),
+      judged_{std::vector<std::uint32_t>(batch_cases * most_words_out),
+              std::vector<Ending>(batch_cases)},
+      other_(judged_),
+      differs_(batch_cases) {}
+
+Findings ChunkRunner::run(std::uint64_t number) {
+  const Chunk chunk = plan_.chunk(number);
+  const Variant& variant = plan_.rows()[chunk.job->row].variant;
+  const std::size_t arity = words_in(variant.operation);
+  Findings found;
+  for (std::uint64_t done = 0; done < chunk.cases; done += batch_cases) {
+    const std::uint64_t first = chunk.first + done;
+    const auto cases =
+        static_cast<std::size_t>(std::min<std::uint64_t>(batch_cases, chunk.cases - done));
+    const std::span in = std::span(in_).first(cases * arity);
+    make_cases(chunk.job->stream, variant, plan_.seed(), first, in);
+    compare(variant, parties_[chunk.job->row], cases);
+
+    found.cases += cases;
+    const auto endings = std::span(judged_.endings).first(cases);
+    found.faults += static_cast<std::uint64_t>(
+        std::count(endings.begin(), endings.end(), Ending::divide_error));
+    for (std::size_t i = 0; i < cases; ++i) {
+      if (differs_[i] == 0) continue;
+      ++found.mismatches;
+      if (found.shown.size() >= max_shown_) continue;
+      const auto words = in.subspan(i * arity, arity);
+      found.shown.push_back({number, first + i, {words.begin(), words.end()}, {}, {}});
+    }
+  }
+  return found;
+}
+
+void ChunkRunner::compare(const Variant& variant, std::span<const Party* const> parties,
+                          std::size_t cases) {
+  const std::size_t out = words_out(variant.operation);
+  const auto ask = [&](const Party& party, Answers& answers) {
+    party.answer(variant, {std::span(in_).first(cases * words_in(variant.operation)),
+                           std::span(answers.out).first(cases * out),
+                           std::span(answers.endings).first(cases)});
+  };
+  ask(*parties.front(), judged_);
+  for (std::size_t i = 0; i < cases; ++i) {
+    // A broken program is never right, even if all parties break alike.
+    const Ending ending = judged_.endings[i];
+    differs_[i] = ending != Ending::value && ending != Ending::divide_error ? 1 : 0;
+  }
+  for (const Party* party : parties.subspan(1)) {
+    ask(*party, other_);
+    for (std::size_t i = 0; i < cases; ++i) {
+      const Ending ending = judged_.endings[i];
+      bool differs = ending != other_.endings[i];
+      if (ending == Ending::value) {
+        for (std::size_t k = 0; k < out; ++k) {
+          differs = differs || judged_.out[i * out + k] != other_.out[i * out + k];
+        }
+      }
+      differs_[i] |= differs ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace fixproof

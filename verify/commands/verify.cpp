@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "verify/commands/commands.hpp"
+#include "verify/engine.hpp"
+#include "verify/file.hpp"
+#include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/progress.hpp"
+#include "verify/report_file.hpp"
+#include "verify/selection.hpp"
+#include "verify/table.hpp"
+#include "verify/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// What the shell reports of a command that Ctrl-C has ended.
+constexpr int interrupted_status = 130;
+
+/// A kill -9 loses no more than this.
+constexpr std::chrono::seconds checkpoint_every{2};
+
+struct Options {
+  Selection selection;
+  std::uint64_t seed = 1994;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string shard = "1/1";
+  std::string resume;
+  std::string report;
+  std::size_t max_reports = 10;
+  std::string words;
+};
+
+/// Compares one case in every row. @return the exit status
+int compare_case(const Options& options, std::span<const Row> rows) {
+  if (options.selection.operations.size() != 1) throw UsageError("--case needs one operation");
+  int status = 0;
+  for (const Row& row : rows) {
+    std::vector<std::uint32_t> words(words_in(row.variant.operation));
+    parse_words(options.words, row.variant, words);
+    std::vector<Answer> answers;
+    std::vector<std::pair<std::string, std::string>> said;
+    for (const std::string& name : row.parties) {
+      answers.push_back(ask(party_named(name), row.variant, words));
+      said.emplace_back(name, answers.back().text(2 * row.variant.fraction_bits));
+    }
+    const bool equal = agree(answers);
+    if (row.compared() && !equal) status = 1;
+    std::cout << fmt::format("{}: {} ({}): {}: {}\n", name_of(row.variant), options.words,
+                             decimal_words(row.variant, words), grouped_answers(said),
+                             !row.compared() ? "not compared"
+                             : equal         ? "equal"
+                                             : "DIFFER");
+  }
+  return status;
+}
+
+/// The state to begin with: nothing done, or what the file to resume from holds.
+Report begin(const Options& options, std::vector<Row> rows) {
+  Report fresh(Plan(options.selection.level, options.seed, std::move(rows)),
+               parse_shard(options.shard), options.max_reports);
+  if (options.resume.empty() || !std::filesystem::exists(options.resume)) return fresh;
+  Report kept = read_report(options.resume);
+  std::string differs = difference(kept, fresh);
+  if (differs.empty() && kept.shard != fresh.shard) {
+    differs = fmt::format("shard {}/{}, not {}", kept.shard.index, kept.shard.count, options.shard);
+  }
+  if (!differs.empty()) {
+    throw UsageError(fmt::format("{} is of another verification: {}", options.resume, differs));
+  }
+  return kept;
+}
+
+void print_heading(const Options& options, const Report& report) {
+  std::cout << fmt::format("Level {}, seed {}, {} {}: {} rows, {} cases\n", options.selection.level,
+                           options.seed, options.threads,
+                           options.threads == 1 ? "thread" : "threads", report.plan.rows().size(),
+                           grouped(report.plan.cases()));
+  if (options.selection.level == 3) {
+    std::cout
+        << "Nothing is sampled: all pairs of 8.8 words, all 16.16 words, all angles. Without\n"
+           "--against, fast stands for oracle; levels 1 and 2 compare the two.\n";
+  }
+  if (report.shard.count > 1) {
+    std::cout << fmt::format("Shard {}: {} of {} chunks\n", options.shard,
+                             grouped(report.chunks_in_shard()), grouped(report.plan.chunks()));
+  }
+  if (report.chunks_done() > 0) {
+    std::cout << fmt::format("{}: {} of {} chunks are done\n", options.resume,
+                             grouped(report.chunks_done()), grouped(report.chunks_in_shard()));
+  }
+  std::cout << std::endl;
+  if (!std::cout) throw UsageError("cannot write standard output");
+}
+
+/// Runs what is left, showing progress and keeping the state for --resume.
+void run_rest(const Options& options, Report& report, const Interrupt& interrupt) {
+  const auto parties = chosen_parties(options.selection);
+  Progress progress;
+  auto kept = std::chrono::steady_clock::now();
+  const auto observe = [&](const Report& state) {
+    progress.show(state);
+    const auto now = std::chrono::steady_clock::now();
+    if (options.resume.empty() || now - kept < checkpoint_every) return;
+    kept = now;
+    try {
+      replace_file(options.resume, to_json(state));
+    } catch (const std::runtime_error&) {
+      // A full disk may have room again at the end, when the file is written once more; that
+      // counts.
+    }
+  };
+  run(report, parties, {.threads = options.threads, .stop = &interrupt.flag(), .observe = observe});
+}
+
+std::string how_to_go_on(const Options& options) {
+  if (!options.resume.empty()) {
+    return fmt::format("Stopped. The same command goes on from {}.\n", options.resume);
+  }
+  if (!options.report.empty()) {
+    return fmt::format("Stopped. The same command with --resume {} goes on.\n", options.report);
+  }
+  return "Stopped. Nothing is kept: with --resume FILE a run can be stopped and go on.\n";
+}
+
+int verify(const Options& options) {
+  const auto parties = chosen_parties(options.selection);
+  auto rows = chosen_rows(options.selection, parties);
+  if (!options.words.empty()) return compare_case(options, rows);
+
+  Report report = begin(options, std::move(rows));
+  std::vector<std::string> files;
+  for (const std::string& file : {options.resume, options.report}) {
+    if (file.empty()) continue;
+    check_replaceable(file);
+    files.push_back(file);
+  }
+  print_heading(options, report);
+
+  const Interrupt interrupt;
+  run_rest(options, report, interrupt);
+
+  // What was found is shown even if it cannot be kept.
+  std::string failure;
+  for (const std::string& file : files) {
+    try {
+      replace_file(file, to_json(report));
+    } catch (const std::runtime_error& error) {
+      failure = error.what();
+    }
+  }
+  std::cout << table(report);
+  if (!report.complete()) std::cout << how_to_go_on(options);
+  std::cout.flush();
+  if (!failure.empty()) throw std::runtime_error(failure);
+  if (!report.complete()) return interrupted_status;
+  return report.mismatches() > 0 ? 1 : 0;
+}
+
+void add_options(CLI::App& command, Options& options) {
+  Selection& selection = options.selection;
+  command.add_option("operations", selection.operations,
+                     "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64; none: all");
+  command
+      .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
+      ->check(CLI::Range(1, 3))
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "of the random cases")->capture_default_str();
+  selection.variant.add_to(command, true);
+  command
+      .add_option_function<std::string>(
+          "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
+          "full: 16.16; half: 8.8, where the routines run on 8-bit registers")
+      ->check(CLI::IsMember({"full", "half"}));
+  command.add_option("--by", selection.by, "the party that is judged")->capture_default_str();
+  command
+      .add_option("--against", selection.against,
+                  "the parties it is judged against; by default oracle,fast,type")
+      ->delimiter(',');
+  command.add_option("--threads", options.threads)
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
+  auto* resume = command.add_option(
+      "--resume", options.resume,
+      "keep the state in this file, every two seconds; if it is there, go on from it");
+  auto* report = command.add_option("--report", options.report, "write what was found as JSON");
+  command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
+      ->capture_default_str();
+  command.add_option("--case", options.words, "compare only this case: its words in hex")
+      ->excludes(shard)
+      ->excludes(resume)
+      ->excludes(report);
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("verify", "compare the parties with one another, case by case");
+  add_options(*command, *options);
+  command->footer(
+      "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and "
+      "divide\n"
+      "for all pairs of 8.8 words, the unary operations for all words; fast answers for oracle.\n"
+      "Options that name a rule leave out the rows that follow another.\n\n"
+      "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
+      "end.\n\n"
+      "Examples:\n"
+      "  fixproof verify                                   # every row, some ten seconds\n"
+      "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
+      "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
+      "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
+      "  fixproof verify div --case '00010000 00000003'    # who says what of one case");
+  command->callback([command, options, &status] {
+    options->selection.chapter_given = command->count("--chapter") > 0;
+    if (options->selection.level == 3 && command->count("--width") > 0) {
+      throw UsageError("--width: level 3 has its own widths");
+    }
+    status = verify(*options);
+  });
+}
+
+}  // namespace fixproof

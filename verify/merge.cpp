@@ -1,0 +1,79 @@
+#include "verify/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "verify/report_json.hpp"
+#include "verify/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// Shards named in a message before the rest is only counted.
+constexpr std::size_t most_named = 8;
+
+void add(Report& sum, const NamedReport& part, std::span<const NamedReport> before) {
+  for (std::uint64_t chunk = 0; chunk < sum.done.size(); ++chunk) {
+    if (!part.report.done[chunk]) continue;
+    if (sum.done[chunk]) {
+      const auto other =
+          std::find_if(before.begin(), before.end(),
+                       [&](const NamedReport& earlier) { return earlier.report.done[chunk]; });
+      throw std::runtime_error(
+          fmt::format("{} and {} both hold chunk {}: it would be counted twice", other->name,
+                      part.name, chunk));
+    }
+    sum.done[chunk] = true;
+  }
+  for (std::size_t row = 0; row < sum.findings.size(); ++row) {
+    sum.findings[row].add(part.report.findings[row], sum.max_shown);
+  }
+  sum.seconds += part.report.seconds;
+}
+
+}  // namespace
+
+Report merged(std::span<const NamedReport> parts) {
+  const Report& first = parts.front().report;
+  Report sum(first.plan, Shard{}, first.max_shown);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string differs = difference(parts[i].report, first);
+    if (!differs.empty()) {
+      throw std::runtime_error(fmt::format("{} is not of the verification of {}: {}", parts[i].name,
+                                           parts.front().name, differs));
+    }
+    add(sum, parts[i], parts.first(i));
+  }
+  return sum;
+}
+
+std::string missing(const Report& sum, std::span<const NamedReport> parts) {
+  if (sum.complete()) return "";
+  std::uint64_t shards = 1;
+  for (const NamedReport& part : parts) shards = std::max(shards, part.report.shard.count);
+  std::vector<std::string> names;
+  std::size_t lacking = 0;
+  // There is nothing in shards beyond the number of chunks.
+  for (std::uint64_t i = 1; i <= std::min<std::uint64_t>(shards, sum.done.size()); ++i) {
+    std::uint64_t all = 0;
+    std::uint64_t left = 0;
+    for (std::uint64_t chunk = i - 1; chunk < sum.done.size(); chunk += shards) {
+      ++all;
+      if (!sum.done[chunk]) ++left;
+    }
+    if (left == 0) continue;
+    if (++lacking > most_named) continue;
+    names.push_back(left == all ? fmt::format("shard {}/{}", i, shards)
+                                : fmt::format("{} of {} chunks of shard {}/{}", grouped(left),
+                                              grouped(all), i, shards));
+  }
+  std::string text = fmt::format("missing: {}", fmt::join(names, ", "));
+  if (lacking > most_named) text += fmt::format(" and {} shards more", lacking - most_named);
+  return text;
+}
+
+}  // namespace fixproof

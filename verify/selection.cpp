@@ -1,0 +1,93 @@
+#include "verify/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace fixproof {
+
+namespace {
+
+/// Whether a rounding that was given fits one of the variant's; operations without one fit any.
+bool rounding_fits(const VariantOptions& options, const Variant& v) {
+  if (v.operation == Operation::div) {
+    auto wanted = options.div_round;
+    // As in VariantOptions::choose(): the listings print rounded multiplies and unrounded divides.
+    if (options.as_printed) {
+      wanted = VariantOptions::div_round_as_printed(v.target, wanted.value_or(false));
+    }
+    return !wanted || *wanted == v.div_round;
+  }
+  const auto wanted = options.as_printed ? options.mul_round.value_or(true) : options.mul_round;
+  return !wanted || *wanted == v.mul_round;
+}
+
+bool fits(const Selection& selection, const std::vector<Operation>& operations, const Variant& v) {
+  const VariantOptions& options = selection.variant;
+  return (operations.empty() ||
+          std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
+         (!options.target || *options.target == v.target) &&
+         (!selection.chapter_given || options.chapter_52 == v.chapter_52) &&
+         rounding_fits(options, v);
+}
+
+}  // namespace
+
+std::vector<const Party*> chosen_parties(const Selection& selection) {
+  std::vector<std::string> names{selection.by};
+  if (!selection.against.empty()) {
+    names.insert(names.end(), selection.against.begin(), selection.against.end());
+  } else if (selection.level == 3) {
+    names.insert(names.end(), {"model", "fast", "type"});
+  } else {
+    names.insert(names.end(), {"model", "oracle", "fast", "type"});
+  }
+  std::vector<const Party*> chosen;
+  for (const std::string& name : names) {
+    const Party* party = &party_named(name);
+    if (std::find(chosen.begin(), chosen.end(), party) == chosen.end()) chosen.push_back(party);
+  }
+  if (chosen.size() < 2) {
+    throw UsageError(
+        fmt::format("'{}' alone cannot be compared: give --against another", selection.by));
+  }
+  return chosen;
+}
+
+std::vector<Row> chosen_rows(const Selection& selection, std::span<const Party* const> parties) {
+  std::vector<Operation> operations;
+  for (const std::string& name : selection.operations) operations.push_back(operation_named(name));
+  std::vector<Row> rows;
+  for (const Variant& listed : all_variants()) {
+    if (!fits(selection, operations, listed)) continue;
+    auto variant = at_level(selection.level, listed);
+    if (!variant) continue;
+    if (selection.half_width) variant->fraction_bits = 8;
+    rows.push_back(row_of(*variant, parties));
+  }
+  if (rows.empty()) {
+    throw UsageError(
+        fmt::format("level {} has no row for these operations and options", selection.level));
+  }
+  if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.compared(); })) {
+    throw UsageError("nothing to compare: of these parties no two answer the same row");
+  }
+  return rows;
+}
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  if (index.ec == std::errc{} && index.ptr != end && *index.ptr == '/') {
+    const auto count = std::from_chars(index.ptr + 1, end, shard.count);
+    if (count.ec == std::errc{} && count.ptr == end && shard.index >= 1 &&
+        shard.index <= shard.count) {
+      return shard;
+    }
+  }
+  throw UsageError(fmt::format("--shard {}: i/n is wanted, 1 <= i <= n", text));
+}
+
+}  // namespace fixproof

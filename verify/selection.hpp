@@ -1,0 +1,40 @@
+/// @file
+/// From what was asked on the command line to the rows of a plan.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/options.hpp"
+#include "verify/party.hpp"
+#include "verify/plan.hpp"
+#include "verify/report.hpp"
+
+namespace fixproof {
+
+/// Which rows of the verification table are asked for, and who is to answer.
+struct Selection {
+  std::vector<std::string> operations;  ///< none: all
+  VariantOptions variant;
+  bool chapter_given = false;
+  bool half_width = false;
+  int level = 1;
+  std::string by = "model";
+  std::vector<std::string> against;  ///< none: the usual ones of the level
+};
+
+/// The parties, the judged one first, no one twice.
+/// @throws std::invalid_argument for a name that no party has; UsageError if there is only one
+std::vector<const Party*> chosen_parties(const Selection& selection);
+
+/// The rows, in the order of the verification table.
+/// @throws UsageError if none fits, or none can be compared by these parties;
+/// std::invalid_argument for a name that no operation has
+std::vector<Row> chosen_rows(const Selection& selection, std::span<const Party* const> parties);
+
+/// `i/n` with 1 <= i <= n.
+/// @throws UsageError for anything else
+Shard parse_shard(const std::string& text);
+
+}  // namespace fixproof

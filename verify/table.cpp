@@ -1,0 +1,162 @@
+#include "verify/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "verify/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+constexpr std::size_t columns = 7;
+using Line = std::array<std::string, columns>;
+
+std::string result_of(const Row& row, const Findings& found) {
+  if (!row.compared()) return "not compared";
+  if (found.mismatches > 0) return fmt::format("{} DIFFER", grouped(found.mismatches));
+  return found.cases > 0 ? "equal" : "not run";
+}
+
+Line line_of(const Row& row, const Findings& found) {
+  const Variant& v = row.variant;
+  std::string target(name_of(v.target));
+  if (v.chapter_52) target += " ch52";
+  if (v.fraction_bits == 8) target += " 8.8";
+  const bool rounds = v.operation == Operation::div ? v.div_round : v.mul_round;
+  return {std::string(name_of(v.operation)),
+          target,
+          v.target == Target::standard ? "-"
+          : rounds                     ? "on"
+                                       : "off",
+          row.parties.empty() ? "none" : fmt::format("{}", fmt::join(row.parties, " ")),
+          grouped(found.cases),
+          grouped(found.faults),
+          result_of(row, found)};
+}
+
+/// The lines under one another: texts to the left, numbers to the right.
+std::string aligned(const std::vector<Line>& lines) {
+  std::array<std::size_t, columns> widths{};
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i < columns; ++i)
+      widths.at(i) = std::max(widths.at(i), line.at(i).size());
+  }
+  std::string text;
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      const bool number = i == 4 || i == 5;
+      if (i > 0) text += "  ";
+      if (i + 1 == columns) {
+        text += line.at(i);
+      } else {
+        text += number ? fmt::format("{:>{}}", line.at(i), widths.at(i))
+                       : fmt::format("{:<{}}", line.at(i), widths.at(i));
+      }
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// The mismatches kept of one row. Many cases shrink to the same: each such is shown once.
+std::string mismatch_lines(const Row& row, const Findings& found) {
+  std::vector<const Mismatch*> distinct;
+  std::map<std::vector<std::uint32_t>, std::size_t> alike;
+  for (const Mismatch& m : found.shown) {
+    if (alike[m.smallest.empty() ? m.words : m.smallest]++ == 0) distinct.push_back(&m);
+  }
+  std::string text;
+  for (const Mismatch* m : distinct) {
+    const auto& words = m->smallest.empty() ? m->words : m->smallest;
+    text +=
+        fmt::format("{}: {} ({})", name_of(row.variant),
+                    hex_words(words, operand_bits(row.variant)), decimal_words(row.variant, words));
+    if (!m->said.empty()) text += fmt::format(": {}", grouped_answers(m->said));
+    if (alike[words] > 1) text += fmt::format("; {} cases shrink to it", alike[words]);
+    text += fmt::format("; replay: {}\n", replay(row, words));
+  }
+  if (found.mismatches > found.shown.size()) {
+    text += fmt::format("{}: {} mismatches more, not shown\n", name_of(row.variant),
+                        grouped(found.mismatches - found.shown.size()));
+  }
+  return text;
+}
+
+std::string totals(const Report& report) {
+  std::uint64_t comparisons = 0;
+  std::uint64_t faults = 0;
+  for (std::size_t i = 0; i < report.findings.size(); ++i) {
+    const Findings& found = report.findings[i];
+    faults += found.faults;
+    if (found.cases > 0) comparisons += found.cases * (report.plan.rows()[i].parties.size() - 1);
+  }
+  return fmt::format("{} cases compared ({} comparisons), {} of them #DE; {}, seed {}\n",
+                     grouped(report.cases()), grouped(comparisons), grouped(faults),
+                     duration(report.seconds), report.plan.seed());
+}
+
+std::string verdict(const Report& report) {
+  std::string text;
+  if (report.shard.count > 1) {
+    text += fmt::format("Shard {}/{}: ", report.shard.index, report.shard.count);
+  }
+  if (!report.complete()) {
+    text += fmt::format("INCOMPLETE, {} of {} chunks: ", grouped(report.chunks_done()),
+                        grouped(report.chunks_in_shard()));
+  }
+  if (report.mismatches() > 0) {
+    const auto rows = std::count_if(report.findings.begin(), report.findings.end(),
+                                    [](const Findings& found) { return found.mismatches > 0; });
+    text += fmt::format("{} cases DIFFER, in {} {}.", grouped(report.mismatches()), rows,
+                        rows == 1 ? "row" : "rows");
+  } else {
+    text += report.complete() ? "all parties agree on every case." : "so far all parties agree.";
+  }
+  const auto uncompared = std::count_if(report.plan.rows().begin(), report.plan.rows().end(),
+                                        [](const Row& row) { return !row.compared(); });
+  if (uncompared > 0) {
+    text += fmt::format(" {} {} NOT COMPARED: fewer than two of the parties answer.", uncompared,
+                        uncompared == 1 ? "row is" : "rows are");
+  }
+  if (text.front() >= 'a') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string grouped_answers(const std::vector<std::pair<std::string, std::string>>& said) {
+  std::vector<std::pair<std::string, std::string>> groups;
+  for (const auto& [party, answer] : said) {
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const auto& group) { return group.second == answer; });
+    if (same == groups.end()) {
+      groups.emplace_back(party, answer);
+    } else {
+      same->first += " " + party;
+    }
+  }
+  std::string text;
+  for (const auto& [names, answer] : groups) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names, answer);
+  }
+  return text;
+}
+
+std::string table(const Report& report) {
+  std::vector<Line> lines{
+      {"operation", "target", "rounding", "parties, first judged", "cases", "#DE", "result"}};
+  std::string mismatches;
+  for (std::size_t i = 0; i < report.findings.size(); ++i) {
+    lines.push_back(line_of(report.plan.rows()[i], report.findings[i]));
+    mismatches += mismatch_lines(report.plan.rows()[i], report.findings[i]);
+  }
+  return aligned(lines) + '\n' + mismatches + (mismatches.empty() ? "" : "\n") + totals(report) +
+         verdict(report);
+}
+
+}  // namespace fixproof
