@@ -57,7 +57,7 @@ exact::outcome<Number> converted(Float x) {
 
 template <class Number>
 class Conversion : public testing::Test {};
-TYPED_TEST_SUITE(Conversion, all_types);
+TYPED_TEST_SUITE(Conversion, some_types);
 
 template <class Number, class Float>
 void expect_converted(Float x) {
@@ -70,7 +70,7 @@ TYPED_TEST(Conversion, FromFloatingPointOfEveryExponent) {
   for (std::uint64_t exponent = 0; exponent < 0x7ff; ++exponent) {
     for (const std::uint64_t fraction :
          {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0xfffffffffffff},
-          std::uint64_t{0x8000000000000}, random() >> 12, random() >> 12 << 30}) {
+          std::uint64_t{0x8000000000000}, random() >> 12, random() >> 42 << 30}) {
       const std::uint64_t bits = exponent << 52 | fraction;
       expect_converted<TypeParam>(std::bit_cast<double>(bits));
       expect_converted<TypeParam>(std::bit_cast<double>(bits | std::uint64_t{1} << 63));

@@ -20,7 +20,7 @@ using exact::integer;
 
 template <class Number>
 class Math : public testing::Test {};
-TYPED_TEST_SUITE(Math, all_types);
+TYPED_TEST_SUITE(Math, some_types);
 
 /// x rounded to whole numbers by the rule.
 template <class Number>

@@ -36,9 +36,11 @@ using all_types = testing::Types<
     number<16, away_and_wrap>, number<16, whole_divisor_saturating>, number<16, fault_before_trap>,
     number<8, floor_and_saturate>, number<8, whole_divisor_saturating>>;
 
-/// One of each width and overflow, for what does not depend on the rest.
-using some_types = testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i8088,
-                                  q16_16_i386_unrounded, q8_8, q8_8_saturating, q8_8_trapping,
-                                  q8_8_i8088, number<16, floor_and_saturate>>;
+/// Each rounding of products under each overflow, as far as they differ, for what does not divide.
+using some_types =
+    testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386_unrounded, q16_16_i8088,
+                   q16_16_i8088_unrounded, number<16, floor_and_saturate>,
+                   number<16, truncate_and_trap>, number<16, away_and_saturate>, q8_8,
+                   q8_8_saturating, q8_8_trapping, q8_8_i8088, q8_8_i8088_unrounded>;
 
 }  // namespace fixed
