@@ -34,6 +34,8 @@ class Party {
   Party() = default;
   Party(const Party&) = delete;
   Party& operator=(const Party&) = delete;
+  Party(Party&&) = delete;
+  Party& operator=(Party&&) = delete;
   virtual ~Party() = default;
 
   /// One lower-case word, as on the command line.

@@ -16,7 +16,7 @@
 namespace x86model::alu {
 
 struct Result {
-  std::uint32_t value;
+  std::uint32_t value = 0;
   Flags flags;
 };
 
@@ -128,8 +128,8 @@ X86MODEL_INLINE Result shrd(std::uint32_t a, std::uint32_t fill, int count, int 
 }
 
 struct Product {
-  std::uint32_t low;
-  std::uint32_t high;
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
   Flags flags;
 };
 

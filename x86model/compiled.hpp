@@ -88,7 +88,7 @@ template <const Program& program, std::size_t entry, std::size_t position, class
 
 template <const Program& program, std::size_t entry, std::size_t first, class M, std::size_t... I>
 [[gnu::always_inline]] inline bool pass_over_block(M& m, std::size_t& target, Outcome& outcome,
-                                                   std::index_sequence<I...>) {
+                                                   std::index_sequence<I...> /*positions*/) {
   return (pass_over<program, entry, first + I>(m, target, outcome) && ...);
 }
 

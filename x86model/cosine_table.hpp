@@ -42,8 +42,9 @@ template <std::size_t steps_per_degree>
 constexpr std::array<std::uint32_t, 90 * steps_per_degree + 1> make_cosine_table() {
   std::array<std::uint32_t, 90 * steps_per_degree + 1> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const auto angle = static_cast<std::int64_t>(
-        detail::Wide{detail::pi} * static_cast<std::int64_t>(i) / (180 * steps_per_degree));
+    const auto angle =
+        static_cast<std::int64_t>(detail::Wide{detail::pi} * static_cast<std::int64_t>(i) /
+                                  (detail::Wide{180} * steps_per_degree));
     constexpr int surplus = detail::series_bits - 16;
     const std::int64_t half = std::int64_t{1} << (surplus - 1);
     table[i] = static_cast<std::uint32_t>((detail::cosine(angle) + half) >> surplus);

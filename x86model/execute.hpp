@@ -148,6 +148,8 @@ X86MODEL_INLINE alu::Result shift(std::uint32_t a, int count, int bits) {
 /// Executes one instruction that is not a jump, call or return.
 /// @return proceeds, or why not; on a fault the machine is as before.
 template <Mnemonic op, class M>
+// One branch for each kind of instruction, of which an instantiation keeps one.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity)
 X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
   using namespace detail;
   const Operand& first = instruction.operands[0];

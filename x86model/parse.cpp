@@ -1,6 +1,7 @@
 #include "x86model/parse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <string>
 #include <vector>
@@ -52,10 +53,10 @@ std::optional<Operand> register_named(std::string_view name) {
 
 /// Registers and size words of the processor that no routine uses as operands.
 bool is_foreign(std::string_view name) {
-  constexpr std::string_view known[]{"al", "ah", "bl", "bh", "cl", "ch", "dl",
-                                     "dh", "cs", "ds", "es", "ss", "fs", "gs"};
+  constexpr std::array<std::string_view, 14> known{"al", "ah", "bl", "bh", "cl", "ch", "dl",
+                                                   "dh", "cs", "ds", "es", "ss", "fs", "gs"};
   const bool memory = name.back() == ']' && name.find('[') != std::string_view::npos;
-  return memory || std::find(std::begin(known), std::end(known), name) != std::end(known);
+  return memory || std::find(known.begin(), known.end(), name) != known.end();
 }
 
 /// A number with an optional minus sign, at most 32 bits wide.

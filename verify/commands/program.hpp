@@ -12,8 +12,8 @@ namespace fixproof {
 
 /// A routine of the model and the switches it is assembled with.
 struct ProgramChoice {
-  x86model::Routine routine;
-  x86model::Target target;
+  x86model::Routine routine = x86model::Routine::mul;
+  x86model::Target target = x86model::Target::i386;
   x86model::Build build;
 };
 

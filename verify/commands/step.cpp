@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "verify/commands/commands.hpp"
 #include "verify/commands/lines.hpp"
@@ -22,8 +23,8 @@ namespace x86 = x86model;
 
 /// A line holds no memory: reading it is impossible, what is written to it is not shown.
 struct NoMemory {
-  static bool read(std::uint32_t, std::uint32_t&) { return false; }
-  static bool write(std::uint32_t, std::uint32_t) { return true; }
+  static bool read(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
+  static bool write(std::uint32_t /*address*/, std::uint32_t /*value*/) { return true; }
 };
 using StepMachine = x86::Machine<16, NoMemory>;
 
@@ -46,23 +47,14 @@ struct State {
   std::uint32_t other_flags = 0;          ///< bits of fl that are none of the six
 };
 
-std::uint32_t flag_mask() {
-  std::uint32_t mask = 0;
-  for (const auto& [flag, name] : flag_names) mask |= flag;
-  return mask;
-}
+/// Fields of a line, NAME=DIGITS with spaces between, by name.
+using Fields = std::map<std::string_view, std::string_view>;
 
-State parse_state(std::string_view text, x86::Target cpu) {
-  State state;
-  std::array<bool, shown.size()> seen{};
-  bool seen_flags = false;
-  const auto once = [](bool& is_seen, std::string_view name) {
-    if (is_seen) throw UsageError(fmt::format("{} is given twice", quoted(name)));
-    is_seen = true;
-  };
+Fields split_fields(std::string_view text) {
+  Fields fields;
   while (true) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-    if (text.empty()) break;
+    if (text.empty()) return fields;
     const std::string_view field = text.substr(0, text.find(' '));
     text.remove_prefix(field.size());
     const auto equals = field.find('=');
@@ -70,34 +62,43 @@ State parse_state(std::string_view text, x86::Target cpu) {
       throw UsageError(fmt::format("{} is not NAME=DIGITS", quoted(field)));
     }
     const std::string_view name = field.substr(0, equals);
-    const std::string_view digits = field.substr(equals + 1);
-    if (name == "fl") {
-      once(seen_flags, name);
-      const std::uint32_t value = parse_hex(digits, 4);
-      state.machine.flags = {static_cast<std::uint16_t>(value & flag_mask()), 0};
-      state.other_flags = value & ~flag_mask();
-      continue;
+    if (!fields.emplace(name, field.substr(equals + 1)).second) {
+      throw UsageError(fmt::format("{} is given twice", quoted(name)));
     }
-    bool known = false;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      for (const x86::Size size : {x86::Size::word, x86::Size::dword}) {
-        if (size == x86::Size::dword && cpu == x86::Target::i8088) continue;
-        if (name != x86::name_of(shown[i], size)) continue;
-        known = true;
-        once(seen[i], name);
-        state.wide[i] = size == x86::Size::dword;
-        state.machine.registers.write(shown[i], x86::Size::dword,
-                                      parse_hex(digits, state.wide[i] ? 8 : 4));
-      }
-    }
-    if (!known) throw UsageError(fmt::format("{} is no register", quoted(name)));
   }
+}
+
+/// Removes the field of that name. @return its digits, or nothing where it is not given
+std::optional<std::string_view> take(Fields& fields, std::string_view name) {
+  const auto node = fields.extract(name);
+  if (node.empty()) return std::nullopt;
+  return node.mapped();
+}
+
+State parse_state(std::string_view text, x86::Target cpu) {
+  State state;
+  Fields fields = split_fields(text);
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    if (!seen[i]) {
-      throw UsageError(fmt::format("{} is missing", x86::name_of(shown[i], x86::Size::word)));
+    const std::string_view narrow = x86::name_of(shown[i], x86::Size::word);
+    const std::string_view wide = x86::name_of(shown[i], x86::Size::dword);
+    auto digits = take(fields, narrow);
+    if (cpu == x86::Target::i386 && fields.contains(wide)) {
+      if (digits) throw UsageError(fmt::format("both {} and {} are given", narrow, wide));
+      digits = take(fields, wide);
+      state.wide[i] = true;
     }
+    if (!digits) throw UsageError(fmt::format("{} is missing", narrow));
+    state.machine.registers.write(shown[i], x86::Size::dword,
+                                  parse_hex(*digits, state.wide[i] ? 8 : 4));
   }
-  if (!seen_flags) throw UsageError("fl is missing");
+  const auto fl = take(fields, "fl");
+  if (!fl) throw UsageError("fl is missing");
+  const std::uint32_t value = parse_hex(*fl, 4);
+  state.machine.flags = {static_cast<std::uint16_t>(value & x86::arithmetic_flags), 0};
+  state.other_flags = value & ~std::uint32_t{x86::arithmetic_flags};
+  if (!fields.empty()) {
+    throw UsageError(fmt::format("{} is no register", quoted(fields.begin()->first)));
+  }
   return state;
 }
 
