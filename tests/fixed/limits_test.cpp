@@ -1,7 +1,9 @@
 /// numeric_limits and hash tell the truth: the claims that can be counted are counted.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <set>
 #include <string>
@@ -120,11 +122,15 @@ TEST(Limits, DigitsTellApart) {
 }
 
 TEST(Hash, TellsNumbersApart) {
-  std::unordered_set<q8_8> set;
+  std::set<std::size_t> hashes;
+  std::unordered_set<q8_8> numbers;
   for (int raw = -0x8000; raw <= 0x7fff; ++raw) {
-    set.insert(q8_8::from_raw(static_cast<std::int16_t>(raw)));
+    const auto x = q8_8::from_raw(static_cast<std::int16_t>(raw));
+    hashes.insert(std::hash<q8_8>{}(x));
+    numbers.insert(x);
   }
-  EXPECT_EQ(set.size(), 65536U);
+  EXPECT_EQ(hashes.size(), 65536U);
+  EXPECT_EQ(numbers.size(), 65536U);
   EXPECT_EQ(std::hash<q16_16>{}(q16_16(1.5)), std::hash<q16_16>{}(q16_16(3) / q16_16(2)));
 }
 
