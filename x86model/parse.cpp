@@ -14,7 +14,16 @@ namespace x86model {
 namespace {
 
 constexpr std::string_view name_characters = "abcdefghijklmnopqrstuvwxyz0123456789";
-constexpr std::string_view word_characters = "abcdefghijklmnopqrstuvwxyz0123456789_.";
+constexpr std::string_view label_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
+
+/// Foreign text as a message may quote it: short, on one line, and printable.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string result = "'";
+  for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > longest ? "...'" : "'");
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -87,7 +96,7 @@ std::optional<Instruction> parse(std::string_view line) {
   const std::string_view name = line.substr(0, line.find_first_of(" \t"));
   if (name.empty()) throw ParseError("no instruction");
   if (name.find_first_not_of(name_characters) != std::string_view::npos) {
-    throw ParseError("'" + std::string(name) + "' is no mnemonic");
+    throw ParseError(quoted(name) + " is no mnemonic");
   }
   const auto operands = split_operands(trimmed(line.substr(name.size())));
   const auto mnemonic = mnemonic_named(name);
@@ -107,16 +116,16 @@ std::optional<Instruction> parse(std::string_view line) {
       operand = *reg;
     } else if (const auto value = number(text)) {
       if (!fits(*value, shift, instruction.operands[0].size)) {
-        throw ParseError("'" + std::string(text) + "' does not fit the operand");
+        throw ParseError(quoted(text) + " does not fit the operand");
       }
       operand = {.kind = jump ? Operand::Kind::label : Operand::Kind::immediate,
                  .value = static_cast<std::int32_t>(static_cast<std::uint32_t>(*value))};
-    } else if (jump && text.find_first_not_of(word_characters) == std::string_view::npos) {
+    } else if (jump && text.find_first_not_of(label_characters) == std::string_view::npos) {
       operand = {.kind = Operand::Kind::label};
     } else if (is_foreign(text)) {
       known = false;
     } else {
-      throw ParseError("'" + std::string(text) + "' is no operand");
+      throw ParseError(quoted(text) + " is no operand");
     }
   }
   if (!known) return std::nullopt;

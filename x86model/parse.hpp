@@ -18,7 +18,7 @@ class ParseError : public std::runtime_error {
 
 /// Parses a mnemonic and its operands: 16- and 32-bit registers, immediates (decimal or 0x…, from
 /// the smallest signed to the largest unsigned value of the first operand's size) and, for jumps,
-/// labels. Names are lower case.
+/// labels. All names but labels are lower case.
 ///
 /// @return nothing for a mnemonic or an operand that is well formed but that no routine has, such
 /// as an
