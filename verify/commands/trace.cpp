@@ -32,13 +32,13 @@ constexpr std::array registers{x86::Register::ax, x86::Register::bx, x86::Regist
 std::string flag_columns(const x86::Flags& f) {
   std::string columns;
   for (const x86::Flag flag : flags) {
-    const char* set = (f.value & flag) != 0 ? " 1 " : " 0 ";
-    columns += (f.undefined & flag) != 0 ? " ? " : set;
+    const char* set = (f.value & flag) != 0 ? "  1" : "  0";
+    columns += (f.undefined & flag) != 0 ? "  ?" : set;
   }
   return columns;
 }
 
-/// Registers and memory words that differ, as "bp=0058 [0054]=0000".
+/// Registers and memory words that differ, after two spaces: "  bp=0058 [0054]=0000".
 template <class M>
 std::string changes(const M& before, const M& after, x86::Size size) {
   std::string text;
@@ -60,8 +60,9 @@ std::string changes(const M& before, const M& after, x86::Size size) {
     append_hex(text, is, 4);
     text += ' ';
   }
-  if (!text.empty()) text.pop_back();
-  return text;
+  if (text.empty()) return text;
+  text.pop_back();
+  return "  " + text;
 }
 
 std::string_view reason(x86::Outcome outcome) {
@@ -94,12 +95,12 @@ void trace(const ProgramChoice& chosen, std::span<const std::uint32_t> in) {
   fmt::print("   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
   auto before = machine;
   const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {
-    fmt::print("{:4}  {:<30} {} {}\n", at, x86::text_of(code[at]), flag_columns(after.flags),
+    fmt::print("{:4}  {:<30}{}{}\n", at, x86::text_of(code[at]), flag_columns(after.flags),
                changes(before, after, size));
     before = after;
   });
   if (ending.outcome != x86::Outcome::returned) {
-    fmt::print("{:4}  {:<30} {} {}\n", ending.position, x86::text_of(code[ending.position]),
+    fmt::print("{:4}  {:<30}{}  {}\n", ending.position, x86::text_of(code[ending.position]),
                flag_columns(machine.flags), reason(ending.outcome));
     return;
   }
