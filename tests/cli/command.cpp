@@ -1,0 +1,147 @@
+#include "tests/cli/command.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+#include <thread>
+
+namespace cli {
+
+namespace {
+
+void check(int error, const char* what) {
+  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+}
+
+struct Pipe {
+  int read;
+  int write;
+};
+
+/// Both ends are closed in programs that are started.
+Pipe make_pipe() {
+  std::array<int, 2> ends{};
+  check(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe");
+  return {.read = ends[0], .write = ends[1]};
+}
+
+std::string read_all(int from) {
+  std::string text;
+  std::array<char, 65536> part{};
+  for (;;) {
+    const ssize_t count = read(from, part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+Process::Process(std::vector<std::string> arguments, Output output) {
+  // A program that stops reading is something to see, not the end of the test.
+  std::signal(SIGPIPE, SIG_IGN);
+  const Pipe in = make_pipe();
+  const Pipe out = make_pipe();
+  const Pipe err = make_pipe();
+  posix_spawn_file_actions_t actions;
+  check(posix_spawn_file_actions_init(&actions), "file actions");
+  check(posix_spawn_file_actions_adddup2(&actions, in.read, STDIN_FILENO), "stdin");
+  check(output == Output::full_device
+            ? posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/full", O_WRONLY, 0)
+            : posix_spawn_file_actions_adddup2(&actions, out.write, STDOUT_FILENO),
+        "stdout");
+  check(posix_spawn_file_actions_adddup2(&actions, err.write, STDERR_FILENO), "stderr");
+  if (output == Output::reader_gone) close(out.read);
+
+  std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
+  for (std::string& word : arguments) words.push_back(word.data());
+  words.push_back(nullptr);
+  const int error = posix_spawnp(&id_, words[0], &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(in.read);
+  close(out.write);
+  close(err.write);
+  input_ = in.write;
+  output_ = output == Output::reader_gone ? -1 : out.read;
+  errors_ = err.read;
+  check(error, words[0]);
+}
+
+Process::~Process() {
+  if (input_ >= 0) close(input_);
+  if (output_ >= 0) close(output_);
+  if (errors_ >= 0) close(errors_);
+  if (id_ > 0) waitpid(id_, nullptr, 0);
+}
+
+void Process::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(input_, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+std::string Process::read_line() {
+  std::string line;
+  char c = 0;
+  while (read(output_, &c, 1) == 1 && c != '\n') line += c;
+  return line;
+}
+
+Run Process::finish(std::string_view rest) {
+  // Written beside the reading: neither side can wait for the other for ever.
+  std::thread input([&] {
+    write(rest);
+    close(input_);
+    input_ = -1;
+  });
+  Run result{};
+  std::thread errors([&] { result.err = read_all(errors_); });
+  if (output_ >= 0) result.out = read_all(output_);
+  errors.join();
+  input.join();
+  int status = 0;
+  waitpid(id_, &status, 0);
+  id_ = 0;
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return result;
+}
+
+Run run(std::vector<std::string> arguments, std::string_view input, Output output) {
+  return Process(std::move(arguments), output).finish(input);
+}
+
+std::vector<std::string> command(std::string_view arguments) {
+  std::vector<std::string> words{FIXPROOF_COMMAND};
+  for (const std::string& word : split(arguments, ' ')) {
+    if (!word.empty()) words.push_back(word);
+  }
+  return words;
+}
+
+Run fixproof(std::string_view arguments, std::string_view input, Output output) {
+  return run(command(arguments), input, output);
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = text.find(separator); at != std::string_view::npos;
+       at = text.find(separator)) {
+    parts.emplace_back(text.substr(0, at));
+    text.remove_prefix(at + 1);
+  }
+  parts.emplace_back(text);
+  return parts;
+}
+
+}  // namespace cli

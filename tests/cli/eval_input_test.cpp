@@ -1,0 +1,167 @@
+// What `fixproof eval` reads: lines that are passed over, and lines that are refused by number.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <string_view>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+using std::string_literals::operator""s;
+
+constexpr std::string_view good = "00018000 00028000\n";
+constexpr std::string_view answer = "0003c000\n";
+
+/// Exactly one line on stderr.
+void expect_one_line(const std::string& err) {
+  ASSERT_FALSE(err.empty());
+  EXPECT_EQ(err.find('\n'), err.size() - 1) << err;
+}
+
+/// `bad` as the third line of three: refused by its number, after both answers before it.
+void expect_refused(const std::string& bad, std::string_view arguments = "eval mul") {
+  const auto run = cli::fixproof(arguments, fmt::format("{0}{0}{1}\n{0}", good, bad));
+  EXPECT_EQ(run.status, 2) << bad;
+  EXPECT_EQ(run.out, fmt::format("{0}{0}", answer)) << bad;
+  EXPECT_EQ(run.err.rfind("fixproof: line 3: ", 0), 0) << run.err;
+  expect_one_line(run.err);
+  EXPECT_LT(run.err.size(), 200);
+}
+
+TEST(EvalInput, PassesOverBlankLinesAndComments) {
+  const auto run = cli::fixproof("eval mul", fmt::format("\n# {0}{0}\n   \n\t\n#\n{0}", good));
+  EXPECT_EQ(run.out, fmt::format("{0}{0}", answer));
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.status, 0);
+}
+
+TEST(EvalInput, PassedOverLinesCount) {
+  const auto run = cli::fixproof("eval mul", fmt::format("\n# comment\n{}wrong\n", good));
+  EXPECT_EQ(run.out, answer);
+  EXPECT_EQ(run.err.rfind("fixproof: line 4: ", 0), 0) << run.err;
+}
+
+TEST(EvalInput, NothingIsNothing) {
+  const auto run = cli::fixproof("eval mul", "");
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.status, 0);
+}
+
+TEST(EvalInput, TheLastLineNeedsNoNewline) {
+  const auto run = cli::fixproof("eval mul", good.substr(0, good.size() - 1));
+  EXPECT_EQ(run.out, answer);
+  EXPECT_EQ(run.status, 0);
+}
+
+TEST(EvalInput, AnswersBeforeTheNextLineIsAsked) {
+  cli::Process process(cli::command("eval div"));
+  process.write("00010000 00030000\n");
+  EXPECT_EQ(process.read_line(), "00005555");
+  process.write("# nothing to answer\n00010000 00000000\n");
+  EXPECT_EQ(process.read_line(), "DE");
+  // Half a line is no line yet.
+  process.write("00020000 ");
+  process.write("00030000\n");
+  EXPECT_EQ(process.read_line(), "0000aaab");
+  const auto run = process.finish();
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.status, 0);
+}
+
+TEST(EvalInput, RefusesWhatIsNoWord) {
+  expect_refused("0001800g 00028000");
+  expect_refused("0x018000 00028000");
+  expect_refused("-0018000 00028000");
+  expect_refused("+0018000 00028000");
+  expect_refused("0001.000 00028000");
+}
+
+TEST(EvalInput, RefusesUpperCase) { expect_refused("0001800A 00028000"); }
+
+TEST(EvalInput, RefusesSevenAndNineDigits) {
+  expect_refused("0018000 00028000");
+  expect_refused("000018000 00028000");
+  expect_refused("00018000 0028000");
+  expect_refused("00018000 000028000");
+}
+
+TEST(EvalInput, RefusesMissingAndExtraWords) {
+  expect_refused("00018000");
+  expect_refused("00018000 ");
+  expect_refused("00018000 00028000 00000000");
+  expect_refused("00018000 00028000 ");
+}
+
+TEST(EvalInput, RefusesOtherSpacing) {
+  expect_refused("00018000  00028000");
+  expect_refused(" 00018000 00028000");
+  expect_refused("00018000\t00028000");
+  expect_refused("00018000,00028000");
+}
+
+TEST(EvalInput, RefusesACarriageReturn) { expect_refused("00018000 00028000\r"); }
+
+TEST(EvalInput, RefusesAHashAfterASpace) { expect_refused(" # comment"); }
+
+TEST(EvalInput, RefusesBinaryNoise) {
+  expect_refused("00018000 0002800\0"s);
+  expect_refused("\0"s);
+  expect_refused("\0\0\0\0\0\0\0\0 \0\0\0\0\0\0\0\0"s);
+  expect_refused("\x1b[31m00018000 \x80\xff\xfe");
+  std::mt19937 random(1990);
+  for (int i = 0; i < 50; ++i) {
+    std::string noise(1 + random() % 300, '\0');
+    for (char& c : noise) c = static_cast<char>(random());
+    noise.front() = '\x01';
+    expect_refused(cli::split(noise, '\n').front());
+  }
+}
+
+TEST(EvalInput, RefusesALineOfTenMegabytes) {
+  expect_refused(std::string(10'000'000, '0'));
+  expect_refused(std::string(10'000'000, ' ') + "0");
+}
+
+TEST(EvalInput, CountsTheWordsOfEachOperation) {
+  const auto expect_message = [](std::string_view operation, std::string_view line,
+                                 std::string_view message) {
+    const auto run = cli::fixproof(fmt::format("eval {}", operation), fmt::format("{}\n", line));
+    EXPECT_EQ(run.err, fmt::format("fixproof: line 1: {}\n", message));
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.status, 2);
+  };
+  expect_message("div", "00018000", "div takes 2 words with single spaces between");
+  expect_message("cossin", "0000 0000", "cossin takes 1 word with single spaces between");
+  expect_message("xformvec", "00000000", "xformvec takes 15 words with single spaces between");
+  expect_message("concat", "00000000", "concat takes 24 words with single spaces between");
+  expect_message("cossin", "00000000", "'00000000' has 8 hex digits instead of 4");
+}
+
+TEST(EvalInput, QuotesForeignTextShortAndPrintable) {
+  const auto run = cli::fixproof("eval cossin", "\x1b]0;\x07" + std::string(5000, 'x') + "\n");
+  EXPECT_EQ(run.err,
+            "fixproof: line 1: '?]0;?" + std::string(35, 'x') + "...' is not lower-case hex\n");
+}
+
+TEST(EvalOutput, AFullDiskIsAnError) {
+  const auto run = cli::fixproof("eval mul", good, cli::Output::full_device);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
+}
+
+TEST(EvalOutput, AReaderThatHasGoneIsAnError) {
+  std::string many;
+  for (int i = 0; i < 100'000; ++i) many += good;
+  for (const std::string_view input : {good, std::string_view(many)}) {
+    const auto run = cli::fixproof("eval mul", input, cli::Output::reader_gone);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,146 @@
+// `fixproof list`: what it prints assembles, for the processor it says, to the bytes that it
+// should.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether nasm can be run at all.
+bool has_nasm() {
+  static const bool has = cli::run({"sh", "-c", "command -v nasm"}).status == 0;
+  return has;
+}
+
+class List : public testing::Test {
+ protected:
+  List() : folder_(fs::path(testing::TempDir()) / name()) { fs::create_directories(folder_); }
+  ~List() override { fs::remove_all(folder_); }
+
+  /// The machine code of a source; a test failure with nasm's words where there is none.
+  [[nodiscard]] std::string assemble(const std::string& source) const {
+    const std::string from = folder_ / "routine.asm";
+    const std::string to = folder_ / "routine.bin";
+    std::ofstream(from) << source;
+    const auto run = cli::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    std::ostringstream code;
+    code << std::ifstream(to, std::ios::binary).rdbuf();
+    return code.str();
+  }
+
+ private:
+  static std::string name() {
+    return fmt::format("fixproof_list_{}",
+                       testing::UnitTest::GetInstance()->current_test_info()->name());
+  }
+
+  fs::path folder_;
+};
+
+std::string list(std::string_view arguments) {
+  const auto run = cli::fixproof("list " + std::string(arguments));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  return run.out;
+}
+
+std::string hex(std::string_view bytes) {
+  std::string text;
+  for (const char byte : bytes) text += fmt::format("{:02x} ", static_cast<unsigned char>(byte));
+  return text;
+}
+
+TEST_F(List, EveryVariantAssembles) {
+  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+  for (const std::string_view routine : {"mul", "div", "cossin", "xformvec", "concat"}) {
+    for (const std::string_view target : {"i386", "i8088"}) {
+      for (const std::string_view round : {"on", "off"}) {
+        const auto arguments = fmt::format("{} --target {} --round {}", routine, target, round);
+        const std::string source = list(arguments);
+        const auto cpu = fmt::format("cpu {}\n", target == "i386" ? "386" : "8086");
+        EXPECT_NE(source.find(cpu), std::string::npos) << arguments;
+        // push bp, mov bp,sp … ret
+        const std::string code = assemble(source);
+        EXPECT_EQ(hex(code.substr(0, 3)), "55 89 e5 ") << arguments;
+        EXPECT_NE(code.find('\xc3'), std::string::npos) << arguments;
+      }
+    }
+    if (routine != "cossin" && routine != "xformvec") {
+      EXPECT_NE(assemble(list(fmt::format("{} --chapter 52", routine))), "");
+    }
+  }
+  EXPECT_NE(assemble(list("div --target i8088 --round off --as-scanned")), "");
+}
+
+TEST_F(List, MultiplyFor386IsThisMachineCode) {
+  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+  EXPECT_EQ(hex(assemble(list("mul --target i386"))),
+            "55 "                 // push bp
+            "89 e5 "              // mov  bp, sp
+            "66 8b 46 04 "        // mov  eax, [bp+4]
+            "66 f7 6e 08 "        // imul dword [bp+8]
+            "66 05 00 80 00 00 "  // add  eax, 8000h
+            "66 83 d2 00 "        // adc  edx, 0
+            "66 c1 e8 10 "        // shr  eax, 16
+            "5d "                 // pop  bp
+            "c3 ");               // ret
+}
+
+TEST_F(List, MultiplyFor8088BeginsWithThisMachineCode) {
+  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+  const std::string expected =
+      "55 "        // push bp
+      "89 e5 "     // mov  bp, sp
+      "56 "        // push si
+      "57 "        // push di
+      "29 c9 "     // sub  cx, cx
+      "8b 46 06 "  // mov  ax, [bp+6]
+      "8b 76 04 "  // mov  si, [bp+4]
+      "21 c0 "     // and  ax, ax
+      "79 08 "     // jns  over the next four
+      "f7 d8 "     // neg  ax
+      "f7 de "     // neg  si
+      "83 d8 00 "  // sbb  ax, 0
+      "41 "        // inc  cx
+      "8b 5e 0a "  // mov  bx, [bp+10]
+      "8b 7e 08 "  // mov  di, [bp+8]
+      "21 db "     // and  bx, bx
+      "79 0a "     // jns  over the next four
+      "f7 db "     // neg  bx
+      "f7 df "     // neg  di
+      "83 db 00 "  // sbb  bx, 0
+      "83 f1 01 "  // xor  cx, 1
+      "51 "        // push cx
+      "50 "        // push ax
+      "f7 e3 ";    // mul  bx
+  EXPECT_EQ(hex(assemble(list("mul --target i8088"))).substr(0, expected.size()), expected);
+}
+
+TEST_F(List, CosSinBringsItsTable) {
+  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+  const std::string code = assemble(list("cossin --target i8088"));
+  // 901 doublewords, from cos 0 = 1.0 to cos 90 = 0.
+  ASSERT_GT(code.size(), 4 * 901);
+  const std::string table = code.substr(code.size() - std::size_t{4} * 901);
+  EXPECT_EQ(hex(table.substr(0, 4)), "00 00 01 00 ");
+  EXPECT_EQ(hex(table.substr(std::size_t{4} * 600, 4)), "00 80 00 00 ");
+  EXPECT_EQ(hex(table.substr(std::size_t{4} * 900)), "00 00 00 00 ");
+}
+
+TEST_F(List, RoundingIsARow) {
+  EXPECT_NE(list("mul --round on").find("add eax, 0x8000"), std::string::npos);
+  EXPECT_EQ(list("mul --round off").find("add eax, 0x8000"), std::string::npos);
+}
+
+}  // namespace

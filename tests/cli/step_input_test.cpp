@@ -1,0 +1,147 @@
+// What `fixproof step` reads: lines that are passed over, and lines that are refused by number.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+using std::string_literals::operator""s;
+
+const std::string registers =
+    "ax=0000 bx=0000 cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=0000 fl=0000";
+const std::string good = "mov ax, bx | " + registers;
+const std::string answer = registers + " undef=-";
+
+/// `bad` as the second line of three: refused by its number, after the answer before it.
+void expect_refused(const std::string& bad, std::string_view part, std::string_view cpu = "386") {
+  const auto run = cli::fixproof(fmt::format("step --cpu {}", cpu),
+                                 fmt::format("{}\n{}\n{}\n", good, bad, good));
+  EXPECT_EQ(run.status, 2) << bad;
+  EXPECT_EQ(run.out, answer + '\n') << bad;
+  EXPECT_EQ(run.err.rfind("fixproof: line 2: ", 0), 0) << run.err;
+  EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  EXPECT_LT(run.err.size(), 200);
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(StepInput, PassesOverBlankLinesAndComments) {
+  const auto run = cli::fixproof("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good));
+  EXPECT_EQ(run.out, fmt::format("{0}\n{0}\n", answer));
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.status, 0);
+}
+
+TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
+  cli::Process process(cli::command("step --cpu 8088"));
+  process.write(good + '\n');
+  EXPECT_EQ(process.read_line(), answer);
+  process.write("hlt | " + registers + '\n');
+  EXPECT_EQ(process.read_line(), "unmodelled");
+  EXPECT_EQ(process.finish().status, 0);
+}
+
+TEST(StepInput, RegistersComeInAnyOrder) {
+  const auto run = cli::fixproof(
+      "step --cpu 8088",
+      "inc cx|fl=0000   sp=0000 bp=0000 di=0000 si=0000 dx=0000 cx=0000 bx=0000 ax=0000\n");
+  EXPECT_EQ(run.out, replaced(registers, "cx=0000", "cx=0001") + " undef=-\n");
+}
+
+TEST(StepInput, RefusesALineWithoutItsParts) {
+  expect_refused("mov ax, bx", "'|'");
+  expect_refused("| " + registers, "no instruction");
+  expect_refused("mov ax, bx |", "ax is missing");
+  expect_refused("mov ax, bx | " + replaced(registers, " fl=0000", ""), "fl is missing");
+  for (const std::string_view name : {"bx", "cx", "dx", "si", "di", "bp", "sp"}) {
+    expect_refused("mov ax, bx | " + replaced(registers, fmt::format(" {}=0000", name), ""),
+                   fmt::format("{} is missing", name));
+  }
+}
+
+TEST(StepInput, RefusesRegistersGivenTwice) {
+  expect_refused(good + " ax=0000", "'ax' is given twice");
+  expect_refused(good + " eax=00000000", "both ax and eax are given");
+  expect_refused(good + " fl=0000", "'fl' is given twice");
+}
+
+TEST(StepInput, RefusesWhatIsNoRegister) {
+  expect_refused(good + " al=00", "'al' is no register");
+  expect_refused(good + " ip=0000", "'ip' is no register");
+  expect_refused(good + " AX=0000", "'AX' is no register");
+  expect_refused(good + " ax", "'ax' is not NAME=DIGITS");
+  expect_refused(good + " | ", "'|' is not NAME=DIGITS");
+}
+
+TEST(StepInput, RefusesWideRegistersOnThe8088) {
+  expect_refused(replaced(good, "ax=0000", "eax=00000000"), "ax is missing", "8088");
+  expect_refused(good + " eax=00000000", "'eax' is no register", "8088");
+}
+
+TEST(StepInput, RefusesOtherDigits) {
+  expect_refused(replaced(good, "ax=0000", "ax=000"), "3 hex digits instead of 4");
+  expect_refused(replaced(good, "ax=0000", "ax=00000"), "5 hex digits instead of 4");
+  expect_refused(replaced(good, "ax=0000", "eax=0000"), "4 hex digits instead of 8");
+  expect_refused(replaced(good, "ax=0000", "ax="), "0 hex digits instead of 4");
+  expect_refused(replaced(good, "ax=0000", "ax=00FF"), "lower-case hex");
+  expect_refused(replaced(good, "ax=0000", "ax=0x00"), "lower-case hex");
+  expect_refused(replaced(good, "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
+  expect_refused(good + "\r", "lower-case hex");
+}
+
+TEST(StepInput, RefusesWhatIsNoInstruction) {
+  const auto expect_bad = [](const std::string& instruction, std::string_view part) {
+    expect_refused(instruction + " | " + registers, part);
+  };
+  expect_bad("MOV ax, bx", "'MOV' is no mnemonic");
+  expect_bad("mov AX, bx", "'AX' is no operand");
+  expect_bad("mov ax bx", "'ax bx' is no operand");
+  expect_bad("mov ax,", "an operand is missing");
+  expect_bad("mov , bx", "an operand is missing");
+  expect_bad("mov ax, bx, cx, dx", "more than three operands");
+  expect_bad("add ax, 0x", "'0x' is no operand");
+  expect_bad("add ax, 8000h", "'8000h' is no operand");
+  expect_bad("add ax, --1", "'--1' is no operand");
+}
+
+TEST(StepInput, RefusesImmediatesThatDoNotFit) {
+  const auto expect_bad = [](const std::string& instruction) {
+    expect_refused(instruction + " | " + registers, "does not fit the operand");
+  };
+  expect_bad("add ax, 0x10000");
+  expect_bad("add ax, -32769");
+  expect_bad("add eax, -2147483649");
+  expect_bad("shl bx, 256");
+  expect_bad("shl bx, -1");
+  // One less does.
+  for (const std::string_view fits :
+       {"add ax, 0xffff", "add ax, -32768", "add eax, -2147483648", "shl bx, 255"}) {
+    EXPECT_EQ(cli::fixproof("step", fmt::format("{} | {}\n", fits, registers)).status, 0) << fits;
+  }
+}
+
+TEST(StepInput, RefusesNoiseAndEndlessLines) {
+  expect_refused("\0\0\0"s, "'|'");
+  expect_refused("\0 | "s + registers, "is no mnemonic");
+  expect_refused(std::string(10'000'000, 'a'), "'|'");
+  expect_refused(std::string(10'000'000, 'A') + " | " + registers, "is no mnemonic");
+  expect_refused("mov ax, " + std::string(1'000'000, 'A') + " | " + registers, "is no operand");
+  expect_refused("\x1b[31mmov | " + registers, "is no mnemonic");
+}
+
+TEST(StepInput, OutputThatCannotBeWritten) {
+  for (const cli::Output output : {cli::Output::full_device, cli::Output::reader_gone}) {
+    const auto run = cli::fixproof("step --cpu 8088", good, output);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
+  }
+}
+
+}  // namespace

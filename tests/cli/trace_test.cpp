@@ -1,0 +1,116 @@
+// `fixproof trace`: what the lines say, worked out by hand. Addresses of the stack are the model's.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+/// The lines of a trace that ends well.
+std::vector<std::string> trace(std::string_view arguments) {
+  const auto run = cli::fixproof("trace " + std::string(arguments));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  auto lines = cli::split(run.out, '\n');
+  EXPECT_EQ(lines.back(), "");
+  lines.pop_back();
+  return lines;
+}
+
+/// The line of instruction `text`, from its flags on; empty where it was not executed.
+std::string after(const std::vector<std::string>& lines, const std::string& text) {
+  for (const std::string& line : lines) {
+    if (line.substr(6, text.size() + 1) == text + ' ') return line.substr(37);
+  }
+  return "";
+}
+
+TEST(Trace, HeadingNamesTheColumns) {
+  EXPECT_EQ(trace("mul 00000000 00000000").front(),
+            "   #  FixedMul                       CF PF AF ZF SF OF  changes");
+}
+
+TEST(Trace, MultiplyOnThe386) {
+  // -1.5 * 2.5: the product is fffffffc40000000, half a unit more fffffffc40008000.
+  const auto lines = trace("mul fffe8000 00028000");
+  ASSERT_EQ(lines.size(), 11);
+  EXPECT_EQ(lines[3].substr(0, 4), "   2");
+  EXPECT_EQ(after(lines, "mov eax, [bp+4]"), " ?  ?  ?  ?  ?  ?  eax=fffe8000");
+  EXPECT_EQ(after(lines, "imul dword [bp+8]"), " 1  ?  ?  ?  ?  1  eax=40000000 edx=fffffffc");
+  EXPECT_EQ(after(lines, "add eax, 0x8000"), " 0  1  0  0  0  0  eax=40008000");
+  EXPECT_EQ(after(lines, "adc edx, 0"), " 0  1  0  0  1  0");
+  EXPECT_EQ(after(lines, "shr eax, 16"), " 1  1  ?  0  0  ?  eax=00004000");
+  EXPECT_EQ(lines.back(), "9 instructions; result fffc4000 (-3.75)");
+}
+
+TEST(Trace, MultiplyWithoutRoundingAddsNothing) {
+  const auto lines = trace("mul ffffffff 00008000 --round off");
+  EXPECT_EQ(after(lines, "add eax, 0x8000"), "");
+  EXPECT_EQ(lines.back(), "7 instructions; result ffffffff (-1.52587890625e-05)");
+}
+
+TEST(Trace, MultiplyOnThe8088) {
+  // 1.5 * 2.5: high parts 1 and 2, low parts 8000h and 8000h.
+  const auto lines = trace("mul 00018000 00028000 --target i8088");
+  EXPECT_EQ(after(lines, "mov si, [bp+4]"), " 0  1  0  1  0  0  si=8000");
+  EXPECT_EQ(after(lines, "neg si"), "");
+  EXPECT_EQ(after(lines, "add ax, 0x8000"), " 0  1  0  0  1  0  ax=8000");
+  EXPECT_EQ(after(lines, "mov dx, cx"), " 0  1  0  0  0  0  dx=0003");
+  EXPECT_NE(lines.back().find("result 0003c000 (3.75)"), std::string::npos);
+}
+
+TEST(Trace, DivideError) {
+  const auto lines = trace("div 00010000 00008000 --target i8088");
+  EXPECT_EQ(lines.back(),
+            "  19  div bx                          0  1  0  1  0  0  #DE: divide error");
+}
+
+TEST(Trace, DivideShowsTheArgumentsItClobbers) {
+  const auto lines = trace("div ffffc000 00028000 --target i8088");
+  EXPECT_EQ(after(lines, "neg word [bp+4]"), " 1  1  0  0  0  0  [0058]=4000");
+}
+
+TEST(Trace, AsScannedStopsAtTheUndefinedCarry) {
+  const auto lines = trace("div 00018000 00028000 --target i8088 --round off --as-scanned");
+  EXPECT_EQ(lines.back(),
+            "  23  adc cx, 0                       ?  ?  ?  ?  ?  ?  "
+            "reads a flag that Intel leaves undefined");
+  // With rounding the same instruction reads a carry that is defined.
+  EXPECT_NE(trace("div 00018000 00028000 --target i8088 --as-scanned")
+                .back()
+                .find("result 0000c000 (0.75)"),
+            std::string::npos);
+}
+
+TEST(Trace, ResultsInMemory) {
+  EXPECT_NE(trace("cossin 0384").back().find("result 00000000 (0) 00010000 (1)"),
+            std::string::npos);
+  std::string point = "xformvec";
+  for (int i = 0; i < 15; ++i) point += i % 5 == 0 ? " 00010000" : " 00000000";
+  EXPECT_NE(trace(point).back().find("result 00000000 (0) 00000000 (0) 00000000 (0)"),
+            std::string::npos);
+}
+
+TEST(Trace, LinesEndWithoutSpaces) {
+  for (const std::string& line : trace("div 00018000 00028000 --target i8088")) {
+    EXPECT_NE(line.back(), ' ') << line;
+  }
+}
+
+TEST(Trace, CountsAndChecksItsWords) {
+  const auto expect_error = [](std::string_view arguments, std::string_view message) {
+    const auto run = cli::fixproof(arguments);
+    EXPECT_EQ(run.err, "fixproof: " + std::string(message) + "\n");
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.status, 2);
+  };
+  expect_error("trace mul 00018000", "mul takes 2 words, not 1");
+  expect_error("trace mul 00018000 00028000 00000000", "mul takes 2 words, not 3");
+  expect_error("trace cossin 00000384", "'00000384' has 8 hex digits instead of 4");
+  expect_error("trace mul 0001800A 00028000", "'0001800A' is not lower-case hex");
+}
+
+}  // namespace

@@ -1,0 +1,90 @@
+// The command line itself: what is no usage ends with status 2 and one line on stderr.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+/// Status 2, nothing on stdout, one line on stderr that has `part`.
+void expect_usage_error(std::string_view arguments, std::string_view part) {
+  const auto run = cli::fixproof(arguments, "00018000 00028000\n");
+  EXPECT_EQ(run.status, 2) << arguments;
+  EXPECT_EQ(run.out, "") << arguments;
+  EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;
+  EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+}
+
+TEST(Usage, NoCommand) { expect_usage_error("", "subcommand"); }
+
+TEST(Usage, UnknownCommand) { expect_usage_error("evaluate mul", "subcommand"); }
+
+TEST(Usage, MissingOperation) {
+  expect_usage_error("eval", "operation");
+  expect_usage_error("trace", "routine");
+  expect_usage_error("list", "routine");
+}
+
+TEST(Usage, UnknownOperation) {
+  expect_usage_error("eval add", "add");
+  expect_usage_error("eval MUL", "MUL");
+  expect_usage_error("trace add 00000000", "add");
+  expect_usage_error("list add", "add");
+}
+
+TEST(Usage, OperationsThatAreNoRoutines) {
+  for (const std::string_view name : {"sqrt", "decimal", "binary64"}) {
+    for (const std::string_view command : {"eval ", "list ", "trace "}) {
+      expect_usage_error(std::string(command) + std::string(name), name);
+    }
+  }
+}
+
+TEST(Usage, UnknownParty) {
+  expect_usage_error("eval mul --by silicon", "'silicon'");
+  expect_usage_error("eval mul --by silicon", "model, interpreter, oracle, fast, type");
+}
+
+TEST(Usage, PartyWithoutAnAnswer) {
+  expect_usage_error("eval cossin --by fast", "fast does not answer");
+}
+
+TEST(Usage, UnknownOption) {
+  expect_usage_error("eval mul --rounding on", "--rounding");
+  expect_usage_error("step --target i386", "--target");
+  expect_usage_error("eval mul div", "div");
+}
+
+TEST(Usage, UnknownValues) {
+  expect_usage_error("eval mul --target i486", "i486");
+  expect_usage_error("eval mul --round yes", "yes");
+  expect_usage_error("eval mul --mul-round 1", "1");
+  expect_usage_error("eval mul --chapter 53", "53");
+  expect_usage_error("step --cpu 286", "286");
+  expect_usage_error("eval mul --target", "--target");
+}
+
+TEST(Usage, HelpIsNoError) {
+  for (const std::string_view arguments :
+       {"--help", "eval --help", "step --help", "trace --help", "list --help", "--version"}) {
+    const auto run = cli::fixproof(arguments);
+    EXPECT_EQ(run.status, 0) << arguments;
+    EXPECT_NE(run.out, "") << arguments;
+    EXPECT_EQ(run.err, "") << arguments;
+  }
+}
+
+TEST(Usage, OutputThatCannotBeWritten) {
+  for (const std::string_view arguments : {"list mul", "trace mul 00018000 00028000", "--help"}) {
+    for (const cli::Output output : {cli::Output::full_device, cli::Output::reader_gone}) {
+      const auto run = cli::fixproof(arguments, "", output);
+      EXPECT_EQ(run.status, 2) << arguments;
+      EXPECT_EQ(run.err, "fixproof: cannot write standard output\n") << arguments;
+    }
+  }
+}
+
+}  // namespace
