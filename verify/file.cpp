@@ -16,6 +16,8 @@ namespace fixproof {
 
 namespace {
 
+constexpr std::size_t most_read = std::size_t{256} << 20U;
+
 [[noreturn]] void fail(std::string_view what, const std::string& path, int error) {
   throw std::runtime_error(
       fmt::format("cannot {} {}: {}", what, path, std::generic_category().message(error)));
@@ -62,6 +64,7 @@ class File {
       if (got == 0) return contents;
       if (got > 0) {
         contents.append(buffer.data(), static_cast<std::size_t>(got));
+        if (contents.size() > most_read) fail("read", shown_, EFBIG);
       } else if (errno != EINTR) {
         fail("read", shown_, errno);
       }

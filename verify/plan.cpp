@@ -25,16 +25,16 @@ std::uint64_t sample_of(Operation operation) {
     case Operation::div:
       return 250'000;
     case Operation::xformvec:
-      return 50'000;
+      return 100'000;
     case Operation::concat:
-      return 15'000;
+      return 30'000;
     default:
       return 200'000;
   }
 }
 
 /// What level 2 has more of: five minutes where level 1 takes ten seconds.
-constexpr std::uint64_t level_2_factor = 30;
+constexpr std::uint64_t level_2_factor = 45;
 
 /// Cases of a chunk: some ten milliseconds, so that Ctrl-C is answered at once and a thread that
 /// has nothing left waits for the others no longer than that.

@@ -16,13 +16,24 @@ namespace {
 constexpr std::size_t columns = 7;
 using Line = std::array<std::string, columns>;
 
-std::string result_of(const Row& row, const Findings& found) {
-  if (!row.compared()) return "not compared";
-  if (found.mismatches > 0) return fmt::format("{} DIFFER", grouped(found.mismatches));
-  return found.cases > 0 ? "equal" : "not run";
+/// For each row, whether chunks of it are still to be done.
+std::vector<bool> unfinished_rows(const Report& report) {
+  std::vector<bool> unfinished(report.findings.size());
+  for (std::uint64_t number = 0; number < report.done.size(); ++number) {
+    if (report.done[number] || !report.shard.has(number)) continue;
+    unfinished[report.plan.chunk(number).job->row] = true;
+  }
+  return unfinished;
 }
 
-Line line_of(const Row& row, const Findings& found) {
+std::string result_of(const Row& row, const Findings& found, bool unfinished) {
+  if (!row.compared()) return "not compared";
+  if (found.mismatches > 0) return fmt::format("{} DIFFER", grouped(found.mismatches));
+  if (found.cases == 0) return "not run";
+  return unfinished ? "equal so far" : "equal";
+}
+
+Line line_of(const Row& row, const Findings& found, bool unfinished) {
   const Variant& v = row.variant;
   std::string target(name_of(v.target));
   if (v.chapter_52) target += " ch52";
@@ -36,7 +47,7 @@ Line line_of(const Row& row, const Findings& found) {
           row.parties.empty() ? "none" : fmt::format("{}", fmt::join(row.parties, " ")),
           grouped(found.cases),
           grouped(found.faults),
-          result_of(row, found)};
+          result_of(row, found, unfinished)};
 }
 
 /// The lines under one another: texts to the left, numbers to the right.
@@ -151,8 +162,9 @@ std::string table(const Report& report) {
   std::vector<Line> lines{
       {"operation", "target", "rounding", "parties, first judged", "cases", "#DE", "result"}};
   std::string mismatches;
+  const std::vector<bool> unfinished = unfinished_rows(report);
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
-    lines.push_back(line_of(report.plan.rows()[i], report.findings[i]));
+    lines.push_back(line_of(report.plan.rows()[i], report.findings[i], unfinished[i]));
     mismatches += mismatch_lines(report.plan.rows()[i], report.findings[i]);
   }
   return aligned(lines) + '\n' + mismatches + (mismatches.empty() ? "" : "\n") + totals(report) +

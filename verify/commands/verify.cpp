@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -23,8 +25,8 @@ namespace {
 /// What the shell reports of a command that Ctrl-C has ended.
 constexpr int interrupted_status = 130;
 
-/// A kill -9 loses no more than this.
-constexpr std::chrono::seconds checkpoint_every{2};
+/// A kill -9 loses little more than this.
+constexpr std::chrono::milliseconds checkpoint_every{500};
 
 struct Options {
   Selection selection;
@@ -66,6 +68,9 @@ Report begin(const Options& options, std::vector<Row> rows) {
   Report fresh(Plan(options.selection.level, options.seed, std::move(rows)),
                parse_shard(options.shard), options.max_reports);
   if (options.resume.empty() || !std::filesystem::exists(options.resume)) return fresh;
+  if (!std::filesystem::is_regular_file(options.resume)) {
+    throw UsageError(fmt::format("--resume {}: not a regular file", options.resume));
+  }
   Report kept = read_report(options.resume);
   std::string differs = difference(kept, fresh);
   if (differs.empty() && kept.shard != fresh.shard) {
@@ -163,6 +168,21 @@ int verify(const Options& options) {
   return report.mismatches() > 0 ? 1 : 0;
 }
 
+/// CLI11 takes -1 for the largest unsigned number.
+CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
+  return {[first, last](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [read, error] = std::from_chars(text.data(), end, value);
+            const bool fits =
+                error == std::errc{} && read == end && value >= first && value <= last;
+            return fits ? ""
+                        : fmt::format("{} is no whole number from {} to {}", fixproof::quoted(text),
+                                      first, last);
+          },
+          "", "whole number"};
+}
+
 void add_options(CLI::App& command, Options& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
@@ -171,7 +191,9 @@ void add_options(CLI::App& command, Options& options) {
       .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "of the random cases")->capture_default_str();
+  command.add_option("--seed", options.seed, "of the random cases")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   selection.variant.add_to(command, true);
   command
       .add_option_function<std::string>(
@@ -184,14 +206,14 @@ void add_options(CLI::App& command, Options& options) {
                   "the parties it is judged against; by default oracle,fast,type")
       ->delimiter(',');
   command.add_option("--threads", options.threads)
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->capture_default_str();
   auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
-  auto* resume = command.add_option(
-      "--resume", options.resume,
-      "keep the state in this file, every two seconds; if it is there, go on from it");
+  auto* resume = command.add_option("--resume", options.resume,
+                                    "keep the state in this file; if it is there, go on from it");
   auto* report = command.add_option("--report", options.report, "write what was found as JSON");
   command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
+      ->check(whole_number(0, 1000))
       ->capture_default_str();
   command.add_option("--case", options.words, "compare only this case: its words in hex")
       ->excludes(shard)

@@ -1,0 +1,195 @@
+// Parties that are wrong in one rare way must be caught, and every wrong case counted once.
+#include "verify/engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "tests/verify/saboteur.hpp"
+#include "verify/report_json.hpp"
+#include "verify/streams.hpp"
+
+namespace fixproof {
+namespace {
+
+using test::judge;
+using test::Saboteur;
+using test::saboteur;
+using Words = std::span<const std::uint32_t>;
+
+constexpr Variant mul{.operation = Operation::mul};
+constexpr Variant div{.operation = Operation::div};
+constexpr Variant div_8088{.operation = Operation::div, .target = Target::i8088};
+constexpr Variant concat{.operation = Operation::concat};
+
+std::int64_t value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
+
+/// Cases of the plan of a variant for which `wanted` holds, made again one by one.
+template <class Wanted>
+std::uint64_t count_cases(const Variant& variant, Wanted wanted) {
+  const Plan plan = test::plan_against_fast(variant);
+  std::uint64_t count = 0;
+  std::vector<std::uint32_t> words(words_in(variant.operation));
+  for (const Job& job : plan.jobs()) {
+    for (std::uint64_t i = 0; i < job.cases; ++i) {
+      make_cases(job.stream, variant, plan.seed(), i, words);
+      if (wanted(Words(words))) ++count;
+    }
+  }
+  return count;
+}
+
+TEST(Engine, HonestPartiesAgree) {
+  const auto honest = saboteur([](Words, auto, Ending&) {});
+  const Report report = judge(honest, mul);
+  EXPECT_TRUE(report.complete());
+  EXPECT_EQ(report.mismatches(), 0U);
+  EXPECT_EQ(report.cases(), report.plan.cases());
+  EXPECT_GT(report.cases(), 2'000'000U);
+}
+
+TEST(Engine, WrongRoundingAtTiesOnly) {
+  const auto is_negative_tie = [](Words in) {
+    const std::int64_t product = value_of(in[0]) * value_of(in[1]);
+    return product < 0 && (product & 0xffff) == 0x8000;
+  };
+  const auto liar = saboteur([&](Words in, std::span<std::uint32_t> out, Ending&) {
+    if (is_negative_tie(in)) --out[0];
+  });
+  const Report report = judge(liar, mul);
+  EXPECT_GT(report.mismatches(), 100'000U);
+  EXPECT_EQ(report.mismatches(), count_cases(mul, is_negative_tie));
+}
+
+TEST(Engine, DroppedFaults) {
+  const auto liar = saboteur([](Words, std::span<std::uint32_t> out, Ending& ending) {
+    out[0] = 0;
+    ending = Ending::value;
+  });
+  EXPECT_GT(judge(liar, div_8088).mismatches(), 100'000U);
+
+  // The single fault of 8088 divisors one unit below 1.0.
+  std::atomic<std::uint64_t> dropped = 0;
+  const auto edge = saboteur([&](Words in, std::span<std::uint32_t> out, Ending& ending) {
+    if (in[1] != 0xffff || ending != Ending::divide_error) return;
+    out[0] = in[0];
+    ending = Ending::value;
+    ++dropped;
+  });
+  const Report report = judge(edge, div_8088, {.threads = 1});
+  ASSERT_GT(report.mismatches(), 0U);
+  // Shrinking asks again, so that more were dropped than there are cases.
+  EXPECT_LE(report.mismatches(), dropped);
+  EXPECT_EQ(report.mismatches(), count_cases(div_8088, [](Words in) { return in[1] == 0xffff; }));
+}
+
+TEST(Engine, ExtraFault) {
+  const auto liar = saboteur([](Words in, auto, Ending& ending) {
+    // One unit above the largest divisor that faults.
+    const std::int64_t n = std::abs(value_of(in[0]));
+    if (std::abs(value_of(in[1])) == (n >> 16) + 1) ending = Ending::divide_error;
+  });
+  EXPECT_GT(judge(liar, div).mismatches(), 10'000U);
+}
+
+TEST(Engine, OneWrongWordOfTwelve) {
+  for (std::size_t wrong = 0; wrong < 12; ++wrong) {
+    const auto liar = saboteur([wrong](Words in, std::span<std::uint32_t> out, Ending&) {
+      // Once in some 4,096 cases.
+      if ((in[7] & 0xfffU) == 0x123U) out[wrong] ^= 1U;
+    });
+    EXPECT_GT(judge(liar, concat).mismatches(), 0U) << "word " << wrong;
+  }
+}
+
+TEST(Engine, WrongAtOneLatticeValueOnly) {
+  for (const std::uint32_t value : {0x80000000U, 0x7fffffffU, 0x8001U, 0xffff7fffU, 0x55555555U}) {
+    const auto liar = saboteur([value](Words in, std::span<std::uint32_t> out, Ending&) {
+      if (in[0] == value && in[1] == 0x10001U) ++out[0];
+    });
+    EXPECT_GE(judge(liar, mul).mismatches(), 1U) << std::hex << value;
+    EXPECT_GE(judge(liar, div).mismatches(), 1U) << std::hex << value;
+  }
+}
+
+TEST(Engine, WrongForTheMostNegativeOnly) {
+  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+    if (in[0] == 0x80000000U) out[0] = 0x7fffffffU;
+  });
+  const Variant sqrt{.operation = Operation::sqrt, .target = Target::standard};
+  EXPECT_GT(judge(liar, sqrt).mismatches(), 0U);
+}
+
+TEST(Engine, PartiesThatBreakAlikeAreNotEqual) {
+  for (const Ending ending : {Ending::undefined_flag, Ending::broken}) {
+    const auto spoil = [ending](Words in, auto, Ending& e) {
+      if (in[0] == 3) e = ending;
+    };
+    const Saboteur one("one", party_named("fast"), spoil);
+    const Saboteur two("two", party_named("fast"), spoil);
+    const Party* const both[] = {&one, &two};
+    const Report report = run(Plan(1, 1, {{mul, {"one", "two"}}}), both);
+    EXPECT_GT(report.mismatches(), 0U);
+  }
+}
+
+TEST(Engine, ACaseIsCountedOnceHoweverManyDiffer) {
+  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+    if (in[0] == 2) ++out[0];
+  });
+  const Party* const three[] = {&liar, &party_named("fast"), &party_named("type")};
+  const Report report = run(Plan(1, 1, {{mul, {"saboteur", "fast", "type"}}}), three);
+  EXPECT_EQ(report.mismatches(), judge(liar, mul).mismatches());
+  EXPECT_EQ(report.cases(), report.plan.cases());
+}
+
+TEST(Engine, FaultsAreCounted) {
+  const auto honest = saboteur([](Words, auto, Ending&) {});
+  const Report report = judge(honest, div_8088);
+  EXPECT_EQ(report.findings[0].faults,
+            count_cases(div_8088, [](Words in) { return std::abs(value_of(in[1])) < 0x10000; }));
+}
+
+TEST(Engine, ThreadsDoNotChangeTheReport) {
+  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+    if ((in[0] & 0xffU) == 0x42U) ++out[0];
+  });
+  Report alone = judge(liar, mul, {.threads = 1});
+  Report many = judge(liar, mul, {.threads = 7});
+  alone.seconds = many.seconds = 0;
+  EXPECT_EQ(to_json(alone), to_json(many));
+}
+
+TEST(Engine, KeepsOnlyTheFirstMismatches) {
+  const auto liar = saboteur([](Words, std::span<std::uint32_t> out, Ending&) { ++out[0]; });
+  const Party* const both[] = {&liar, &party_named("fast")};
+  for (const std::size_t most : {0U, 1U, 3U}) {
+    Report report(test::plan_against_fast(mul), Shard{}, most);
+    run(report, both);
+    EXPECT_EQ(report.findings[0].shown.size(), most);
+    EXPECT_EQ(report.mismatches(), report.plan.cases());
+  }
+}
+
+TEST(Engine, WhatAPartyThrowsComesOut) {
+  const auto liar = saboteur([](Words in, auto, Ending&) {
+    if (in[0] == 3) throw std::domain_error("three");
+  });
+  EXPECT_THROW(judge(liar, mul), std::domain_error);
+}
+
+TEST(Engine, AMissingPartyIsRefused) {
+  const Party* const alone[] = {&party_named("fast")};
+  EXPECT_THROW(run(test::plan_against_fast(mul), alone), std::invalid_argument);
+}
+
+TEST(Engine, ARowWithOnePartyIsNotRun) {
+  const Party* const alone[] = {&party_named("fast")};
+  const Report report = run(Plan(1, 1, {{mul, {"fast"}}, {div, {}}}), alone);
+  EXPECT_EQ(report.cases(), 0U);
+  EXPECT_FALSE(report.plan.rows()[0].compared());
+}
+
+}  // namespace
+}  // namespace fixproof

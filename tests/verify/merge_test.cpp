@@ -1,0 +1,93 @@
+// The sum of shards is the report of the whole; nothing is counted twice, nothing is missed
+// silently.
+#include "verify/merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "tests/verify/saboteur.hpp"
+#include "verify/report_json.hpp"
+
+namespace fixproof {
+namespace {
+
+using Words = std::span<const std::uint32_t>;
+
+class Merging : public testing::Test {
+ protected:
+  [[nodiscard]] Report shard(Shard which, std::uint64_t seed = 1) const {
+    Report report(test::plan_against_fast({.operation = Operation::div}, seed), which, 10);
+    run(report, parties_);
+    report.seconds = 0;
+    return report;
+  }
+  [[nodiscard]] std::vector<NamedReport> shards(std::uint64_t count) const {
+    std::vector<NamedReport> parts;
+    // The order in which parts are given must not matter.
+    for (std::uint64_t i = count; i >= 1; --i) {
+      parts.push_back({"part " + std::to_string(i), shard({i, count})});
+    }
+    return parts;
+  }
+
+  test::Saboteur liar_ = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+    if ((in[1] & 0xffU) == 0x7fU) ++out[0];
+  });
+  std::array<const Party*, 2> parties_{&liar_, &party_named("fast")};
+};
+
+TEST_F(Merging, TheSumOfAllShardsIsTheWhole) {
+  const std::string whole = to_json(shard({1, 1}));
+  for (const std::uint64_t count : {1U, 2U, 3U, 5U, 7U, 200U}) {
+    const auto parts = shards(count);
+    const Report sum = merged(parts);
+    EXPECT_EQ(to_json(sum), whole) << count;
+    EXPECT_EQ(missing(sum, parts), "");
+  }
+}
+
+TEST_F(Merging, APartGivenTwiceIsRefused) {
+  auto parts = shards(3);
+  parts.push_back(parts[0]);
+  EXPECT_THROW(merged(parts), std::runtime_error);
+  // ... and divisions that overlap.
+  const std::vector<NamedReport> mixed{{"a", shard({1, 2})}, {"b", shard({1, 3})}};
+  EXPECT_THROW(merged(mixed), std::runtime_error);
+}
+
+TEST_F(Merging, PartsOfAnotherVerificationAreRefused) {
+  const std::vector<NamedReport> parts{{"a", shard({1, 2})}, {"b", shard({2, 2}, 9)}};
+  try {
+    merged(parts);
+    FAIL() << "merged";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "b is not of the verification of a: seed 9, not 1");
+  }
+}
+
+TEST_F(Merging, WhatIsMissingIsNamed) {
+  auto parts = shards(3);
+  parts.erase(parts.begin() + 1);
+  EXPECT_EQ(missing(merged(parts), parts), "missing: shard 2/3");
+
+  // One chunk of a shard alone is done.
+  parts.push_back({"stopped", shard({2, 60})});
+  parts.erase(parts.begin(), parts.begin() + 2);
+  EXPECT_EQ(missing(merged(parts), parts).substr(0, 43),
+            "missing: shard 1/60, shard 3/60, shard 4/60");
+}
+
+TEST_F(Merging, AnIncompleteSumCanBeFinished) {
+  auto parts = shards(4);
+  parts.pop_back();
+  Report sum = from_json(to_json(merged(parts)));
+  EXPECT_FALSE(sum.complete());
+  run(sum, parties_);
+  sum.seconds = 0;
+  EXPECT_EQ(to_json(sum), to_json(shard({1, 1})));
+}
+
+}  // namespace
+}  // namespace fixproof

@@ -1,0 +1,133 @@
+// A plan covers its cases exactly once, however it is divided.
+#include "verify/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "verify/report.hpp"
+#include "verify/selection.hpp"
+
+namespace fixproof {
+namespace {
+
+Plan whole_plan(int level) {
+  Selection selection;
+  selection.level = level;
+  return {level, 1, chosen_rows(selection, chosen_parties(selection))};
+}
+
+TEST(Plan, ChunksCoverEveryJobWithoutGapOrOverlap) {
+  for (const int level : {1, 2, 3}) {
+    const Plan plan = whole_plan(level);
+    std::map<const Job*, std::uint64_t> next;
+    for (std::uint64_t number = 0; number < plan.chunks(); ++number) {
+      const Chunk chunk = plan.chunk(number);
+      ASSERT_EQ(chunk.first, next[chunk.job]) << number;
+      ASSERT_GT(chunk.cases, 0U);
+      next[chunk.job] += chunk.cases;
+    }
+    ASSERT_EQ(next.size(), plan.jobs().size());
+    for (const auto& [job, cases] : next) EXPECT_EQ(cases, job->cases);
+  }
+}
+
+TEST(Plan, ShardsPartitionTheChunks) {
+  const Plan plan = whole_plan(1);
+  for (std::uint64_t count = 1; count <= 7; ++count) {
+    std::uint64_t sum = 0;
+    for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk) {
+      int owners = 0;
+      for (std::uint64_t index = 1; index <= count; ++index) {
+        owners += Shard{index, count}.has(chunk) ? 1 : 0;
+      }
+      ASSERT_EQ(owners, 1) << chunk << " of " << count;
+    }
+    for (std::uint64_t index = 1; index <= count; ++index) {
+      sum += Report(plan, {index, count}, 10).chunks_in_shard();
+    }
+    EXPECT_EQ(sum, plan.chunks());
+  }
+  // More shards than chunks: the last ones have nothing to do.
+  EXPECT_EQ(Report(plan, {plan.chunks(), plan.chunks() + 5}, 10).chunks_in_shard(), 1U);
+  EXPECT_EQ(Report(plan, {plan.chunks() + 1, plan.chunks() + 5}, 10).chunks_in_shard(), 0U);
+  EXPECT_TRUE(Report(plan, {plan.chunks() + 5, plan.chunks() + 5}, 10).complete());
+}
+
+TEST(Plan, Levels1And2CompareEveryRowOfTheTable) {
+  for (const int level : {1, 2}) {
+    const Plan plan = whole_plan(level);
+    ASSERT_EQ(plan.rows().size(), all_variants().size());
+    for (std::size_t i = 0; i < plan.rows().size(); ++i) {
+      EXPECT_EQ(plan.rows()[i].variant, all_variants()[i]);
+      EXPECT_TRUE(plan.rows()[i].compared());
+    }
+    EXPECT_GT(plan.cases(), 10'000'000U);
+  }
+}
+
+TEST(Plan, Level3SamplesNothing) {
+  const Plan plan = whole_plan(3);
+  std::map<Operation, int> rows;
+  for (const Job& job : plan.jobs()) {
+    EXPECT_EQ(job.stream, Stream::every);
+    const Variant& v = plan.rows()[job.row].variant;
+    EXPECT_EQ(job.cases, v.operation == Operation::cossin ? 65536U : 1ULL << 32U);
+    ++rows[v.operation];
+  }
+  // Both targets with both roundings, and the standard rules.
+  EXPECT_EQ(rows[Operation::mul], 5);
+  EXPECT_EQ(rows[Operation::div], 5);
+  for (const Operation o : {Operation::sqrt, Operation::decimal, Operation::binary64}) {
+    EXPECT_EQ(rows[o], 1);
+  }
+}
+
+TEST(Plan, RefusesOtherLevels) {
+  EXPECT_THROW(Plan(0, 1, {}), std::invalid_argument);
+  EXPECT_THROW(Plan(4, 1, {}), std::invalid_argument);
+}
+
+/// The divides of chapter 54 that the options choose.
+std::vector<Variant> divides(const VariantOptions& options) {
+  Selection selection;
+  selection.operations = {"div"};
+  selection.variant = options;
+  std::vector<Variant> chosen;
+  for (const Row& row : chosen_rows(selection, chosen_parties(selection))) {
+    if (row.variant.target != Target::standard && !row.variant.chapter_52) {
+      chosen.push_back(row.variant);
+    }
+  }
+  return chosen;
+}
+
+TEST(Selection, PrintedSwitchesOfThe8088DivideAreInverted) {
+  VariantOptions options;
+  options.div_round = true;
+  for (const Variant& v : divides(options)) EXPECT_TRUE(v.div_round);
+  options.as_printed = true;
+  const auto printed = divides(options);
+  ASSERT_EQ(printed.size(), 2U);
+  for (const Variant& v : printed) EXPECT_EQ(v.div_round, v.target == Target::i386);
+}
+
+TEST(Selection, APartyThatDoesNotAnswerIsLeftOut) {
+  Selection selection;
+  selection.operations = {"sqrt"};
+  const auto rows = chosen_rows(selection, chosen_parties(selection));
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].parties, (std::vector<std::string>{"oracle", "fast", "type"}));
+}
+
+TEST(Selection, ReadsShards) {
+  EXPECT_EQ(parse_shard("2/7"), (Shard{2, 7}));
+  for (const char* text :
+       {"0/3", "4/3", "x/y", "1", "1/", "/3", "1/3x", "-1/3", "1/-3", "", "1/0"}) {
+    EXPECT_THROW(parse_shard(text), UsageError) << text;
+  }
+}
+
+}  // namespace
+}  // namespace fixproof

@@ -1,0 +1,74 @@
+// The command line that a mismatch prints, given to a shell, asks for that very case.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "verify/engine.hpp"
+#include "verify/hex.hpp"
+#include "verify/plan.hpp"
+#include "verify/streams.hpp"
+#include "verify/text.hpp"
+
+namespace fixproof {
+namespace {
+
+struct Shell {
+  std::string out;
+  int status = -1;
+};
+
+/// Runs a line as a shell with `fixproof` in its path would.
+Shell shell(const std::string& line) {
+  const std::string folder = std::filesystem::path(FIXPROOF_COMMAND).parent_path();
+  const std::string with_path = "PATH='" + folder + "':$PATH; " + line;
+  std::FILE* pipe = popen(with_path.c_str(), "r");
+  Shell result;
+  std::array<char, 256> buffer{};
+  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    result.out.append(buffer.data(), size);
+  }
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
+  return result;
+}
+
+TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
+  for (const Variant& listed : all_variants()) {
+    for (const int bits : {16, 8}) {
+      Variant v = listed;
+      v.fraction_bits = bits;
+      std::vector<const Party*> able;
+      for (const auto& party : parties()) {
+        if (party->answers(v) && party->name() != "interpreter") able.push_back(party.get());
+      }
+      const Row row = row_of(v, able);
+      if (!row.compared()) continue;
+      std::vector<std::uint32_t> words(words_in(v.operation));
+      make_cases(Stream::scaled, v, 1, 3, words);
+      const std::string expected = ask(*able.front(), v, words).text(2 * bits);
+      const std::string line = replay(row, words);
+      const Shell result = shell(line);
+      EXPECT_EQ(result.status, 0) << line;
+      EXPECT_NE(result.out.find(expected), std::string::npos) << line << '\n' << result.out;
+      // One variant, one answer.
+      EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << line;
+    }
+  }
+}
+
+TEST(Replay, NamesPartiesThatAreNotAskedByDefault) {
+  const Row row{{.operation = Operation::mul, .fraction_bits = 8}, {"interpreter", "model"}};
+  const std::array<std::uint32_t, 2> words{0x0180, 0xff00};
+  EXPECT_EQ(replay(row, words),
+            "fixproof verify mul --target i386 --round on --chapter 54 --width half --case '0180 "
+            "ff00' --by "
+            "interpreter --against model");
+  EXPECT_EQ(shell(replay(row, words)).status, 0);
+}
+
+}  // namespace
+}  // namespace fixproof

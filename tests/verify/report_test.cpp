@@ -1,0 +1,169 @@
+// Reports in JSON: read back whole, resumed at any chunk, refused when damaged.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+#include "tests/verify/saboteur.hpp"
+#include "verify/draw.hpp"
+#include "verify/report_json.hpp"
+
+namespace fixproof {
+namespace {
+
+using Words = std::span<const std::uint32_t>;
+
+constexpr Variant mul{.operation = Operation::mul};
+constexpr Variant div{.operation = Operation::div, .target = Target::i8088, .div_round = false};
+constexpr Variant cossin{.operation = Operation::cossin};
+
+/// Another party that sets a flag after so many batches.
+class Counting final : public Party {
+ public:
+  Counting(const Party& party, std::uint64_t batches, std::atomic<bool>& stop)
+      : party_(party), batches_(batches), stop_(stop) {}
+  [[nodiscard]] std::string_view name() const override { return party_.name(); }
+  [[nodiscard]] bool answers(const Variant& v) const override { return party_.answers(v); }
+  void answer(const Variant& v, const Batch& batch) const override {
+    if (batches_-- == 1) stop_ = true;
+    party_.answer(v, batch);
+  }
+
+ private:
+  const Party& party_;
+  mutable std::atomic<std::uint64_t> batches_;
+  std::atomic<bool>& stop_;
+};
+
+/// A plan of several rows, one of which nobody compares, with a liar in it.
+class Reports : public testing::Test {
+ protected:
+  [[nodiscard]] Report fresh(Shard shard = {}) const {
+    return {
+        Plan(1, 5,
+             {{mul, {"saboteur", "fast"}}, {cossin, {"saboteur"}}, {div, {"saboteur", "fast"}}}),
+        shard, 3};
+  }
+  [[nodiscard]] Report finished(Shard shard = {}) const {
+    Report report = fresh(shard);
+    run(report, parties_);
+    report.seconds = 0;
+    return report;
+  }
+
+  test::Saboteur liar_ = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+    if ((in[0] & 0x1fU) == 0x15U) out[0] ^= 0x100U;
+  });
+  std::array<const Party*, 2> parties_{&liar_, &party_named("fast")};
+};
+
+TEST_F(Reports, AreReadBackAsTheyWere) {
+  for (const Shard shard : {Shard{1, 1}, Shard{2, 3}, Shard{5, 100000}}) {
+    const std::string text = to_json(finished(shard));
+    EXPECT_EQ(to_json(from_json(text)), text);
+  }
+  const Report report = from_json(to_json(finished()));
+  EXPECT_TRUE(report.complete());
+  EXPECT_GT(report.mismatches(), 0U);
+  EXPECT_GT(report.findings[2].faults, 0U);
+  EXPECT_FALSE(report.findings[0].shown[0].said.empty());
+}
+
+TEST_F(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
+  const std::string whole = to_json(finished());
+  for (std::uint64_t round = 0; round < 20; ++round) {
+    Report report = fresh();
+    int stops = 0;
+    for (; !report.complete(); ++stops) {
+      ASSERT_LT(stops, 1000);
+      // Stops by itself at some chunk, as Ctrl-C would.
+      std::atomic<bool> stop = false;
+      const std::uint64_t batches = 60 + mix(100 * round + static_cast<std::uint64_t>(stops)) % 500;
+      const Counting counting(liar_, batches, stop);
+      const Party* const both[] = {&counting, &party_named("fast")};
+      run(report, both, {.threads = 2, .stop = &stop});
+      report = from_json(to_json(report));
+    }
+    report.seconds = 0;
+    EXPECT_GT(stops, 1);
+    EXPECT_EQ(to_json(report), whole);
+  }
+}
+
+TEST_F(Reports, ObservedStatesAreConsistent) {
+  Report report = fresh();
+  int seen = 0;
+  run(report, parties_,
+      {.observe =
+           [&](const Report& state) {
+             ++seen;
+             EXPECT_NO_THROW(from_json(to_json(state)));
+           },
+       .observe_every = std::chrono::milliseconds(1)});
+  EXPECT_GT(seen, 0);
+}
+
+TEST_F(Reports, NoCutTextIsRead) {
+  const std::string text = to_json(finished());
+  for (std::size_t size = 0; size + 2 < text.size(); size += 1 + size / 20) {
+    EXPECT_THROW(from_json(text.substr(0, size)), std::runtime_error) << size;
+  }
+}
+
+TEST_F(Reports, DamageIsFound) {
+  const std::string good = to_json(finished());
+  const auto refused = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    const auto place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    EXPECT_THROW(from_json(text), std::runtime_error) << from << " -> " << to;
+  };
+  refused("fixproof report", "another report");
+  refused("\"version\": 1", "\"version\": 2");
+  refused("\"level\": 1", "\"level\": 2");
+  refused("\"level\": 1", "\"level\": \"one\"");
+  refused("\"seed\": \"5\"", "\"seed\": \"five\"");
+  refused("\"mul\"", "\"mull\"");
+  refused("\"i386\"", "\"i486\"");
+  refused("\"faults\": 0", "\"faults\": -1");
+  refused("\"cases\": 2", "\"cases\": 3");
+  refused("\"operation\"", "\"operations\"");
+  for (const char* text : {"[]", "1", "null", "{}", "{\"format\": 1}", "\"fixproof report\""}) {
+    EXPECT_THROW(from_json(text), std::runtime_error) << text;
+  }
+}
+
+TEST_F(Reports, ChunksDoneMustFitTheCounts) {
+  Report report = finished();
+  report.done[3] = false;
+  EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
+  report = finished();
+  ++report.findings[0].cases;
+  EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
+  report = finished();
+  report.findings[0].shown.pop_back();
+  EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
+}
+
+TEST_F(Reports, DifferencesAreNamed) {
+  const Report report = finished();
+  EXPECT_EQ(difference(report, fresh()), "");
+  const Report other_seed(Plan(1, 6, report.plan.rows()), Shard{}, 3);
+  EXPECT_EQ(difference(report, other_seed), "seed 5, not 6");
+  const Report other_level(Plan(2, 5, report.plan.rows()), Shard{}, 3);
+  EXPECT_EQ(difference(report, other_level), "level 1, not 2");
+  auto rows = report.plan.rows();
+  rows[0].parties = {"model", "fast"};
+  EXPECT_EQ(difference(report, Report(Plan(1, 5, rows), Shard{}, 3)),
+            "row 1 compares saboteur fast, not model fast");
+  rows = report.plan.rows();
+  rows[2].variant.div_round = true;
+  EXPECT_EQ(difference(report, Report(Plan(1, 5, rows), Shard{}, 3)), "another variant in row 3");
+}
+
+}  // namespace
+}  // namespace fixproof

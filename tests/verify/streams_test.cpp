@@ -1,0 +1,349 @@
+// Streams are pure, and hold what they promise.
+#include "verify/streams.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "verify/plan.hpp"
+
+namespace fixproof {
+namespace {
+
+constexpr std::size_t sample = 4096;
+constexpr std::uint64_t seed = 7;
+
+/// Words as signed integers.
+std::int64_t value_of(std::uint32_t word, int bits) {
+  return static_cast<std::int32_t>(word << (32 - bits)) >> (32 - bits);
+}
+
+using Case = std::vector<std::int64_t>;
+
+std::vector<Case> cases_of(Stream stream, const Variant& variant, std::size_t count = sample) {
+  const std::size_t arity = words_in(variant.operation);
+  std::vector<std::uint32_t> words(count * arity);
+  make_cases(stream, variant, seed, 0, words);
+  std::vector<Case> cases(count);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    cases[i / arity].push_back(value_of(words[i], operand_bits(variant)));
+  }
+  return cases;
+}
+
+template <class Holds>
+std::size_t count(const std::vector<Case>& cases, Holds holds) {
+  return static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), holds));
+}
+
+/// Every stream of every operation, at both widths where there are two.
+struct Use {
+  Stream stream;
+  Variant variant;
+};
+std::vector<Use> all_uses() {
+  std::vector<Use> uses;
+  for (const Variant& listed : all_variants()) {
+    for (const int bits : {16, 8}) {
+      Variant v = listed;
+      v.fraction_bits = bits;
+      const Plan plan(1, 1, {{v, {"a", "b"}}});
+      for (const Job& job : plan.jobs()) uses.push_back({job.stream, v});
+    }
+  }
+  return uses;
+}
+
+TEST(Streams, AreTheSameMadeInAnyOrderAndAnyPieces) {
+  for (const auto& [stream, variant] : all_uses()) {
+    const std::size_t arity = words_in(variant.operation);
+    std::vector<std::uint32_t> whole(100 * arity);
+    make_cases(stream, variant, seed, 5000, whole);
+    std::vector<std::uint32_t> again(whole.size());
+    for (const std::size_t i : {99U, 0U, 50U, 1U, 98U}) {
+      const auto one = std::span(again).subspan(i * arity, arity);
+      make_cases(stream, variant, seed, 5000 + i, one);
+      EXPECT_TRUE(std::equal(one.begin(), one.end(),
+                             whole.begin() + static_cast<std::ptrdiff_t>(i * arity)))
+          << name_of(stream) << " case " << i;
+    }
+  }
+}
+
+TEST(Streams, FillOnlyTheBitsOfAnOperand) {
+  for (const auto& [stream, variant] : all_uses()) {
+    std::vector<std::uint32_t> words(1000 * words_in(variant.operation));
+    make_cases(stream, variant, seed, 0, words);
+    const int bits = operand_bits(variant);
+    const auto beyond = [&](std::uint32_t word) { return bits < 32 && word >> bits != 0; };
+    EXPECT_TRUE(std::none_of(words.begin(), words.end(), beyond)) << name_of(stream);
+  }
+}
+
+TEST(Streams, DifferBySeedAndAreNotOneCaseOverAndOver) {
+  for (const auto& [stream, variant] : all_uses()) {
+    if (size_of(stream, variant)) continue;
+    const std::size_t arity = words_in(variant.operation);
+    std::vector<std::uint32_t> one(sample * arity);
+    std::vector<std::uint32_t> other(one.size());
+    make_cases(stream, variant, 1, 0, one);
+    make_cases(stream, variant, 2, 0, other);
+    EXPECT_NE(one, other) << name_of(stream);
+    const auto cases = cases_of(stream, variant);
+    const std::set<Case> distinct(cases.begin(), cases.end());
+    EXPECT_GT(distinct.size(), variant.fraction_bits == 16 ? sample / 4 : sample / 16)
+        << name_of(stream);
+  }
+}
+
+TEST(Streams, RefuseOperationsTheyAreNotFor) {
+  std::array<std::uint32_t, 2> words{};
+  EXPECT_THROW(make_cases(Stream::quotient_ties, {.operation = Operation::mul}, 1, 0, words),
+               std::invalid_argument);
+  EXPECT_THROW(make_cases(Stream::product_ties, {.operation = Operation::div}, 1, 0, words),
+               std::invalid_argument);
+  EXPECT_THROW(size_of(Stream::lattice, {.operation = Operation::concat}), std::invalid_argument);
+  EXPECT_THROW(size_of(Stream::every, {.operation = Operation::mul}), std::invalid_argument);
+}
+
+TEST(Lattice, HoldsTheBoundariesInBothSigns) {
+  for (const int bits : {32, 16}) {
+    const auto values = boundary_lattice(bits);
+    const std::set<std::uint32_t> set(values.begin(), values.end());
+    EXPECT_EQ(set.size(), values.size());
+    EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+    const std::uint32_t mask = ~0U >> (32 - bits);
+    for (const std::uint32_t value : values) {
+      EXPECT_EQ(value & mask, value);
+      EXPECT_TRUE(set.count(-value & mask)) << "no opposite of " << value;
+    }
+    for (int bit = 0; bit < bits; ++bit) {
+      for (const std::uint32_t beside : {~0U, 0U, 1U}) {
+        EXPECT_TRUE(set.count(((1U << bit) + beside) & mask)) << bit;
+        EXPECT_TRUE(set.count((0U - (1U << bit) - beside) & mask)) << bit;
+      }
+    }
+    for (const std::uint32_t value :
+         {0U, 1U, 2U, 3U, 0x55555555U, 0xaaaaaaaaU, 0x33333333U, 0x0f0f0f0fU}) {
+      EXPECT_TRUE(set.count(value & mask)) << value;
+    }
+  }
+  const auto values = boundary_lattice(32);
+  for (const std::uint32_t value : {0x7fffU, 0x8000U, 0x8001U, 0xffffU, 0x10000U, 0x10001U,
+                                    0x7fffffffU, 0x80000000U, 0x80000001U, 0xffffffffU}) {
+    EXPECT_TRUE(std::binary_search(values.begin(), values.end(), value)) << std::hex << value;
+  }
+}
+
+TEST(Lattice, StreamHoldsAllOrderedPairs) {
+  const Variant mul{.operation = Operation::mul};
+  const auto values = boundary_lattice(32);
+  const auto size = size_of(Stream::lattice, mul);
+  ASSERT_EQ(size, values.size() * values.size());
+  const auto cases = cases_of(Stream::lattice, mul, *size);
+  EXPECT_EQ(std::set<Case>(cases.begin(), cases.end()).size(), *size);
+}
+
+TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
+  const Variant half{.operation = Operation::mul, .fraction_bits = 8};
+  ASSERT_EQ(size_of(Stream::every, half), 1ULL << 32U);
+  std::array<std::uint32_t, 4> words{};
+  make_cases(Stream::every, half, seed, 0x12345678U, words);
+  EXPECT_EQ(words, (std::array<std::uint32_t, 4>{0x1234, 0x5678, 0x1234, 0x5679}));
+  make_cases(Stream::every, half, seed, 0xfffffffeU, words);
+  EXPECT_EQ(words, (std::array<std::uint32_t, 4>{0xffff, 0xfffe, 0xffff, 0xffff}));
+
+  const Variant cossin{.operation = Operation::cossin};
+  ASSERT_EQ(size_of(Stream::every, cossin), 65536U);
+  const auto angles = cases_of(Stream::every, cossin, 65536);
+  EXPECT_EQ(std::set<Case>(angles.begin(), angles.end()).size(), 65536U);
+
+  const Variant sqrt{.operation = Operation::sqrt, .target = Target::standard};
+  ASSERT_EQ(size_of(Stream::every, sqrt), 1ULL << 32U);
+  make_cases(Stream::every, sqrt, seed, 0xfffffffcU, words);
+  EXPECT_EQ(words.back(), 0xffffffffU);
+}
+
+/// mul and div, at full and half width: F, and the operand bits.
+class Constructed : public testing::TestWithParam<int> {
+ protected:
+  [[nodiscard]] std::vector<Case> made(Operation operation, Stream stream) const {
+    return cases_of(stream, {.operation = operation, .fraction_bits = GetParam()});
+  }
+  /// The part of a number below the unit.
+  [[nodiscard]] std::int64_t one() const { return std::int64_t{1} << GetParam(); }
+  [[nodiscard]] std::int64_t limit() const { return std::int64_t{1} << (2 * GetParam() - 1); }
+  /// Twice what |n| 2^F leaves when divided by |d|.
+  [[nodiscard]] std::int64_t twice_remainder(const Case& c) const {
+    return 2 * (std::abs(c[0]) * one() % std::abs(c[1]));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Widths, Constructed, testing::Values(16, 8));
+
+TEST_P(Constructed, ProductTiesAreTies) {
+  const auto cases = made(Operation::mul, Stream::product_ties);
+  const auto tie = [&](const Case& c) { return (c[0] * c[1] & (one() - 1)) == one() / 2; };
+  EXPECT_EQ(count(cases, tie), sample);
+  const std::size_t negative = count(cases, [](const Case& c) { return c[0] * c[1] < 0; });
+  EXPECT_GT(negative, sample / 3);
+  EXPECT_LT(negative, sample * 2 / 3);
+}
+
+TEST_P(Constructed, NearProductTiesLieOneBeside) {
+  const auto cases = made(Operation::mul, Stream::near_product_ties);
+  for (const std::int64_t off : {-1, 1}) {
+    const auto near =
+        count(cases, [&](const Case& c) { return (c[0] * c[1] & (one() - 1)) == one() / 2 + off; });
+    EXPECT_GT(near, sample / 3) << off;
+  }
+  EXPECT_EQ(
+      count(cases,
+            [&](const Case& c) { return std::abs((c[0] * c[1] & (one() - 1)) - one() / 2) == 1; }),
+      sample);
+}
+
+TEST_P(Constructed, QuotientTiesAreTies) {
+  const auto cases = made(Operation::div, Stream::quotient_ties);
+  EXPECT_EQ(count(cases, [&](const Case& c) { return twice_remainder(c) == std::abs(c[1]); }),
+            sample);
+  // ... none of them a fault of the 386, with both signs.
+  EXPECT_EQ(
+      count(cases, [&](const Case& c) { return std::abs(c[1]) <= std::abs(c[0]) >> GetParam(); }),
+      0U);
+  EXPECT_GT(count(cases, [](const Case& c) { return (c[0] < 0) != (c[1] < 0); }), sample / 3);
+}
+
+TEST_P(Constructed, NearQuotientTiesLieOneBeside) {
+  const auto cases = made(Operation::div, Stream::near_quotient_ties);
+  EXPECT_EQ(
+      count(cases,
+            [&](const Case& c) { return std::abs(twice_remainder(c) - std::abs(c[1])) == 1; }),
+      sample);
+  EXPECT_EQ(
+      count(cases, [&](const Case& c) { return std::abs(c[1]) <= std::abs(c[0]) >> GetParam(); }),
+      0U);
+  EXPECT_GT(count(cases, [&](const Case& c) { return twice_remainder(c) < std::abs(c[1]); }),
+            sample / 3);
+}
+
+TEST_P(Constructed, WholeDivisorTiesAreTiesOfThe8088) {
+  const auto cases = made(Operation::div, Stream::whole_divisor_ties);
+  const auto whole = [&](const Case& c) { return std::abs(c[1]) >> GetParam(); };
+  const auto beside = [&](const Case& c) { return 2 * (std::abs(c[0]) % whole(c)) - whole(c); };
+  EXPECT_EQ(count(cases, [&](const Case& c) { return whole(c) == 0; }), 0U);
+  EXPECT_GT(count(cases, [&](const Case& c) { return beside(c) == 0; }), sample / 10);
+  EXPECT_GT(count(cases, [&](const Case& c) { return beside(c) == -1 || beside(c) == -2; }),
+            sample / 5);
+  EXPECT_GT(count(cases, [&](const Case& c) { return beside(c) == 1 || beside(c) == 2; }),
+            sample / 5);
+}
+
+TEST_P(Constructed, LargeQuotientsStandOnBothSidesOfBothLimits) {
+  const auto cases = made(Operation::div, Stream::large_quotients);
+  for (const std::int64_t edge : {limit(), 2 * limit()}) {
+    const auto side = [&](auto compare) {
+      return count(cases, [&](const Case& c) {
+        const std::int64_t quotient = std::abs(c[0]) * one() / std::abs(c[1]);
+        return std::abs(quotient - edge) <= 4 * one() && compare(quotient, edge);
+      });
+    };
+    EXPECT_GT(side(std::less<>()), sample / 50) << edge;
+    EXPECT_GT(side(std::greater_equal<>()), sample / 50) << edge;
+  }
+}
+
+TEST_P(Constructed, SmallDivisorsAreBelowOne) {
+  const auto cases = made(Operation::div, Stream::small_divisors);
+  EXPECT_EQ(count(cases, [&](const Case& c) { return std::abs(c[1]) < one(); }), sample);
+  EXPECT_GT(count(cases, [](const Case& c) { return c[1] == 0; }), 0U);
+}
+
+TEST_P(Constructed, FaultEdgeLiesOnBothSidesOfBothRules) {
+  const auto cases = made(Operation::div, Stream::fault_edge);
+  for (const std::int64_t off : {-1, 0, 1}) {
+    EXPECT_GT(count(cases,
+                    [&](const Case& c) {
+                      return std::abs(c[1]) == (std::abs(c[0]) >> GetParam()) + off && c[0] != 0;
+                    }),
+              sample / 20)
+        << off;
+    EXPECT_GT(count(cases, [&](const Case& c) { return std::abs(c[1]) == one() + off; }),
+              sample / 20)
+        << off;
+  }
+}
+
+TEST(Streams, RotationsAreOrthonormal) {
+  const Variant xform{.operation = Operation::xformvec};
+  for (const Case& c : cases_of(Stream::rotations, xform)) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        double dot = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          dot += static_cast<double>(c[4 * i + k]) * static_cast<double>(c[4 * j + k]);
+        }
+        EXPECT_NEAR(dot / 65536 / 65536, i == j ? 1 : 0, 1e-4);
+      }
+    }
+  }
+}
+
+TEST(Streams, AxesHoldTheIdentityAndItsNegative) {
+  for (const Operation operation : {Operation::xformvec, Operation::concat}) {
+    const auto cases = cases_of(Stream::axes, {.operation = operation});
+    for (const std::int64_t sign : {1, -1}) {
+      EXPECT_GT(count(cases,
+                      [&](const Case& c) {
+                        for (std::size_t i = 0; i < 3; ++i) {
+                          for (std::size_t k = 0; k < 3; ++k) {
+                            if (c[4 * i + k] != (i == k ? sign * 65536 : 0)) return false;
+                          }
+                        }
+                        return true;
+                      }),
+                0U);
+    }
+  }
+}
+
+TEST(Streams, TransformTiesMakeEveryProductATie) {
+  for (const Operation operation : {Operation::xformvec, Operation::concat}) {
+    const std::size_t columns = operation == Operation::concat ? 4 : 1;
+    for (const Case& c : cases_of(Stream::transform_ties, {.operation = operation})) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          for (std::size_t column = 0; column < columns; ++column) {
+            ASSERT_EQ(c[4 * i + k] * c[12 + columns * k + column] & 0xffff, 0x8000);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
+  const auto cases =
+      cases_of(Stream::root_ties, {.operation = Operation::sqrt, .target = Target::standard});
+  const auto fraction = [](const Case& c) {
+    const long double root = std::sqrt(static_cast<long double>(c[0]) * 65536);
+    return root - std::floor(root);
+  };
+  EXPECT_GT(count(cases,
+                  [&](const Case& c) {
+                    return c[0] > 65536 * 100 && fraction(c) < 0.5 && fraction(c) > 0.4;
+                  }),
+            sample / 20);
+  EXPECT_GT(count(cases,
+                  [&](const Case& c) {
+                    return c[0] > 65536 * 100 && fraction(c) > 0.5 && fraction(c) < 0.6;
+                  }),
+            sample / 20);
+}
+
+}  // namespace
+}  // namespace fixproof
