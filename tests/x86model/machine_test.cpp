@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "x86model/assemble.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/run.hpp"
 
