@@ -16,25 +16,26 @@ struct Share {
   std::uint64_t cases = 0;
 };
 
-/// Random cases of one stream at level 1, chosen so that the level takes some ten seconds: an exact
-/// answer from big integers takes 0.1 us for a product and ten times that for a transform.
+/// Random cases of one stream at level 1, chosen so that the level takes some five seconds on two
+/// fast processors: an exact answer from big integers takes 0.2 us for a product and ten times that
+/// for a transform.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
     case Operation::mul:
-      return 500'000;
-    case Operation::div:
       return 250'000;
+    case Operation::div:
+      return 125'000;
     case Operation::xformvec:
-      return 100'000;
+      return 50'000;
     case Operation::concat:
-      return 30'000;
+      return 15'000;
     default:
-      return 200'000;
+      return 100'000;
   }
 }
 
-/// What level 2 has more of: five minutes where level 1 takes ten seconds.
-constexpr std::uint64_t level_2_factor = 45;
+/// What level 2 has more of: five minutes where level 1 takes five seconds.
+constexpr std::uint64_t level_2_factor = 60;
 
 /// Cases of a chunk: some ten milliseconds, so that Ctrl-C is answered at once and a thread that
 /// has nothing left waits for the others no longer than that.
