@@ -75,7 +75,9 @@ class Workers {
 
   ~Workers() { wait(); }
   Workers(const Workers&) = delete;
+  Workers(Workers&&) = delete;
   Workers& operator=(const Workers&) = delete;
+  Workers& operator=(Workers&&) = delete;
 
   /// Waits until all threads have ended, or for `time`. @return whether they have ended
   bool wait_for(std::chrono::milliseconds time) {

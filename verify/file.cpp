@@ -27,6 +27,7 @@ constexpr std::size_t most_read = std::size_t{256} << 20U;
 class File {
  public:
   File(const std::string& path, const std::string& shown, int flags)
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
       : shown_(shown), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) fail(verb(flags), shown_, errno);
   }
@@ -34,7 +35,9 @@ class File {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
   File(const File&) = delete;
+  File(File&&) = delete;
   File& operator=(const File&) = delete;
+  File& operator=(File&&) = delete;
 
   void write(std::string_view contents) {
     while (!contents.empty()) {
@@ -122,7 +125,9 @@ void replace_file(const std::string& path, std::string_view contents) {
 void check_replaceable(const std::string& path) {
   const std::string target = target_of(path);
   if (is_special(target)) {
-    const File file(target, path, O_WRONLY);
+    if (std::filesystem::is_directory(target)) fail("write", path, EISDIR);
+    // Not opened: to close a pipe again would send its reader away.
+    if (::access(target.c_str(), W_OK) != 0) fail("write", path, errno);
     return;
   }
   const std::string part = beside(target);

@@ -12,10 +12,12 @@ class Interrupt {
   Interrupt();
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
+  Interrupt(Interrupt&&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
+  Interrupt& operator=(Interrupt&&) = delete;
 
   /// Set when a signal has come.
-  [[nodiscard]] const std::atomic<bool>& flag() const;
+  [[nodiscard]] static const std::atomic<bool>& flag();
 };
 
 }  // namespace fixproof

@@ -49,7 +49,6 @@ void Progress::show(const Report& report) {
   if (!drawn_) before_ = done;
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
   fmt::print(stderr, "\r{}\x1b[K", progress_text(report, done - before_, passed.count()));
-  std::fflush(stderr);
   drawn_ = true;
 }
 

@@ -17,7 +17,9 @@ class Progress {
   Progress();
   ~Progress();
   Progress(const Progress&) = delete;
+  Progress(Progress&&) = delete;
   Progress& operator=(const Progress&) = delete;
+  Progress& operator=(Progress&&) = delete;
 
   void show(const Report& report);
 

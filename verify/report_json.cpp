@@ -191,6 +191,11 @@ Report report_in(const Json& json) {
   }
   report.seconds = json.at("seconds").get<double>();
   check_counts(report);
+  if (json.at("cases").get<std::uint64_t>() != report.cases() ||
+      json.at("mismatches").get<std::uint64_t>() != report.mismatches() ||
+      json.at("complete").get<bool>() != report.complete()) {
+    refuse("the totals do not fit the rows");
+  }
   return report;
 }
 

@@ -78,8 +78,9 @@ Pair product_tie(Draw& draw, const Format& format) {
 Pair near_product_tie(Draw& draw, const Format& format) {
   const std::int64_t a = odd(draw, format.word_bits - 1);
   const std::int64_t half = format.one() / 2;
-  const auto wanted = static_cast<std::uint64_t>(draw.coin() ? half + 1 : half - 1);
-  // The low F bits of b make the fraction of the product; the others are free.
+  const auto wanted = static_cast<std::uint64_t>(half + 1);
+  // The low F bits of b make the fraction of the product, half and one; with the other sign it is
+  // half less one. The other bits are free.
   const auto low = static_cast<std::int64_t>(wanted * inverse(static_cast<std::uint64_t>(a))) &
                    (format.one() - 1);
   const std::int64_t high = draw.magnitude(format.word_bits - 1 - format.fraction_bits);

@@ -142,13 +142,13 @@ std::string verdict(const Report& report) {
 
 std::string grouped_answers(const std::vector<std::pair<std::string, std::string>>& said) {
   std::vector<std::pair<std::string, std::string>> groups;
-  for (const auto& [party, answer] : said) {
+  for (const auto& one : said) {
     const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const auto& group) { return group.second == answer; });
+                                   [&](const auto& group) { return group.second == one.second; });
     if (same == groups.end()) {
-      groups.emplace_back(party, answer);
+      groups.push_back(one);
     } else {
-      same->first += " " + party;
+      same->first += " " + one.first;
     }
   }
   std::string text;

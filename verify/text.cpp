@@ -96,7 +96,7 @@ std::string replay(const Row& row, std::span<const std::uint32_t> words) {
   const Variant& v = row.variant;
   const std::string hex = hex_words(words, operand_bits(v));
   if (v.target != Target::standard && v.fraction_bits == 16) {
-    const auto option = v.operation == Operation::div ? "--div-round" : "--mul-round";
+    const std::string_view option = v.operation == Operation::div ? "--div-round" : "--mul-round";
     return fmt::format("echo '{}' | fixproof eval {}{} --by {}", hex, name_of(v.operation),
                        variant_options(v, option), row.parties.front());
   }

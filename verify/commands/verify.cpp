@@ -105,7 +105,7 @@ void print_heading(const Options& options, const Report& report) {
 }
 
 /// Runs what is left, showing progress and keeping the state for --resume.
-void run_rest(const Options& options, Report& report, const Interrupt& interrupt) {
+void run_rest(const Options& options, Report& report) {
   const auto parties = chosen_parties(options.selection);
   Progress progress;
   auto kept = std::chrono::steady_clock::now();
@@ -121,7 +121,8 @@ void run_rest(const Options& options, Report& report, const Interrupt& interrupt
       // counts.
     }
   };
-  run(report, parties, {.threads = options.threads, .stop = &interrupt.flag(), .observe = observe});
+  run(report, parties,
+      {.threads = options.threads, .stop = &Interrupt::flag(), .observe = observe});
 }
 
 std::string how_to_go_on(const Options& options) {
@@ -149,7 +150,7 @@ int verify(const Options& options) {
   print_heading(options, report);
 
   const Interrupt interrupt;
-  run_rest(options, report, interrupt);
+  run_rest(options, report);
 
   // What was found is shown even if it cannot be kept.
   std::string failure;
