@@ -46,7 +46,7 @@ std::string read_all(int from) {
 
 Process::Process(std::vector<std::string> arguments, Output output) {
   // A program that stops reading is something to see, not the end of the test.
-  std::signal(SIGPIPE, SIG_IGN);
+  (void)std::signal(SIGPIPE, SIG_IGN);
   const Pipe in = make_pipe();
   const Pipe out = make_pipe();
   const Pipe err = make_pipe();
@@ -82,7 +82,7 @@ Process::~Process() {
   if (id_ > 0) waitpid(id_, nullptr, 0);
 }
 
-void Process::write(std::string_view text) {
+void Process::write(std::string_view text) const {
   while (!text.empty()) {
     const ssize_t count = ::write(input_, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
@@ -91,7 +91,7 @@ void Process::write(std::string_view text) {
   }
 }
 
-std::string Process::read_line() {
+std::string Process::read_line() const {
   std::string line;
   char c = 0;
   while (read(output_, &c, 1) == 1 && c != '\n') line += c;
@@ -131,6 +131,12 @@ std::vector<std::string> command(std::string_view arguments) {
 
 Run fixproof(std::string_view arguments, std::string_view input, Output output) {
   return run(command(arguments), input, output);
+}
+
+std::string repeated(std::size_t count, char c) {
+  std::string text;
+  text.resize(count, c);
+  return text;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

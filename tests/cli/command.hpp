@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +28,14 @@ class Process {
   explicit Process(std::vector<std::string> arguments, Output output = Output::pipe);
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
+  Process(Process&&) = delete;
+  Process& operator=(Process&&) = delete;
   ~Process();
 
   /// Writes all of `text`, or as much as the program takes before it goes away.
-  void write(std::string_view text);
+  void write(std::string_view text) const;
   /// The next line of its standard output without the newline; waits for it.
-  std::string read_line();
+  [[nodiscard]] std::string read_line() const;
   /// Gives it the rest of its input, reads what it still says, and waits for its end.
   Run finish(std::string_view rest = {});
 
@@ -52,6 +55,9 @@ Run fixproof(std::string_view arguments, std::string_view input = {}, Output out
 
 /// The words of a command line of `fixproof`, the program first.
 std::vector<std::string> command(std::string_view arguments);
+
+/// `count` times `c`.
+std::string repeated(std::size_t count, char c);
 
 std::vector<std::string> split(std::string_view text, char separator);
 

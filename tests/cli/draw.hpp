@@ -3,13 +3,29 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 
 namespace cli {
 
+/// A sequence of 64-bit numbers that its seed settles: steps of 2^64 over the golden ratio, their
+/// bits mixed (SplitMix64).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t operator()() {
+    state_ += 0x9E3779B97F4A7C15;
+    std::uint64_t mixed = (state_ ^ (state_ >> 30U)) * 0xBF58476D1CE4E5B9;
+    mixed = (mixed ^ (mixed >> 27U)) * 0x94D049BB133111EB;
+    return mixed ^ (mixed >> 31U);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
 /// A word of `bits` bits: a power of two or one beside it, or random bits of a random length;
 /// either, half of the time, negated.
-inline std::uint32_t draw_word(std::mt19937_64& random, std::uint32_t bits) {
+inline std::uint32_t draw_word(Random& random, std::uint32_t bits) {
   const std::uint32_t mask = 0xFFFFFFFFU >> (32 - bits);
   const auto place = static_cast<std::uint32_t>(random() % bits);
   auto word = (static_cast<std::uint32_t>(random()) & mask) >> place;

@@ -2,15 +2,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 #include <string_view>
 
 #include "tests/cli/command.hpp"
+#include "tests/cli/draw.hpp"
 
 namespace {
 
-using std::string_literals::operator""s;
+using namespace std::string_literals;
 
 constexpr std::string_view good = "00018000 00028000\n";
 constexpr std::string_view answer = "0003c000\n";
@@ -113,7 +113,7 @@ TEST(EvalInput, RefusesBinaryNoise) {
   expect_refused("\0"s);
   expect_refused("\0\0\0\0\0\0\0\0 \0\0\0\0\0\0\0\0"s);
   expect_refused("\x1b[31m00018000 \x80\xff\xfe");
-  std::mt19937 random(1990);
+  cli::Random random(1990);
   for (int i = 0; i < 50; ++i) {
     std::string noise(1 + random() % 300, '\0');
     for (char& c : noise) c = static_cast<char>(random());
@@ -123,8 +123,8 @@ TEST(EvalInput, RefusesBinaryNoise) {
 }
 
 TEST(EvalInput, RefusesALineOfTenMegabytes) {
-  expect_refused(std::string(10'000'000, '0'));
-  expect_refused(std::string(10'000'000, ' ') + "0");
+  expect_refused(cli::repeated(10'000'000, '0'));
+  expect_refused(cli::repeated(10'000'000, ' ') + "0");
 }
 
 TEST(EvalInput, CountsTheWordsOfEachOperation) {

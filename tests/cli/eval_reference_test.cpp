@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <iterator>
 #include <numbers>
-#include <random>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -27,7 +26,7 @@ TEST_P(EvalReference, SixHundredThousandLinesAgree) {
   const bool is_mul = std::string_view(operation) == "mul";
   const bool is_386 = std::string_view(target) == "i386";
   const bool rounds = std::string_view(round) == "on";
-  std::mt19937_64 random(20260614);
+  cli::Random random(20260614);
   std::string lines;
   std::string expected;
   for (int i = 0; i < 600'000; ++i) {

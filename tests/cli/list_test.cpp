@@ -23,8 +23,8 @@ bool has_nasm() {
 
 class List : public testing::Test {
  protected:
-  List() : folder_(fs::path(testing::TempDir()) / name()) { fs::create_directories(folder_); }
-  ~List() override { fs::remove_all(folder_); }
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
 
   /// The machine code of a source; a test failure with nasm's words where there is none.
   [[nodiscard]] std::string assemble(const std::string& source) const {
@@ -45,7 +45,7 @@ class List : public testing::Test {
                        testing::UnitTest::GetInstance()->current_test_info()->name());
   }
 
-  fs::path folder_;
+  fs::path folder_ = fs::path(testing::TempDir()) / name();
 };
 
 std::string list(std::string_view arguments) {

@@ -4,7 +4,6 @@
 
 #include <csignal>
 #include <cstdint>
-#include <random>
 #include <string_view>
 
 #include "tests/cli/bitwise.hpp"
@@ -26,62 +25,79 @@ std::uint16_t unpacked(std::uint32_t eax) {
   return static_cast<std::uint16_t>(low | ((eax & 1U) != 0 ? bitwise::OF : 0U));
 }
 
+/// MUL or IMUL; of the flags they define CF and OF.
+template <class Word>
+Answer multiplied(std::string_view name, const Operands& o) {
+  auto low = static_cast<Word>(o.first);
+  auto high = Word{0};
+  const auto factor = static_cast<Word>(o.second);
+  bool carry = false;
+  bool overflow = false;
+  if (name == "mul") {
+    asm("mul %[factor]; setc %[carry]; seto %[overflow]"
+        : "+a"(low), "=d"(high), [carry] "=q"(carry), [overflow] "=q"(overflow)
+        : [factor] "r"(factor)
+        : "cc");
+  } else {
+    asm("imul %[factor]; setc %[carry]; seto %[overflow]"
+        : "+a"(low), "=d"(high), [carry] "=q"(carry), [overflow] "=q"(overflow)
+        : [factor] "r"(factor)
+        : "cc");
+  }
+  const auto flags =
+      static_cast<std::uint16_t>((carry ? bitwise::CF : 0) | (overflow ? bitwise::OF : 0));
+  return {.value = low, .high = high, .flags = flags};
+}
+
+/// DIV or IDIV. Volatile: a fault counts, even where no result is looked at.
+template <class Word>
+Answer divided(std::string_view name, const Operands& o) {
+  auto low = static_cast<Word>(o.first);
+  auto high = static_cast<Word>(o.high);
+  const auto divisor = static_cast<Word>(o.second);
+  if (name == "div") {
+    asm volatile("div %[divisor]" : "+a"(low), "+d"(high) : [divisor] "r"(divisor) : "cc");
+  } else {
+    asm volatile("idiv %[divisor]" : "+a"(low), "+d"(high) : [divisor] "r"(divisor) : "cc");
+  }
+  return {.value = low, .high = high};
+}
+
 // Adding 127 to AL overflows exactly where AL is 1; SAHF sets the other five and leaves OF.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the text of an asm has to be a literal
-#define WITH_FLAGS(instruction)                                               \
-  asm("addb $127, %%al; sahf; " instruction "; lahf; seto %%al"               \
-      : [flags] "+a"(flags), [first] "+r"(first)                              \
-      : [second] "r"(second), [count] "c"(static_cast<std::uint8_t>(o.count)) \
+#define WITH_FLAGS(instruction)                                 \
+  asm("addb $127, %%al; sahf; " instruction "; lahf; seto %%al" \
+      : "+a"(flags), [first] "+r"(first)                        \
+      : [second] "r"(second), [count] "c"(count)                \
       : "cc")
 
 /// One instruction on this processor, on operands as wide as Word. Never called for a fault.
 template <class Word>
 Answer on_silicon(std::string_view name, const Operands& o) {
+  if (name == "mul" || name == "imul") return multiplied<Word>(name, o);
+  if (name == "div" || name == "idiv") return divided<Word>(name, o);
   auto first = static_cast<Word>(o.first);
-  auto second = static_cast<Word>(o.second);
-  auto high = static_cast<Word>(o.high);
+  const auto second = static_cast<Word>(o.second);
+  const auto count = static_cast<std::uint8_t>(o.count);
   std::uint32_t flags = packed(o.flags);
-  if (name == "mul" || name == "imul") {
-    bool carry = false;
-    bool overflow = false;
-    if (name == "mul") {
-      asm("mul %[second]; setc %[carry]; seto %[overflow]"
-          : "+a"(first), "=d"(high), [carry] "=q"(carry), [overflow] "=q"(overflow)
-          : [second] "r"(second)
-          : "cc");
-    } else {
-      asm("imul %[second]; setc %[carry]; seto %[overflow]"
-          : "+a"(first), "=d"(high), [carry] "=q"(carry), [overflow] "=q"(overflow)
-          : [second] "r"(second)
-          : "cc");
-    }
-    flags = packed(
-        static_cast<std::uint16_t>((carry ? bitwise::CF : 0) | (overflow ? bitwise::OF : 0)));
-  } else if (name == "div") {  // volatile: a fault counts, even where no result is looked at
-    asm volatile("div %[second]" : "+a"(first), "+d"(high) : [second] "r"(second) : "cc");
-  } else if (name == "idiv") {
-    asm volatile("idiv %[second]" : "+a"(first), "+d"(high) : [second] "r"(second) : "cc");
-  } else {
-    high = 0;
-    if (name == "mov") WITH_FLAGS("mov %[second], %[first]");
-    if (name == "add") WITH_FLAGS("add %[second], %[first]");
-    if (name == "adc") WITH_FLAGS("adc %[second], %[first]");
-    if (name == "sub") WITH_FLAGS("sub %[second], %[first]");
-    if (name == "sbb") WITH_FLAGS("sbb %[second], %[first]");
-    if (name == "cmp") WITH_FLAGS("cmp %[second], %[first]");
-    if (name == "and") WITH_FLAGS("and %[second], %[first]");
-    if (name == "xor") WITH_FLAGS("xor %[second], %[first]");
-    if (name == "neg") WITH_FLAGS("neg %[first]");
-    if (name == "inc") WITH_FLAGS("inc %[first]");
-    if (name == "dec") WITH_FLAGS("dec %[first]");
-    if (name == "shl") WITH_FLAGS("shl %[count], %[first]");
-    if (name == "shr") WITH_FLAGS("shr %[count], %[first]");
-    if (name == "sar") WITH_FLAGS("sar %[count], %[first]");
-    if (name == "rol") WITH_FLAGS("rol %[count], %[first]");
-    if (name == "shld") WITH_FLAGS("shld %[count], %[second], %[first]");
-    if (name == "shrd") WITH_FLAGS("shrd %[count], %[second], %[first]");
-  }
-  return {.value = first, .high = high, .flags = unpacked(flags)};
+  if (name == "mov") WITH_FLAGS("mov %[second], %[first]");
+  if (name == "add") WITH_FLAGS("add %[second], %[first]");
+  if (name == "adc") WITH_FLAGS("adc %[second], %[first]");
+  if (name == "sub") WITH_FLAGS("sub %[second], %[first]");
+  if (name == "sbb") WITH_FLAGS("sbb %[second], %[first]");
+  if (name == "cmp") WITH_FLAGS("cmp %[second], %[first]");
+  if (name == "and") WITH_FLAGS("and %[second], %[first]");
+  if (name == "xor") WITH_FLAGS("xor %[second], %[first]");
+  if (name == "neg") WITH_FLAGS("neg %[first]");
+  if (name == "inc") WITH_FLAGS("inc %[first]");
+  if (name == "dec") WITH_FLAGS("dec %[first]");
+  if (name == "shl") WITH_FLAGS("shl %[count], %[first]");
+  if (name == "shr") WITH_FLAGS("shr %[count], %[first]");
+  if (name == "sar") WITH_FLAGS("sar %[count], %[first]");
+  if (name == "rol") WITH_FLAGS("rol %[count], %[first]");
+  if (name == "shld") WITH_FLAGS("shld %[count], %[second], %[first]");
+  if (name == "shrd") WITH_FLAGS("shrd %[count], %[second], %[first]");
+  return {.value = first, .flags = unpacked(flags)};
 }
 #undef WITH_FLAGS
 
@@ -91,7 +107,7 @@ class Silicon : public testing::TestWithParam<const char*> {
   static void expect_agreement() {
     constexpr int bits = 8 * sizeof(Word);
     const std::string_view name = GetParam();
-    std::mt19937_64 random(386);
+    cli::Random random(386);
     int faults = 0;
     constexpr int cases = 100'000;
     for (int i = 0; i < cases; ++i) {
@@ -133,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(Instruction, Silicon,
 /// The divide error, as the operating system tells of it; whatever else would catch it is let go.
 template <class Word>
 void divide_by_default(std::string_view name, const Operands& o) {
-  std::signal(SIGFPE, SIG_DFL);
+  (void)std::signal(SIGFPE, SIG_DFL);
   on_silicon<Word>(name, o);
 }
 

@@ -9,19 +9,28 @@
 
 namespace {
 
-using std::string_literals::operator""s;
+using namespace std::string_literals;
 
-const std::string registers =
+constexpr std::string_view registers =
     "ax=0000 bx=0000 cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=0000 fl=0000";
-const std::string good = "mov ax, bx | " + registers;
-const std::string answer = registers + " undef=-";
+
+/// A line of that instruction, all registers 0; `more` follows.
+std::string line(std::string_view instruction, std::string_view more = "") {
+  return fmt::format("{} | {}{}", instruction, registers, more);
+}
+std::string good(std::string_view more = "") { return line("mov ax, bx", more); }
+
+const std::string& answer() {
+  static const std::string text = fmt::format("{} undef=-", registers);
+  return text;
+}
 
 /// `bad` as the second line of three: refused by its number, after the answer before it.
 void expect_refused(const std::string& bad, std::string_view part, std::string_view cpu = "386") {
   const auto run = cli::fixproof(fmt::format("step --cpu {}", cpu),
-                                 fmt::format("{}\n{}\n{}\n", good, bad, good));
+                                 fmt::format("{}\n{}\n{}\n", good(), bad, good()));
   EXPECT_EQ(run.status, 2) << bad;
-  EXPECT_EQ(run.out, answer + '\n') << bad;
+  EXPECT_EQ(run.out, answer() + '\n') << bad;
   EXPECT_EQ(run.err.rfind("fixproof: line 2: ", 0), 0) << run.err;
   EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
@@ -33,17 +42,17 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 }
 
 TEST(StepInput, PassesOverBlankLinesAndComments) {
-  const auto run = cli::fixproof("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good));
-  EXPECT_EQ(run.out, fmt::format("{0}\n{0}\n", answer));
+  const auto run = cli::fixproof("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good()));
+  EXPECT_EQ(run.out, fmt::format("{0}\n{0}\n", answer()));
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
 }
 
 TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
   cli::Process process(cli::command("step --cpu 8088"));
-  process.write(good + '\n');
-  EXPECT_EQ(process.read_line(), answer);
-  process.write("hlt | " + registers + '\n');
+  process.write(good("\n"));
+  EXPECT_EQ(process.read_line(), answer());
+  process.write(line("hlt") + '\n');
   EXPECT_EQ(process.read_line(), "unmodelled");
   EXPECT_EQ(process.finish().status, 0);
 }
@@ -52,53 +61,53 @@ TEST(StepInput, RegistersComeInAnyOrder) {
   const auto run = cli::fixproof(
       "step --cpu 8088",
       "inc cx|fl=0000   sp=0000 bp=0000 di=0000 si=0000 dx=0000 cx=0000 bx=0000 ax=0000\n");
-  EXPECT_EQ(run.out, replaced(registers, "cx=0000", "cx=0001") + " undef=-\n");
+  EXPECT_EQ(run.out, replaced(std::string(registers), "cx=0000", "cx=0001") + " undef=-\n");
 }
 
 TEST(StepInput, RefusesALineWithoutItsParts) {
   expect_refused("mov ax, bx", "'|'");
-  expect_refused("| " + registers, "no instruction");
+  expect_refused(line(""), "no instruction");
   expect_refused("mov ax, bx |", "ax is missing");
-  expect_refused("mov ax, bx | " + replaced(registers, " fl=0000", ""), "fl is missing");
+  expect_refused(replaced(good(), " fl=0000", ""), "fl is missing");
   for (const std::string_view name : {"bx", "cx", "dx", "si", "di", "bp", "sp"}) {
-    expect_refused("mov ax, bx | " + replaced(registers, fmt::format(" {}=0000", name), ""),
+    expect_refused(replaced(good(), fmt::format(" {}=0000", name), ""),
                    fmt::format("{} is missing", name));
   }
 }
 
 TEST(StepInput, RefusesRegistersGivenTwice) {
-  expect_refused(good + " ax=0000", "'ax' is given twice");
-  expect_refused(good + " eax=00000000", "both ax and eax are given");
-  expect_refused(good + " fl=0000", "'fl' is given twice");
+  expect_refused(good(" ax=0000"), "'ax' is given twice");
+  expect_refused(good(" eax=00000000"), "both ax and eax are given");
+  expect_refused(good(" fl=0000"), "'fl' is given twice");
 }
 
 TEST(StepInput, RefusesWhatIsNoRegister) {
-  expect_refused(good + " al=00", "'al' is no register");
-  expect_refused(good + " ip=0000", "'ip' is no register");
-  expect_refused(good + " AX=0000", "'AX' is no register");
-  expect_refused(good + " ax", "'ax' is not NAME=DIGITS");
-  expect_refused(good + " | ", "'|' is not NAME=DIGITS");
+  expect_refused(good(" al=00"), "'al' is no register");
+  expect_refused(good(" ip=0000"), "'ip' is no register");
+  expect_refused(good(" AX=0000"), "'AX' is no register");
+  expect_refused(good(" ax"), "'ax' is not NAME=DIGITS");
+  expect_refused(good(" | "), "'|' is not NAME=DIGITS");
 }
 
 TEST(StepInput, RefusesWideRegistersOnThe8088) {
-  expect_refused(replaced(good, "ax=0000", "eax=00000000"), "ax is missing", "8088");
-  expect_refused(good + " eax=00000000", "'eax' is no register", "8088");
+  expect_refused(replaced(good(), "ax=0000", "eax=00000000"), "ax is missing", "8088");
+  expect_refused(good(" eax=00000000"), "'eax' is no register", "8088");
 }
 
 TEST(StepInput, RefusesOtherDigits) {
-  expect_refused(replaced(good, "ax=0000", "ax=000"), "3 hex digits instead of 4");
-  expect_refused(replaced(good, "ax=0000", "ax=00000"), "5 hex digits instead of 4");
-  expect_refused(replaced(good, "ax=0000", "eax=0000"), "4 hex digits instead of 8");
-  expect_refused(replaced(good, "ax=0000", "ax="), "0 hex digits instead of 4");
-  expect_refused(replaced(good, "ax=0000", "ax=00FF"), "lower-case hex");
-  expect_refused(replaced(good, "ax=0000", "ax=0x00"), "lower-case hex");
-  expect_refused(replaced(good, "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
-  expect_refused(good + "\r", "lower-case hex");
+  expect_refused(replaced(good(), "ax=0000", "ax=000"), "3 hex digits instead of 4");
+  expect_refused(replaced(good(), "ax=0000", "ax=00000"), "5 hex digits instead of 4");
+  expect_refused(replaced(good(), "ax=0000", "eax=0000"), "4 hex digits instead of 8");
+  expect_refused(replaced(good(), "ax=0000", "ax="), "0 hex digits instead of 4");
+  expect_refused(replaced(good(), "ax=0000", "ax=00FF"), "lower-case hex");
+  expect_refused(replaced(good(), "ax=0000", "ax=0x00"), "lower-case hex");
+  expect_refused(replaced(good(), "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
+  expect_refused(good("\r"), "lower-case hex");
 }
 
 TEST(StepInput, RefusesWhatIsNoInstruction) {
   const auto expect_bad = [](const std::string& instruction, std::string_view part) {
-    expect_refused(instruction + " | " + registers, part);
+    expect_refused(line(instruction), part);
   };
   expect_bad("MOV ax, bx", "'MOV' is no mnemonic");
   expect_bad("mov AX, bx", "'AX' is no operand");
@@ -113,7 +122,7 @@ TEST(StepInput, RefusesWhatIsNoInstruction) {
 
 TEST(StepInput, RefusesImmediatesThatDoNotFit) {
   const auto expect_bad = [](const std::string& instruction) {
-    expect_refused(instruction + " | " + registers, "does not fit the operand");
+    expect_refused(line(instruction), "does not fit the operand");
   };
   expect_bad("add ax, 0x10000");
   expect_bad("add ax, -32769");
@@ -123,22 +132,22 @@ TEST(StepInput, RefusesImmediatesThatDoNotFit) {
   // One less does.
   for (const std::string_view fits :
        {"add ax, 0xffff", "add ax, -32768", "add eax, -2147483648", "shl bx, 255"}) {
-    EXPECT_EQ(cli::fixproof("step", fmt::format("{} | {}\n", fits, registers)).status, 0) << fits;
+    EXPECT_EQ(cli::fixproof("step", line(fits)).status, 0) << fits;
   }
 }
 
 TEST(StepInput, RefusesNoiseAndEndlessLines) {
   expect_refused("\0\0\0"s, "'|'");
-  expect_refused("\0 | "s + registers, "is no mnemonic");
-  expect_refused(std::string(10'000'000, 'a'), "'|'");
-  expect_refused(std::string(10'000'000, 'A') + " | " + registers, "is no mnemonic");
-  expect_refused("mov ax, " + std::string(1'000'000, 'A') + " | " + registers, "is no operand");
-  expect_refused("\x1b[31mmov | " + registers, "is no mnemonic");
+  expect_refused(line("\0"s), "is no mnemonic");
+  expect_refused(cli::repeated(10'000'000, 'a'), "'|'");
+  expect_refused(line(cli::repeated(10'000'000, 'A')), "is no mnemonic");
+  expect_refused(line("mov ax, " + cli::repeated(1'000'000, 'A')), "is no operand");
+  expect_refused(line("\x1b[31mmov"), "is no mnemonic");
 }
 
 TEST(StepInput, OutputThatCannotBeWritten) {
   for (const cli::Output output : {cli::Output::full_device, cli::Output::reader_gone}) {
-    const auto run = cli::fixproof("step --cpu 8088", good, output);
+    const auto run = cli::fixproof("step --cpu 8088", good(), output);
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
   }
