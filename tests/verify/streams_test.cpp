@@ -335,12 +335,12 @@ TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
   };
   EXPECT_GT(count(cases,
                   [&](const Case& c) {
-                    return c[0] > 65536 * 100 && fraction(c) < 0.5 && fraction(c) > 0.4;
+                    return c[0] > 65536 * 100 && fraction(c) < 0.5L && fraction(c) > 0.4L;
                   }),
             sample / 20);
   EXPECT_GT(count(cases,
                   [&](const Case& c) {
-                    return c[0] > 65536 * 100 && fraction(c) > 0.5 && fraction(c) < 0.6;
+                    return c[0] > 65536 * 100 && fraction(c) > 0.5L && fraction(c) < 0.6L;
                   }),
             sample / 20);
 }
