@@ -67,8 +67,10 @@ class Workers {
     }
     unsigned threads = options.threads;
     if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-    running_ = static_cast<unsigned>(std::min<std::size_t>(threads, left_.size()));
-    for (unsigned i = 0; i < running_; ++i) {
+    // `running_` goes down as soon as the first threads end: it is no bound for this loop.
+    const std::size_t started = std::min<std::size_t>(threads, left_.size());
+    running_ = started;
+    for (std::size_t i = 0; i < started; ++i) {
       threads_.emplace_back([this] { work(); });
     }
   }
@@ -138,7 +140,7 @@ class Workers {
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::condition_variable ended_;
-  unsigned running_ = 0;
+  std::size_t running_ = 0;
   std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> threads_;

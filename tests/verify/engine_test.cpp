@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <stdexcept>
 
@@ -128,7 +129,7 @@ TEST(Engine, PartiesThatBreakAlikeAreNotEqual) {
     };
     const Saboteur one("one", party_named("fast"), spoil);
     const Saboteur two("two", party_named("fast"), spoil);
-    const Party* const both[] = {&one, &two};
+    const std::array<const Party*, 2> both{&one, &two};
     const Report report = run(Plan(1, 1, {{mul, {"one", "two"}}}), both);
     EXPECT_GT(report.mismatches(), 0U);
   }
@@ -138,7 +139,7 @@ TEST(Engine, ACaseIsCountedOnceHoweverManyDiffer) {
   const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
     if (in[0] == 2) ++out[0];
   });
-  const Party* const three[] = {&liar, &party_named("fast"), &party_named("type")};
+  const std::array<const Party*, 3> three{&liar, &party_named("fast"), &party_named("type")};
   const Report report = run(Plan(1, 1, {{mul, {"saboteur", "fast", "type"}}}), three);
   EXPECT_EQ(report.mismatches(), judge(liar, mul).mismatches());
   EXPECT_EQ(report.cases(), report.plan.cases());
@@ -161,9 +162,18 @@ TEST(Engine, ThreadsDoNotChangeTheReport) {
   EXPECT_EQ(to_json(alone), to_json(many));
 }
 
+TEST(Engine, EndsHoweverSoonItsThreadsDo) {
+  // Threads that find themselves stopped end while others are still being started.
+  const std::atomic<bool> stop = true;
+  const auto honest = saboteur([](Words, auto, Ending&) {});
+  for (int round = 0; round < 500; ++round) {
+    ASSERT_EQ(judge(honest, mul, {.threads = 8, .stop = &stop}).cases(), 0U);
+  }
+}
+
 TEST(Engine, KeepsOnlyTheFirstMismatches) {
   const auto liar = saboteur([](Words, std::span<std::uint32_t> out, Ending&) { ++out[0]; });
-  const Party* const both[] = {&liar, &party_named("fast")};
+  const std::array<const Party*, 2> both{&liar, &party_named("fast")};
   for (const std::size_t most : {0U, 1U, 3U}) {
     Report report(test::plan_against_fast(mul), Shard{}, most);
     run(report, both);
@@ -184,12 +194,12 @@ TEST(Engine, WhatAPartyThrowsComesOut) {
 }
 
 TEST(Engine, AMissingPartyIsRefused) {
-  const Party* const alone[] = {&party_named("fast")};
+  const std::array<const Party*, 1> alone{&party_named("fast")};
   EXPECT_THROW(run(test::plan_against_fast(mul), alone), std::invalid_argument);
 }
 
 TEST(Engine, ARowWithOnePartyIsNotRun) {
-  const Party* const alone[] = {&party_named("fast")};
+  const std::array<const Party*, 1> alone{&party_named("fast")};
   const Report report = run(Plan(1, 1, {{mul, {"fast"}}, {div, {}}}), alone);
   EXPECT_EQ(report.cases(), 0U);
   EXPECT_FALSE(report.plan.rows()[0].compared());

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
@@ -15,30 +17,34 @@ namespace {
 
 using Words = std::span<const std::uint32_t>;
 
-class Merging : public testing::Test {
- protected:
-  [[nodiscard]] Report shard(Shard which, std::uint64_t seed = 1) const {
-    Report report(test::plan_against_fast({.operation = Operation::div}, seed), which, 10);
-    run(report, parties_);
-    report.seconds = 0;
-    return report;
-  }
-  [[nodiscard]] std::vector<NamedReport> shards(std::uint64_t count) const {
-    std::vector<NamedReport> parts;
-    // The order in which parts are given must not matter.
-    for (std::uint64_t i = count; i >= 1; --i) {
-      parts.push_back({"part " + std::to_string(i), shard({i, count})});
-    }
-    return parts;
-  }
-
-  test::Saboteur liar_ = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+const test::Saboteur& liar() {
+  static const auto one = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
     if ((in[1] & 0xffU) == 0x7fU) ++out[0];
   });
-  std::array<const Party*, 2> parties_{&liar_, &party_named("fast")};
-};
+  return one;
+}
 
-TEST_F(Merging, TheSumOfAllShardsIsTheWhole) {
+void run_rest(Report& report) {
+  run(report, std::array<const Party*, 2>{&liar(), &party_named("fast")});
+  report.seconds = 0;
+}
+
+Report shard(Shard which, std::uint64_t seed = 1) {
+  Report report(test::plan_against_fast({.operation = Operation::div}, seed), which, 10);
+  run_rest(report);
+  return report;
+}
+
+std::vector<NamedReport> shards(std::uint64_t count) {
+  std::vector<NamedReport> parts;
+  // The order in which parts are given must not matter.
+  for (std::uint64_t i = count; i >= 1; --i) {
+    parts.push_back({"part " + std::to_string(i), shard({i, count})});
+  }
+  return parts;
+}
+
+TEST(Merging, TheSumOfAllShardsIsTheWhole) {
   const std::string whole = to_json(shard({1, 1}));
   for (const std::uint64_t count : {1U, 2U, 3U, 5U, 7U, 200U}) {
     const auto parts = shards(count);
@@ -48,7 +54,7 @@ TEST_F(Merging, TheSumOfAllShardsIsTheWhole) {
   }
 }
 
-TEST_F(Merging, APartGivenTwiceIsRefused) {
+TEST(Merging, APartGivenTwiceIsRefused) {
   auto parts = shards(3);
   parts.push_back(parts[0]);
   EXPECT_THROW(merged(parts), std::runtime_error);
@@ -57,7 +63,7 @@ TEST_F(Merging, APartGivenTwiceIsRefused) {
   EXPECT_THROW(merged(mixed), std::runtime_error);
 }
 
-TEST_F(Merging, PartsOfAnotherVerificationAreRefused) {
+TEST(Merging, PartsOfAnotherVerificationAreRefused) {
   const std::vector<NamedReport> parts{{"a", shard({1, 2})}, {"b", shard({2, 2}, 9)}};
   try {
     merged(parts);
@@ -67,7 +73,7 @@ TEST_F(Merging, PartsOfAnotherVerificationAreRefused) {
   }
 }
 
-TEST_F(Merging, WhatIsMissingIsNamed) {
+TEST(Merging, WhatIsMissingIsNamed) {
   auto parts = shards(3);
   parts.erase(parts.begin() + 1);
   EXPECT_EQ(missing(merged(parts), parts), "missing: shard 2/3");
@@ -79,13 +85,12 @@ TEST_F(Merging, WhatIsMissingIsNamed) {
             "missing: shard 1/60, shard 3/60, shard 4/60");
 }
 
-TEST_F(Merging, AnIncompleteSumCanBeFinished) {
+TEST(Merging, AnIncompleteSumCanBeFinished) {
   auto parts = shards(4);
   parts.pop_back();
   Report sum = from_json(to_json(merged(parts)));
   EXPECT_FALSE(sum.complete());
-  run(sum, parties_);
-  sum.seconds = 0;
+  run_rest(sum);
   EXPECT_EQ(to_json(sum), to_json(shard({1, 1})));
 }
 

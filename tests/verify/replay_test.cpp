@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -25,7 +26,8 @@ struct Shell {
 Shell shell(const std::string& line) {
   const std::string folder = std::filesystem::path(FIXPROOF_COMMAND).parent_path();
   const std::string with_path = "PATH='" + folder + "':$PATH; " + line;
-  std::FILE* pipe = popen(with_path.c_str(), "r");
+  // The line is for a shell, and comes from this program alone.
+  std::FILE* pipe = popen(with_path.c_str(), "r");  // NOLINT(cert-env33-c)
   Shell result;
   std::array<char, 256> buffer{};
   while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {

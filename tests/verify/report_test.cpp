@@ -38,29 +38,30 @@ class Counting final : public Party {
   std::atomic<bool>& stop_;
 };
 
-/// A plan of several rows, one of which nobody compares, with a liar in it.
-class Reports : public testing::Test {
- protected:
-  [[nodiscard]] Report fresh(Shard shard = {}) const {
-    return {
-        Plan(1, 5,
-             {{mul, {"saboteur", "fast"}}, {cossin, {"saboteur"}}, {div, {"saboteur", "fast"}}}),
-        shard, 3};
-  }
-  [[nodiscard]] Report finished(Shard shard = {}) const {
-    Report report = fresh(shard);
-    run(report, parties_);
-    report.seconds = 0;
-    return report;
-  }
-
-  test::Saboteur liar_ = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+const test::Saboteur& liar() {
+  static const auto one = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
     if ((in[0] & 0x1fU) == 0x15U) out[0] ^= 0x100U;
   });
-  std::array<const Party*, 2> parties_{&liar_, &party_named("fast")};
-};
+  return one;
+}
 
-TEST_F(Reports, AreReadBackAsTheyWere) {
+std::array<const Party*, 2> both() { return {&liar(), &party_named("fast")}; }
+
+/// Several rows, one of which nobody compares, with a liar in the others.
+Report fresh(Shard shard = {}) {
+  return {Plan(1, 5,
+               {{mul, {"saboteur", "fast"}}, {cossin, {"saboteur"}}, {div, {"saboteur", "fast"}}}),
+          shard, 3};
+}
+
+Report finished(Shard shard = {}) {
+  Report report = fresh(shard);
+  run(report, both());
+  report.seconds = 0;
+  return report;
+}
+
+TEST(Reports, AreReadBackAsTheyWere) {
   for (const Shard shard : {Shard{1, 1}, Shard{2, 3}, Shard{5, 100000}}) {
     const std::string text = to_json(finished(shard));
     EXPECT_EQ(to_json(from_json(text)), text);
@@ -72,7 +73,7 @@ TEST_F(Reports, AreReadBackAsTheyWere) {
   EXPECT_FALSE(report.findings[0].shown[0].said.empty());
 }
 
-TEST_F(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
+TEST(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
   const std::string whole = to_json(finished());
   for (std::uint64_t round = 0; round < 20; ++round) {
     Report report = fresh();
@@ -82,9 +83,9 @@ TEST_F(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
       // Stops by itself at some chunk, as Ctrl-C would.
       std::atomic<bool> stop = false;
       const std::uint64_t batches = 60 + mix(100 * round + static_cast<std::uint64_t>(stops)) % 500;
-      const Counting counting(liar_, batches, stop);
-      const Party* const both[] = {&counting, &party_named("fast")};
-      run(report, both, {.threads = 2, .stop = &stop});
+      const Counting counting(liar(), batches, stop);
+      const std::array<const Party*, 2> two{&counting, &party_named("fast")};
+      run(report, two, {.threads = 2, .stop = &stop});
       report = from_json(to_json(report));
     }
     report.seconds = 0;
@@ -93,10 +94,10 @@ TEST_F(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
   }
 }
 
-TEST_F(Reports, ObservedStatesAreConsistent) {
+TEST(Reports, ObservedStatesAreConsistent) {
   Report report = fresh();
   int seen = 0;
-  run(report, parties_,
+  run(report, both(),
       {.observe =
            [&](const Report& state) {
              ++seen;
@@ -106,14 +107,14 @@ TEST_F(Reports, ObservedStatesAreConsistent) {
   EXPECT_GT(seen, 0);
 }
 
-TEST_F(Reports, NoCutTextIsRead) {
+TEST(Reports, NoCutTextIsRead) {
   const std::string text = to_json(finished());
   for (std::size_t size = 0; size + 2 < text.size(); size += 1 + size / 20) {
     EXPECT_THROW(from_json(text.substr(0, size)), std::runtime_error) << size;
   }
 }
 
-TEST_F(Reports, DamageIsFound) {
+TEST(Reports, DamageIsFound) {
   const std::string good = to_json(finished());
   const auto refused = [&](const std::string& from, const std::string& to) {
     std::string text = good;
@@ -123,23 +124,23 @@ TEST_F(Reports, DamageIsFound) {
     EXPECT_THROW(from_json(text), std::runtime_error) << from << " -> " << to;
   };
   refused("fixproof report", "another report");
-  refused("\"version\": 1", "\"version\": 2");
-  refused("\"level\": 1", "\"level\": 2");
-  refused("\"level\": 1", "\"level\": \"one\"");
-  refused("\"seed\": \"5\"", "\"seed\": \"five\"");
-  refused("\"mul\"", "\"mull\"");
-  refused("\"i386\"", "\"i486\"");
-  refused("\"faults\": 0", "\"faults\": -1");
-  refused("\"cases\": ", "\"cases\": 1");
-  refused("\"mismatches\": ", "\"mismatches\": 1");
-  refused("\"complete\": true", "\"complete\": false");
-  refused("\"operation\"", "\"operations\"");
-  for (const char* text : {"[]", "1", "null", "{}", "{\"format\": 1}", "\"fixproof report\""}) {
+  refused(R"("version": 1)", R"("version": 2)");
+  refused(R"("level": 1)", R"("level": 2)");
+  refused(R"("level": 1)", R"("level": "one")");
+  refused(R"("seed": "5")", R"("seed": "five")");
+  refused(R"("mul")", R"("mull")");
+  refused(R"("i386")", R"("i486")");
+  refused(R"("faults": 0)", R"("faults": -1)");
+  refused(R"("cases": )", R"("cases": 1)");
+  refused(R"("mismatches": )", R"("mismatches": 1)");
+  refused(R"("complete": true)", R"("complete": false)");
+  refused(R"("operation")", R"("operations")");
+  for (const char* text : {"[]", "1", "null", "{}", R"({"format": 1})", R"("fixproof report")"}) {
     EXPECT_THROW(from_json(text), std::runtime_error) << text;
   }
 }
 
-TEST_F(Reports, ChunksDoneMustFitTheCounts) {
+TEST(Reports, ChunksDoneMustFitTheCounts) {
   Report report = finished();
   report.done[3] = false;
   EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
@@ -151,7 +152,7 @@ TEST_F(Reports, ChunksDoneMustFitTheCounts) {
   EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
 }
 
-TEST_F(Reports, DifferencesAreNamed) {
+TEST(Reports, DifferencesAreNamed) {
   const Report report = finished();
   EXPECT_EQ(difference(report, fresh()), "");
   const Report other_seed(Plan(1, 6, report.plan.rows()), Shard{}, 3);

@@ -2,6 +2,7 @@
 /// Parties that lie in one way, and plans small enough to run many of.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -57,7 +58,7 @@ inline Plan plan_against_fast(const Variant& variant, std::uint64_t seed = 1) {
 
 /// Runs that plan.
 inline Report judge(const Saboteur& liar, const Variant& variant, const RunOptions& options = {}) {
-  const Party* const both[] = {&liar, &party_named("fast")};
+  const std::array<const Party*, 2> both{&liar, &party_named("fast")};
   return run(plan_against_fast(variant), both, options);
 }
 

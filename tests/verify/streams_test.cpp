@@ -172,14 +172,14 @@ TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
 /// mul and div, at full and half width: F, and the operand bits.
 class Constructed : public testing::TestWithParam<int> {
  protected:
-  [[nodiscard]] std::vector<Case> made(Operation operation, Stream stream) const {
+  static std::vector<Case> made(Operation operation, Stream stream) {
     return cases_of(stream, {.operation = operation, .fraction_bits = GetParam()});
   }
   /// The part of a number below the unit.
-  [[nodiscard]] std::int64_t one() const { return std::int64_t{1} << GetParam(); }
-  [[nodiscard]] std::int64_t limit() const { return std::int64_t{1} << (2 * GetParam() - 1); }
+  static std::int64_t one() { return std::int64_t{1} << GetParam(); }
+  static std::int64_t limit() { return std::int64_t{1} << (2 * GetParam() - 1); }
   /// Twice what |n| 2^F leaves when divided by |d|.
-  [[nodiscard]] std::int64_t twice_remainder(const Case& c) const {
+  static std::int64_t twice_remainder(const Case& c) {
     return 2 * (std::abs(c[0]) * one() % std::abs(c[1]));
   }
 };
@@ -330,17 +330,17 @@ TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
   const auto cases =
       cases_of(Stream::root_ties, {.operation = Operation::sqrt, .target = Target::standard});
   const auto fraction = [](const Case& c) {
-    const long double root = std::sqrt(static_cast<long double>(c[0]) * 65536);
+    const double root = std::sqrt(static_cast<double>(c[0]) * 65536);
     return root - std::floor(root);
   };
   EXPECT_GT(count(cases,
                   [&](const Case& c) {
-                    return c[0] > 65536 * 100 && fraction(c) < 0.5L && fraction(c) > 0.4L;
+                    return c[0] > 6'553'600 && fraction(c) < 0.5 && fraction(c) > 0.4;
                   }),
             sample / 20);
   EXPECT_GT(count(cases,
                   [&](const Case& c) {
-                    return c[0] > 65536 * 100 && fraction(c) > 0.5L && fraction(c) < 0.6L;
+                    return c[0] > 6'553'600 && fraction(c) > 0.5 && fraction(c) < 0.6;
                   }),
             sample / 20);
 }

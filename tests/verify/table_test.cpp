@@ -101,11 +101,10 @@ TEST(Table, IsNarrowerThanATerminal) {
 
 TEST(Progress, EstimatesFromTheChunksOfThisRunAlone) {
   Report report = report_of(test::saboteur([](Words, auto, Ending&) {}), 10);
-  const std::uint64_t chunks = report.chunks_done();
+  const std::uint64_t half = report.chunks_done() / 2;
   report.done.back() = false;
   EXPECT_EQ(count(progress_text(report, 0, 1), "left"), 0U);
-  const std::string text =
-      progress_text(report, chunks / 2, 10.0 * static_cast<double>(chunks / 2));
+  const std::string text = progress_text(report, half, 10.0 * static_cast<double>(half));
   EXPECT_EQ(count(text, "about 10 s left: mul i386 on"), 1U) << text;
   EXPECT_LT(text.size(), 80U);
 }
