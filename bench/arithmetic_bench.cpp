@@ -68,7 +68,7 @@ void time_over_arrays(benchmark::State& state, Apply apply, Right right) {
       return;
     }
   }
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     loop();
     benchmark::ClobberMemory();
   }

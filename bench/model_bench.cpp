@@ -30,7 +30,7 @@ void calls(benchmark::State& state, const char* party, Variant variant) {
       return;
     }
   }
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     asked.answer(variant, {in, out, endings});
     benchmark::ClobberMemory();
   }

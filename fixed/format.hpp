@@ -46,9 +46,9 @@ class text_formatter {
 
   template <class Context>
   auto format(number<FractionBits, P> value, Context& context) const {
-    char text[max_decimal_chars<FractionBits>];
-    const char* last = write_decimal<FractionBits>(text, value.raw());
-    const auto length = static_cast<std::size_t>(last - text);
+    std::array<char, max_decimal_chars<FractionBits>> text{};
+    const char* last = write_decimal<FractionBits>(text.data(), value.raw());
+    const auto length = static_cast<std::size_t>(last - text.data());
     const std::size_t padding = width_ > length ? width_ - length : 0;
     const std::size_t before = align_ == '<' ? 0 : align_ == '^' ? padding / 2 : padding;
     auto out = std::fill_n(context.out(), before, fill_);

@@ -28,7 +28,7 @@ namespace fixed {
 /// error throws divide_error.
 ///
 /// \tparam FractionBits 16 or 8
-/// \tparam P            see policy; its `multiply` rounds all but quotients
+/// \tparam P            see policy
 template <int FractionBits, policy P = policies::wrapping>
 class number {
  public:
@@ -52,7 +52,7 @@ class number {
   }
 
   /// The stored integer: the value times 2^FractionBits.
-  constexpr raw_type raw() const noexcept { return raw_; }
+  [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
   /// An integer; out of range by the policy.
   template <std::integral Int>

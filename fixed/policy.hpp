@@ -36,8 +36,9 @@ enum class divide_fault {
 
 /// The rules of one number type; a template argument.
 ///
-/// `multiply` also rounds everything that is neither a product nor a quotient: conversions from
-/// binary floating point and from text, mul_add, dot and lerp.
+/// `multiply` also rounds mul_add, dot, lerp, and what becomes a number: from binary floating
+/// point, from text, from a number with more fraction bits. Quotients follow `divide`; sqrt, sin
+/// and cos are always nearest; conversions to float and to integers say their own rounding.
 struct policy {
   rounding multiply = rounding::half_up;
   rounding divide = rounding::half_up;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <istream>
@@ -26,10 +27,11 @@ inline constexpr std::size_t max_chars = detail::max_decimal_chars<Number::fract
 ///         not fit
 template <int F, policy P>
 constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> value) noexcept {
-  char text[detail::max_decimal_chars<F>];
-  const char* end = detail::write_decimal<F>(text, value.raw());
-  if (last - first < end - text) return {last, std::errc::value_too_large};
-  return {std::copy(static_cast<const char*>(text), end, first), std::errc{}};
+  std::array<char, detail::max_decimal_chars<F>> text{};
+  const char* begin = text.data();
+  const char* end = detail::write_decimal<F>(text.data(), value.raw());
+  if (last - first < end - begin) return {last, std::errc::value_too_large};
+  return {std::copy(begin, end, first), std::errc{}};
 }
 
 /// Reads the longest prefix that is `[sign]digits[.digits]`, of any length, and rounds it once, as
@@ -54,17 +56,18 @@ constexpr std::from_chars_result from_chars(const char* first, const char* last,
 /// The exact value, as to_chars() writes it.
 template <int F, policy P>
 std::string to_string(number<F, P> value) {
-  char text[detail::max_decimal_chars<F>];
-  return {text, detail::write_decimal<F>(text, value.raw())};
+  std::array<char, detail::max_decimal_chars<F>> text{};
+  return {text.data(), detail::write_decimal<F>(text.data(), value.raw())};
 }
 
 /// Writes the exact value; of the stream's flags, width, fill and left or right count.
 template <class Traits, int F, policy P>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
                                              number<F, P> value) {
-  char text[detail::max_decimal_chars<F>];
-  const char* end = detail::write_decimal<F>(text, value.raw());
-  return out << std::basic_string_view<char, Traits>(text, static_cast<std::size_t>(end - text));
+  std::array<char, detail::max_decimal_chars<F>> text{};
+  const char* end = detail::write_decimal<F>(text.data(), value.raw());
+  return out << std::basic_string_view<char, Traits>(text.data(),
+                                                     static_cast<std::size_t>(end - text.data()));
 }
 
 /// Reads what from_chars() reads, after white space, and sets failbit for what it refuses, leaving

@@ -50,11 +50,15 @@ void VariantOptions::add_to(CLI::App& command, bool with_standard) {
 Variant VariantOptions::choose(Operation operation) const {
   Variant v{.operation = operation, .target = target.value_or(Target::i386)};
   v.mul_round = mul_round.value_or(true);
-  v.div_round = div_round.value_or(!as_printed);
+  // The listings of chapter 54 print rounded multiplies and unrounded divides; chapter 52 has no
+  // switch.
+  v.div_round = div_round.value_or(!as_printed || chapter_52);
   if (as_printed) v.div_round = div_round_as_printed(v.target, v.div_round);
   v.chapter_52 = chapter_52;
-  if (chapter_52 && (v.target != Target::i386 || !v.mul_round || !v.div_round)) {
-    throw UsageError("--chapter 52 has only rounded 386 routines");
+  const bool printed_there =
+      operation == Operation::mul || operation == Operation::div || operation == Operation::concat;
+  if (chapter_52 && (!printed_there || v.target != Target::i386 || !v.mul_round || !v.div_round)) {
+    throw UsageError("--chapter 52 has only mul, div and concat, for the 386, rounded");
   }
   return v;
 }

@@ -16,9 +16,9 @@ struct Share {
   std::uint64_t cases = 0;
 };
 
-/// Random cases of one stream at level 1, chosen so that the level takes some five seconds on two
-/// fast processors: an exact answer from big integers takes 0.2 us for a product and ten times that
-/// for a transform.
+/// Random cases of one stream at level 1, which is to take less than 20 seconds on two slow
+/// processors: an exact answer from big integers takes 0.2 us for a product, ten times that for a
+/// transform.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
     case Operation::mul:
@@ -34,7 +34,7 @@ std::uint64_t sample_of(Operation operation) {
   }
 }
 
-/// What level 2 has more of: five minutes where level 1 takes five seconds.
+/// How much more level 2 has.
 constexpr std::uint64_t level_2_factor = 60;
 
 /// Cases of a chunk: some ten milliseconds, so that Ctrl-C is answered at once and a thread that

@@ -9,7 +9,8 @@ namespace fixproof {
 
 namespace {
 
-/// Whether a rounding that was given fits one of the variant's; operations without one fit any.
+/// Whether a rounding that was given fits the variant's. The standard rules have none to choose:
+/// they fit only where none is asked for, or rounding.
 bool rounding_fits(const VariantOptions& options, const Variant& v) {
   if (v.operation == Operation::div) {
     auto wanted = options.div_round;

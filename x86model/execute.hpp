@@ -146,7 +146,7 @@ X86MODEL_INLINE alu::Result shift(std::uint32_t a, int count, int bits) {
 }  // namespace detail
 
 /// Executes one instruction that is not a jump, call or return.
-/// @return proceeds, or why not; on a fault the machine is as before.
+/// @return proceeds, or why not; after divide_error and undefined_flag the machine is as before.
 template <Mnemonic op, class M>
 // One branch for each kind of instruction, of which an instantiation keeps one.
 // NOLINTNEXTLINE(readability-function-cognitive-complexity)

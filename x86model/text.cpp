@@ -97,7 +97,9 @@ std::string nasm_source(Routine routine, Target target, const Build& build) {
   std::string source = "; ";
   source += name_of(routine);
   source += target == Target::i386 ? " for the 386" : " for the 8088";
-  source += build.chapter_52 ? ", as chapter 52 has it\n" : "\n";
+  if (build.chapter_52) source += ", as chapter 52 has it";
+  if (build.endif_as_scanned) source += ", with its last ADC after the endif";
+  source += '\n';
   source += target == Target::i386 ? "        cpu 386\n" : "        cpu 8086\n";
   source += "        bits 16\n";
   for (const Instruction& instruction : program.instructions()) {

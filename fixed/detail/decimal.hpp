@@ -78,12 +78,12 @@ class decimal_reader {
   }
 
   /// Whether the characters taken are a number. "1." is one character too long to be.
-  constexpr bool complete() const noexcept {
+  [[nodiscard]] constexpr bool complete() const noexcept {
     return state_ == state::whole || state_ == state::fraction;
   }
 
   /// Whether the characters taken are a number and a point.
-  constexpr bool ends_in_point() const noexcept { return state_ == state::point; }
+  [[nodiscard]] constexpr bool ends_in_point() const noexcept { return state_ == state::point; }
 
   /// The number read, rounded by rule R; nothing if it is out of range after rounding.
   template <int FractionBits, rounding R>

@@ -3,6 +3,7 @@
 /// 300)".
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <concepts>
 #include <string>
@@ -23,15 +24,15 @@ struct operand {
 
 template <int FractionBits>
 std::string describe(operand<FractionBits> x) {
-  char text[max_decimal_chars<FractionBits>];
-  return {text, write_decimal<FractionBits>(text, x.raw)};
+  std::array<char, max_decimal_chars<FractionBits>> text{};
+  return {text.data(), write_decimal<FractionBits>(text.data(), x.raw)};
 }
 
 std::string describe(std::integral auto x) { return std::to_string(x); }
 
 std::string describe(binary_float auto x) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
 /// \param what      "overflow", "divide error"

@@ -16,17 +16,17 @@ class wide_sum {
     high_ += (term < 0 ? -1 : 0) + (low_ < low ? 1 : 0);
   }
 
-  constexpr bool negative() const noexcept { return high_ < 0; }
+  [[nodiscard]] constexpr bool negative() const noexcept { return high_ < 0; }
 
   /// The sum / 2^bits toward -infinity modulo 2^64, for 0 < bits < 64.
-  constexpr std::int64_t low_shifted_right(int bits) const noexcept {
+  [[nodiscard]] constexpr std::int64_t low_shifted_right(int bits) const noexcept {
     return static_cast<std::int64_t>((low_ >> bits) |
                                      (static_cast<std::uint64_t>(high_) << (64 - bits)));
   }
 
   /// The sum / 2^bits toward -infinity, for 0 < bits < 64; where that does not fit, the end of
   /// std::int64_t on its side.
-  constexpr std::int64_t clamped_shifted_right(int bits) const noexcept {
+  [[nodiscard]] constexpr std::int64_t clamped_shifted_right(int bits) const noexcept {
     const std::int64_t above = high_ >> (bits - 1);
     if (above == 0 || above == -1) return low_shifted_right(bits);
     return negative() ? std::numeric_limits<std::int64_t>::min()

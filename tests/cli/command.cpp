@@ -1,6 +1,7 @@
 #include "tests/cli/command.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -92,9 +93,11 @@ void Process::write(std::string_view text) const {
 }
 
 std::string Process::read_line() const {
+  constexpr int patience = 30'000;  // milliseconds
   std::string line;
   char c = 0;
-  while (read(output_, &c, 1) == 1 && c != '\n') line += c;
+  pollfd waits{.fd = output_, .events = POLLIN, .revents = 0};
+  while (poll(&waits, 1, patience) == 1 && read(output_, &c, 1) == 1 && c != '\n') line += c;
   return line;
 }
 

@@ -34,7 +34,7 @@ class Process {
 
   /// Writes all of `text`, or as much as the program takes before it goes away.
   void write(std::string_view text) const;
-  /// The next line of its standard output without the newline; waits for it.
+  /// The next line of its standard output without the newline; waits for it, though not for ever.
   [[nodiscard]] std::string read_line() const;
   /// Gives it the rest of its input, reads what it still says, and waits for its end.
   Run finish(std::string_view rest = {});

@@ -1,6 +1,7 @@
 /// @file
 /// The commands of fixproof. Each function adds one to the command line; when it has been chosen,
-/// `status` is set to the exit status: 0 all well, 1 a mismatch was found, 2 bad usage or input.
+/// `status` is set to the exit status: 0 all well, 1 a mismatch was found, 2 bad usage or input,
+/// 130 stopped before the end.
 #pragma once
 
 #include <CLI/CLI.hpp>

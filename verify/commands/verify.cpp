@@ -165,8 +165,9 @@ int verify(const Options& options) {
   if (!report.complete()) std::cout << how_to_go_on(options);
   std::cout.flush();
   if (!failure.empty()) throw std::runtime_error(failure);
-  if (!report.complete()) return interrupted_status;
-  return report.mismatches() > 0 ? 1 : 0;
+  // What is missing cannot undo a mismatch.
+  if (report.mismatches() > 0) return 1;
+  return report.complete() ? 0 : interrupted_status;
 }
 
 /// CLI11 takes -1 for the largest unsigned number.
@@ -237,7 +238,7 @@ void add_verify(CLI::App& app, int& status) {
       "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
       "end.\n\n"
       "Examples:\n"
-      "  fixproof verify                                   # every row, some ten seconds\n"
+      "  fixproof verify                                   # every row, in seconds\n"
       "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
       "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
       "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
