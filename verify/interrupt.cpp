@@ -1,22 +1,42 @@
 #include "verify/interrupt.hpp"
 
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace fixproof {
 
 namespace {
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that a handler can reach
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): all that a handler can reach
 std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
+std::atomic<std::int64_t> interrupted_at = 0;
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
+static_assert(std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<std::int64_t>::is_always_lock_free,
+              "a signal handler must not wait for a lock");
 
-extern "C" void note_interrupt(int /*signal*/) { interrupted = true; }
+/// Seconds of a clock that a signal handler may read.
+std::int64_t seconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec;
+}
+
+extern "C" void note_interrupt(int signal) {
+  const std::int64_t now = seconds_now();
+  if (!interrupted.exchange(true)) {
+    interrupted_at = now;
+  } else if (now > interrupted_at + 1) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
 
 void set_handler(void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  // One shot: whoever presses Ctrl-C twice does not want to wait.
-  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

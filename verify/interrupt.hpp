@@ -6,7 +6,9 @@
 
 namespace fixproof {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag; the second one kills.
+/// While it lives, the first SIGINT or SIGTERM only sets a flag. One that comes more than a second
+/// later kills; sooner ones are taken for the same, since some tools signal a process and its group
+/// alike.
 class Interrupt {
  public:
   Interrupt();

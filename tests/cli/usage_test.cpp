@@ -63,6 +63,10 @@ TEST(Usage, UnknownValues) {
   expect_usage_error("eval mul --round yes", "yes");
   expect_usage_error("eval mul --mul-round 1", "1");
   expect_usage_error("eval mul --chapter 53", "53");
+  expect_usage_error("list cossin --chapter 52", "--chapter 52 has only");
+  expect_usage_error("eval xformvec --by oracle --chapter 52", "--chapter 52 has only");
+  expect_usage_error("list mul --target i8088 --round off --as-scanned", "--as-scanned");
+  expect_usage_error("list div --round off --as-scanned", "--as-scanned");
   expect_usage_error("step --cpu 286", "286");
   expect_usage_error("eval mul --target", "--target");
 }

@@ -19,8 +19,8 @@ ProgramChoice ProgramOptions::choose() const {
     throw UsageError(fmt::format("{} is no routine of FIXED.ASM", operation));
   }
   const Variant v = variant.choose(chosen);
-  if (as_scanned && (chosen != Operation::div || v.target != Target::i8088 || v.div_round)) {
-    throw UsageError("--as-scanned is a reading of div --target i8088 --div-round off");
+  if (as_scanned && (chosen != Operation::div || v.target != Target::i8088)) {
+    throw UsageError("--as-scanned is a reading of div --target i8088");
   }
   // The model's routines and the first operations are the same five, in the same order.
   static_assert(static_cast<int>(Operation::concat) == static_cast<int>(x86model::Routine::concat));
