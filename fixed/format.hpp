@@ -52,7 +52,7 @@ class text_formatter {
     const std::size_t padding = width_ > length ? width_ - length : 0;
     const std::size_t before = align_ == '<' ? 0 : align_ == '^' ? padding / 2 : padding;
     auto out = std::fill_n(context.out(), before, fill_);
-    out = std::copy(static_cast<const char*>(text), last, out);
+    out = std::copy(static_cast<const char*>(text.data()), last, out);
     return std::fill_n(out, padding - before, fill_);
   }
 

@@ -60,13 +60,13 @@ TEST(EvalInput, TheLastLineNeedsNoNewline) {
 TEST(EvalInput, AnswersBeforeTheNextLineIsAsked) {
   cli::Process process(cli::command("eval div"));
   process.write("00010000 00030000\n");
-  EXPECT_EQ(process.read_line(), "00005555");
+  ASSERT_EQ(process.read_line(), "00005555");
   process.write("# nothing to answer\n00010000 00000000\n");
-  EXPECT_EQ(process.read_line(), "DE");
+  ASSERT_EQ(process.read_line(), "DE");
   // Half a line is no line yet.
   process.write("00020000 ");
   process.write("00030000\n");
-  EXPECT_EQ(process.read_line(), "0000aaab");
+  ASSERT_EQ(process.read_line(), "0000aaab");
   const auto run = process.finish();
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err, "");

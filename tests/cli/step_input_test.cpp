@@ -51,9 +51,9 @@ TEST(StepInput, PassesOverBlankLinesAndComments) {
 TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
   cli::Process process(cli::command("step --cpu 8088"));
   process.write(good("\n"));
-  EXPECT_EQ(process.read_line(), answer());
+  ASSERT_EQ(process.read_line(), answer());
   process.write(line("hlt") + '\n');
-  EXPECT_EQ(process.read_line(), "unmodelled");
+  ASSERT_EQ(process.read_line(), "unmodelled");
   EXPECT_EQ(process.finish().status, 0);
 }
 
