@@ -28,8 +28,8 @@ extern "C" void note_interrupt(int signal) {
   if (!interrupted.exchange(true)) {
     interrupted_at = now;
   } else if (now > interrupted_at + 1) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+    static_cast<void>(std::signal(signal, SIG_DFL));
+    static_cast<void>(std::raise(signal));
   }
 }
 
