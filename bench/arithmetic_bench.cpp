@@ -2,6 +2,8 @@
 // two operands and stores one result; operands are uniform, and no divisor is zero.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -91,6 +93,11 @@ bool is_quotient(std::int32_t a, std::int32_t b, std::int32_t result, oracle::Ro
   return bits(result) == oracle::fast::quotient(bits(a), bits(b), rounding, 16);
 }
 
+/// What saturation makes of an exact result.
+std::int32_t nearest_word(std::int64_t exact) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(exact, INT32_MIN, INT32_MAX));
+}
+
 void multiply_raw_idiom(benchmark::State& state) {
   time_over_arrays<std::int32_t>(
       state, [](std::int32_t a, std::int32_t b) { return raw_multiply(a, b); }, is_product);
@@ -105,13 +112,15 @@ void multiply_saturating(benchmark::State& state) {
   time_over_arrays<number>(
       state, [](number a, number b) { return a * b; },
       [](auto a, auto b, number r) {
-        return r == number::from_raw(INT32_MAX) || r == number::from_raw(INT32_MIN) ||
-               is_product(a, b, r.raw());
+        return r.raw() == nearest_word(oracle::fast::exact_product(bits(a), bits(b),
+                                                                   oracle::Rounding::half_up, 16));
       });
 }
 void multiply_double(benchmark::State& state) {
   time_over_arrays<double>(
-      state, [](double a, double b) { return a * b; }, [](auto, auto, double) { return true; });
+      state, [](double a, double b) { return a * b; },
+      // One rounding of the exact product.
+      [](auto a, auto b, double r) { return r == static_cast<double>(std::int64_t{a} * b); });
 }
 
 void divide_raw_idiom(benchmark::State& state) {
@@ -131,13 +140,14 @@ void divide_saturating(benchmark::State& state) {
   time_over_arrays<number>(
       state, [](number a, number b) { return a / b; },
       [](auto a, auto b, number r) {
-        return r == number::from_raw(INT32_MAX) || r == number::from_raw(INT32_MIN) ||
-               is_quotient(a, b, r.raw(), oracle::Rounding::half_up);
+        return r.raw() == nearest_word(*oracle::fast::exact_quotient(
+                              bits(a), bits(b), oracle::Rounding::half_up, 16));
       });
 }
 void divide_double(benchmark::State& state) {
   time_over_arrays<double>(
-      state, [](double a, double b) { return a / b; }, [](auto, auto, double) { return true; });
+      state, [](double a, double b) { return a / b; },
+      [](auto a, auto b, double r) { return std::abs(r * b - a) <= std::abs(a) * 0x1p-52; });
 }
 
 BENCHMARK(multiply_raw_idiom);

@@ -55,8 +55,9 @@ constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws)
 /// The nearest whole number; halves go away from zero if the policy's products do, up otherwise.
 template <int F, policy P>
 constexpr number<F, P> round(number<F, P> x) noexcept(number<F, P>::never_throws) {
-  constexpr bool away = P.multiply == rounding::half_away;
-  return detail::whole < away ? rounding::half_away : rounding::half_up > (x, "round");
+  constexpr rounding rule =
+      P.multiply == rounding::half_away ? rounding::half_away : rounding::half_up;
+  return detail::whole<rule>(x, "round");
 }
 
 /// The whole part: x toward zero.

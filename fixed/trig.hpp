@@ -2,6 +2,7 @@
 /// Sine and cosine of an angle in tenths of a degree, as CosSin of FIXED.ASM returns them.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -18,16 +19,16 @@ struct cos_sin {
   friend constexpr bool operator==(const cos_sin&, const cos_sin&) = default;
 };
 
-/// The cosine and the sine, each the nearest number, of an angle in tenths of a degree. Any angle:
-/// whole turns (3600) do not count. The same under every policy.
+/// The cosine and the sine, each the nearest number, of an angle in tenths of a degree. Any angle
+/// of any integer type: whole turns (3600) do not count. The same under every policy.
 ///
 ///     const auto [cos, sin] = fixed::sin_cos<fixed::q16_16>(450);
 template <class Number>
-constexpr cos_sin<Number> sin_cos(std::int16_t angle) noexcept {
+constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
   constexpr int turn = 3600;
   constexpr int quarter = turn / 4;
   constexpr const auto& table = detail::cosine_table<Number::fraction_bits, quarter / 90>;
-  const int in_turn = (angle % turn + turn) % turn;
+  const int in_turn = (static_cast<int>(angle % turn) + turn) % turn;
   const auto from_axis = static_cast<std::size_t>(in_turn % quarter);
   const std::int32_t along = table[from_axis];
   const std::int32_t across = table[quarter - from_axis];
@@ -49,13 +50,13 @@ constexpr cos_sin<Number> sin_cos(std::int16_t angle) noexcept {
 
 /// The cosine alone; see sin_cos().
 template <class Number>
-constexpr Number cos(std::int16_t angle) noexcept {
+constexpr Number cos(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).cos;
 }
 
 /// The sine alone; see sin_cos().
 template <class Number>
-constexpr Number sin(std::int16_t angle) noexcept {
+constexpr Number sin(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).sin;
 }
 

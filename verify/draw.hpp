@@ -20,7 +20,7 @@ class Draw {
  public:
   constexpr Draw(std::uint64_t key, std::uint64_t index) : state_(mix(mix(key) + index)) {}
 
-  /// 64 even bits.
+  /// 64 bits, each value as likely.
   constexpr std::uint64_t bits() { return mix(state_ += 0x9e3779b97f4a7c15U); }
 
   /// 0 ... count-1, for 1 <= count <= 2^32. The bias is below count / 2^32.

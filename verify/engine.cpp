@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "verify/chunk_runner.hpp"
@@ -70,8 +71,15 @@ class Workers {
     // `running_` goes down as soon as the first threads end: it is no bound for this loop.
     const std::size_t started = std::min<std::size_t>(threads, left_.size());
     running_ = started;
-    for (std::size_t i = 0; i < started; ++i) {
-      threads_.emplace_back([this] { work(); });
+    try {
+      for (std::size_t i = 0; i < started; ++i) {
+        threads_.emplace_back([this] { work(); });
+      }
+    } catch (const std::system_error& error) {
+      failed_ = true;
+      wait();
+      throw std::runtime_error(fmt::format("cannot start thread {} of {}: {}; give fewer --threads",
+                                           threads_.size() + 1, started, error.code().message()));
     }
   }
 

@@ -2,9 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "verify/options.hpp"
+#include <algorithm>
+
+#include "verify/usage_error.hpp"
 
 namespace fixproof {
+
+std::string printable(std::string text) {
+  const auto steers = [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), steers, '?');
+  return text;
+}
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
@@ -23,8 +31,8 @@ std::uint32_t parse_hex(std::string_view text, std::size_t digits) {
     word = word << 4U | static_cast<std::uint32_t>(decimal ? c - '0' : c - 'a' + 10);
   }
   if (text.size() != digits) {
-    throw UsageError(
-        fmt::format("{} has {} hex digits instead of {}", quoted(text), text.size(), digits));
+    throw UsageError(fmt::format("{} has {} hex digit{} instead of {}", quoted(text), text.size(),
+                                 text.size() == 1 ? "" : "s", digits));
   }
   return word;
 }

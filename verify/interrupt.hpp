@@ -1,14 +1,14 @@
 /// @file
-/// Ctrl-C, and being asked to terminate.
+/// Ctrl-C, a closed terminal, and being asked to terminate.
 #pragma once
 
 #include <atomic>
 
 namespace fixproof {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag. One that comes more than a second
-/// later kills; sooner ones are taken for the same, since some tools signal a process and its group
-/// alike.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag. One that comes more than a
+/// second later kills; sooner ones are taken for the same, since some tools signal a process and
+/// its group alike.
 class Interrupt {
  public:
   Interrupt();

@@ -8,13 +8,15 @@
 #include <iostream>
 
 #include "verify/commands/commands.hpp"
+#include "verify/hex.hpp"
+#include "verify/usage_error.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app{
       "Bit-exact verification of 16.16 fixed-point arithmetic: a register-level model of the 8088\n"
       "and 386 sequences of FIXED.ASM, a big-integer oracle and a production C++ type, compared."};
   app.name("fixproof");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", FIXPROOF_VERSION);
   // A reader that goes away is an error that is reported, not a silent end.
   std::signal(SIGPIPE, SIG_IGN);
@@ -29,14 +31,22 @@ int main(int argc, char** argv) {
   fixproof::add_list(app, status);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty())
+      throw fixproof::UsageError("which command? (see fixproof --help)");
   } catch (const CLI::Success& help) {
     app.exit(help);
+  } catch (const CLI::ExtrasError&) {
+    const auto extra = app.remaining(true);
+    const char* what = app.get_subcommands().empty() ? "no such command" : "not expected";
+    fmt::print(stderr, "fixproof: {}: {} (see fixproof --help)\n", what,
+               fixproof::printable(extra.front()));
+    return 2;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "fixproof: {} (see fixproof --help)\n", error.what());
+    fmt::print(stderr, "fixproof: {} (see fixproof --help)\n", fixproof::printable(error.what()));
     return 2;
   } catch (const std::exception& error) {
     std::cout.flush();
-    fmt::print(stderr, "fixproof: {}\n", error.what());
+    fmt::print(stderr, "fixproof: {}\n", fixproof::printable(error.what()));
     return 2;
   }
   // A full disk or a closed pipe shows at the latest here.

@@ -24,8 +24,11 @@ void add(Report& sum, const NamedReport& part, std::span<const NamedReport> befo
           std::find_if(before.begin(), before.end(),
                        [&](const NamedReport& earlier) { return earlier.report.done[chunk]; });
       throw std::runtime_error(
-          fmt::format("{} and {} both hold chunk {}: it would be counted twice", other->name,
-                      part.name, chunk));
+          other->name == part.name
+              ? fmt::format("{} is given twice", part.name)
+              : fmt::format("{} and {} both hold chunk {}: it would be counted "
+                            "twice",
+                            other->name, part.name, chunk));
     }
     sum.done[chunk] = true;
   }

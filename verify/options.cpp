@@ -4,6 +4,8 @@
 
 #include <map>
 
+#include "verify/usage_error.hpp"
+
 namespace fixproof {
 
 namespace {
@@ -39,7 +41,7 @@ void VariantOptions::add_to(CLI::App& command, bool with_standard) {
           "rounding of divides: on or off")
       ->check(named(on_off));
   command.add_flag("--as-printed", as_printed,
-                   "take the roundings for the printed switches; the 8088 divide inverts its own");
+                   "the roundings are the printed switches: see docs/findings.md, 1");
   command
       .add_option_function<int>(
           "--chapter", [this](int chapter) { chapter_52 = chapter == 52; },

@@ -10,12 +10,6 @@
 
 namespace fixproof {
 
-/// Bad usage or input: one line for stderr, and exit status 2.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// What was given on the command line to choose a variant; what was not given is empty.
 struct VariantOptions {
   std::optional<Target> target;

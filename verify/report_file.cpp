@@ -5,14 +5,25 @@
 #include <stdexcept>
 
 #include "verify/file.hpp"
+#include "verify/party.hpp"
+#include "verify/text.hpp"
 
 namespace fixproof {
 
 Report read_report(const std::string& path) {
   const std::string text = read_file(path);
   try {
-    return from_json(text);
-  } catch (const std::runtime_error& error) {
+    Report report = from_json(text);
+    for (const Row& row : report.plan.rows()) {
+      for (const std::string& name : row.parties) {
+        if (!party_named(name).answers(row.variant)) {
+          throw std::runtime_error(
+              fmt::format("{} does not answer {}", name, name_of(row.variant)));
+        }
+      }
+    }
+    return report;
+  } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
   }
 }

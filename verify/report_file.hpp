@@ -9,7 +9,7 @@
 
 namespace fixproof {
 
-/// The report in a file.
+/// The report in a file, its parties all of this build.
 /// @throws std::runtime_error naming the file and the reason
 Report read_report(const std::string& path);
 

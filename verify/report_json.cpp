@@ -19,6 +19,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view format_name = "fixproof report";
 constexpr int format_version = 1;
 
+/// What verify takes for --max-reports.
+constexpr std::uint64_t most_shown = 1000;
+
 [[noreturn]] void refuse(const std::string& reason) { throw std::runtime_error(reason); }
 
 /// 64-bit numbers are written as text: many readers of JSON keep no more than 53 bits.
@@ -30,6 +33,22 @@ Integer integer_in(std::string_view text, int base, const char* what) {
     refuse(fmt::format("'{}' is no {}", text, what));
   }
   return value;
+}
+
+/// A number that counts; the library would take -1 for the largest.
+std::uint64_t count_in(const Json& json) {
+  if (!json.is_number_unsigned()) refuse(fmt::format("{} is no count", json.dump()));
+  return json.get<std::uint64_t>();
+}
+
+/// Where only these two texts or numbers may stand, whether it is the second.
+template <class Value>
+bool is_second(const Json& json, const Value& first, const Value& second) {
+  const auto value = json.get<Value>();
+  if (value != first && value != second) {
+    refuse(fmt::format("{} where {} or {} is wanted", json.dump(), first, second));
+  }
+  return value == second;
 }
 
 std::vector<std::uint32_t> words_in_text(std::string_view text) {
@@ -52,7 +71,19 @@ Json json_of(const Mismatch& m, int word_bits) {
           {"said", said}};
 }
 
-Json json_of(const Row& row, const Findings& found) {
+/// The streams of a row and how many cases each has: what tells that two builds draw the same
+/// cases.
+Json streams_of(const Plan& plan, std::size_t row) {
+  Json streams = Json::object();
+  for (const Job& job : plan.jobs()) {
+    if (job.row == row) streams[std::string(name_of(job.stream))] = job.cases;
+  }
+  return streams;
+}
+
+Json json_of(const Report& report, std::size_t number) {
+  const Row& row = report.plan.rows()[number];
+  const Findings& found = report.findings[number];
   const Variant& v = row.variant;
   Json shown = Json::array();
   for (const Mismatch& m : found.shown) shown.push_back(json_of(m, operand_bits(v)));
@@ -63,6 +94,7 @@ Json json_of(const Row& row, const Findings& found) {
           {"chapter", v.chapter_52 ? 52 : 54},
           {"width", v.fraction_bits == 16 ? "full" : "half"},
           {"parties", row.parties},
+          {"streams", streams_of(report.plan, number)},
           {"cases", found.cases},
           {"faults", found.faults},
           {"mismatches", found.mismatches},
@@ -93,8 +125,8 @@ void read_done(const Json& ranges, Report& report) {
   const std::uint64_t places = report.chunks_in_shard();
   std::uint64_t next = 0;
   for (const Json& range : ranges) {
-    const auto first = range.at(0).get<std::uint64_t>();
-    const auto last = range.at(1).get<std::uint64_t>();
+    const std::uint64_t first = count_in(range.at(0));
+    const std::uint64_t last = count_in(range.at(1));
     if (first < next || last < first || last >= places) {
       refuse(fmt::format("the chunks done, {} to {}, do not fit", first, last));
     }
@@ -119,21 +151,21 @@ Row row_in(const Json& json) {
   v.target = target_named(json.at("target").get<std::string>());
   v.mul_round = json.at("mul_round").get<bool>();
   v.div_round = json.at("div_round").get<bool>();
-  v.chapter_52 = json.at("chapter").get<int>() == 52;
-  v.fraction_bits = json.at("width").get<std::string>() == "half" ? 8 : 16;
+  v.chapter_52 = is_second<int>(json.at("chapter"), 54, 52);
+  v.fraction_bits = is_second<std::string>(json.at("width"), "full", "half") ? 8 : 16;
   row.parties = json.at("parties").get<std::vector<std::string>>();
   return row;
 }
 
 Findings findings_in(const Json& json) {
   Findings found;
-  found.cases = json.at("cases").get<std::uint64_t>();
-  found.faults = json.at("faults").get<std::uint64_t>();
-  found.mismatches = json.at("mismatches").get<std::uint64_t>();
+  found.cases = count_in(json.at("cases"));
+  found.faults = count_in(json.at("faults"));
+  found.mismatches = count_in(json.at("mismatches"));
   for (const Json& shown : json.at("shown")) {
     Mismatch& m = found.shown.emplace_back();
-    m.chunk = shown.at("chunk").get<std::uint64_t>();
-    m.index = shown.at("case").get<std::uint64_t>();
+    m.chunk = count_in(shown.at("chunk"));
+    m.index = count_in(shown.at("case"));
     m.words = words_in_text(shown.at("words").get<std::string>());
     m.smallest = words_in_text(shown.at("smallest").get<std::string>());
     for (const auto& [party, answer] : shown.at("said").items()) {
@@ -141,6 +173,30 @@ Findings findings_in(const Json& json) {
     }
   }
   return found;
+}
+
+/// Whether a mismatch can come from a chunk that is done of that row, by the row's parties.
+bool fits(const Mismatch& m, const Report& report, std::size_t row) {
+  if (m.chunk >= report.done.size() || !report.done[m.chunk]) return false;
+  const Chunk chunk = report.plan.chunk(m.chunk);
+  const Row& of = report.plan.rows()[row];
+  const std::size_t arity = words_in(of.variant.operation);
+  const int bits = operand_bits(of.variant);
+  const auto too_wide = [bits](std::uint32_t word) { return bits < 32 && word >> bits != 0; };
+  const auto is_case = [&](const std::vector<std::uint32_t>& words) {
+    return words.size() == arity && std::none_of(words.begin(), words.end(), too_wide);
+  };
+  const auto plain = [](const std::pair<std::string, std::string>& said) {
+    return std::all_of(said.second.begin(), said.second.end(),
+                       [](char c) { return c >= ' ' && c <= '~'; });
+  };
+  const auto names_match = [](const std::pair<std::string, std::string>& said,
+                              const std::string& party) { return said.first == party; };
+  return chunk.job->row == row && m.index >= chunk.first && m.index - chunk.first < chunk.cases &&
+         is_case(m.words) && (m.smallest.empty() || is_case(m.smallest)) &&
+         std::all_of(m.said.begin(), m.said.end(), plain) &&
+         (m.said.empty() || std::equal(m.said.begin(), m.said.end(), of.parties.begin(),
+                                       of.parties.end(), names_match));
 }
 
 /// Refuses counts that cannot come from the chunks that are done.
@@ -152,20 +208,18 @@ void check_counts(const Report& report) {
   });
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Findings& found = report.findings[i];
-    const std::size_t arity = words_in(report.plan.rows()[i].variant.operation);
-    bool fits = found.cases == cases[i] && found.faults <= cases[i] &&
-                found.mismatches <= cases[i] &&
-                found.shown.size() == std::min<std::uint64_t>(found.mismatches, report.max_shown);
-    for (const Mismatch& m : found.shown) {
-      fits = fits && m.chunk < report.done.size() && report.done[m.chunk] &&
-             m.words.size() == arity && (m.smallest.empty() || m.smallest.size() == arity);
+    const bool counted =
+        found.cases == cases[i] && found.faults <= cases[i] && found.mismatches <= cases[i] &&
+        found.shown.size() == std::min<std::uint64_t>(found.mismatches, report.max_shown);
+    if (!counted || !std::all_of(found.shown.begin(), found.shown.end(),
+                                 [&](const Mismatch& m) { return fits(m, report, i); })) {
+      refuse(fmt::format("the counts of row {} do not fit the chunks done", i + 1));
     }
-    if (!fits) refuse(fmt::format("the counts of row {} do not fit the chunks done", i + 1));
   }
 }
 
 Shard shard_in(const Json& json) {
-  const Shard shard{json.at(0).get<std::uint64_t>(), json.at(1).get<std::uint64_t>()};
+  const Shard shard{count_in(json.at(0)), count_in(json.at(1))};
   if (shard.index < 1 || shard.index > shard.count) refuse("impossible shard");
   return shard;
 }
@@ -180,19 +234,23 @@ Report report_in(const Json& json) {
   Plan plan(json.at("level").get<int>(),
             integer_in<std::uint64_t>(json.at("seed").get<std::string>(), 10, "seed"),
             std::move(rows));
-  if (json.at("chunks").get<std::uint64_t>() != plan.chunks()) {
-    refuse("made by a fixproof that runs other cases");
+  for (std::size_t i = 0; i < plan.rows().size(); ++i) {
+    if (json.at("rows")[i].at("streams") != streams_of(plan, i)) {
+      refuse("made by a fixproof that runs other cases");
+    }
   }
-  Report report(std::move(plan), shard_in(json.at("shard")),
-                json.at("max_reports").get<std::size_t>());
+  const std::uint64_t max_shown = count_in(json.at("max_reports"));
+  if (max_shown > most_shown) refuse(fmt::format("max_reports {} is too large", max_shown));
+  Report report(std::move(plan), shard_in(json.at("shard")), max_shown);
   read_done(json.at("done"), report);
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
     report.findings[i] = findings_in(json.at("rows")[i]);
   }
   report.seconds = json.at("seconds").get<double>();
+  if (!(report.seconds >= 0)) refuse("negative seconds");
   check_counts(report);
-  if (json.at("cases").get<std::uint64_t>() != report.cases() ||
-      json.at("mismatches").get<std::uint64_t>() != report.mismatches() ||
+  if (count_in(json.at("cases")) != report.cases() ||
+      count_in(json.at("mismatches")) != report.mismatches() ||
       json.at("complete").get<bool>() != report.complete()) {
     refuse("the totals do not fit the rows");
   }
@@ -204,7 +262,7 @@ Report report_in(const Json& json) {
 std::string to_json(const Report& report) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
-    rows.push_back(json_of(report.plan.rows()[i], report.findings[i]));
+    rows.push_back(json_of(report, i));
   }
   const Json json{{"format", format_name},
                   {"version", format_version},
@@ -216,7 +274,6 @@ std::string to_json(const Report& report) {
                   {"seconds", report.seconds},
                   {"cases", report.cases()},
                   {"mismatches", report.mismatches()},
-                  {"chunks", report.plan.chunks()},
                   {"done", done_ranges(report)},
                   {"rows", rows}};
   return json.dump(1) + "\n";

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <charconv>
 
+#include "verify/usage_error.hpp"
+
 namespace fixproof {
 
 namespace {
 
 /// Whether a rounding that was given fits the variant's. The standard rules have none to choose:
-/// they fit only where none is asked for, or rounding.
+/// they fit only where none is asked for, or rounding, and nothing of them was printed.
 bool rounding_fits(const VariantOptions& options, const Variant& v) {
+  if (options.as_printed && v.target == Target::standard) return false;
   if (v.operation == Operation::div) {
     auto wanted = options.div_round;
     // As in VariantOptions::choose(): the listings print rounded multiplies and unrounded divides.

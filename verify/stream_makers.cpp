@@ -122,7 +122,7 @@ Pair whole_divisor_tie(Draw& draw, const Format& format) {
 }
 
 Pair large_quotient(Draw& draw, const Format& format) {
-  // Just outside the signed range of a word, or just outside the unsigned one.
+  // About the end of the signed range of a word, or about the end of the unsigned one.
   const bool is_signed = draw.coin();
   const std::int64_t edge = is_signed ? format.limit() : 2 * format.limit();
   const int widest = is_signed ? format.fraction_bits : format.fraction_bits - 1;

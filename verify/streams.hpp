@@ -16,7 +16,7 @@ namespace fixproof {
 /// How cases are made. F is the number of fraction bits, "one unit" the last place, 2^-F.
 enum class Stream : std::uint8_t {
   // Any operation.
-  uniform,  ///< every word even over its range
+  uniform,  ///< every word as likely
   scaled,   ///< a random sign and a random number of bits: small and large words alike
   // One or two operands, counted through.
   lattice,  ///< every ordered choice of values of boundary_lattice()

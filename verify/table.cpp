@@ -38,11 +38,10 @@ Line line_of(const Row& row, const Findings& found, bool unfinished) {
   std::string target(name_of(v.target));
   if (v.chapter_52) target += " ch52";
   if (v.fraction_bits == 8) target += " 8.8";
-  const bool rounds = v.operation == Operation::div ? v.div_round : v.mul_round;
   return {std::string(name_of(v.operation)),
           target,
           v.target == Target::standard ? "-"
-          : rounds                     ? "on"
+          : rounds(v)                  ? "on"
                                        : "off",
           row.parties.empty() ? "none" : fmt::format("{}", fmt::join(row.parties, " ")),
           grouped(found.cases),
@@ -125,6 +124,8 @@ std::string verdict(const Report& report) {
                                     [](const Findings& found) { return found.mismatches > 0; });
     text += fmt::format("{} cases DIFFER, in {} {}.", grouped(report.mismatches()), rows,
                         rows == 1 ? "row" : "rows");
+  } else if (report.cases() == 0) {
+    text += "nothing has been compared.";
   } else {
     text += report.complete() ? "all parties agree on every case." : "so far all parties agree.";
   }

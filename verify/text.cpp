@@ -16,9 +16,6 @@ namespace {
 
 std::string_view on_off(bool on) { return on ? "on" : "off"; }
 
-/// The switch that matters to the operation.
-bool rounds(const Variant& v) { return v.operation == Operation::div ? v.div_round : v.mul_round; }
-
 /// Two's complement of `bits` bits.
 std::int32_t signed_word(std::uint32_t word, int bits) {
   const int unused = 32 - bits;

@@ -41,10 +41,10 @@ Operation operation_named(std::string_view name) {
   for (const auto& [known, operation] : operations) {
     if (known == name) return operation;
   }
-  throw std::invalid_argument(
-      fmt::format("unknown operation '{}'; there are mul, div, cossin, xformvec, concat, sqrt, "
-                  "decimal, binary64",
-                  name));
+  std::string all;
+  for (const auto& known : operations)
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", known.first);
+  throw std::invalid_argument(fmt::format("unknown operation '{}'; there are {}", name, all));
 }
 
 std::vector<Variant> all_variants() {

@@ -44,6 +44,11 @@ struct Variant {
   friend bool operator==(const Variant&, const Variant&) = default;
 };
 
+/// Whether the code rounds: the switch that matters to the operation. CosSin has none.
+constexpr bool rounds(const Variant& v) {
+  return v.operation == Operation::div ? v.div_round : v.mul_round;
+}
+
 /// Words a case of the operation takes and gives.
 constexpr std::size_t words_in(Operation o) {
   switch (o) {
@@ -73,7 +78,7 @@ constexpr std::size_t words_out(Operation o) {
 inline constexpr std::size_t most_words_in = 24;
 inline constexpr std::size_t most_words_out = 12;
 
-/// Bits of operand `index`: the angle of cossin has half as many as a word.
+/// Bits of each operand: the angle of cossin has half as many as a word.
 constexpr int operand_bits(const Variant& v) {
   return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
 }

@@ -86,8 +86,7 @@ constexpr std::size_t position_of(std::string_view label, const Program& program
 /// Assembles a listing for one setting of its switches.
 ///
 /// @throws std::logic_error where the listing is malformed: in a constant expression the program
-/// then
-///         does not compile.
+/// then does not compile.
 constexpr Program assemble(const Listing& listing, const Build& build) {
   Program program;
   std::array<bool, 4> kept{true};

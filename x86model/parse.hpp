@@ -21,8 +21,7 @@ class ParseError : public std::runtime_error {
 /// labels. All names but labels are lower case.
 ///
 /// @return nothing for a mnemonic or an operand that is well formed but that no routine has, such
-/// as an
-///         8-bit register or a place in memory
+/// as an 8-bit register or a place in memory
 /// @throws ParseError where the line is not an instruction
 std::optional<Instruction> parse(std::string_view line);
 

@@ -104,7 +104,13 @@ TEST(EvalInput, RefusesOtherSpacing) {
   expect_refused("00018000,00028000");
 }
 
-TEST(EvalInput, RefusesACarriageReturn) { expect_refused("00018000 00028000\r"); }
+TEST(EvalInput, TakesLinesOfEitherKind) {
+  const auto run = cli::fixproof("eval mul", "\r\n# c\r\n00018000 00028000\r\n00018000 00028000");
+  EXPECT_EQ(run.out, fmt::format("{0}{0}", answer));
+  EXPECT_EQ(run.err, "");
+  expect_refused("00018000\r 00028000");
+  expect_refused("00018000 00028000\r\r");
+}
 
 TEST(EvalInput, RefusesAHashAfterASpace) { expect_refused(" # comment"); }
 

@@ -102,7 +102,7 @@ TEST(StepInput, RefusesOtherDigits) {
   expect_refused(replaced(good(), "ax=0000", "ax=00FF"), "lower-case hex");
   expect_refused(replaced(good(), "ax=0000", "ax=0x00"), "lower-case hex");
   expect_refused(replaced(good(), "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
-  expect_refused(good("\r"), "lower-case hex");
+  expect_refused(good("\r "), "lower-case hex");
 }
 
 TEST(StepInput, RefusesWhatIsNoInstruction) {

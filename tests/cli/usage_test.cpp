@@ -18,9 +18,9 @@ void expect_usage_error(std::string_view arguments, std::string_view part) {
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
 }
 
-TEST(Usage, NoCommand) { expect_usage_error("", "subcommand"); }
+TEST(Usage, NoCommand) { expect_usage_error("", "which command?"); }
 
-TEST(Usage, UnknownCommand) { expect_usage_error("evaluate mul", "subcommand"); }
+TEST(Usage, UnknownCommand) { expect_usage_error("evaluate mul", "no such command: evaluate"); }
 
 TEST(Usage, MissingOperation) {
   expect_usage_error("eval", "operation");

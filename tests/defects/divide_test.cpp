@@ -61,7 +61,10 @@ TEST(Defects, HalfRangeDivisor) {
   EXPECT_NEAR(pixels_off_before<On8088>(2), 160, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(3), 80, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(11), 16, 0.01);
+  EXPECT_NEAR(pixels_off_before<On8088>(5), 40, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(101), 1.6, 0.01);
+  EXPECT_NEAR(pixels_off_before<On8088>(320), 0.503, 0.0005);
+  EXPECT_NEAR(pixels_off_before<On8088>(321), 0.498, 0.0005);
   for (int distance = 2; distance <= 320; ++distance) {
     EXPECT_GT(pixels_off_before<On8088>(distance), 0.5) << distance;
   }

@@ -1,6 +1,5 @@
 /// Conversions from and to float, double, integers and other number types.
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <bit>
 #include <cstdint>
@@ -10,8 +9,8 @@
 #include <vector>
 
 #include "fixed/fixed.hpp"
-#include "fixed/rapidcheck.hpp"
 #include "tests/fixed/exact.hpp"
+#include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
 
 namespace {
@@ -113,14 +112,13 @@ TYPED_TEST(Conversion, FromWhatIsNoNumber) {
 }
 
 TYPED_TEST(Conversion, ToDoubleAndBackIsTheSame) {
-  EXPECT_TRUE(rc::check([](TypeParam x) {
+  EXPECT_TRUE(property::for_all<TypeParam>([](TypeParam x) {
     const auto value = static_cast<double>(x);
     const auto [m, e] = take_apart(value);
     // value = raw 2^-bits
     const int shift = e + TypeParam::fraction_bits;
-    RC_ASSERT(shift <= 0);
-    RC_ASSERT(m == (shift < -62 ? std::int64_t{0} : std::int64_t{x.raw()} << -shift));
-    RC_ASSERT(TypeParam(value) == x);
+    return shift <= 0 && m == (shift < -62 ? std::int64_t{0} : std::int64_t{x.raw()} << -shift) &&
+           TypeParam(value) == x;
   }));
 }
 
@@ -136,7 +134,7 @@ TYPED_TEST(Conversion, ToFloatIsNearestEven) {
            ((error != step && error != -step) || m % 2 == 0);
   };
   for (const auto x : exact::edges<TypeParam>()) EXPECT_TRUE(check(x)) << x;
-  EXPECT_TRUE(rc::check([check](TypeParam x) { RC_ASSERT(check(x)); }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
 }
 
 template <class Number, class Int>
@@ -180,12 +178,11 @@ TYPED_TEST(Conversion, FromIntegersOfEveryType) {
 }
 
 TYPED_TEST(Conversion, ToIntegerIsTowardZero) {
-  EXPECT_TRUE(rc::check([](TypeParam x) {
+  EXPECT_TRUE(property::for_all<TypeParam>([](TypeParam x) {
     const std::int64_t whole = x.raw() / exact::one<TypeParam>;
-    RC_ASSERT(static_cast<int>(x) == whole);
-    RC_ASSERT(static_cast<long long>(x) == whole);
-    RC_ASSERT(static_cast<unsigned char>(x) == static_cast<unsigned char>(whole));
-    RC_ASSERT(static_cast<unsigned long>(x) == static_cast<unsigned long>(whole));
+    return static_cast<int>(x) == whole && static_cast<long long>(x) == whole &&
+           static_cast<unsigned char>(x) == static_cast<unsigned char>(whole) &&
+           static_cast<unsigned long>(x) == static_cast<unsigned long>(whole);
   }));
 }
 

@@ -1,6 +1,5 @@
 /// Functions of numbers against exact fractions.
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <array>
 #include <cstdint>
@@ -9,8 +8,8 @@
 #include <vector>
 
 #include "fixed/fixed.hpp"
-#include "fixed/rapidcheck.hpp"
 #include "tests/fixed/exact.hpp"
+#include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
 
 namespace {
@@ -50,7 +49,7 @@ TYPED_TEST(Math, WholeNumbers) {
            to_integer<rounding::truncate>(x) == exact::round({x.raw(), unit}, rounding::truncate);
   };
   for (const auto x : exact::edges<TypeParam>()) ASSERT_TRUE(check(x)) << x;
-  EXPECT_TRUE(rc::check([check](TypeParam x) { RC_ASSERT(check(x)); }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
 }
 
 TYPED_TEST(Math, AbsMinMax) {
@@ -78,7 +77,7 @@ TYPED_TEST(Math, SquareRootIsNearest) {
     return r > 0 && (2 * r - 1) * (2 * r - 1) < 4 * n && 4 * n < (2 * r + 1) * (2 * r + 1);
   };
   for (const auto x : exact::edges<TypeParam>()) ASSERT_TRUE(check(x)) << x;
-  EXPECT_TRUE(rc::check([check](TypeParam x) { RC_ASSERT(check(x)); }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
   // Around k^2 and (k + 1/2)^2, where the root changes.
   for (std::int64_t k = 1; k < 2896; k += 7) {
     for (const std::int64_t step : {-1, 0, 1}) {
@@ -105,8 +104,7 @@ TYPED_TEST(Math, MulAddIsOneRounding) {
       }
     }
   }
-  EXPECT_TRUE(
-      rc::check([check](TypeParam a, TypeParam b, TypeParam c) { RC_ASSERT(check(a, b, c)); }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
 }
 
 TYPED_TEST(Math, LerpIsOneRounding) {
@@ -126,8 +124,7 @@ TYPED_TEST(Math, LerpIsOneRounding) {
     EXPECT_EQ(lerp(a, TypeParam::from_raw(77), TypeParam()), a);
     EXPECT_EQ(lerp(TypeParam::from_raw(77), a, TypeParam(1)), a);
   }
-  EXPECT_TRUE(
-      rc::check([check](TypeParam a, TypeParam b, TypeParam t) { RC_ASSERT(check(a, b, t)); }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
 }
 
 TYPED_TEST(Math, DotIsOneRounding) {
@@ -139,9 +136,7 @@ TYPED_TEST(Math, DotIsOneRounding) {
     return exact::run<TypeParam>([&] { return dot(a, b); }) ==
            exact::result<TypeParam>({sum, exact::one<TypeParam>});
   };
-  EXPECT_TRUE(rc::check([check](const std::vector<TypeParam>& a, const std::vector<TypeParam>& b) {
-    RC_ASSERT(check(a, b));
-  }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
   // Sums beyond 64 bits, of either sign, and back.
   const auto lowest = std::numeric_limits<TypeParam>::lowest();
   const auto highest = std::numeric_limits<TypeParam>::max();

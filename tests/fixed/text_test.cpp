@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
 #include <cstdint>
+#include <functional>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -13,8 +14,8 @@
 #include <system_error>
 
 #include "fixed/fixed.hpp"
-#include "fixed/rapidcheck.hpp"
 #include "tests/fixed/exact.hpp"
+#include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
 
 namespace {
@@ -94,7 +95,19 @@ TYPED_TEST(Text, IsExactAndComesBack) {
            end == text.data() + text.size() && back == x && out.str() == text;
   };
   for (const auto x : exact::edges<TypeParam>()) EXPECT_TRUE(check(x)) << x;
-  EXPECT_TRUE(rc::check([check](TypeParam x) { RC_ASSERT(check(x)); }));
+  EXPECT_TRUE(property::for_all<TypeParam>(check));
+}
+
+/// Whether `check` holds for decimal numbers about the range of that format.
+bool holds_for_texts(int fraction_bits, const std::function<bool(const std::string&)>& check) {
+  return rc::check([&](bool negative, std::uint16_t whole, std::uint64_t fraction) {
+    const std::string digits = std::to_string(fraction);
+    const std::string whole_digits = std::to_string(whole % (1 << (fraction_bits - 1)));
+    const std::string sign = negative ? "-" : "";
+    RC_ASSERT(check(sign + whole_digits + "." + digits));
+    RC_ASSERT(check(sign + whole_digits + ".0" + digits));
+    RC_ASSERT(check(sign + std::to_string(whole) + "." + digits));
+  });
 }
 
 TYPED_TEST(Text, IsRoundedOnce) {
@@ -126,14 +139,7 @@ TYPED_TEST(Text, IsRoundedOnce) {
       EXPECT_TRUE(check(sign + less + std::string(300, '9'))) << sign << less;
     }
   }
-  EXPECT_TRUE(rc::check([check](bool negative, std::uint16_t whole, std::uint64_t fraction) {
-    const std::string digits = std::to_string(fraction);
-    const std::string whole_digits = std::to_string(whole % (1 << (TypeParam::fraction_bits - 1)));
-    const std::string sign = negative ? "-" : "";
-    RC_ASSERT(check(sign + whole_digits + "." + digits));
-    RC_ASSERT(check(sign + whole_digits + ".0" + digits));
-    RC_ASSERT(check(sign + std::to_string(whole) + "." + digits));
-  }));
+  EXPECT_TRUE(holds_for_texts(TypeParam::fraction_bits, check));
 }
 
 TEST(TextEnds, RangeIsAfterRounding) {

@@ -69,6 +69,17 @@ TEST(Trig, EveryAngle) {
   expect_every_angle<q8_8>();
 }
 
+TEST(Trig, WholeTurnsDoNotCountInAnyType) {
+  const auto tenth = sin_cos<q16_16>(300);
+  EXPECT_EQ(sin_cos<q16_16>(36300), tenth);
+  EXPECT_EQ(sin_cos<q16_16>(36300U), tenth);
+  EXPECT_EQ(sin_cos<q16_16>(3'600'000'000'000'300), tenth);
+  EXPECT_EQ(sin_cos<q16_16>(std::int8_t{100}), sin_cos<q16_16>(100));
+  // -2^63 and 2^64 - 1 modulo 3600.
+  EXPECT_EQ(sin_cos<q16_16>(std::numeric_limits<std::int64_t>::min()), sin_cos<q16_16>(1792));
+  EXPECT_EQ(sin_cos<q16_16>(std::numeric_limits<std::uint64_t>::max()), sin_cos<q16_16>(15));
+}
+
 TEST(Trig, KnownAngles) {
   const auto expect = [](int angle, std::int32_t cos, std::int32_t sin) {
     const auto result = sin_cos<q16_16>(static_cast<std::int16_t>(angle));

@@ -8,6 +8,7 @@
 
 #include "verify/report.hpp"
 #include "verify/selection.hpp"
+#include "verify/usage_error.hpp"
 
 namespace fixproof {
 namespace {

@@ -9,6 +9,7 @@
 #include "verify/hex.hpp"
 #include "verify/options.hpp"
 #include "verify/party.hpp"
+#include "verify/usage_error.hpp"
 
 namespace fixproof {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "verify/options.hpp"
+#include "verify/usage_error.hpp"
 
 namespace fixproof {
 
@@ -30,6 +30,7 @@ void answer_lines(std::istream& in, std::ostream& out,
   std::string pending;
   for (std::uint64_t number = 1; std::getline(in, line); ++number) {
     if (passed_over(line)) continue;
+    if (line.back() == '\r') line.pop_back();
     try {
       answer(line, pending);
     } catch (const UsageError& error) {

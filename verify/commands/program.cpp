@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "verify/usage_error.hpp"
+
 namespace fixproof {
 
 void ProgramOptions::add_to(CLI::App& command) {
   command.add_option("routine", operation, "mul, div, cossin, xformvec or concat")->required();
   variant.add_to(command);
-  command.add_flag(
-      "--as-scanned", as_scanned,
-      "the 8088 divide with its last ADC after the endif, where it reads a carry that DIV "
-      "leaves undefined");
+  command.add_flag("--as-scanned", as_scanned,
+                   "the 8088 divide as a scan has it: see docs/findings.md, 10");
 }
 
 ProgramChoice ProgramOptions::choose() const {

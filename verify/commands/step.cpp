@@ -8,8 +8,9 @@
 
 #include "verify/commands/commands.hpp"
 #include "verify/commands/lines.hpp"
+#include "verify/commands/shown.hpp"
 #include "verify/hex.hpp"
-#include "verify/options.hpp"
+#include "verify/usage_error.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/parse.hpp"
 #include "x86model/run.hpp"
@@ -28,23 +29,11 @@ struct NoMemory {
 };
 using StepMachine = x86::Machine<16, NoMemory>;
 
-using x86::Register;
-/// The registers in the order in which a line shows them.
-constexpr std::array shown{Register::ax, Register::bx, Register::cx, Register::dx,
-                           Register::si, Register::di, Register::bp, Register::sp};
-
-constexpr std::array<std::pair<x86::Flag, std::string_view>, 6> flag_names{{{x86::CF, "CF"},
-                                                                            {x86::PF, "PF"},
-                                                                            {x86::AF, "AF"},
-                                                                            {x86::ZF, "ZF"},
-                                                                            {x86::SF, "SF"},
-                                                                            {x86::OF, "OF"}}};
-
 /// Register state as a line writes it.
 struct State {
   StepMachine machine;
-  std::array<bool, shown.size()> wide{};  ///< given as eax=…, with 8 digits
-  std::uint32_t other_flags = 0;          ///< bits of fl that are none of the six
+  std::array<bool, shown_registers.size()> wide{};  ///< given as eax=…, with 8 digits
+  std::uint32_t other_flags = 0;                    ///< bits of fl that are none of the six
 };
 
 /// Fields of a line, NAME=DIGITS with spaces between, by name.
@@ -78,9 +67,9 @@ std::optional<std::string_view> take(Fields& fields, std::string_view name) {
 State parse_state(std::string_view text, x86::Target cpu) {
   State state;
   Fields fields = split_fields(text);
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const std::string_view narrow = x86::name_of(shown[i], x86::Size::word);
-    const std::string_view wide = x86::name_of(shown[i], x86::Size::dword);
+  for (std::size_t i = 0; i < shown_registers.size(); ++i) {
+    const std::string_view narrow = x86::name_of(shown_registers[i], x86::Size::word);
+    const std::string_view wide = x86::name_of(shown_registers[i], x86::Size::dword);
     auto digits = take(fields, narrow);
     if (cpu == x86::Target::i386 && fields.contains(wide)) {
       if (digits) throw UsageError(fmt::format("both {} and {} are given", narrow, wide));
@@ -88,7 +77,7 @@ State parse_state(std::string_view text, x86::Target cpu) {
       state.wide[i] = true;
     }
     if (!digits) throw UsageError(fmt::format("{} is missing", narrow));
-    state.machine.registers.write(shown[i], x86::Size::dword,
+    state.machine.registers.write(shown_registers[i], x86::Size::dword,
                                   parse_hex(*digits, state.wide[i] ? 8 : 4));
   }
   const auto fl = take(fields, "fl");
@@ -103,11 +92,11 @@ State parse_state(std::string_view text, x86::Target cpu) {
 }
 
 void append_state(std::string& output, const State& state) {
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const std::uint32_t value = state.machine.registers.read(shown[i], x86::Size::dword);
+  for (std::size_t i = 0; i < shown_registers.size(); ++i) {
+    const std::uint32_t value = state.machine.registers.read(shown_registers[i], x86::Size::dword);
     // An upper half that the instruction has filled is shown even where it was not given.
     const bool wide = state.wide[i] || value > 0xFFFF;
-    output += x86::name_of(shown[i], wide ? x86::Size::dword : x86::Size::word);
+    output += x86::name_of(shown_registers[i], wide ? x86::Size::dword : x86::Size::word);
     output += '=';
     append_hex(output, value, wide ? 8 : 4);
     output += ' ';
@@ -116,7 +105,7 @@ void append_state(std::string& output, const State& state) {
   append_hex(output, state.other_flags | state.machine.flags.value, 4);
   output += " undef=";
   bool any = false;
-  for (const auto& [flag, name] : flag_names) {
+  for (const auto& [flag, name] : shown_flags) {
     if ((state.machine.flags.undefined & flag) == 0) continue;
     if (any) output += ',';
     output += name;

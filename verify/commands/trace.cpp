@@ -8,7 +8,9 @@
 
 #include "verify/commands/commands.hpp"
 #include "verify/commands/program.hpp"
+#include "verify/commands/shown.hpp"
 #include "verify/hex.hpp"
+#include "verify/usage_error.hpp"
 #include "x86model/call.hpp"
 #include "x86model/text.hpp"
 
@@ -23,15 +25,10 @@ struct Options {
   std::vector<std::string> words;
 };
 
-constexpr std::array flags{x86::CF, x86::PF, x86::AF, x86::ZF, x86::SF, x86::OF};
-constexpr std::array registers{x86::Register::ax, x86::Register::bx, x86::Register::cx,
-                               x86::Register::dx, x86::Register::si, x86::Register::di,
-                               x86::Register::bp, x86::Register::sp};
-
 /// The six flags as 0, 1 or ? where undefined, under the heading's columns.
 std::string flag_columns(const x86::Flags& f) {
   std::string columns;
-  for (const x86::Flag flag : flags) {
+  for (const auto& [flag, name] : shown_flags) {
     const char* set = (f.value & flag) != 0 ? "  1" : "  0";
     columns += (f.undefined & flag) != 0 ? "  ?" : set;
   }
@@ -42,7 +39,7 @@ std::string flag_columns(const x86::Flags& f) {
 template <class M>
 std::string changes(const M& before, const M& after, x86::Size size) {
   std::string text;
-  for (const x86::Register r : registers) {
+  for (const x86::Register r : shown_registers) {
     const std::uint32_t value = after.registers.read(r, size);
     if (value == before.registers.read(r, size)) continue;
     text += fmt::format("{}=", x86::name_of(r, size));

@@ -17,6 +17,7 @@
 #include "verify/selection.hpp"
 #include "verify/table.hpp"
 #include "verify/text.hpp"
+#include "verify/usage_error.hpp"
 
 namespace fixproof {
 
@@ -83,10 +84,12 @@ Report begin(const Options& options, std::vector<Row> rows) {
 }
 
 void print_heading(const Options& options, const Report& report) {
-  std::cout << fmt::format("Level {}, seed {}, {} {}: {} rows, {} cases\n", options.selection.level,
-                           options.seed, options.threads,
-                           options.threads == 1 ? "thread" : "threads", report.plan.rows().size(),
-                           grouped(report.plan.cases()));
+  const auto counted = [](std::size_t count, std::string_view thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+  };
+  std::cout << fmt::format("Level {}, seed {}, {}: {}, {} cases\n", options.selection.level,
+                           options.seed, counted(options.threads, "thread"),
+                           counted(report.plan.rows().size(), "row"), grouped(report.plan.cases()));
   if (options.selection.level == 3) {
     std::cout
         << "Nothing is sampled: all pairs of 8.8 words, all 16.16 words, all angles. Without\n"
@@ -149,8 +152,11 @@ int verify(const Options& options) {
   }
   print_heading(options, report);
 
-  const Interrupt interrupt;
-  run_rest(options, report);
+  {
+    // Not longer: a report that goes into a pipe may wait for its reader, and Ctrl-C must end that.
+    const Interrupt interrupt;
+    run_rest(options, report);
+  }
 
   // What was found is shown even if it cannot be kept.
   std::string failure;
@@ -185,6 +191,11 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
           "", "whole number"};
 }
 
+/// An option that is given says something: a script's empty variable is not taken for none.
+CLI::Validator not_empty() {
+  return {[](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""};
+}
+
 void add_options(CLI::App& command, Options& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
@@ -202,22 +213,27 @@ void add_options(CLI::App& command, Options& options) {
           "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
           "full: 16.16; half: 8.8, where the routines run on 8-bit registers")
       ->check(CLI::IsMember({"full", "half"}));
-  command.add_option("--by", selection.by, "the party that is judged")->capture_default_str();
+  command.add_option("--by", selection.by, "the party that is judged, of those named below")
+      ->capture_default_str();
   command
       .add_option("--against", selection.against,
                   "the parties it is judged against; by default oracle,fast,type")
       ->delimiter(',');
-  command.add_option("--threads", options.threads)
+  command.add_option("--threads", options.threads, "of the run; by default one for each processor")
       ->check(whole_number(1, 1024))
       ->capture_default_str();
   auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
-  auto* resume = command.add_option("--resume", options.resume,
-                                    "keep the state in this file; if it is there, go on from it");
-  auto* report = command.add_option("--report", options.report, "write what was found as JSON");
+  auto* resume = command
+                     .add_option("--resume", options.resume,
+                                 "keep the state in this file; if it is there, go on from it")
+                     ->check(not_empty());
+  auto* report = command.add_option("--report", options.report, "write what was found as JSON")
+                     ->check(not_empty());
   command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
       ->check(whole_number(0, 1000))
       ->capture_default_str();
   command.add_option("--case", options.words, "compare only this case: its words in hex")
+      ->check(not_empty())
       ->excludes(shard)
       ->excludes(resume)
       ->excludes(report);
@@ -231,9 +247,11 @@ void add_verify(CLI::App& app, int& status) {
       app.add_subcommand("verify", "compare the parties with one another, case by case");
   add_options(*command, *options);
   command->footer(
-      "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and "
-      "divide\n"
-      "for all pairs of 8.8 words, the unary operations for all words; fast answers for oracle.\n"
+      "Parties: model (the listings, compiled), interpreter (the listings, step by step), oracle\n"
+      "(big integers), fast (the same answers from 64-bit integers), type (fixed::number).\n"
+      "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
+      "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
+      "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
       "Options that name a rule leave out the rows that follow another.\n\n"
       "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
       "end.\n\n"

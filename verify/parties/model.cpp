@@ -1,4 +1,5 @@
 // The register-level model: the listings' programs, compiled or step by step.
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -23,9 +24,6 @@ Ending ending_of(x86::Outcome outcome) {
       return Ending::broken;
   }
 }
-
-/// The switch that matters to a routine; CosSin has none.
-bool rounds(const Variant& v) { return v.operation == Operation::div ? v.div_round : v.mul_round; }
 
 /// The build for one setting of the switch that matters.
 constexpr x86::Build build(x86::Routine routine, bool round, bool chapter_52) {

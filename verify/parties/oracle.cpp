@@ -1,11 +1,14 @@
 // The oracle, twice: from integers of any size, and from built-in integers.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 
+#include "oracle/decimal.hpp"
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
+#include "oracle/unbounded.hpp"
 #include "verify/parties/parties.hpp"
 
 namespace fixproof {
@@ -50,6 +53,18 @@ void each_case(const Variant& v, const Batch& batch, OneCase one_case) {
   }
 }
 
+/// The word of a conversion that took place and stayed in range.
+std::optional<Word> word_of(const std::optional<oracle::Integer>& ulps, int fraction_bits) {
+  const int bits = oracle::word_bits(fraction_bits);
+  if (!ulps || !oracle::fits(*ulps, bits)) return std::nullopt;
+  return oracle::wrap(*ulps, bits);
+}
+
+/// Exact: a word has fewer bits than a double.
+double double_of(Word word, int fraction_bits) {
+  return std::ldexp(oracle::ulps(word, fraction_bits).convert_to<double>(), -fraction_bits);
+}
+
 bool store(const std::optional<Word>& answer, std::span<std::uint32_t> out) {
   out[0] = answer.value_or(0);
   return answer.has_value();
@@ -92,14 +107,18 @@ class Oracle final : public Party {
         case Operation::sqrt:
           return store(oracle::sqrt(in[0], bits).value_or(0), out);
         case Operation::decimal:
+          return store(
+              word_of(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits), bits),
+              out);
         case Operation::binary64:
           break;
       }
-      return store(in[0], out);
+      return store(word_of(oracle::from_double(double_of(in[0], bits), rounding, bits), bits), out);
     });
   }
 };
 
+/// Decimal text and doubles are read back as they were: that is all there is to say of them.
 class FastOracle final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "fast"; }
