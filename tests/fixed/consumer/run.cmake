@@ -4,7 +4,7 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-set(compiler -DCMAKE_CXX_COMPILER=${COMPILER})
+set(compiler -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER})
 if(WAY STREQUAL package)
   run(${CMAKE_COMMAND} -S ${ROOT}/fixed -B ${WORK}/fixed ${compiler}
     -DCMAKE_INSTALL_PREFIX=${WORK}/installed)
