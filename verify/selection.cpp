@@ -59,12 +59,17 @@ std::vector<const Party*> chosen_parties(const Selection& selection) {
   return chosen;
 }
 
-std::vector<Row> chosen_rows(const Selection& selection, std::span<const Party* const> parties) {
+std::vector<Variant> chosen_variants(const Selection& selection) {
   std::vector<Operation> operations;
   for (const std::string& name : selection.operations) operations.push_back(operation_named(name));
+  std::vector<Variant> variants = all_variants();
+  std::erase_if(variants, [&](const Variant& v) { return !fits(selection, operations, v); });
+  return variants;
+}
+
+std::vector<Row> chosen_rows(const Selection& selection, std::span<const Party* const> parties) {
   std::vector<Row> rows;
-  for (const Variant& listed : all_variants()) {
-    if (!fits(selection, operations, listed)) continue;
+  for (const Variant& listed : chosen_variants(selection)) {
     auto variant = at_level(selection.level, listed);
     if (!variant) continue;
     if (selection.half_width) variant->fraction_bits = 8;

@@ -28,6 +28,10 @@ struct Selection {
 /// @throws std::invalid_argument for a name that no party has; UsageError if there is only one
 std::vector<const Party*> chosen_parties(const Selection& selection);
 
+/// The variants asked for, in the order of the verification table, at full width.
+/// @throws std::invalid_argument for a name that no operation has
+std::vector<Variant> chosen_variants(const Selection& selection);
+
 /// The rows, in the order of the verification table.
 /// @throws UsageError if none fits, or none can be compared by these parties;
 /// std::invalid_argument for a name that no operation has

@@ -1,4 +1,4 @@
-// The register-level model: the listings' programs, compiled or step by step.
+// The register-level model: the listings' programs, compiled.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -72,18 +72,10 @@ void answer_compiled(const Variant& v, const Batch& batch) {
   }
 }
 
-bool model_answers(const Variant& v) {
-  if (!is_routine(v)) return false;
-  const bool has_half_width = v.operation == Operation::mul || v.operation == Operation::div;
-  const bool has_chapter_52 = v.target == Target::i386 && rounds(v) && v.fraction_bits == 16 &&
-                              (has_half_width || v.operation == Operation::concat);
-  return (v.fraction_bits == 16 || has_half_width) && (!v.chapter_52 || has_chapter_52);
-}
-
 class Model final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "model"; }
-  [[nodiscard]] bool answers(const Variant& v) const override { return model_answers(v); }
+  [[nodiscard]] bool answers(const Variant& v) const override { return has_program(v); }
   void answer(const Variant& v, const Batch& batch) const override {
     using enum x86::Routine;
     switch (v.operation) {
@@ -101,45 +93,8 @@ class Model final : public Party {
   }
 };
 
-template <x86::Routine routine, int word_bits>
-void answer_stepwise(const Variant& v, const Batch& batch) {
-  const auto target = v.target == Target::i386 ? x86::Target::i386 : x86::Target::i8088;
-  const x86::Program program =
-      x86::assemble(x86::listing(routine, target), build(routine, rounds(v), v.chapter_52));
-  constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
-  constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
-  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-    const x86::Ending ending = x86::call<routine, word_bits>(
-        program.instructions(), batch.in.subspan(i * in, in), batch.out.subspan(i * out, out));
-    batch.endings[i] = ending_of(ending.outcome);
-  }
-}
-
-class Interpreter final : public Party {
- public:
-  [[nodiscard]] std::string_view name() const override { return "interpreter"; }
-  [[nodiscard]] bool answers(const Variant& v) const override { return model_answers(v); }
-  void answer(const Variant& v, const Batch& batch) const override {
-    using enum x86::Routine;
-    const bool half = v.fraction_bits == 8;
-    switch (v.operation) {
-      case Operation::mul:
-        return half ? answer_stepwise<mul, 8>(v, batch) : answer_stepwise<mul, 16>(v, batch);
-      case Operation::div:
-        return half ? answer_stepwise<div, 8>(v, batch) : answer_stepwise<div, 16>(v, batch);
-      case Operation::cossin:
-        return answer_stepwise<cossin, 16>(v, batch);
-      case Operation::xformvec:
-        return answer_stepwise<xformvec, 16>(v, batch);
-      default:
-        return answer_stepwise<concat, 16>(v, batch);
-    }
-  }
-};
-
 }  // namespace
 
 std::unique_ptr<Party> make_model() { return std::make_unique<Model>(); }
-std::unique_ptr<Party> make_interpreter() { return std::make_unique<Interpreter>(); }
 
 }  // namespace fixproof

@@ -1,0 +1,174 @@
+#include "verify/proof/prove.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "verify/commands/commands.hpp"
+#include "verify/file.hpp"
+#include "verify/parties/interpreter.hpp"
+#include "verify/parties/parties.hpp"
+#include "verify/proof/lemmas.hpp"
+#include "verify/selection.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
+
+namespace fixproof {
+
+namespace {
+
+struct Options {
+  Selection selection;
+  std::string solver = "z3";
+  int seconds = 60;
+  std::string directory;
+};
+
+/// What was asked, by how it stands.
+struct Tally {
+  int proven = 0;
+  int disproven = 0;
+  int open = 0;
+  double seconds = 0;
+
+  void add(Standing standing, double took) {
+    ++(standing == Standing::proven ? proven : standing == Standing::disproven ? disproven : open);
+    seconds += took;
+  }
+};
+
+void print_line(std::string_view name, std::string_view result, double seconds) {
+  std::cout << fmt::format("{:<38}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
+}
+
+std::string_view name_of(Standing standing) {
+  switch (standing) {
+    case Standing::proven:
+      return "proven";
+    case Standing::disproven:
+      return "DISPROVEN";
+    case Standing::open:
+      break;
+  }
+  return "not decided";
+}
+
+/// The variants asked for that have a program; CosSin, which has no switch, once for each target.
+std::vector<Variant> routines_in(const Selection& selection) {
+  std::vector<Variant> chosen;
+  for (const Variant& v : chosen_variants(selection)) {
+    if (!has_program(v) || (v.operation == Operation::cossin && !v.mul_round)) continue;
+    chosen.push_back(v);
+  }
+  if (chosen.empty()) throw UsageError("no routine has these operations and options");
+  return chosen;
+}
+
+/// `mul i386 on` as `mul-i386-on.smt2`.
+std::string file_name(std::string name) {
+  for (char& c : name) {
+    if (c == ' ') c = '-';
+  }
+  std::erase(name, ',');
+  return name + ".smt2";
+}
+
+void write_scripts(const std::string& directory, const std::vector<Variant>& variants) {
+  std::filesystem::create_directories(directory);
+  std::size_t written = 0;
+  const auto write = [&](const std::string& name, const std::string& script) {
+    replace_file((std::filesystem::path(directory) / file_name(name)).string(), script);
+    ++written;
+  };
+  for (const Lemma& lemma : lemmas()) {
+    write(lemma.name, fmt::format("; {}\n{}", lemma.meaning, lemma.smt));
+  }
+  for (const Variant& v : variants) {
+    const auto scripts = questions(v, program_of(v).instructions());
+    for (std::size_t i = 0; i < scripts.size(); ++i) {
+      write(fmt::format("{} {}", name_of(v), i + 1),
+            fmt::format("; unsat: on path {} of {}, {} does what it should for all operands\n{}",
+                        i + 1, scripts.size(), name_of(v), scripts[i]));
+    }
+  }
+  std::cout << fmt::format("{} scripts written to {}; each is to be unsatisfiable\n", written,
+                           directory);
+}
+
+void prove_lemmas(const Solver& solver, int seconds, Tally& tally) {
+  for (const Lemma& lemma : lemmas()) {
+    const SolverAnswer answer = solver.ask(lemma.smt, seconds);
+    const Standing standing = answer.verdict == Verdict::unsatisfiable ? Standing::proven
+                              : answer.verdict == Verdict::satisfiable ? Standing::disproven
+                                                                       : Standing::open;
+    print_line(fmt::format("lemma {}", lemma.name), name_of(standing), answer.seconds);
+    tally.add(standing, answer.seconds);
+  }
+}
+
+void prove_routine(const Variant& v, const Solver& solver, int seconds, Tally& tally) {
+  const Proof proof = prove(v, program_of(v), solver, seconds);
+  print_line(fmt::format("{}, {} questions", name_of(v), proof.questions), name_of(proof.standing),
+             proof.seconds);
+  tally.add(proof.standing, proof.seconds);
+  if (proof.standing != Standing::disproven) return;
+  const int bits = 2 * v.fraction_bits;
+  std::cout << fmt::format("  {}: the program answers {}, the oracle {}\n",
+                           hex_words(proof.counterexample, operand_bits(v)), proof.given.text(bits),
+                           proof.wanted.text(bits));
+}
+
+int run(const Options& options) {
+  const std::vector<Variant> variants = routines_in(options.selection);
+  if (!options.directory.empty()) {
+    write_scripts(options.directory, variants);
+    return 0;
+  }
+  const Solver solver(options.solver);
+  std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(), options.seconds);
+  Tally tally;
+  prove_lemmas(solver, options.seconds, tally);
+  for (const Variant& v : variants) prove_routine(v, solver, options.seconds, tally);
+  std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
+                           tally.disproven, tally.open, duration(tally.seconds));
+  if (tally.disproven > 0) return 1;
+  return tally.open > 0 ? 2 : 0;
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("prove", "prove the routines for all operands, with an SMT solver");
+  command->add_option("operations", options->selection.operations,
+                      "mul, div, cossin, xformvec, concat; none: all");
+  options->selection.variant.add_to(*command);
+  command->add_option("--solver", options->solver, "z3 or cvc5, from the PATH")
+      ->capture_default_str();
+  command->add_option("--timeout", options->seconds, "seconds that one question may take")
+      ->check(CLI::Range(1, 86'400))
+      ->capture_default_str();
+  command->add_option("--write", options->directory,
+                      "ask nothing: write the questions into this folder, for any solver");
+  command->footer(
+      "Each routine is run symbolically on all its paths: it must return what the specification\n"
+      "says, fault exactly where it says, read no undefined flag, stay in its memory, and keep "
+      "the\n"
+      "registers it has to. Products and quotients stay abstract; the lemmas about integers say "
+      "why\n"
+      "that is enough. docs/proofs.md tells what is proven and what is not.\n\n"
+      "Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage.\n\n"
+      "Examples:\n"
+      "  fixproof prove\n"
+      "  fixproof prove div --target i8088 --solver cvc5\n"
+      "  fixproof prove --write proofs && z3 proofs/mul-i8088-on-1.smt2");
+  command->callback([command, options, &status] {
+    options->selection.chapter_given = command->count("--chapter") > 0;
+    status = run(*options);
+  });
+}
+
+}  // namespace fixproof

@@ -1,0 +1,136 @@
+#include "verify/parties/interpreter.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "verify/parties/parties.hpp"
+#include "x86model/call.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+
+Ending ending_of(x86::Outcome outcome) {
+  switch (outcome) {
+    case x86::Outcome::returned:
+      return Ending::value;
+    case x86::Outcome::divide_error:
+      return Ending::divide_error;
+    case x86::Outcome::undefined_flag:
+      return Ending::undefined_flag;
+    default:
+      return Ending::broken;
+  }
+}
+
+/// What a C caller counts on finding again.
+template <class M>
+std::array<std::uint32_t, 3> kept_registers(const M& m) {
+  using enum x86::Register;
+  return {m.registers.read(si, x86::Size::dword), m.registers.read(di, x86::Size::dword),
+          m.registers.read(bp, x86::Size::dword)};
+}
+
+template <x86::Routine routine, int word_bits>
+Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, word_bits>& m,
+              std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
+  constexpr auto low_bits = x86::alu::mask(word_bits);
+  const std::uint32_t kept = 0x5A17C3E9U;
+  for (const auto r : {x86::Register::si, x86::Register::di, x86::Register::bp}) {
+    m.registers.write(r, x86::Size::dword, kept + static_cast<std::uint32_t>(r));
+  }
+  x86::enter<routine>(m, in);
+  const auto before = kept_registers(m);
+  const std::uint32_t top = m.registers.read(x86::Register::sp, x86::Size::word);
+  const Ending ending = ending_of(x86::run(code, m).outcome);
+  x86::leave<routine>(m, out);
+  const bool balanced =
+      m.registers.read(x86::Register::sp, x86::Size::word) == ((top + word_bits / 8) & low_bits);
+  if (ending == Ending::value && (!balanced || kept_registers(m) != before)) return Ending::broken;
+  return ending;
+}
+
+template <x86::Routine routine, int word_bits>
+void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
+  constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
+  constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
+  x86::CallMachine<routine, word_bits> fresh;
+  if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(fresh);
+  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+    // Nothing is left over from one case to the next, whatever a broken program has written.
+    auto machine = fresh;
+    batch.endings[i] = answer<routine, word_bits>(code, machine, batch.in.subspan(i * in, in),
+                                                  batch.out.subspan(i * out, out));
+  }
+}
+
+void answer(const Variant& v, std::span<const x86::Instruction> code, const Batch& batch) {
+  using enum x86::Routine;
+  const bool half = v.fraction_bits == 8;
+  switch (routine_of(v)) {
+    case mul:
+      return half ? answer_all<mul, 8>(code, batch) : answer_all<mul, 16>(code, batch);
+    case div:
+      return half ? answer_all<div, 8>(code, batch) : answer_all<div, 16>(code, batch);
+    case cossin:
+      return answer_all<cossin, 16>(code, batch);
+    case xformvec:
+      return answer_all<xformvec, 16>(code, batch);
+    case concat:
+      return answer_all<concat, 16>(code, batch);
+  }
+}
+
+class Interpreter final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "interpreter"; }
+  [[nodiscard]] bool answers(const Variant& v) const override { return has_program(v); }
+  void answer(const Variant& v, const Batch& batch) const override {
+    fixproof::answer(v, program_of(v).instructions(), batch);
+  }
+};
+
+class InterpreterOf final : public Party {
+ public:
+  InterpreterOf(std::string name, const x86::Program& program)
+      : name_(std::move(name)), program_(program) {}
+  [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] bool answers(const Variant& v) const override { return has_program(v); }
+  void answer(const Variant& v, const Batch& batch) const override {
+    fixproof::answer(v, program_.instructions(), batch);
+  }
+
+ private:
+  std::string name_;
+  x86::Program program_;
+};
+
+}  // namespace
+
+x86::Routine routine_of(const Variant& v) {
+  if (!is_routine(v)) throw std::invalid_argument("no routine of FIXED.ASM");
+  // The first operations are the routines, in the same order.
+  static_assert(static_cast<int>(Operation::concat) == static_cast<int>(x86::Routine::concat));
+  return static_cast<x86::Routine>(v.operation);
+}
+
+x86::Target target_of(const Variant& v) {
+  return v.target == Target::i386 ? x86::Target::i386 : x86::Target::i8088;
+}
+
+x86::Program program_of(const Variant& v) {
+  return x86::assemble(
+      x86::listing(routine_of(v), target_of(v)),
+      {.mul_rounding = v.mul_round, .div_rounding = v.div_round, .chapter_52 = v.chapter_52});
+}
+
+std::unique_ptr<Party> make_interpreter() { return std::make_unique<Interpreter>(); }
+
+std::unique_ptr<Party> make_interpreter_of(std::string name, const x86::Program& program) {
+  return std::make_unique<InterpreterOf>(std::move(name), program);
+}
+
+}  // namespace fixproof

@@ -1,0 +1,24 @@
+/// @file
+/// Programs interpreted step by step: the listings', or any other that takes a routine's place.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "verify/party.hpp"
+#include "x86model/routine.hpp"
+
+namespace fixproof {
+
+/// The routine of a variant of FIXED.ASM. @throws std::invalid_argument for any other variant
+x86model::Routine routine_of(const Variant& variant);
+x86model::Target target_of(const Variant& variant);
+
+/// The program of a variant of FIXED.ASM.
+x86model::Program program_of(const Variant& variant);
+
+/// A party that runs `program` in the place of the routine of every variant it is asked. A program
+/// that does not keep SI, DI, BP and SP as C wants them kept breaks down.
+std::unique_ptr<Party> make_interpreter_of(std::string name, const x86model::Program& program);
+
+}  // namespace fixproof

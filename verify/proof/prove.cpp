@@ -1,0 +1,46 @@
+#include "verify/proof/prove.hpp"
+
+#include "verify/parties/interpreter.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// Asks one question after the other until one is not answered as it should be.
+SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver,
+                     int most_seconds, double& seconds) {
+  SolverAnswer answer{.verdict = Verdict::unsatisfiable};
+  for (const std::string& script : scripts) {
+    answer = solver.ask(script, most_seconds);
+    seconds += answer.seconds;
+    if (answer.verdict != Verdict::unsatisfiable) break;
+  }
+  return answer;
+}
+
+}  // namespace
+
+Proof prove(const Variant& v, const x86model::Program& program, const Solver& solver,
+            int most_seconds) {
+  const auto party = make_interpreter_of("program", program);
+  Proof proof;
+  for (const Arithmetic arithmetic : {Arithmetic::abstract, Arithmetic::exact}) {
+    const auto scripts = questions(v, program.instructions(), arithmetic);
+    proof.questions += scripts.size();
+    const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
+    if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
+    if (answer.verdict != Verdict::satisfiable) return proof;
+    const auto operands = operands_in(v, answer.text);
+    if (operands.empty()) return proof;
+    proof.given = ask(*party, v, operands);
+    proof.wanted = ask(party_named("oracle"), v, operands);
+    if (proof.given != proof.wanted) {
+      proof.standing = Standing::disproven;
+      proof.counterexample = operands;
+      return proof;
+    }
+  }
+  return proof;
+}
+
+}  // namespace fixproof

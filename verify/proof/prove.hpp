@@ -1,0 +1,36 @@
+/// @file
+/// A routine proven, or a case on which it fails.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "verify/engine.hpp"
+#include "verify/proof/query.hpp"
+#include "verify/proof/solver.hpp"
+#include "verify/variant.hpp"
+
+namespace fixproof {
+
+enum class Standing {
+  proven,     ///< for all operands
+  disproven,  ///< by a counterexample that has been run
+  open,       ///< the solver did not get to an end in its time
+};
+
+struct Proof {
+  Standing standing = Standing::open;
+  std::size_t questions = 0;  ///< that there are for the solver
+  double seconds = 0;
+  std::vector<std::uint32_t> counterexample;  ///< operands; only where disproven
+  Answer given;                               ///< what the program answers to them
+  Answer wanted;                              ///< what the oracle does
+};
+
+/// Proves `program` in the place of the routine of `variant`: with products and quotients abstract,
+/// and, where that gives a counterexample that is none, with products and quotients as they are.
+/// Each question may take `most_seconds`.
+Proof prove(const Variant& variant, const x86model::Program& program, const Solver& solver,
+            int most_seconds);
+
+}  // namespace fixproof

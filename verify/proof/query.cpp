@@ -1,0 +1,163 @@
+#include "verify/proof/query.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "verify/parties/interpreter.hpp"
+#include "verify/proof/specification.hpp"
+#include "x86model/symbolic/call.hpp"
+#include "x86model/symbolic/smt.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+namespace sym = x86model::symbolic;
+
+bool calls_fixed_mul(const Variant& v) {
+  return v.target == Target::i8088 &&
+         (v.operation == Operation::xformvec || v.operation == Operation::concat);
+}
+
+/// The remainder of an unsigned divide that does not fault is below the divisor: all that a proof
+/// has to know of it.
+std::string remainders_are_small(const sym::Terms& terms, std::span<const sym::Term> roots) {
+  std::string text;
+  for (const sym::Term term : sym::reached_from(terms, roots)) {
+    const sym::Node& node = terms[term];
+    if (node.op != sym::Op::apply || !node.name.starts_with("urem")) continue;
+    const std::string dividend = sym::name_in_smt(terms, node.arguments[0]);
+    const std::string divisor = sym::name_in_smt(terms, node.arguments[1]);
+    text += fmt::format("(assert (=> (bvult ((_ extract {} {}) {}) {}) (bvult {} {})))\n",
+                        2 * node.width - 1, node.width, dividend, divisor,
+                        sym::name_in_smt(terms, term), divisor);
+  }
+  return text;
+}
+
+/// Declares the variables, the operands among them whether the path depends on them or not.
+std::string declare(sym::Terms& terms, std::vector<sym::Term> roots, x86::Routine routine) {
+  for (int i = 0; i < x86::arity(routine).in; ++i) {
+    roots.push_back(
+        terms.variable(sym::operand_name(routine, i), routine == x86::Routine::cossin ? 16 : 32));
+  }
+  return sym::declare_variables(terms, roots);
+}
+
+/// That the path's products are those of the specification, in their order; empty where that cannot
+/// be, or there is nothing to say.
+std::string same_products(const sym::Terms& terms, std::span<const sym::Term> roots,
+                          const Specification& wanted) {
+  std::string text;
+  std::size_t count = 0;
+  for (const sym::Term term : sym::reached_from(terms, roots)) {
+    if (terms[term].op != sym::Op::apply || terms[term].name != "umul16") continue;
+    if (count < wanted.products.size()) {
+      text += fmt::format(" (= {} {})", sym::name_in_smt(terms, term), wanted.products[count]);
+    }
+    ++count;
+  }
+  if (count == 0 || count != wanted.products.size()) return "";
+  return fmt::format("(and{})", text);
+}
+
+/// The instructions of a routine as text, for comparison wherever it stands.
+std::vector<std::string> body(std::span<const x86::Instruction> code, std::string_view procedure) {
+  const auto is_there = [&](const x86::Instruction& i) {
+    return i.is_procedure && procedure == i.label;
+  };
+  std::vector<std::string> text;
+  for (auto i = std::find_if(code.begin(), code.end(), is_there); i != code.end(); ++i) {
+    std::string line(i->label == nullptr ? "" : i->label);
+    line += fmt::format("/{}", static_cast<int>(i->mnemonic));
+    for (const x86::Operand& o : i->operands) {
+      line += fmt::format("/{}.{}.{}.{}.{}.{}", static_cast<int>(o.kind), static_cast<int>(o.size),
+                          static_cast<int>(o.scaling), static_cast<int>(o.reg),
+                          o.kind == x86::Operand::Kind::label ? 0 : o.value,
+                          o.name == nullptr ? "" : o.name);
+    }
+    text.push_back(line);
+  }
+  return text;
+}
+
+void expect_proven_fixed_mul(const Variant& v, std::span<const x86::Instruction> code) {
+  const x86::Build build{.mul_rounding = v.mul_round};
+  const x86::Program alone =
+      x86::assemble(x86::listing(x86::Routine::mul, x86::Target::i8088), build);
+  if (body(code, "FixedMul") != body(alone.instructions(), "FixedMul")) {
+    throw std::logic_error("the FixedMul that is called is not the one that is proven");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> questions(const Variant& v, std::span<const x86::Instruction> code,
+                                   Arithmetic arithmetic) {
+  if (calls_fixed_mul(v)) expect_proven_fixed_mul(v, code);
+  const x86::Routine routine = routine_of(v);
+  sym::Terms terms;
+  const sym::State start = sym::enter(terms, routine);
+  sym::RunOptions options{.calls_are_fixed_mul = calls_fixed_mul(v)};
+  if (routine == x86::Routine::cossin) {
+    options.enumerated = terms.variable(sym::operand_name(routine, 0), 16);
+  }
+  const Specification wanted = specification(v);
+  std::string operands;
+  for (int i = 0; i < x86::arity(routine).in; ++i) {
+    operands += fmt::format(" {}", sym::operand_name(routine, i));
+  }
+  std::vector<std::string> scripts;
+  for (const sym::Path& path : sym::run(terms, code, start, options)) {
+    std::vector<sym::Term> roots{path.condition, path.in_table};
+    std::string right;
+    if (path.outcome == x86::Outcome::returned) {
+      roots.push_back(sym::keeps_what_it_must(terms, routine, start, path.state));
+      right = fmt::format("(not {}) {}", wanted.faults, sym::name_in_smt(terms, roots.back()));
+      const auto words = sym::results(terms, routine, path.state);
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        roots.push_back(words[i]);
+        right += fmt::format(" (= {} {})", sym::name_in_smt(terms, words[i]), wanted.words[i]);
+      }
+    } else {
+      right = path.outcome == x86::Outcome::divide_error ? wanted.faults : "false";
+    }
+    const std::string before = fmt::format(
+        "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n",
+        abstractions(arithmetic), declare(terms, roots, routine), wanted.definitions,
+        sym::define(terms, roots), remainders_are_small(terms, roots),
+        sym::name_in_smt(terms, path.condition));
+    const auto add = [&](std::string_view known, std::string_view shown) {
+      scripts.push_back(fmt::format("{}{}(assert (not {}))\n(check-sat)\n(get-value ({}))\n",
+                                    before, known, shown, operands));
+    };
+    std::string known;
+    if (const std::string same = same_products(terms, roots, wanted);
+        !same.empty() && arithmetic == Arithmetic::abstract) {
+      add("", same);
+      known = fmt::format("(assert {})\n", same);
+    }
+    add(known, fmt::format("(and {} {})", sym::name_in_smt(terms, path.in_table), right));
+  }
+  return scripts;
+}
+
+std::vector<std::uint32_t> operands_in(const Variant& v, const std::string& answer) {
+  const x86::Routine routine = routine_of(v);
+  std::vector<std::uint32_t> values;
+  for (int i = 0; i < x86::arity(routine).in; ++i) {
+    const std::string asked = fmt::format("({} #", sym::operand_name(routine, i));
+    const auto place = answer.find(asked);
+    if (place == std::string::npos) return {};
+    const auto digits = place + asked.size() + 1;
+    const int base = answer[digits - 1] == 'x' ? 16 : 2;
+    values.push_back(
+        static_cast<std::uint32_t>(std::stoull(answer.substr(digits, 32), nullptr, base)));
+  }
+  return values;
+}
+
+}  // namespace fixproof

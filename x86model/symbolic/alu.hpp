@@ -1,0 +1,54 @@
+/// @file
+/// Results and flags of the arithmetic instructions as terms: the definitions of x86model/alu.hpp
+/// over again, for all operands at once. Only the flags that some routine reads are kept.
+#pragma once
+
+#include <optional>
+
+#include "x86model/instruction.hpp"
+#include "x86model/symbolic/term.hpp"
+
+namespace x86model::symbolic {
+
+/// A flag as a truth value; empty where Intel leaves it undefined.
+using FlagTerm = std::optional<Term>;
+
+/// PF and AF are missing: no routine reads them.
+struct FlagTerms {
+  FlagTerm carry, zero, sign, overflow;
+};
+
+struct Result {
+  Term value;
+  FlagTerms flags;
+};
+
+/// a + b + carry and a - b - borrow.
+Result add(Terms& terms, Term a, Term b, Term carry);
+Result sub(Terms& terms, Term a, Term b, Term borrow);
+/// high:low as one term. Where the two words come from ADD and ADC, or from NEG, NEG and SBB, it is
+/// the sum or the opposite of what those pairs of words are themselves.
+Term join(Terms& terms, Term high, Term low);
+/// The flags of AND and XOR.
+Result logic(Terms& terms, Term value);
+/// SHL, SHR, SAR and ROL by 0 < count < 32.
+Result shift(Terms& terms, Mnemonic op, Term a, int count);
+/// SHLD and SHRD, 0 < count < width.
+Result double_shift(Terms& terms, Mnemonic op, Term a, Term fill, int count);
+
+/// MUL and IMUL: twice as wide as the operands. The product is an application of `umulN` or
+/// `smulN`.
+Result multiply(Terms& terms, Mnemonic op, Term a, Term b);
+
+/// DIV and IDIV of a dividend twice as wide as the divisor: applications of `udivN` and `uremN`, or
+/// `sdivN` and `sremN`.
+struct Division {
+  Term quotient;
+  Term remainder;
+  /// #DE. For IDIV an application of `sfaultN`; for DIV exactly: the dividend's upper half is not
+  /// below the divisor.
+  Term faults;
+};
+Division divide(Terms& terms, Mnemonic op, Term dividend, Term divisor);
+
+}  // namespace x86model::symbolic

@@ -1,0 +1,57 @@
+/// @file
+/// The symbolic run: every path through a program, for all operands at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "x86model/execute.hpp"
+#include "x86model/symbolic/alu.hpp"
+
+namespace x86model::symbolic {
+
+/// Registers, flags and memory of 16-bit words, as terms. Memory is where it has been put: to read
+/// elsewhere ends a path as bad_address. Addresses are constants, but for those in the cosine
+/// table.
+struct State {
+  std::array<Term, register_count> registers;  ///< 32 bits each
+  FlagTerms flags;
+  std::map<std::uint32_t, Term> memory;
+
+  [[nodiscard]] Term read(Terms& terms, Register r, Size size) const;
+  void write(Terms& terms, Register r, Size size, Term value);
+};
+
+/// One way through a program.
+struct Path {
+  Term condition;  ///< under which operands the program goes this way
+  /// What must hold of them besides: every address in the cosine table is one of its words.
+  Term in_table;
+  Outcome outcome;
+  std::size_t position;  ///< of the last instruction
+  State state;
+};
+
+/// What is left abstract on the way.
+struct RunOptions {
+  /// A call does not enter the procedure: DX:AX becomes `fixedmul` of its two arguments, BX, CX and
+  /// the flags become unknown, as FixedMul leaves them.
+  bool calls_are_fixed_mul = false;
+  /// An operand of at most 16 bits whose values are tried one by one where a jump depends on it
+  /// alone: ways that none of them takes are not followed.
+  std::optional<Term> enumerated{};
+  /// How often a path may jump at one place: one that would do so again ends as step_limit.
+  int most_jumps = 12;
+};
+
+/// All paths through `code` from `start`. Stack, arguments and SP are the caller's to set up, the
+/// return address as in x86model/run.hpp. Words of the cosine table are applications of `cosword`
+/// to an offset in bytes.
+std::vector<Path> run(Terms& terms, std::span<const Instruction> code, const State& start,
+                      const RunOptions& options = {});
+
+}  // namespace x86model::symbolic
