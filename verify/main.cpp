@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   fixproof::add_trace(app, status);
   fixproof::add_list(app, status);
   fixproof::add_prove(app, status);
+  fixproof::add_mutate(app, status);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "verify/parties/interpreter.hpp"
 #include "verify/proof/specification.hpp"
@@ -93,6 +95,15 @@ void expect_proven_fixed_mul(const Variant& v, std::span<const x86::Instruction>
   }
 }
 
+std::vector<sym::Path> paths_of(const Variant& v, sym::Terms& terms, const sym::State& start,
+                                std::span<const x86::Instruction> code) {
+  sym::RunOptions options{.calls_are_fixed_mul = calls_fixed_mul(v)};
+  if (v.operation == Operation::cossin) {
+    options.enumerated = terms.variable(sym::operand_name(x86::Routine::cossin, 0), 16);
+  }
+  return sym::run(terms, code, start, options);
+}
+
 }  // namespace
 
 std::vector<std::string> questions(const Variant& v, std::span<const x86::Instruction> code,
@@ -101,17 +112,13 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
   const x86::Routine routine = routine_of(v);
   sym::Terms terms;
   const sym::State start = sym::enter(terms, routine);
-  sym::RunOptions options{.calls_are_fixed_mul = calls_fixed_mul(v)};
-  if (routine == x86::Routine::cossin) {
-    options.enumerated = terms.variable(sym::operand_name(routine, 0), 16);
-  }
   const Specification wanted = specification(v);
   std::string operands;
   for (int i = 0; i < x86::arity(routine).in; ++i) {
     operands += fmt::format(" {}", sym::operand_name(routine, i));
   }
   std::vector<std::string> scripts;
-  for (const sym::Path& path : sym::run(terms, code, start, options)) {
+  for (const sym::Path& path : paths_of(v, terms, start, code)) {
     std::vector<sym::Term> roots{path.condition, path.in_table};
     std::string right;
     if (path.outcome == x86::Outcome::returned) {
@@ -143,6 +150,26 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
     add(known, fmt::format("(and {} {})", sym::name_in_smt(terms, path.in_table), right));
   }
   return scripts;
+}
+
+bool has_same_terms(const Variant& v, std::span<const x86::Instruction> code) {
+  const x86::Routine routine = routine_of(v);
+  sym::Terms terms;
+  const sym::State start = sym::enter(terms, routine);
+  using Behaviour = std::tuple<sym::Term, sym::Term, x86::Outcome, std::vector<sym::Term>>;
+  const auto behaviour = [&](std::span<const x86::Instruction> of) {
+    std::set<Behaviour> ways;
+    for (const sym::Path& path : paths_of(v, terms, start, of)) {
+      std::vector<sym::Term> left;
+      if (path.outcome == x86::Outcome::returned) {
+        left = sym::results(terms, routine, path.state);
+        left.push_back(sym::keeps_what_it_must(terms, routine, start, path.state));
+      }
+      ways.emplace(path.condition, path.in_table, path.outcome, left);
+    }
+    return ways;
+  };
+  return behaviour(program_of(v).instructions()) == behaviour(code);
 }
 
 std::vector<std::uint32_t> operands_in(const Variant& v, const std::string& answer) {

@@ -24,6 +24,10 @@ std::vector<std::string> questions(const Variant& variant,
                                    std::span<const x86model::Instruction> code,
                                    Arithmetic arithmetic = Arithmetic::abstract);
 
+/// Whether `code` computes, path for path, the very terms that the routine of `variant` does: then
+/// the two are equivalent, and no solver need be asked.
+bool has_same_terms(const Variant& variant, std::span<const x86model::Instruction> code);
+
 /// The operands in a solver's answer to such a script; empty where it holds none.
 std::vector<std::uint32_t> operands_in(const Variant& variant, const std::string& answer);
 

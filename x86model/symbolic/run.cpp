@@ -117,8 +117,13 @@ class Runner {
       if (!thread.values.empty()) threads_.push_back(std::move(thread));
       return;
     }
-    threads_.push_back(std::move(other));
-    threads_.push_back(std::move(thread));
+    const auto follow_later = [&](Thread& t) {
+      if (!t_.is_constant(t.condition) || t_.value(t.condition) != 0) {
+        threads_.push_back(std::move(t));
+      }
+    };
+    follow_later(other);
+    follow_later(thread);
   }
 
   /// @return false where the thread has ended, or was split

@@ -185,6 +185,15 @@ Term Terms::below(Term a, Term b) { return a == b ? truth(false) : make(Op::belo
 Term Terms::both(Term a, Term b) {
   if (is_constant(a)) return value(a) != 0 ? b : a;
   if (is_constant(b)) return value(b) != 0 ? a : b;
+  // A chain that says so already, or the contrary: ((x and y) and z) and y.
+  const Term contrary = negation(b);
+  for (Term chain = a;; chain = (*this)[chain].arguments[0]) {
+    const bool is_link = (*this)[chain].op == Op::both;
+    const Term said = is_link ? (*this)[chain].arguments[1] : chain;
+    if (said == b) return a;
+    if (said == contrary) return truth(false);
+    if (!is_link) break;
+  }
   return make(Op::both, 0, {a, b});
 }
 

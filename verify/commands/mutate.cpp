@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "verify/commands/commands.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/mutation/kill.hpp"
+#include "verify/parties/parties.hpp"
+#include "verify/selection.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
+
+namespace fixproof {
+
+namespace {
+
+struct Options {
+  Selection selection;
+  std::string solver = "z3";
+  int seconds = 20;
+  std::uint64_t seed = 1994;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  bool verbose = false;
+};
+
+/// A mutant and what became of it.
+struct Trial {
+  Variant variant;
+  std::size_t number;  ///< among the mutants of its variant, from 1
+  x86model::Mutant mutant;
+  Judgement judgement{};
+  bool done = false;
+};
+
+std::vector<Trial> trials_of(const Selection& selection) {
+  std::vector<Trial> trials;
+  for (const Variant& v : chosen_variants(selection)) {
+    // CosSin has no switch: its two builds are one program.
+    if (!has_program(v) || (v.operation == Operation::cossin && !v.mul_round)) continue;
+    std::size_t number = 0;
+    for (x86model::Mutant& mutant : mutants_of(v)) {
+      trials.push_back({.variant = v, .number = ++number, .mutant = std::move(mutant)});
+    }
+  }
+  if (trials.empty()) throw UsageError("no routine has these operations and options");
+  return trials;
+}
+
+/// Shows how far it has come, where somebody looks.
+void show(std::size_t done, std::size_t all, double seconds) {
+  if (::isatty(STDERR_FILENO) != 1) return;
+  const double left = seconds / static_cast<double>(done) * static_cast<double>(all - done);
+  fmt::print(stderr, "\r{} of {} mutants, about {} left\x1b[K", done, all, duration(left));
+}
+
+void judge_all(std::vector<Trial>& trials, const Options& options, const Solver& solver) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < trials.size() && !Interrupt::flag(); i = next++) {
+        Trial& trial = trials[i];
+        trial.judgement =
+            judge(trial.variant, trial.mutant.program, options.seed, solver, options.seconds);
+        const std::lock_guard lock(mutex);
+        trial.done = true;
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+        show(++done, trials.size(), passed.count());
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+      next = trials.size();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
+  }
+  if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
+  if (failure) std::rethrow_exception(failure);
+}
+
+std::string what_became_of(const Trial& trial) {
+  const Judgement& j = trial.judgement;
+  switch (j.fate) {
+    case Fate::killed:
+      return fmt::format("killed by case {}", grouped(j.cases));
+    case Fate::equivalent:
+      return "equivalent";
+    case Fate::gap:
+      break;
+  }
+  if (j.proof.standing != Standing::disproven) return "GAP: survives level 1, not decided";
+  return fmt::format("GAP: survives level 1, but fails at {}",
+                     hex_words(j.proof.counterexample, operand_bits(trial.variant)));
+}
+
+/// Counts of one variant, or of all.
+struct Score {
+  std::size_t mutants = 0;
+  std::size_t killed = 0;
+  std::size_t equivalent = 0;
+  std::size_t gaps = 0;
+  std::uint64_t slowest = 0;
+
+  void add(const Judgement& j) {
+    ++mutants;
+    ++(j.fate == Fate::killed ? killed : j.fate == Fate::equivalent ? equivalent : gaps);
+    if (j.fate == Fate::killed) slowest = std::max(slowest, j.cases);
+  }
+  [[nodiscard]] std::string line(std::string_view name) const {
+    return fmt::format("{:<24}{:>8}{:>8}{:>12}{:>6}{:>16}\n", name, grouped(mutants),
+                       grouped(killed), grouped(equivalent), gaps, grouped(slowest));
+  }
+};
+
+int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
+  std::string notable;
+  std::string lines;
+  Score all;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < trials.size();) {
+    const Variant& v = trials[i].variant;
+    Score score;
+    for (; i < trials.size() && trials[i].variant == v; ++i) {
+      const Trial& trial = trials[i];
+      if (!trial.done) {
+        ++left;
+        continue;
+      }
+      score.add(trial.judgement);
+      all.add(trial.judgement);
+      if (verbose || trial.judgement.fate == Fate::gap) {
+        notable += fmt::format("{}, mutant {}: {}: {}\n", name_of(v), trial.number,
+                               trial.mutant.change, what_became_of(trial));
+      }
+    }
+    lines += score.line(name_of(v));
+  }
+  std::cout << notable << (notable.empty() ? "" : "\n")
+            << fmt::format("{:<24}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
+                           "equivalent", "gaps", "slowest kill")
+            << lines << all.line("all");
+  const std::size_t mortal = all.killed + all.gaps;
+  std::cout << fmt::format(
+      "\nScore: {} of {} mutants that are not equivalent are killed by level 1"
+      " ({:.2f} %); {}\n",
+      grouped(all.killed), grouped(mortal),
+      mortal == 0 ? 100.0 : 100.0 * static_cast<double>(all.killed) / static_cast<double>(mortal),
+      duration(seconds));
+  if (left > 0) {
+    std::cout << fmt::format("INCOMPLETE: {} mutants are not judged.\n", grouped(left));
+  }
+  if (all.gaps > 0) return 1;
+  return left > 0 ? 130 : 0;
+}
+
+int run(const Options& options) {
+  std::vector<Trial> trials = trials_of(options.selection);
+  const Solver solver(options.solver);
+  std::cout << fmt::format("{} mutants, seed {}, {}\n\n", grouped(trials.size()), options.seed,
+                           solver.version())
+            << std::flush;
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const Interrupt interrupt;
+    judge_all(trials, options, solver);
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  return report(trials, options.verbose, passed.count());
+}
+
+}  // namespace
+
+void add_mutate(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("mutate", "measure what level 1 would catch, by planting mistakes");
+  command->add_option("operations", options->selection.operations,
+                      "mul, div, cossin, xformvec, concat; none: all");
+  options->selection.variant.add_to(*command);
+  command->add_option("--seed", options->seed, "of the random cases")->capture_default_str();
+  command->add_option("--solver", options->solver, "z3 or cvc5, which tells what is equivalent")
+      ->capture_default_str();
+  command->add_option("--timeout", options->seconds, "seconds that one question may take")
+      ->check(CLI::Range(1, 86'400))
+      ->capture_default_str();
+  command
+      ->add_option("--threads", options->threads, "of the run; by default one for each processor")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
+  command->footer(
+      "Every single instruction of every routine is changed in every way that "
+      "x86model/mutants.hpp\n"
+      "names. A mutant is killed by the first case of level 1 on which it differs from the "
+      "oracle,\n"
+      "faults or breaks down where it should not; of the others the solver tells which are the "
+      "same\n"
+      "routine for all operands. What remains is a gap of the verification.\n\n"
+      "Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 stopped before the end.\n\n"
+      "Examples:\n"
+      "  fixproof mutate mul div\n"
+      "  fixproof mutate div --target i8088 --round on --verbose");
+  command->callback([command, options, &status] {
+    options->selection.chapter_given = command->count("--chapter") > 0;
+    status = run(*options);
+  });
+}
+
+}  // namespace fixproof

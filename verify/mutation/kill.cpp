@@ -1,0 +1,111 @@
+#include "verify/mutation/kill.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "verify/parties/interpreter.hpp"
+#include "verify/plan.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+
+/// The buffers of a batch of one variant. Small, because most mutants are killed at once, and one
+/// that never ends takes its time for each case.
+class Duel {
+ public:
+  Duel(const Variant& v, const Party& judged, const Party& reference)
+      : v_(v),
+        judged_(judged),
+        reference_(reference),
+        in_(most * words_in(v.operation)),
+        out_(most * words_out(v.operation)),
+        expected_(out_.size()) {}
+
+  /// How many of these cases pass before one does not; `count` where all do.
+  std::uint64_t passed(const Job& job, std::uint64_t seed, std::uint64_t first,
+                       std::uint64_t count) {
+    const std::size_t taken = words_in(v_.operation);
+    const std::size_t given = words_out(v_.operation);
+    for (std::uint64_t done = 0; done < count; done += most) {
+      const auto cases = static_cast<std::size_t>(std::min<std::uint64_t>(most, count - done));
+      const auto in = std::span(in_).first(cases * taken);
+      make_cases(job.stream, v_, seed, first + done, in);
+      judged_.answer(v_, {in, std::span(out_).first(cases * given), std::span(ends_).first(cases)});
+      reference_.answer(v_, {in, std::span(expected_).first(cases * given),
+                             std::span(ends_wanted_).first(cases)});
+      for (std::size_t i = 0; i < cases; ++i) {
+        const auto at = static_cast<std::ptrdiff_t>(i * given);
+        const bool same =
+            ends_.at(i) == ends_wanted_.at(i) &&
+            (ends_.at(i) != Ending::value ||
+             std::equal(out_.begin() + at, out_.begin() + at + static_cast<std::ptrdiff_t>(given),
+                        expected_.begin() + at));
+        if (!same) return done + i;
+      }
+    }
+    return count;
+  }
+
+ private:
+  static constexpr std::size_t most = 64;
+  const Variant& v_;
+  const Party& judged_;
+  const Party& reference_;
+  std::vector<std::uint32_t> in_, out_, expected_;
+  std::array<Ending, most> ends_{}, ends_wanted_{};
+};
+
+/// Whether level 1 kills the program; counts its cases until then.
+bool level_1_kills(const Variant& v, const x86::Program& program, std::uint64_t seed,
+                   std::uint64_t& cases) {
+  const auto mutant = make_interpreter_of("mutant", program);
+  const Party& oracle = party_named(v.operation == Operation::cossin ? "oracle" : "fast");
+  const Plan plan(1, seed, {Row{v, {"mutant", std::string(oracle.name())}}});
+  Duel duel(v, *mutant, oracle);
+  // A few cases of every stream first: most mutants need no more.
+  constexpr std::uint64_t few = 256;
+  for (const bool first_ones : {true, false}) {
+    for (const Job& job : plan.jobs()) {
+      const std::uint64_t begin = first_ones ? 0 : std::min(few, job.cases);
+      const std::uint64_t end = first_ones ? std::min(few, job.cases) : job.cases;
+      const std::uint64_t passed = duel.passed(job, seed, begin, end - begin);
+      cases += passed;
+      if (passed < end - begin) return ++cases, true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<x86::Mutant> mutants_of(const Variant& v) {
+  const x86::Program sound = program_of(v);
+  auto all = x86::mutants(sound);
+  std::size_t own = 1;
+  while (own < sound.size && !sound.code.at(own).is_procedure) ++own;
+  std::erase_if(all, [&](const x86::Mutant& m) { return m.position >= own; });
+  return all;
+}
+
+Judgement judge(const Variant& v, const x86::Program& program, std::uint64_t seed,
+                const Solver& solver, int most_seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  Judgement judgement;
+  if (level_1_kills(v, program, seed, judgement.cases)) {
+    judgement.fate = Fate::killed;
+  } else if (has_same_terms(v, program.instructions())) {
+    judgement.fate = Fate::equivalent;
+  } else {
+    judgement.proof = prove(v, program, solver, most_seconds);
+    if (judgement.proof.standing == Standing::proven) judgement.fate = Fate::equivalent;
+  }
+  judgement.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return judgement;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,36 @@
+/// @file
+/// What verification finds of a program with a mistake in it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "verify/proof/prove.hpp"
+#include "verify/variant.hpp"
+#include "x86model/mutants.hpp"
+
+namespace fixproof {
+
+enum class Fate {
+  killed,      ///< level 1 has a case on which it differs from the oracle, or breaks down
+  equivalent,  ///< proven to do what the routine does, for all operands
+  gap,         ///< level 1 does not notice, and it is not proven harmless
+};
+
+struct Judgement {
+  Fate fate = Fate::gap;
+  std::uint64_t cases = 0;  ///< of level 1 that were run, the killing one included
+  double seconds = 0;
+  Proof proof;  ///< of what level 1 did not kill
+};
+
+/// The mutants of a variant's routine. Those of the FixedMul that an 8088 transform brings along
+/// are left to FixedMul.
+std::vector<x86model::Mutant> mutants_of(const Variant& variant);
+
+/// Runs the cases of level 1 until one kills the program; what survives is put to the solver.
+/// @param most_seconds that one question to the solver may take
+Judgement judge(const Variant& variant, const x86model::Program& program, std::uint64_t seed,
+                const Solver& solver, int most_seconds);
+
+}  // namespace fixproof

@@ -1,0 +1,196 @@
+#include "x86model/mutants.hpp"
+
+#include <array>
+#include <utility>
+
+#include "x86model/execute.hpp"
+#include "x86model/text.hpp"
+
+namespace x86model {
+
+namespace {
+
+using enum Mnemonic;
+
+/// What each instruction may be mistaken for, with the same operands.
+constexpr auto mistakes = std::to_array<std::pair<Mnemonic, Mnemonic>>({
+    {mov, add},   {push, pop},  {pop, push},  {add, adc},  {add, sub},   {add, and_}, {adc, add},
+    {adc, sbb},   {sub, sbb},   {sub, add},   {sub, cmp},  {sbb, sub},   {sbb, adc},  {cmp, sub},
+    {cmp, add},   {cmp, and_},  {neg, inc},   {neg, dec},  {inc, dec},   {inc, neg},  {dec, inc},
+    {dec, neg},   {mul, imul},  {mul, div},   {imul, mul}, {imul, idiv}, {div, idiv}, {div, mul},
+    {idiv, div},  {idiv, imul}, {and_, xor_}, {and_, add}, {xor_, and_}, {xor_, add}, {shl, shr},
+    {shl, rol},   {shr, sar},   {shr, shl},   {sar, shr},  {sar, shl},   {rol, shl},  {rol, shr},
+    {shld, shrd}, {shrd, shld}, {js, jns},    {jns, js},   {jz, js},     {jz, jns},   {ja, jg},
+    {jg, ja},     {jg, jns},
+});
+
+Register next(Register r) {
+  switch (r) {
+    case Register::ax:
+      return Register::cx;
+    case Register::cx:
+      return Register::dx;
+    case Register::dx:
+      return Register::bx;
+    case Register::bx:
+      return Register::ax;
+    case Register::si:
+      return Register::di;
+    case Register::di:
+    case Register::sp:
+      return Register::bp;
+    case Register::bp:
+      break;
+  }
+  return Register::si;
+}
+
+/// The next of the registers that can address memory.
+Register next_base(Register r) {
+  switch (r) {
+    case Register::bx:
+      return Register::si;
+    case Register::si:
+      return Register::di;
+    default:
+      return Register::bx;
+  }
+}
+
+/// The other constants that a constant may have been.
+std::vector<Operand> other_constants(const Operand& o) {
+  const auto literal = [&](int value) {
+    Operand other = o;
+    other.scaling = Scaling::literal;
+    other.value = value;
+    return other;
+  };
+  constexpr int half = 0x8000;
+  constexpr int bits = 16;
+  switch (o.scaling) {
+    case Scaling::half_unit:
+      return {literal(half - 1), literal(half + 1), literal(0)};
+    case Scaling::word_bits:
+      return {literal(bits - 1), literal(bits + 1)};
+    case Scaling::literal:
+    case Scaling::bytes:
+      break;
+  }
+  return {literal(o.value - 1), literal(o.value + 1)};
+}
+
+std::vector<Operand> other_operands(const Operand& o) {
+  std::vector<Operand> others;
+  if (o.kind == Operand::Kind::reg) {
+    others.push_back(o);
+    others.back().reg = next(o.reg);
+  } else if (o.kind == Operand::Kind::immediate) {
+    others = other_constants(o);
+  } else if (o.kind == Operand::Kind::memory) {
+    others.assign(3, o);
+    others[0].reg = next_base(o.reg);
+    others[1].value -= 2;
+    others[2].value += 2;
+  }
+  return others;
+}
+
+/// The program with `count` instructions at `at` replaced by `by`; jumps still lead where they led.
+Program spliced(const Program& program, std::size_t at, std::size_t count,
+                std::span<const Instruction> by) {
+  Program changed;
+  const auto place = [&](const Instruction& i) { changed.code.at(changed.size++) = i; };
+  for (std::size_t i = 0; i < at; ++i) place(program.code.at(i));
+  for (const Instruction& i : by) place(i);
+  for (std::size_t i = at + count; i < program.size; ++i) place(program.code.at(i));
+  for (std::size_t i = 0; i < changed.size; ++i) {
+    for (Operand& o : changed.code.at(i).operands) {
+      if (o.kind != Operand::Kind::label || static_cast<std::size_t>(o.value) <= at) continue;
+      o.value += static_cast<int>(by.size()) - static_cast<int>(count);
+    }
+  }
+  return changed;
+}
+
+/// Collects the mutants of one program.
+class Workshop {
+ public:
+  explicit Workshop(const Program& sound) : sound_(sound) {}
+
+  std::vector<Mutant> all() {
+    for (std::size_t at = 0; at < sound_.size; ++at) {
+      mnemonics(at);
+      operands(at);
+      if (is_control_flow(sound_.code.at(at).mnemonic)) jumps(at);
+      add(at, {}, "left out");
+      const Instruction& i = sound_.code.at(at);
+      Instruction again = i;
+      again.label = nullptr;
+      again.is_procedure = false;
+      add(at, std::array{i, again}, "twice");
+    }
+    return std::move(mutants_);
+  }
+
+ private:
+  void add(std::size_t at, std::span<const Instruction> by, const std::string& what) {
+    mutants_.push_back({spliced(sound_, at, 1, by), at, std::to_string(at)});
+    mutants_.back().change.append(" ").append(text_of(sound_.code.at(at)));
+    mutants_.back().change.append(" -> ").append(what);
+  }
+
+  void replace(std::size_t at, const Instruction& by) {
+    const std::string text = text_of(by);
+    if (text != text_of(sound_.code.at(at))) add(at, std::array{by}, text);
+  }
+
+  void mnemonics(std::size_t at) {
+    for (const auto& [right, wrong] : mistakes) {
+      Instruction by = sound_.code.at(at);
+      if (by.mnemonic != right) continue;
+      by.mnemonic = wrong;
+      replace(at, by);
+    }
+  }
+
+  void operands(std::size_t at) {
+    const Instruction& i = sound_.code.at(at);
+    if (i.operands[1].kind == Operand::Kind::reg || i.operands[1].kind == Operand::Kind::memory) {
+      Instruction by = i;
+      std::swap(by.operands[0], by.operands[1]);
+      replace(at, by);
+    }
+    for (std::size_t o = 0; o < i.operands.size(); ++o) {
+      for (const Operand& other : other_operands(i.operands.at(o))) {
+        Instruction by = i;
+        by.operands.at(o) = other;
+        replace(at, by);
+      }
+    }
+  }
+
+  void jumps(std::size_t at) {
+    const Instruction& i = sound_.code.at(at);
+    if (i.mnemonic == call || i.mnemonic == ret) return;
+    Instruction by = i;
+    by.mnemonic = jmp;
+    replace(at, by);
+    for (std::size_t to = 0; to < sound_.size; ++to) {
+      const Instruction& target = sound_.code.at(to);
+      if (target.label == nullptr || target.is_procedure) continue;
+      by = i;
+      by.operands[0].name = target.label;
+      by.operands[0].value = static_cast<int>(to);
+      replace(at, by);
+    }
+  }
+
+  const Program& sound_;
+  std::vector<Mutant> mutants_;
+};
+
+}  // namespace
+
+std::vector<Mutant> mutants(const Program& sound) { return Workshop(sound).all(); }
+
+}  // namespace x86model
