@@ -35,6 +35,7 @@ TEST(SinglestepInput, RefusesWhatIsNoArrayOfCases) {
   expect_refused("", "empty");
   expect_refused("[]", "no cases");
   expect_refused("null", "no array of cases");
+  expect_refused("MOO \x08", "binary MOO; moo2json.py makes JSON of it");
   expect_refused("3", "no array of cases");
   expect_refused(sound().dump(), "no array of cases");
   expect_refused("[1]", "case 0 is no object");

@@ -146,6 +146,40 @@ TEST(Tampered, AFaultThatIsNotWholeIsReported) {
   tampered.expect_all_reported();
 }
 
+/// A fault with its stack elsewhere: at the top of memory, and where SP comes round.
+TEST(Tampered, TheReturnAddressIsFoundWhereTheStackWraps) {
+  Json sound;
+  each_case([&](const Json& c, std::string_view cpu) {
+    if (cpu == "8088" && vectors::is_fault(c)) sound = c;
+  });
+  struct Stack {
+    std::uint32_t ss;
+    std::uint32_t sp;
+  };
+  Tampered moved;
+  Tampered wrong;
+  for (const Stack stack : {Stack{0xFFFF, 0x1000}, {0xFFFF, 0x14}, {0x9000, 4}, {0x9000, 5}}) {
+    Json c = sound;
+    c["initial"]["regs"]["ss"] = stack.ss;
+    c["initial"]["regs"]["sp"] = stack.sp;
+    c["final"]["regs"]["sp"] = (stack.sp - 6) & 0xFFFFU;
+    // Flags, CS and IP, each with its low byte first.
+    const std::array<std::uint32_t, 6> below{2, 1, 4, 3, 6, 5};
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      const std::uint32_t offset = (stack.sp - below.at(i)) & 0xFFFFU;
+      c["final"]["ram"][i][0] = (stack.ss * 16 + offset) & 0xFFFFFU;
+    }
+    moved.i8088.push_back(c);
+    for (std::size_t i = 2; i < below.size(); ++i) {
+      Json bad = c;
+      bad["final"]["ram"][i][1] = bad["final"]["ram"][i][1].get<unsigned>() ^ 0x10U;
+      wrong.i8088.push_back(bad);
+    }
+  }
+  expect_counts(moved.i8088, "8088", moved.i8088.size());
+  expect_counts(wrong.i8088, "8088", 0);
+}
+
 TEST(Tampered, AValueTurnedIntoAFaultIsReported) {
   Tampered tampered;
   Json fault_of_8088;

@@ -201,6 +201,7 @@ void read_cases(const std::string& path, x86model::Target cpu,
   try {
     const std::string text = gunzip(read_file(path));
     if (text.empty()) throw UsageError("empty");
+    if (text.starts_with("MOO ")) throw UsageError("binary MOO; moo2json.py makes JSON of it");
     // Of the array nothing is left: the sink keeps no case.
     const Json rest = Json::parse(text, std::ref(sink));
     if (!rest.empty() || sink.cases() == 0) throw UsageError("no cases");
