@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -71,7 +72,7 @@ cli::Run judge_text(const std::string& text, std::string_view cpu) {
   const std::string path = fmt::format("{}/fixproof-{}.json", testing::TempDir(), getpid());
   std::ofstream(path, std::ios::binary) << text;
   auto run = cli::fixproof(fmt::format("step --cpu {} --singlestep {}", cpu, path));
-  std::remove(path.c_str());
+  std::filesystem::remove(path);
   run.out = replaced(run.out, path, "FILE");
   run.err = replaced(run.err, path, "FILE");
   return run;

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include <filesystem>
 
 #include "tests/vectors/cases.hpp"
 #include "tests/vectors/files.hpp"
@@ -164,7 +164,7 @@ TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
   vectors::write(path, {.name = "", .text = cli::repeated(1U << 20U, ' '), .compressed = true});
   const std::string mebibyte = fixproof::read_file(path);
-  std::remove(path.c_str());
+  std::filesystem::remove(path);
   std::string bomb;
   for (int i = 0; i < 257; ++i) bomb += mebibyte;
   ASSERT_LT(bomb.size(), 1U << 20U);

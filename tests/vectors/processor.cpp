@@ -70,6 +70,7 @@ namespace {
 constexpr std::uint32_t six_flags = 0x8D5;
 constexpr std::uint32_t always_set = 0x202;  // bit 1, and IF as every program has it
 
+// NOLINTNEXTLINE(*-avoid-non-const-global-variables): all that a signal handler may write
 volatile std::sig_atomic_t faulted = 0;
 
 /// A divide error goes on where the instruction would have, its registers untouched.

@@ -43,11 +43,11 @@ struct Tampered {
   Json i386 = Json::array();
 
   Json& of(std::string_view cpu) { return cpu == "8088" ? i8088 : i386; }
-  void expect_all_reported() {
+  void expect_all_reported() const {
     expect_counts(i8088, "8088", 0);
     expect_counts(i386, "386", 0);
   }
-  void expect_none_reported() {
+  void expect_none_reported() const {
     expect_counts(i8088, "8088", i8088.size());
     expect_counts(i386, "386", i386.size());
   }

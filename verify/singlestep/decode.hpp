@@ -22,7 +22,7 @@ std::string_view name_of(Skip reason);
 /// One instruction, and how many bytes it takes.
 struct Decoded {
   x86model::Instruction instruction;
-  std::size_t length;
+  std::size_t length = 0;
 };
 
 /// Decodes the first instruction of `bytes`, 16-bit code as both processors run it in real mode;
