@@ -79,14 +79,18 @@ X86MODEL_INLINE void load_cosine_table(M& m) {
   }
 }
 
-/// Fills the registers with what some caller has left there: no routine may depend on it. Different
-/// operands find different words.
-template <class M>
+/// Fills the registers, and the place of the results, with what some caller has left there: no
+/// routine may depend on it. Different operands find different words.
+template <Routine routine, class M>
 X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
   std::uint32_t word = in[0] * 0x9E3779B9U + in.back();
   for (std::size_t r = 0; r < register_count; ++r) {
     m.registers.write(static_cast<Register>(r), Size::dword, word);
     word = word * 0x85EBCA6BU + 0xC2B2AE35U;
+  }
+  if constexpr (routine == Routine::mul || routine == Routine::div) return;
+  for (int i = 0; i < arity(routine).out; ++i) {
+    detail::store(m, detail::data + (arity(routine).in + i) * detail::bytes_of_value, word + static_cast<std::uint32_t>(i));
   }
 }
 
@@ -143,7 +147,7 @@ Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in
             std::span<std::uint32_t> out, Observer&& observe) {
   CallMachine<routine, WordBits> m;
   if constexpr (routine == Routine::cossin) load_cosine_table(m);
-  leave_junk(m, in);
+  leave_junk<routine>(m, in);
   enter<routine>(m, in);
   const Ending ending = run(code, m, observe);
   leave<routine>(m, out);
@@ -171,12 +175,12 @@ void call_compiled(std::span<const std::uint32_t> in, std::span<std::uint32_t> o
     if constexpr (routine == Routine::mul || routine == Routine::div) {
       // A machine of its own for each case: it never leaves the processor's registers.
       CallMachine<routine, WordBits> m;
-      leave_junk(m, in.subspan(i * taken, taken));
+      leave_junk<routine>(m, in.subspan(i * taken, taken));
       enter<routine>(m, in.subspan(i * taken, taken));
       outcomes[i] = run_compiled<program<routine, target, build>>(m);
       leave<routine>(m, out.subspan(i * given, given));
     } else {
-      leave_junk(ready, in.subspan(i * taken, taken));
+      leave_junk<routine>(ready, in.subspan(i * taken, taken));
       enter<routine>(ready, in.subspan(i * taken, taken));
       outcomes[i] = run_compiled<program<routine, target, build>>(ready);
       leave<routine>(ready, out.subspan(i * given, given));

@@ -34,19 +34,6 @@ TEST(Coverage, EveryInstructionOfEveryProgramIsExecuted) {
   });
 }
 
-TEST(Coverage, EveryMnemonicIsInSomeListing) {
-  std::set<Mnemonic> used;
-  test::each_routine([&]<Routine routine, Target target>() {
-    const Listing& rows = listing(routine, target);
-    for (std::size_t i = 0; i < rows.size; ++i) {
-      if (rows.rows.at(i).directive == Directive::none) used.insert(rows.rows.at(i).mnemonic);
-    }
-  });
-  for (std::size_t m = 0; m < mnemonic_count; ++m) {
-    EXPECT_TRUE(used.contains(static_cast<Mnemonic>(m))) << name_of(static_cast<Mnemonic>(m));
-  }
-}
-
 TEST(Coverage, The8088HasOnlyItsOwnInstructions) {
   const std::set<Mnemonic> of_the_386{Mnemonic::shld, Mnemonic::shrd};
   test::each_routine([&]<Routine routine, Target target>() {

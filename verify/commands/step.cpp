@@ -9,7 +9,9 @@
 #include "verify/commands/commands.hpp"
 #include "verify/commands/lines.hpp"
 #include "verify/commands/shown.hpp"
+#include "verify/commands/singlestep.hpp"
 #include "verify/hex.hpp"
+#include "verify/step_machine.hpp"
 #include "verify/usage_error.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/parse.hpp"
@@ -21,13 +23,6 @@ namespace fixproof {
 namespace {
 
 namespace x86 = x86model;
-
-/// A line holds no memory: reading it is impossible, what is written to it is not shown.
-struct NoMemory {
-  static bool read(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
-  static bool write(std::uint32_t /*address*/, std::uint32_t /*value*/) { return true; }
-};
-using StepMachine = x86::Machine<16, NoMemory>;
 
 /// Register state as a line writes it.
 struct State {
@@ -163,11 +158,15 @@ void add_step(CLI::App& app, int& status) {
   static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
                                                              {"386", x86::Target::i386}};
   auto cpu = std::make_shared<std::string>("386");
-  CLI::App* command =
-      app.add_subcommand("step", "execute one instruction a line, read from standard input");
+  auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand(
+      "step",
+      "execute one instruction a line, read from standard input, or judge the model by files");
   command->add_option("--cpu", *cpu, "8088 or 386")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();
+  command->add_option("--singlestep", *files,
+                      "judge cases of these files in place of lines: JSON, plain or gzip");
   command->footer(
       "A line is an instruction and all registers; the answer is the state after it, then the "
       "flags\n"
@@ -179,8 +178,20 @@ void add_step(CLI::App& app, int& status) {
       "Example:\n"
       "  echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe "
       "fl=0001' |\n"
-      "    fixproof step --cpu 8088");
-  command->callback([cpu, &status] { status = run(processors.at(*cpu)); });
+      "    fixproof step --cpu 8088\n\n"
+      "Files of --singlestep are in the JSON format of SingleStepTests: the 8088 set as it is,\n"
+      "the 80386 set once moo2json.py has made JSON of it. A case has registers and memory before\n"
+      "and after one instruction. Those that are modelled, with registers and immediates for\n"
+      "operands, are run; the others are counted by reason. Not judged are the instruction\n"
+      "pointer, undefined flags, and flags after a divide error. For each file the first 20 cases\n"
+      "that differ are shown, then one line counts all. Exit status 1: a case differs. 2: a file\n"
+      "is damaged, or has no case that could be run: what verified nothing is no success.\n\n"
+      "Example:\n"
+      "  fixproof step --cpu 8088 --singlestep v2/01.json.gz v2/F7.6.json.gz");
+  command->callback([cpu, files, &status] {
+    const x86::Target target = processors.at(*cpu);
+    status = files->empty() ? run(target) : judge_files(*files, target);
+  });
 }
 
 }  // namespace fixproof

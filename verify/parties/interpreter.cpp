@@ -38,7 +38,7 @@ template <x86::Routine routine, int word_bits>
 Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, word_bits>& m,
               std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
   constexpr auto low_bits = x86::alu::mask(word_bits);
-  x86::leave_junk(m, in);
+  x86::leave_junk<routine>(m, in);
   x86::enter<routine>(m, in);
   const auto before = kept_registers(m);
   const std::uint32_t top = m.registers.read(x86::Register::sp, x86::Size::word);

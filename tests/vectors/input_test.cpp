@@ -1,0 +1,188 @@
+// Files that are no cases: refused in one line that names the place, with exit status 2.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/vectors/cases.hpp"
+#include "tests/vectors/files.hpp"
+#include "verify/file.hpp"
+
+namespace {
+
+using vectors::Json;
+
+void expect_refused(const std::string& text, std::string_view message,
+                    std::string_view cpu = "8088") {
+  const auto run = vectors::judge_text(text, cpu);
+  EXPECT_EQ(run.status, 2) << message;
+  EXPECT_EQ(run.err, fmt::format("fixproof: FILE: {}\n", message));
+}
+
+/// A sound case, `add cx, ...` of the 8088.
+Json sound() { return vectors::load(vectors::committed[0])[0]; }
+
+/// The file of a sound case and then the case that `change` makes of it.
+template <class Change>
+void expect_refused_case(Change change, std::string_view message) {
+  Json bad = sound();
+  bad["name"] = "bad";
+  change(bad);
+  expect_refused(Json::array({sound(), bad}).dump(), fmt::format("case 1 'bad': {}", message));
+}
+
+TEST(SinglestepInput, RefusesWhatIsNoArrayOfCases) {
+  expect_refused("", "empty");
+  expect_refused("[]", "no cases");
+  expect_refused("null", "no array of cases");
+  expect_refused("MOO \x08", "binary MOO; moo2json.py makes JSON of it");
+  expect_refused("3", "no array of cases");
+  expect_refused(sound().dump(), "no array of cases");
+  expect_refused("[1]", "case 0 is no object");
+  expect_refused("[[]]", "case 0 is no object");
+  expect_refused("[{}]", "case 0: name is missing");
+  expect_refused(R"([{"name":1}])", "case 0: name is number instead of string");
+}
+
+TEST(SinglestepInput, RefusesDamagedJson) {
+  const std::string whole = Json::array({sound()}).dump();
+  const auto refused_at = [](const std::string& text, int cases) {
+    const auto run = vectors::judge_text(text, "8088");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err.rfind("fixproof: FILE: no JSON, or cut short, at byte ", 0), 0) << run.err;
+    EXPECT_NE(run.err.find(fmt::format(", after {} cases\n", cases)), std::string::npos) << run.err;
+  };
+  refused_at("noise", 0);
+  refused_at(whole.substr(0, whole.size() / 2), 0);
+  refused_at(whole.substr(0, whole.size() - 1), 1);
+  refused_at(whole + ']', 1);
+  refused_at("[\"\xff\"]", 0);
+  expect_refused(R"([{"name":"x","bytes":[1e999]}])",
+                 "a number too large for any field, after 0 cases");
+}
+
+TEST(SinglestepInput, RefusesMissingFields) {
+  for (const char* name : {"bytes", "initial", "final"}) {
+    expect_refused_case([&](Json& c) { c.erase(name); }, fmt::format("{} is missing", name));
+  }
+  for (const char* state : {"initial", "final"}) {
+    for (const char* name : {"regs", "ram"}) {
+      expect_refused_case([&](Json& c) { c[state].erase(name); },
+                          fmt::format("{}.{} is missing", state, name));
+    }
+  }
+  for (const char* name :
+       {"ax", "bx", "cx", "dx", "cs", "ss", "ds", "es", "sp", "bp", "si", "di", "ip", "flags"}) {
+    expect_refused_case([&](Json& c) { c["initial"]["regs"].erase(name); },
+                        fmt::format("initial.regs.{} is missing", name));
+  }
+}
+
+TEST(SinglestepInput, RefusesOtherTypes) {
+  expect_refused_case([](Json& c) { c["bytes"] = "01c8"; }, "bytes is string instead of array");
+  expect_refused_case([](Json& c) { c["initial"] = 1; }, "initial is number instead of object");
+  expect_refused_case([](Json& c) { c["final"]["regs"] = Json::array(); },
+                      "final.regs is array instead of object");
+  expect_refused_case([](Json& c) { c["final"]["ram"] = Json::object(); },
+                      "final.ram is object instead of array");
+  expect_refused_case([](Json& c) { c["final"]["ram"] = {1}; },
+                      "final.ram[0] is not an address and a byte");
+}
+
+TEST(SinglestepInput, RefusesNumbersOutOfRange) {
+  const auto expect_bad = [](auto change, std::string_view place, std::uint32_t most) {
+    expect_refused_case(change, fmt::format("{} is not a number from 0 to {}", place, most));
+  };
+  expect_bad([](Json& c) { c["bytes"][1] = 256; }, "bytes[1]", 255);
+  expect_bad([](Json& c) { c["bytes"][1] = 1.5; }, "bytes[1]", 255);
+  expect_bad([](Json& c) { c["initial"]["regs"]["ax"] = 65536; }, "initial.regs.ax", 65535);
+  expect_bad([](Json& c) { c["final"]["regs"]["ip"] = -3; }, "final.regs.ip", 65535);
+  expect_bad([](Json& c) { c["final"]["regs"]["ax"] = "1"; }, "final.regs.ax", 65535);
+  expect_bad([](Json& c) { c["initial"]["ram"][0][0] = 1048576; }, "initial.ram[0][0]", 1048575);
+  expect_bad([](Json& c) { c["initial"]["ram"][0][1] = 256; }, "initial.ram[0][1]", 255);
+}
+
+TEST(SinglestepInput, RefusesBytesThatAreNotOneInstruction) {
+  expect_refused_case([](Json& c) { c["bytes"] = Json::array(); },
+                      "bytes end inside the instruction");
+  expect_refused_case([](Json& c) { c["bytes"].erase(1); }, "bytes end inside the instruction");
+  expect_refused_case([](Json& c) { c["bytes"].push_back(0x90); },
+                      "bytes are 3, the instruction has 2");
+  // Only the sets of the 386 end with a HLT.
+  expect_refused_case([](Json& c) { c["bytes"].push_back(0xF4); },
+                      "bytes are 3, the instruction has 2");
+}
+
+TEST(SinglestepInput, RefusesTheSetOfTheOtherProcessor) {
+  Json c = sound();
+  c["name"] = "add";
+  expect_refused(Json::array({c}).dump(),
+                 "case 0 'add': initial.regs: 'ax' is no register of the 386", "386");
+  c["initial"]["regs"]["fs"] = 0;
+  expect_refused(Json::array({c}).dump(),
+                 "case 0 'add': initial.regs: 'fs' is no register of the 8088");
+}
+
+TEST(SinglestepInput, RefusesEndlessCases) {
+  std::string deep = R"([{"name":"x","cycles":)";
+  deep.append(1'000'000, '[');
+  expect_refused(deep, "case 0 is nested too deeply");
+  std::string shallow = R"([{"name":"x","bytes":[)";
+  for (int i = 0; i < 1'100'000; ++i) shallow += "1,";
+  expect_refused(shallow, "case 0 is too long");
+}
+
+TEST(SinglestepInput, WhatRanNothingIsNoSuccess) {
+  Json skipped = Json::array();
+  for (const Json& c : vectors::load(vectors::committed[0])) {
+    if (!vectors::is_run(c)) skipped.push_back(c);
+  }
+  const auto run = vectors::judge(skipped, "8088");
+  EXPECT_EQ(run.out,
+            "FILE: 9 cases, 0 run, 0 equal, 0 differing; 9 skipped: 1 prefix, 1 control flow, "
+            "3 not modelled, 2 8-bit operand, 2 memory operand\n");
+  EXPECT_EQ(run.err, "fixproof: FILE: not one case could be run\n");
+  EXPECT_EQ(run.status, 2);
+}
+
+TEST(SinglestepInput, RefusesDamagedGzip) {
+  const std::string whole = fixproof::read_file(vectors::path_of(vectors::committed[2]));
+  expect_refused(whole.substr(0, 2), "gzip data cut short", "386");
+  expect_refused(whole.substr(0, whole.size() / 2), "gzip data cut short", "386");
+  expect_refused(whole.substr(0, whole.size() - 1), "gzip data cut short", "386");
+  expect_refused(whole + "more", "damaged gzip data", "386");
+  std::string wrong = whole;
+  wrong[whole.size() - 6] = static_cast<char>(wrong[whole.size() - 6] ^ 1);  // in the checksum
+  expect_refused(wrong, "damaged gzip data", "386");
+  // Judged by its first bytes, whatever it is called; members one after the other are one file.
+  EXPECT_EQ(vectors::judge_text(whole, "386").status, 0);
+  const auto twice = vectors::judge_text(whole + whole, "386");
+  EXPECT_NE(twice.err.find(", after 23 cases\n"), std::string::npos) << twice.err;
+}
+
+TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
+  const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
+  vectors::write(path, {.name = "", .text = cli::repeated(1U << 20U, ' '), .compressed = true});
+  const std::string mebibyte = fixproof::read_file(path);
+  std::filesystem::remove(path);
+  std::string bomb;
+  for (int i = 0; i < 257; ++i) bomb += mebibyte;
+  ASSERT_LT(bomb.size(), 1U << 20U);
+  expect_refused(bomb, "decompressed, more than 256 MiB");
+}
+
+TEST(SinglestepInput, GoesOnAfterABadFileAndForgetsNoMismatch) {
+  const std::string good = vectors::path_of(vectors::committed[0]);
+  auto run = cli::fixproof(fmt::format("step --cpu 8088 --singlestep /nonexistent {}", good));
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, fmt::format("{}: {}\n", good, vectors::committed[0].summary));
+  EXPECT_EQ(run.err, "fixproof: cannot read /nonexistent: No such file or directory\n");
+
+  Json wrong = sound();
+  wrong["final"]["regs"]["es"] = wrong["initial"]["regs"]["es"].get<unsigned>() ^ 1U;
+  run = vectors::judge_text('[' + wrong.dump() + ",1]", "8088");
+  EXPECT_EQ(run.status, 1) << "a mismatch before the damage";
+  EXPECT_EQ(run.err, "fixproof: FILE: case 1 is no object\n");
+}
+
+}  // namespace

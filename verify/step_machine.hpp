@@ -1,0 +1,19 @@
+/// @file
+/// The machine on which single instructions are executed: registers and flags alone.
+#pragma once
+
+#include <cstdint>
+
+#include "x86model/machine.hpp"
+
+namespace fixproof {
+
+/// Reading is impossible, what is written is not shown.
+struct NoMemory {
+  static bool read(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
+  static bool write(std::uint32_t /*address*/, std::uint32_t /*value*/) { return true; }
+};
+
+using StepMachine = x86model::Machine<16, NoMemory>;
+
+}  // namespace fixproof
