@@ -13,6 +13,7 @@ std::unique_ptr<Party> make_interpreter();
 std::unique_ptr<Party> make_oracle();
 std::unique_ptr<Party> make_fast_oracle();
 std::unique_ptr<Party> make_type();
+std::unique_ptr<Party> make_silicon();
 
 /// Whether the variant is one of FIXED.ASM's: a routine on a processor.
 constexpr bool is_routine(const Variant& v) {

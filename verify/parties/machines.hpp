@@ -1,0 +1,21 @@
+/// @file
+/// The parties that run machine code, and any code in their place.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "verify/party.hpp"
+#include "x86model/routine.hpp"
+
+namespace fixproof {
+
+/// Whether there is machine code for a variant in this build.
+bool has_machine_code(const Variant& variant);
+
+/// Answers a batch by calls of `code`, which stands in for the routine: on this processor, for
+/// which Processor::absence() has to be empty.
+void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
+                       const Batch& batch);
+
+}  // namespace fixproof
