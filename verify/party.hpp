@@ -51,7 +51,8 @@ class Party {
 
 /// The parties of this build: model (compiled run), interpreter (the same programs step by step),
 /// oracle (big integers), fast (the oracle's answers from built-in integers), type (fixed::number),
-/// silicon (the listings as machine code on this processor), the absent ones too.
+/// silicon (the listings as machine code on this processor), unicorn (the same code on
+/// an emulator); the absent ones too.
 const std::vector<std::unique_ptr<Party>>& parties();
 
 /// The party of that name; throws std::invalid_argument for an absent one, saying why, and for any

@@ -2,22 +2,15 @@
 /// The processor this runs on, made to run 16-bit code.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 
+#include "verify/machine_code/call_ending.hpp"
 #include "verify/machine_code/segment.hpp"
 
 namespace fixproof {
-
-/// How a call on the processor ended.
-enum class CallEnding : std::uint8_t {
-  returned,      ///< the routine came back to its caller
-  divide_error,  ///< #DE
-  fault,         ///< any other fault: the code is not that of a routine
-};
 
 /// A segment of 16-bit code, data and stack in this process, and calls into it. x86-64 Linux still
 /// lets a process make such segments (modify_ldt(2)); the processor then runs the code as a 286 or

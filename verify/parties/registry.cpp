@@ -16,6 +16,7 @@ const std::vector<std::unique_ptr<Party>>& parties() {
     made.push_back(make_fast_oracle());
     made.push_back(make_type());
     made.push_back(make_silicon());
+    made.push_back(make_unicorn());
     return made;
   }();
   return all;

@@ -12,18 +12,6 @@ namespace fixproof {
 
 namespace {
 
-Ending ending_of(CallEnding ending) {
-  switch (ending) {
-    case CallEnding::returned:
-      return Ending::value;
-    case CallEnding::divide_error:
-      return Ending::divide_error;
-    case CallEnding::fault:
-      break;
-  }
-  return Ending::broken;
-}
-
 /// The processor of one thread and the code that stands in its segment.
 struct Loaded {
   Processor processor;
@@ -31,10 +19,6 @@ struct Loaded {
 };
 
 }  // namespace
-
-bool has_machine_code(const Variant& v) {
-  return is_routine(v) && v.fraction_bits == 16 && !machine_code(program_of(v)).empty();
-}
 
 void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
                        const Batch& batch) {
