@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   fixproof::add_step(app, status);
   fixproof::add_trace(app, status);
   fixproof::add_list(app, status);
+  fixproof::add_dos(app, status);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

@@ -45,7 +45,8 @@ TEST(Usage, OperationsThatAreNoRoutines) {
 
 TEST(Usage, UnknownParty) {
   expect_usage_error("eval mul --by chance", "'chance'");
-  expect_usage_error("eval mul --by chance", "model, interpreter, oracle, fast, type, silicon, unicorn");
+  expect_usage_error("eval mul --by chance",
+                     "model, interpreter, oracle, fast, type, silicon, unicorn");
 }
 
 TEST(Usage, PartyWithoutAnAnswer) {

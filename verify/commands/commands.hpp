@@ -14,5 +14,6 @@ void add_eval(CLI::App& app, int& status);
 void add_step(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
+void add_dos(CLI::App& app, int& status);
 
 }  // namespace fixproof
