@@ -43,6 +43,8 @@ TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
 
 #if defined(__linux__) && defined(__x86_64__)
 
+// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): prctl() and execl() are nothing else
+
 /// From now on the system refuses modify_ldt() to this process, as a container may.
 void refuse_segments() {
   std::array<sock_filter, 4> rules{
@@ -60,6 +62,8 @@ void verify_without_segments(const char* option, const char* value) {
   refuse_segments();
   execl(FIXPROOF_COMMAND, FIXPROOF_COMMAND, "verify", "mul", option, value, nullptr);
 }
+
+// NOLINTEND(cppcoreguidelines-pro-type-vararg)
 
 class AbsenceDeathTest : public testing::Test {
  protected:

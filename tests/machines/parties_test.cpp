@@ -192,6 +192,7 @@ TEST_P(MachineParty, FaultsInManyThreadsAtOnce) {
   constexpr int rounds = 4;
   {
     std::vector<std::thread> threads;
+    threads.reserve(right.size());
     for (int& count : right) {
       threads.emplace_back([&] {
         for (int i = 0; i < rounds; ++i) {

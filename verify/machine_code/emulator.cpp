@@ -117,7 +117,7 @@ struct Emulator::Parts {
 
   /// What has ended a run before its end. Unicorn leaves a fault as being served, and one more
   /// would be a double fault: only a context from before it makes it forgotten.
-  CallEnding fault() {
+  [[nodiscard]] CallEnding fault() const {
     check(uc_context_restore(engine, fresh), "context");
     return interrupted && interrupt == 0 ? CallEnding::divide_error : CallEnding::fault;
   }
@@ -140,6 +140,7 @@ namespace {
 /// Unicorn takes all hooks as void*, which C++ makes of functions only so.
 template <class Function>
 void* hook_of(Function* function) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): see above
   return reinterpret_cast<void*>(function);
 }
 
@@ -175,6 +176,7 @@ Emulator::Emulator(std::span<const std::uint8_t> code) : parts_(std::make_unique
     parts.interrupt = number;
     uc_emu_stop(engine);
   };
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): the only function there is
   check(uc_hook_add(p.engine, &p.at_return, UC_HOOK_CODE,
                     hook_of<void(uc_engine*, std::uint64_t, std::uint32_t, void*)>(on_return), &p,
                     after_call, after_call),
@@ -182,6 +184,7 @@ Emulator::Emulator(std::span<const std::uint8_t> code) : parts_(std::make_unique
   check(uc_hook_add(p.engine, &p.at_interrupt, UC_HOOK_INTR,
                     hook_of<void(uc_engine*, std::uint32_t, void*)>(on_interrupt), &p, 1, 0),
         "hook");
+  // NOLINTEND(cppcoreguidelines-pro-type-vararg)
 }
 
 Emulator::~Emulator() = default;

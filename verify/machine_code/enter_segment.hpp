@@ -10,7 +10,7 @@ namespace fixproof {
 /// What the way back needs, at an address below 4 GiB: the 16-bit code can jump no further.
 struct Landing {
   std::uint64_t stack;   ///< RSP of the 64-bit side
-  std::uint64_t resume;  ///< fixproof_leave_segment
+  std::uint64_t resume;  ///< where fixproof_enter_segment() goes on
 };
 
 /// Everything a call takes and gives. The assembler code knows the offsets.
@@ -35,11 +35,9 @@ extern "C" {
 /// Loads the registers, flags and segments of a call and jumps to its entry; returns when the code
 /// there has jumped to a copy of the landing code. All registers that a C++ caller keeps are kept.
 void fixproof_enter_segment(fixproof::SegmentCall* call) noexcept;
-/// Where that function goes on, with RSP from the Landing.
-extern const std::uint8_t fixproof_leave_segment;
-/// The landing code, for a page landing_distance before a Landing.
-extern const std::uint8_t fixproof_landing;
-extern const std::uint8_t fixproof_landing_end;
+/// The landing code, for a page landing_distance before a Landing, and its end.
+extern const std::uint8_t fixproof_landing[];      // NOLINT(*-c-arrays)
+extern const std::uint8_t fixproof_landing_end[];  // NOLINT(*-c-arrays)
 }
 
 }  // namespace fixproof

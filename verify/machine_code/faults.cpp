@@ -24,11 +24,13 @@ Actions& previous_actions() {
   return actions;
 }
 
-/// The call that this thread is in, and the signal that ended it.
+/// The call that this thread is in, and the signal that ended it: a handler has no argument of
+/// ours.
 struct Running {
   SegmentCall* call = nullptr;
   int signal = 0;
 };
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local Running running;
 
 /// Does with a fault that is not ours what would have been done without this file.
@@ -47,7 +49,7 @@ void pass_on(int signal, siginfo_t* info, void* context) {
   struct sigaction by_default {};
   by_default.sa_handler = SIG_DFL;
   sigaction(signal, &by_default, nullptr);
-  raise(signal);
+  static_cast<void>(raise(signal));
 }
 
 /// CS, GS, FS and SS stand in one word of the context, CS lowest.

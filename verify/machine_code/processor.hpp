@@ -53,7 +53,6 @@ class Processor {
 
    private:
     struct Saved;
-    Processor& processor_;
     std::unique_ptr<Saved> saved_;
   };
 

@@ -17,7 +17,7 @@ Processor::Processor() { throw std::logic_error(absence()); }
 Processor::~Processor() = default;
 std::uint8_t* Processor::memory() const { return nullptr; }
 void Processor::load(std::span<const std::uint8_t> /*code*/) {}
-Processor::Calls::Calls(Processor& processor) : processor_(processor) {}
+Processor::Calls::Calls(Processor& /*processor*/) {}
 Processor::Calls::~Calls() = default;
 CallEnding Processor::Calls::call(SegmentMachine& /*m*/) const { return CallEnding::fault; }
 

@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <bitset>
 #include <cerrno>
-#include <cstring>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -31,6 +31,7 @@ std::system_error refused(const char* what) { return {errno, std::generic_catego
 /// @return false where the system refuses
 bool write_descriptor(user_desc description) {
   constexpr int write_in_new_format = 0x11;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the C library has no function for it
   return syscall(SYS_modify_ldt, write_in_new_format, &description, sizeof description) == 0;
 }
 
@@ -72,9 +73,9 @@ class Descriptor {
     d.contents = contents & 3U;
     d.useable = 1;
     if (!write_descriptor(d)) {
-      const std::system_error error = refused("modify_ldt");
+      const int reason = errno;
       entries().give_back(entry_);
-      throw error;
+      throw std::system_error(reason, std::generic_category(), "modify_ldt");
     }
   }
   Descriptor(const Descriptor&) = delete;
@@ -117,6 +118,7 @@ class LowMemory {
     return static_cast<std::uint8_t*>(first_) + offset;
   }
   [[nodiscard]] std::uint32_t address_of(std::size_t offset) const {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what a descriptor holds
     return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(at(offset)));
   }
   void protect(std::size_t offset, std::size_t size, int rights) const {
@@ -141,6 +143,7 @@ void put(std::uint8_t* to, std::uint32_t value, int bytes) {
 bool has_shadow_stack() {
   constexpr int arch_shstk_status = 0x5005;
   std::uint64_t features = 0;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): as above
   return syscall(SYS_arch_prctl, arch_shstk_status, &features) == 0 && features != 0;
 }
 
@@ -148,6 +151,7 @@ bool has_shadow_stack() {
 
 struct Processor::Parts {
   LowMemory memory;
+  Landing* landing = new (memory.at(LowMemory::landing)) Landing{};
   Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE};
   Descriptor data{memory.address_of(0), MODIFY_LDT_CONTENTS_DATA};
   /// For the handler; the largest register files of x86-64 take 11 KiB of it.
@@ -170,8 +174,7 @@ std::string Processor::absence() {
 Processor::Processor() : parts_(std::make_unique<Parts>()) {
   catch_segment_faults();
   const LowMemory& memory = parts_->memory;
-  std::memcpy(memory.at(LowMemory::landing_code), &fixproof_landing,
-              static_cast<std::size_t>(&fixproof_landing_end - &fixproof_landing));
+  std::copy(fixproof_landing, fixproof_landing_end, memory.at(LowMemory::landing_code));
   memory.protect(LowMemory::landing_code, page_size, PROT_READ | PROT_EXEC);
 
   // The caller: a near call of the routine, then a far jump with a 32-bit offset.
@@ -204,19 +207,18 @@ struct Processor::Calls::Saved {
   SegmentCall call;
 };
 
-Processor::Calls::Calls(Processor& processor)
-    : processor_(processor), saved_(std::make_unique<Saved>()) {
-  const Parts& parts = *processor_.parts_;
+Processor::Calls::Calls(Processor& processor) : saved_(std::make_unique<Saved>()) {
+  Parts& parts = *processor.parts_;
   saved_->call = {.registers = {},
                   .flags = 0,
                   .entry = caller_origin,
                   .code_selector = parts.code.selector(),
                   .data_selector = parts.data.selector(),
                   .reserved = 0,
-                  .landing = reinterpret_cast<Landing*>(parts.memory.at(LowMemory::landing))};
+                  .landing = parts.landing};
   stack_t stack{};
-  stack.ss_sp = processor_.parts_->signal_stack.data();
-  stack.ss_size = processor_.parts_->signal_stack.size();
+  stack.ss_sp = parts.signal_stack.data();
+  stack.ss_size = parts.signal_stack.size();
   if (sigaltstack(&stack, &saved_->stack) != 0) throw refused("sigaltstack");
   sigset_t blocked;
   sigfillset(&blocked);

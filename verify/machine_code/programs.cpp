@@ -7,7 +7,6 @@ namespace fixproof {
 
 namespace {
 
-using x86model::Build;
 using x86model::Routine;
 using x86model::Target;
 
