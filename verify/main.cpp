@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   fixproof::add_list(app, status);
   fixproof::add_prove(app, status);
   fixproof::add_mutate(app, status);
+  fixproof::add_dos(app, status);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

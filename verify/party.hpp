@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,8 @@ class Party {
 
   /// One lower-case word, as on the command line.
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Why this party cannot answer anything here, in a clause; empty where it can.
+  [[nodiscard]] virtual std::string absence() const { return {}; }
   /// Whether this party has anything to say about a variant.
   [[nodiscard]] virtual bool answers(const Variant& variant) const = 0;
   /// Answers every case of the batch. Called from several threads at once.
@@ -47,10 +50,13 @@ class Party {
 };
 
 /// The parties of this build: model (compiled run), interpreter (the same programs step by step),
-/// oracle (big integers), fast (the oracle's answers from built-in integers), type (fixed::number).
+/// oracle (big integers), fast (the oracle's answers from built-in integers), type (fixed::number),
+/// silicon (the listings as machine code on this processor), unicorn (the same code on
+/// an emulator); the absent ones too.
 const std::vector<std::unique_ptr<Party>>& parties();
 
-/// The party of that name; throws std::invalid_argument, naming those there are, for any other.
+/// The party of that name; throws std::invalid_argument for an absent one, saying why, and for any
+/// other name, naming those there are.
 const Party& party_named(std::string_view name);
 
 }  // namespace fixproof

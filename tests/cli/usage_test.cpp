@@ -44,8 +44,9 @@ TEST(Usage, OperationsThatAreNoRoutines) {
 }
 
 TEST(Usage, UnknownParty) {
-  expect_usage_error("eval mul --by silicon", "'silicon'");
-  expect_usage_error("eval mul --by silicon", "model, interpreter, oracle, fast, type");
+  expect_usage_error("eval mul --by chance", "'chance'");
+  expect_usage_error("eval mul --by chance",
+                     "model, interpreter, oracle, fast, type, silicon, unicorn");
 }
 
 TEST(Usage, PartyWithoutAnAnswer) {

@@ -66,7 +66,9 @@ void add_eval(CLI::App& app, int& status) {
       app.add_subcommand("eval", "answer one case a line, read from standard input");
   command->add_option("operation", options->operation, "mul, div, cossin, xformvec or concat")
       ->required();
-  command->add_option("--by", options->by, "who answers: model, interpreter, oracle, fast or type")
+  command
+      ->add_option("--by", options->by,
+                   "who answers: model, interpreter, oracle, fast, type, silicon or unicorn")
       ->capture_default_str();
   options->variant.add_to(*command);
   command->footer(

@@ -16,7 +16,7 @@ void add_list(CLI::App& app, int& status) {
       "Example:\n"
       "  fixproof list div --target i8088 --round on > fixeddiv.asm && nasm -f bin fixeddiv.asm");
   command->callback([options, &status] {
-    const ProgramChoice chosen = options->choose();
+    const ProgramKey chosen = options->choose();
     std::cout << x86model::nasm_source(chosen.routine, chosen.target, chosen.build);
     status = 0;
   });

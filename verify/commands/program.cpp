@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "verify/machine_code/machine_code.hpp"
 #include "verify/usage_error.hpp"
 
 namespace fixproof {
@@ -13,7 +14,7 @@ void ProgramOptions::add_to(CLI::App& command) {
                    "the 8088 divide as a scan has it: see docs/findings.md, 10");
 }
 
-ProgramChoice ProgramOptions::choose() const {
+ProgramKey ProgramOptions::choose() const {
   const Operation chosen = operation_named(operation);
   if (chosen > Operation::concat) {
     throw UsageError(fmt::format("{} is no routine of FIXED.ASM", operation));
@@ -22,14 +23,9 @@ ProgramChoice ProgramOptions::choose() const {
   if (as_scanned && (chosen != Operation::div || v.target != Target::i8088)) {
     throw UsageError("--as-scanned is a reading of div --target i8088");
   }
-  // The model's routines and the first operations are the same five, in the same order.
-  static_assert(static_cast<int>(Operation::concat) == static_cast<int>(x86model::Routine::concat));
-  return {.routine = static_cast<x86model::Routine>(chosen),
-          .target = v.target == Target::i386 ? x86model::Target::i386 : x86model::Target::i8088,
-          .build = {.mul_rounding = v.mul_round,
-                    .div_rounding = v.div_round,
-                    .chapter_52 = v.chapter_52,
-                    .endif_as_scanned = as_scanned}};
+  ProgramKey key = key_of(v);
+  key.build.endif_as_scanned = as_scanned;
+  return key;
 }
 
 }  // namespace fixproof

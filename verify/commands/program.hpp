@@ -1,21 +1,14 @@
 /// @file
-/// Which program `trace` and `list` are to show.
+/// Which program `trace` and `list` are to show, or `dos` to write.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "verify/machine_code/programs.hpp"
 #include "verify/options.hpp"
-#include "x86model/routine.hpp"
 
 namespace fixproof {
-
-/// A routine of the model and the switches it is assembled with.
-struct ProgramChoice {
-  x86model::Routine routine = x86model::Routine::mul;
-  x86model::Target target = x86model::Target::i386;
-  x86model::Build build;
-};
 
 /// The routine and the variant options, and --as-scanned.
 struct ProgramOptions {
@@ -25,7 +18,7 @@ struct ProgramOptions {
 
   void add_to(CLI::App& command);
   /// @throws UsageError for what is no routine
-  [[nodiscard]] ProgramChoice choose() const;
+  [[nodiscard]] ProgramKey choose() const;
 };
 
 }  // namespace fixproof

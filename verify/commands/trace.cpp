@@ -80,7 +80,7 @@ std::string decimal(std::uint32_t word) {
 }
 
 template <x86::Routine routine>
-void trace(const ProgramChoice& chosen, std::span<const std::uint32_t> in) {
+void trace(const ProgramKey& chosen, std::span<const std::uint32_t> in) {
   const auto program = std::make_unique<x86::Program>(
       x86::assemble(x86::listing(routine, chosen.target), chosen.build));
   const auto code = program->instructions();
@@ -110,7 +110,7 @@ void trace(const ProgramChoice& chosen, std::span<const std::uint32_t> in) {
 }
 
 int run(const Options& options) {
-  const ProgramChoice chosen = options.program.choose();
+  const ProgramKey chosen = options.program.choose();
   const auto wanted = static_cast<std::size_t>(x86::arity(chosen.routine).in);
   if (options.words.size() != wanted) {
     throw UsageError(fmt::format("{} takes {} words, not {}", options.program.operation, wanted,

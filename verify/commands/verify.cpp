@@ -248,7 +248,9 @@ void add_verify(CLI::App& app, int& status) {
   add_options(*command, *options);
   command->footer(
       "Parties: model (the listings, compiled), interpreter (the listings, step by step), oracle\n"
-      "(big integers), fast (the same answers from 64-bit integers), type (fixed::number).\n"
+      "(big integers), fast (the same answers from 64-bit integers), type (fixed::number), "
+      "silicon\n"
+      "(the listings, assembled, on this processor), unicorn (the same code on an emulator).\n"
       "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
       "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
       "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verify/machine_code/machine_code.hpp"
 #include "verify/parties/parties.hpp"
 #include "x86model/call.hpp"
 
@@ -67,7 +68,7 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
 void answer(const Variant& v, std::span<const x86::Instruction> code, const Batch& batch) {
   using enum x86::Routine;
   const bool half = v.fraction_bits == 8;
-  switch (routine_of(v)) {
+  switch (key_of(v).routine) {
     case mul:
       return half ? answer_all<mul, 8>(code, batch) : answer_all<mul, 16>(code, batch);
     case div:
@@ -107,21 +108,10 @@ class InterpreterOf final : public Party {
 
 }  // namespace
 
-x86::Routine routine_of(const Variant& v) {
-  if (!is_routine(v)) throw std::invalid_argument("no routine of FIXED.ASM");
-  // The first operations are the routines, in the same order.
-  static_assert(static_cast<int>(Operation::concat) == static_cast<int>(x86::Routine::concat));
-  return static_cast<x86::Routine>(v.operation);
-}
-
-x86::Target target_of(const Variant& v) {
-  return v.target == Target::i386 ? x86::Target::i386 : x86::Target::i8088;
-}
-
 x86::Program program_of(const Variant& v) {
-  return x86::assemble(
-      x86::listing(routine_of(v), target_of(v)),
-      {.mul_rounding = v.mul_round, .div_rounding = v.div_round, .chapter_52 = v.chapter_52});
+  if (!is_routine(v)) throw std::invalid_argument("no routine of FIXED.ASM");
+  const ProgramKey key = key_of(v);
+  return x86::assemble(x86::listing(key.routine, key.target), key.build);
 }
 
 std::unique_ptr<Party> make_interpreter() { return std::make_unique<Interpreter>(); }

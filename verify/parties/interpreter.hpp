@@ -10,11 +10,7 @@
 
 namespace fixproof {
 
-/// The routine of a variant of FIXED.ASM. @throws std::invalid_argument for any other variant
-x86model::Routine routine_of(const Variant& variant);
-x86model::Target target_of(const Variant& variant);
-
-/// The program of a variant of FIXED.ASM.
+/// The program of a variant of FIXED.ASM. @throws std::invalid_argument for any other variant
 x86model::Program program_of(const Variant& variant);
 
 /// A party that runs `program` in the place of the routine of every variant it is asked. A program

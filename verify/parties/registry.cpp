@@ -15,6 +15,8 @@ const std::vector<std::unique_ptr<Party>>& parties() {
     made.push_back(make_oracle());
     made.push_back(make_fast_oracle());
     made.push_back(make_type());
+    made.push_back(make_silicon());
+    made.push_back(make_unicorn());
     return made;
   }();
   return all;
@@ -23,7 +25,11 @@ const std::vector<std::unique_ptr<Party>>& parties() {
 const Party& party_named(std::string_view name) {
   std::string known;
   for (const auto& party : parties()) {
-    if (party->name() == name) return *party;
+    if (party->name() == name) {
+      const std::string absence = party->absence();
+      if (absence.empty()) return *party;
+      throw std::invalid_argument(fmt::format("party '{}' is absent: {}", name, absence));
+    }
     known += known.empty() ? "" : ", ";
     known += party->name();
   }

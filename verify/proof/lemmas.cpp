@@ -74,6 +74,21 @@ constexpr std::array all{
 (assert (not (and (= (+ (* 65536 h) l) (+ k s)) (< p 65536))))
 (check-sat)
 )"},
+    Lemma{"quotient-below-dividend", "a quotient is not above its dividend",
+          R"((set-logic QF_NIA)
+(declare-const n Int) (declare-const d Int) (declare-const q Int) (declare-const r Int)
+(assert (and (>= d 1) (>= q 0) (>= r 0)))
+(assert (= n (+ (* q d) r)))
+(assert (not (<= q n)))
+(check-sat)
+)"},
+    Lemma{"not-all-ones", "no quotient of a magnitude times 2^16 is 2^32 - 1",
+          R"((set-logic QF_LIA)
+(declare-const n Int) (declare-const d Int) (declare-const r Int)
+(assert (and (<= 0 n) (<= n 2147483648) (<= 0 r) (< r d)))
+(assert (= (* 65536 n) (+ (* 4294967295 d) r)))
+(check-sat)
+)"},
     Lemma{"whole-turns",
           "every 16-bit angle is whole turns, -10 to 9, and less than a turn besides",
           R"((set-logic QF_LIA)

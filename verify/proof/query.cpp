@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "verify/machine_code/machine_code.hpp"
 #include "verify/parties/interpreter.hpp"
 #include "verify/proof/specification.hpp"
 #include "x86model/symbolic/call.hpp"
@@ -24,18 +25,32 @@ bool calls_fixed_mul(const Variant& v) {
          (v.operation == Operation::xformvec || v.operation == Operation::concat);
 }
 
-/// The remainder of an unsigned divide that does not fault is below the divisor: all that a proof
-/// has to know of it.
-std::string remainders_are_small(const sym::Terms& terms, std::span<const sym::Term> roots) {
+/// All that a proof has to know of the unsigned divides that do not fault: the remainder is below
+/// the divisor, the quotient not above the dividend, and that of a magnitude times 2^16 is not 2^32
+/// - 1 (lemmas quotient-below-dividend and not-all-ones).
+std::string facts_of_divides(const sym::Terms& terms, std::span<const sym::Term> roots) {
   std::string text;
   for (const sym::Term term : sym::reached_from(terms, roots)) {
     const sym::Node& node = terms[term];
-    if (node.op != sym::Op::apply || !node.name.starts_with("urem")) continue;
+    if (node.op != sym::Op::apply || !node.name.starts_with("u")) continue;
+    const std::string result = sym::name_in_smt(terms, term);
     const std::string dividend = sym::name_in_smt(terms, node.arguments[0]);
     const std::string divisor = sym::name_in_smt(terms, node.arguments[1]);
-    text += fmt::format("(assert (=> (bvult ((_ extract {} {}) {}) {}) (bvult {} {})))\n",
-                        2 * node.width - 1, node.width, dividend, divisor,
-                        sym::name_in_smt(terms, term), divisor);
+    const int bits = node.width;
+    const auto know = [&](const std::string& fact) {
+      text += fmt::format("(assert (=> (bvult ((_ extract {} {}) {}) {}) {}))\n", 2 * bits - 1,
+                          bits, dividend, divisor, fact);
+    };
+    if (node.name.starts_with("urem")) know(fmt::format("(bvult {} {})", result, divisor));
+    if (node.name.starts_with("udiv")) {
+      know(fmt::format("(bvule (concat (_ bv0 {}) {}) {})", bits, result, dividend));
+    }
+    if (node.name == "udiv32") {
+      know(
+          fmt::format("(not (and (= {0} (bvnot (_ bv0 32))) (= ((_ extract 15 0) {1}) (_ bv0 16))"
+                      " (bvule {1} (_ bv140737488355328 64))))",
+                      result, dividend));
+    }
   }
   return text;
 }
@@ -109,7 +124,7 @@ std::vector<sym::Path> paths_of(const Variant& v, sym::Terms& terms, const sym::
 std::vector<std::string> questions(const Variant& v, std::span<const x86::Instruction> code,
                                    Arithmetic arithmetic) {
   if (calls_fixed_mul(v)) expect_proven_fixed_mul(v, code);
-  const x86::Routine routine = routine_of(v);
+  const x86::Routine routine = key_of(v).routine;
   sym::Terms terms;
   const sym::State start = sym::enter(terms, routine);
   const Specification wanted = specification(v);
@@ -135,7 +150,7 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
     const std::string before = fmt::format(
         "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n",
         abstractions(arithmetic), declare(terms, roots, routine), wanted.definitions,
-        sym::define(terms, roots), remainders_are_small(terms, roots),
+        sym::define(terms, roots), facts_of_divides(terms, roots),
         sym::name_in_smt(terms, path.condition));
     const auto add = [&](std::string_view known, std::string_view shown) {
       scripts.push_back(fmt::format("{}{}(assert (not {}))\n(check-sat)\n(get-value ({}))\n",
@@ -153,7 +168,7 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
 }
 
 bool has_same_terms(const Variant& v, std::span<const x86::Instruction> code) {
-  const x86::Routine routine = routine_of(v);
+  const x86::Routine routine = key_of(v).routine;
   sym::Terms terms;
   const sym::State start = sym::enter(terms, routine);
   using Behaviour = std::tuple<sym::Term, sym::Term, x86::Outcome, std::vector<sym::Term>>;
@@ -173,7 +188,7 @@ bool has_same_terms(const Variant& v, std::span<const x86::Instruction> code) {
 }
 
 std::vector<std::uint32_t> operands_in(const Variant& v, const std::string& answer) {
-  const x86::Routine routine = routine_of(v);
+  const x86::Routine routine = key_of(v).routine;
   std::vector<std::uint32_t> values;
   for (int i = 0; i < x86::arity(routine).in; ++i) {
     const std::string asked = fmt::format("({} #", sym::operand_name(routine, i));

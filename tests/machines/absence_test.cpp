@@ -1,0 +1,112 @@
+// A party that is absent says so, and nobody takes it for one that agrees.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "verify/engine.hpp"
+#include "verify/machine_code/emulator.hpp"
+#include "verify/machine_code/machine_code.hpp"
+#include "verify/machine_code/processor.hpp"
+
+#if defined(__linux__) && defined(__x86_64__)
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#endif
+
+namespace {
+
+using namespace fixproof;
+
+TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
+  for (const auto& party : parties()) {
+    if (party->name() != "silicon" && party->name() != "unicorn") {
+      EXPECT_EQ(party->absence(), "") << party->name();
+      continue;
+    }
+    EXPECT_EQ(party->absence().empty(), party->answers({})) << party->name();
+    EXPECT_TRUE(machine_code_absence().empty() || !party->absence().empty()) << party->name();
+    if (party->absence().empty()) {
+      EXPECT_EQ(&party_named(party->name()), party.get());
+    } else {
+      EXPECT_THROW(static_cast<void>(party_named(party->name())), std::invalid_argument);
+    }
+  }
+}
+
+#if defined(__linux__) && defined(__x86_64__)
+
+// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): prctl() and execl() are nothing else
+
+/// From now on the system refuses modify_ldt() to this process, as a container may.
+void refuse_segments() {
+  std::array<sock_filter, 4> rules{
+      sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_modify_ldt, 0, 1),
+      sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
+      sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+  const sock_fprog program{.len = rules.size(), .filter = rules.data()};
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) std::_Exit(125);
+  if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0) std::_Exit(125);
+}
+
+/// Ends the process as `fixproof verify mul OPTION VALUE` ends where segments are refused.
+void verify_without_segments(const char* option, const char* value) {
+  refuse_segments();
+  execl(FIXPROOF_COMMAND, FIXPROOF_COMMAND, "verify", "mul", option, value, nullptr);
+}
+
+// NOLINTEND(cppcoreguidelines-pro-type-vararg)
+
+class AbsenceDeathTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    if (!machine_code_absence().empty()) GTEST_SKIP() << machine_code_absence();
+  }
+};
+
+TEST_F(AbsenceDeathTest, OfTheProcessorEndsWithStatus2AndTheReason) {
+  const char* reason =
+      "^fixproof: party 'silicon' is absent: the system gives no 16-bit segment: modify_ldt: "
+      "Operation not permitted\n$";
+  EXPECT_EXIT(verify_without_segments("--against", "silicon"), testing::ExitedWithCode(2), reason);
+  EXPECT_EXIT(verify_without_segments("--by", "silicon"), testing::ExitedWithCode(2), reason);
+}
+
+[[noreturn]] void exit_42(int /*signal*/) { std::_Exit(42); }
+
+/// A divide error in a segment, then SIGFPE of the program's own, which is `action`'s to catch: it
+/// was there before the segment.
+void fault_inside_then_outside(void (*action)(int)) {
+  static_cast<void>(std::signal(SIGFPE, action));
+  if (!Processor::absence().empty()) std::_Exit(77);
+  const std::array<std::uint32_t, 2> by_zero{1, 0};
+  if (ask(party_named("silicon"), {.operation = Operation::div}, by_zero).text(32) != "DE") return;
+  static_cast<void>(std::raise(SIGFPE));
+}
+
+TEST_F(AbsenceDeathTest, OfAHandlerIsNotBroughtAbout) {
+  const auto absent = [](int status) {
+    return testing::ExitedWithCode(77)(status) && !Processor::absence().empty();
+  };
+  const auto handled = [&](int status) {
+    return testing::ExitedWithCode(42)(status) || absent(status);
+  };
+  const auto killed = [&](int status) {
+    return testing::KilledBySignal(SIGFPE)(status) || absent(status);
+  };
+  EXPECT_EXIT(fault_inside_then_outside(exit_42), handled, "^$");
+  EXPECT_EXIT(fault_inside_then_outside(SIG_DFL), killed, "");
+}
+
+#endif
+
+}  // namespace

@@ -1,0 +1,196 @@
+// `fixproof dos`: the programs it writes, run in DOSBox, answer as the model does.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/command.hpp"
+#include "verify/machine_code/machine_code.hpp"
+#include "verify/streams.hpp"
+
+namespace {
+
+using namespace fixproof;
+namespace fs = std::filesystem;
+
+bool has(std::string_view program) {
+  return cli::run({"sh", "-c", fmt::format("command -v {}", program)}).status == 0;
+}
+
+std::string contents_of(const fs::path& file) {
+  std::ostringstream contents;
+  contents << std::ifstream(file, std::ios::binary).rdbuf();
+  return contents.str();
+}
+
+/// The options of fixproof that name a program.
+std::string arguments_of(const ProgramKey& key) {
+  const std::string name = name_of(key);
+  std::string arguments = name.substr(0, name.find('-'));
+  arguments += key.target == x86model::Target::i386 ? " --target i386" : " --target i8088";
+  if (name.find("-off") != std::string::npos) arguments += " --round off";
+  if (key.build.chapter_52) arguments += " --chapter 52";
+  return arguments;
+}
+
+/// Lines of operands for a program: streams of each kind, each line as `fixproof eval` reads it.
+std::string lines_for(const ProgramKey& key) {
+  const Variant v{.operation = static_cast<Operation>(key.routine)};
+  const std::size_t in = words_in(v.operation);
+  const int digits = v.operation == Operation::cossin ? 4 : 8;
+  std::string lines;
+  const auto add = [&](Stream stream, std::uint64_t first, std::size_t cases) {
+    std::vector<std::uint32_t> words(cases * in);
+    make_cases(stream, v, 1981, first, words);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      lines += fmt::format("{:0{}x}{}", words[i], digits, (i + 1) % in == 0 ? '\n' : ' ');
+    }
+  };
+  if (v.operation == Operation::cossin) {
+    for (std::uint64_t angle = 0; angle < 0x10000; angle += 31) add(Stream::every, angle, 1);
+  } else if (in == 2) {
+    // No common divisor with the lattice's width, so that every value comes.
+    for (std::uint64_t i = 0; i < *size_of(Stream::lattice, v); i += 25) add(Stream::lattice, i, 1);
+    add(Stream::scaled, 0, 1000);
+  } else {
+    add(Stream::lattice_words, 0, 200);
+    add(Stream::scaled, 0, 200);
+  }
+  return lines;
+}
+
+class Dos : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!machine_code_absence().empty()) GTEST_SKIP() << machine_code_absence();
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
+
+  void write(const std::string& name, std::string_view text) const {
+    std::ofstream(file(name), std::ios::binary) << text;
+  }
+
+  /// Has a program written under a name that DOS can have; CON.COM, for one, is a device.
+  void make(const std::string& name, std::string_view arguments) const {
+    const auto run = cli::fixproof(fmt::format("dos {} -o {}", arguments, file(name).string()));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out + run.err, "");
+  }
+
+  /// Runs these commands of DOS in the folder, without a screen.
+  void in_dosbox(const std::string& commands) const {
+    write("dosbox.cfg",
+          "[cpu]\ncore=normal\ncycles=max\n[mixer]\nnosound=true\n[autoexec]\n@echo off\n"
+          "mount c " +
+              folder_.string() + "\nc:\n" + commands + "exit\n");
+    const auto run = cli::run({"env", "HOME=" + folder_.string(), "SDL_VIDEODRIVER=dummy",
+                               "SDL_AUDIODRIVER=dummy", "timeout", "200", "dosbox", "-conf",
+                               file("dosbox.cfg").string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+
+ private:
+  fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      fmt::format("fixproof_dos_{}_{}",
+                  testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
+};
+
+/// DOS ends lines with CR LF.
+std::string without_cr(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+  return text;
+}
+
+TEST_F(Dos, EveryProgramAnswersAsTheModel) {
+  if (!has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
+  std::vector<ProgramKey> keys;
+  for (const ProgramKey& key : all_programs()) {
+    if (!key.build.endif_as_scanned) keys.push_back(key);
+  }
+  std::string commands;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    make(fmt::format("P{}.COM", i), arguments_of(keys[i]));
+    write(fmt::format("P{}.IN", i), lines_for(keys[i]));
+    commands += fmt::format("P{0}.COM < P{0}.IN > P{0}.OUT\n", i);
+  }
+  in_dosbox(commands);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto model = cli::fixproof("eval " + arguments_of(keys[i]), lines_for(keys[i]));
+    ASSERT_EQ(model.status, 0) << model.err;
+    // Not EXPECT_EQ: it would print thousands of lines.
+    const auto said = cli::split(without_cr(contents_of(file(fmt::format("P{}.OUT", i)))), '\n');
+    const auto expected = cli::split(model.out, '\n');
+    ASSERT_EQ(said.size(), expected.size()) << name_of(keys[i]);
+    const auto [other, wanted] = std::mismatch(said.begin(), said.end(), expected.begin());
+    if (other == said.end()) continue;
+    ADD_FAILURE() << name_of(keys[i]) << ", line " << other - said.begin() + 1 << ": " << *other
+                  << ", not " << *wanted;
+  }
+}
+
+TEST_F(Dos, AProgramReadsLinesAsEvalDoes) {
+  if (!has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
+  make("DIV.COM", "div --target i8088");
+  const std::string good = "# a comment\n\n \t\n00010000 00000000\r\n00030000 00020000";
+  const std::vector<std::string> bad{
+      "0003000 00020000",    "00030000  00020000", "00030000 00020000 ",
+      "00030000 0002000A",   "00030000",           "00030000 00020000 1",
+      std::string(300, '0'), "0003000g 00020000",  "/0030000 00020000"};
+  write("GOOD.IN", good);
+  std::string commands = "DIV.COM < GOOD.IN > GOOD.OUT\nif not errorlevel 1 echo 0 > GOOD.ST\n";
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    write(fmt::format("BAD{}.IN", i), "00030000 00020000\n" + bad[i] + "\n00030000 00020000\n");
+    commands +=
+        fmt::format("DIV.COM < BAD{0}.IN > BAD{0}.OUT\nif errorlevel 2 echo 2 > BAD{0}.ST\n", i);
+  }
+  in_dosbox(commands);
+  EXPECT_EQ(contents_of(file("GOOD.OUT")), "DE\r\n00018000\r\n");
+  EXPECT_TRUE(fs::exists(file("GOOD.ST")));
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    EXPECT_EQ(contents_of(file(fmt::format("BAD{}.OUT", i))), "00018000\r\n") << bad[i];
+    EXPECT_TRUE(fs::exists(file(fmt::format("BAD{}.ST", i)))) << bad[i];
+    EXPECT_EQ(cli::fixproof("eval div --target i8088", bad[i] + "\n").status, 2) << bad[i];
+  }
+}
+
+TEST_F(Dos, WritesTheSameToAFileAndToAPipe) {
+  make("MUL.COM", "mul");
+  const auto run = cli::fixproof("dos mul");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, contents_of(file("MUL.COM")));
+  EXPECT_NE(cli::fixproof("dos mul --round off").out, run.out);
+  EXPECT_NE(cli::fixproof("dos div --target i8088 --round off --as-scanned").out,
+            cli::fixproof("dos div --target i8088 --round off").out);
+}
+
+TEST_F(Dos, WritesNothingToATerminal) {
+  if (!has("script")) GTEST_SKIP() << "script(1) is not installed";
+  const auto run =
+      cli::run({"script", "-qec", std::string(FIXPROOF_COMMAND) + " dos mul", "/dev/null"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.out.find("nothing for a terminal"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find('\xE8'), std::string::npos);
+}
+
+TEST_F(Dos, RefusesWhatItCannotWrite) {
+  for (const std::string_view arguments :
+       {"dos", "dos sqrt", "dos mul -o", "dos mul -o /nowhere/at/all.com",
+        "dos mul --as-scanned"}) {
+    const auto run = cli::fixproof(arguments);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;
+  }
+}
+
+}  // namespace

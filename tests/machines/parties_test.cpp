@@ -1,0 +1,213 @@
+// The parties that run machine code: they agree with the model, they see one wrong byte, and faults
+// in many threads at once do not meet.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <thread>
+#include <vector>
+
+#include "verify/engine.hpp"
+#include "verify/machine_code/machine_code.hpp"
+#include "verify/parties/machines.hpp"
+#include "verify/streams.hpp"
+#include "verify/text.hpp"
+
+namespace {
+
+using namespace fixproof;
+
+const Party& find(std::string_view name) {
+  for (const auto& party : parties()) {
+    if (party->name() == name) return *party;
+  }
+  throw std::invalid_argument(std::string(name));
+}
+
+/// Operands and room for the answers of one variant.
+struct Cases {
+  explicit Cases(const Variant& v) : variant(v) {}
+
+  void add(Stream stream, std::uint64_t first, std::size_t cases) {
+    const std::size_t in = words_in(variant.operation);
+    words.resize(words.size() + cases * in);
+    make_cases(stream, variant, 54, first, std::span(words).last(cases * in));
+  }
+  [[nodiscard]] std::size_t size() const { return words.size() / words_in(variant.operation); }
+
+  Variant variant;
+  std::vector<std::uint32_t> words;
+};
+
+/// What a party says of all of them; result words of a case that faults are 0.
+struct Answers {
+  std::vector<std::uint32_t> out;
+  std::vector<Ending> endings;
+
+  friend bool operator==(const Answers&, const Answers&) = default;
+};
+
+template <class Answer>
+Answers answers_of(const Cases& cases, Answer answer) {
+  const std::size_t each = words_out(cases.variant.operation);
+  Answers said{std::vector<std::uint32_t>(cases.size() * each),
+               std::vector<Ending>(cases.size(), Ending::broken)};
+  answer(Batch{cases.words, said.out, said.endings});
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (said.endings[i] == Ending::value) continue;
+    std::fill_n(said.out.begin() + static_cast<std::ptrdiff_t>(i * each), each, 0);
+  }
+  return said;
+}
+
+Answers answers_of(const Cases& cases, const Party& party) {
+  return answers_of(cases, [&](const Batch& batch) { party.answer(cases.variant, batch); });
+}
+
+Cases cases_for(const Variant& v) {
+  Cases cases(v);
+  switch (v.operation) {
+    case Operation::mul:
+    case Operation::div:
+      for (std::uint64_t i = 0; i < *size_of(Stream::lattice, v); i += 5) {
+        cases.add(Stream::lattice, i, 1);
+      }
+      cases.add(Stream::uniform, 0, 1000);
+      cases.add(Stream::scaled, 0, 1000);
+      break;
+    case Operation::cossin:
+      cases.add(Stream::every, 0, 0x10000);
+      break;
+    default:
+      cases.add(Stream::lattice_words, 0, 500);
+      cases.add(Stream::scaled, 0, 500);
+      break;
+  }
+  return cases;
+}
+
+using AnswerByCode = void (*)(std::span<const std::uint8_t>, x86model::Routine, const Batch&);
+
+struct Machine {
+  const char* name;
+  AnswerByCode answer;
+};
+
+class MachineParty : public testing::TestWithParam<Machine> {
+ protected:
+  void SetUp() override {
+    const std::string absence = find(GetParam().name).absence();
+    if (!absence.empty()) GTEST_SKIP() << absence;
+  }
+};
+
+TEST_P(MachineParty, AgreesWithTheModelOnEveryProgram) {
+  const Party& machine = find(GetParam().name);
+  int variants = 0;
+  for (const Variant& v : all_variants()) {
+    if (!find("model").answers(v)) continue;
+    ASSERT_TRUE(machine.answers(v)) << name_of(v);
+    const Cases cases = cases_for(v);
+    EXPECT_EQ(answers_of(cases, machine), answers_of(cases, find("model"))) << name_of(v);
+    ++variants;
+  }
+  EXPECT_EQ(variants, 23);
+}
+
+TEST_P(MachineParty, HasNothingToSayOfTheRest) {
+  const Party& machine = find(GetParam().name);
+  EXPECT_FALSE(machine.answers({.operation = Operation::mul, .fraction_bits = 8}));
+  EXPECT_FALSE(machine.answers({.operation = Operation::mul, .target = Target::standard}));
+  EXPECT_FALSE(machine.answers({.operation = Operation::sqrt}));
+  EXPECT_FALSE(
+      machine.answers({.operation = Operation::mul, .mul_round = false, .chapter_52 = true}));
+  EXPECT_FALSE(machine.answers({.operation = Operation::xformvec, .chapter_52 = true}));
+}
+
+TEST_P(MachineParty, IsWrongWhereOneByteIs) {
+  const Variant v{.operation = Operation::mul};
+  const Cases cases = cases_for(v);
+  const auto right = machine_code(key_of(v));
+  std::vector<std::uint8_t> code(right.begin(), right.end());
+  const auto say = [&] {
+    return answers_of(
+        cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
+  };
+  const Answers model = answers_of(cases, find("model"));
+  EXPECT_EQ(say(), model);
+
+  // The constant of ADD EAX,8000h: the byte 80h of it, less 1.
+  const std::array<std::uint8_t, 6> add{0x66, 0x05, 0x00, 0x80, 0x00, 0x00};
+  const auto found = std::search(code.begin(), code.end(), add.begin(), add.end());
+  ASSERT_NE(found, code.end());
+  found[3] = 0x7F;
+  EXPECT_NE(say(), model);
+  found[3] = 0x80;
+  EXPECT_EQ(say(), model);
+}
+
+TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
+  const Cases cases = [] {
+    Cases some({.operation = Operation::mul});
+    some.add(Stream::uniform, 0, 10);
+    return some;
+  }();
+  // XOR SI,SI and RET, then the same of BP and of DI.
+  for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xED, 0xFF}) {
+    const std::array<std::uint8_t, 3> code{0x31, registers, 0xC3};
+    const Answers said = answers_of(
+        cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
+    EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+  }
+  // RET 2: the arguments are the caller's to drop.
+  const std::array<std::uint8_t, 3> ret_2{0xC2, 0x02, 0x00};
+  const Answers said = answers_of(
+      cases, [&](const Batch& batch) { GetParam().answer(ret_2, x86model::Routine::mul, batch); });
+  EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+}
+
+TEST_P(MachineParty, EndsInAFaultForCodeThatIsNone) {
+  Cases cases({.operation = Operation::mul});
+  cases.add(Stream::uniform, 0, 10);
+  // UD2.
+  const std::array<std::uint8_t, 2> undefined{0x0F, 0x0B};
+  const Answers said = answers_of(cases, [&](const Batch& batch) {
+    GetParam().answer(undefined, x86model::Routine::mul, batch);
+  });
+  EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+  // And afterwards all is as before.
+  EXPECT_EQ(answers_of(cases, find(GetParam().name)), answers_of(cases, find("model")));
+}
+
+TEST_P(MachineParty, FaultsInManyThreadsAtOnce) {
+  // More than half of these cases fault.
+  Cases cases({.operation = Operation::div, .target = Target::i8088});
+  cases.add(Stream::small_divisors, 0, 2000);
+  cases.add(Stream::fault_edge, 0, 2000);
+  const Answers model = answers_of(cases, find("model"));
+  ASSERT_GT(std::count(model.endings.begin(), model.endings.end(), Ending::divide_error), 2000);
+  ASSERT_GT(std::count(model.endings.begin(), model.endings.end(), Ending::value), 500);
+
+  std::array<int, 8> right{};
+  constexpr int rounds = 4;
+  {
+    std::vector<std::thread> threads;
+    threads.reserve(right.size());
+    for (int& count : right) {
+      threads.emplace_back([&] {
+        for (int i = 0; i < rounds; ++i) {
+          count += answers_of(cases, find(GetParam().name)) == model ? 1 : 0;
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  }
+  for (const int count : right) EXPECT_EQ(count, rounds);
+}
+
+INSTANTIATE_TEST_SUITE_P(On, MachineParty,
+                         testing::Values(Machine{"silicon", answer_on_silicon},
+                                         Machine{"unicorn", answer_on_unicorn}),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace

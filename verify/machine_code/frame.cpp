@@ -1,0 +1,60 @@
+#include "verify/machine_code/frame.hpp"
+
+#include "verify/draw.hpp"
+#include "x86model/call.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using x86model::Register;
+using x86model::Routine;
+using x86model::Size;
+
+template <Routine routine>
+constexpr Frame frame{
+    [](SegmentMachine& m, std::span<const std::uint32_t> in) { x86model::enter<routine>(m, in); },
+    [](const SegmentMachine& m, std::span<std::uint32_t> out) {
+      x86model::leave<routine>(m, out);
+    }};
+
+}  // namespace
+
+Frame frame_of(Routine routine) {
+  switch (routine) {
+    case Routine::mul:
+      return frame<Routine::mul>;
+    case Routine::div:
+      return frame<Routine::div>;
+    case Routine::cossin:
+      return frame<Routine::cossin>;
+    case Routine::xformvec:
+      return frame<Routine::xformvec>;
+    case Routine::concat:
+      break;
+  }
+  return frame<Routine::concat>;
+}
+
+void scramble(SegmentMachine& m, std::uint64_t call) {
+  Draw draw(386, call);
+  const std::uint32_t sp = m.registers.read(Register::sp, Size::word);
+  for (std::size_t r = 0; r < x86model::register_count; ++r) {
+    m.registers.write(static_cast<Register>(r), Size::dword,
+                      static_cast<std::uint32_t>(draw.bits()));
+  }
+  m.registers.write(Register::sp, Size::word, sp);
+  m.flags = {static_cast<std::uint16_t>(draw.bits() & x86model::arithmetic_flags), 0};
+}
+
+bool kept_for_caller(const x86model::Registers<16>& entered, const x86model::Registers<16>& left) {
+  const auto word = [](const x86model::Registers<16>& registers, Register r) {
+    return registers.read(r, Size::word);
+  };
+  for (const Register kept : {Register::bp, Register::si, Register::di}) {
+    if (word(left, kept) != word(entered, kept)) return false;
+  }
+  return word(left, Register::sp) == word(entered, Register::sp) + 2;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,30 @@
+/// @file
+/// How machine code is called: the frame of x86model/call.hpp, in a segment.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "verify/machine_code/segment.hpp"
+#include "x86model/routine.hpp"
+
+namespace fixproof {
+
+/// A routine's way of taking operands and giving results: enter() and leave() of x86model/call.hpp.
+struct Frame {
+  void (*enter)(SegmentMachine& m, std::span<const std::uint32_t> in);
+  void (*leave)(const SegmentMachine& m, std::span<std::uint32_t> out);
+};
+
+Frame frame_of(x86model::Routine routine);
+
+/// Fills all flags and all registers but SP with bits that differ from call to call: a routine may
+/// rely on none of them. `call` counts the calls.
+void scramble(SegmentMachine& m, std::uint64_t call);
+
+/// Whether a routine has kept what its caller relies on: SP is as it was before the return address
+/// was pushed; BP, SI and DI are as before.
+bool kept_for_caller(const x86model::Registers<16>& entered, const x86model::Registers<16>& left);
+
+}  // namespace fixproof

@@ -1,0 +1,45 @@
+#include "verify/machine_code/machine_code.hpp"
+
+#include <algorithm>
+
+#include "verify/machine_code/table.hpp"
+
+namespace fixproof {
+
+namespace {
+
+const Assembled* find(const ProgramKey& key) {
+  const auto all = assembled_programs();
+  const std::string name = name_of(key);
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Assembled& a) { return a.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::span<const std::uint8_t> machine_code(const ProgramKey& key) {
+  const Assembled* found = find(key);
+  return found == nullptr ? std::span<const std::uint8_t>{} : found->code;
+}
+
+std::span<const std::uint8_t> dos_command(const ProgramKey& key) {
+  const Assembled* found = find(key);
+  return found == nullptr ? std::span<const std::uint8_t>{} : found->command;
+}
+
+std::string machine_code_absence() {
+  return assembled_programs().empty() ? "this fixproof was built without NASM" : "";
+}
+
+ProgramKey key_of(const Variant& variant) {
+  // The model's routines and the first operations are the same five, in the same order.
+  static_assert(static_cast<int>(Operation::concat) == static_cast<int>(x86model::Routine::concat));
+  return {static_cast<x86model::Routine>(variant.operation),
+          variant.target == Target::i386 ? x86model::Target::i386 : x86model::Target::i8088,
+          {.mul_rounding = variant.mul_round,
+           .div_rounding = variant.div_round,
+           .chapter_52 = variant.chapter_52}};
+}
+
+}  // namespace fixproof

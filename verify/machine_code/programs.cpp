@@ -1,0 +1,49 @@
+#include "verify/machine_code/programs.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace fixproof {
+
+namespace {
+
+using x86model::Routine;
+using x86model::Target;
+
+constexpr std::array<std::string_view, x86model::routine_count> names{"mul", "div", "cossin",
+                                                                      "xformvec", "concat"};
+
+}  // namespace
+
+std::vector<ProgramKey> all_programs() {
+  using enum Routine;
+  std::vector<ProgramKey> all;
+  for (const Routine routine : {mul, div, cossin, xformvec, concat}) {
+    for (const Target target : {Target::i386, Target::i8088}) {
+      for (const bool round : {true, false}) {
+        // CosSin neither multiplies nor divides.
+        if (routine == cossin && !round) continue;
+        all.push_back({routine, target, {.mul_rounding = round, .div_rounding = round}});
+        if (routine != div || target != Target::i8088) continue;
+        all.push_back(all.back());
+        all.back().build.endif_as_scanned = true;
+      }
+    }
+    if (routine == mul || routine == div || routine == concat) {
+      all.push_back({routine, Target::i386, {.chapter_52 = true}});
+    }
+  }
+  return all;
+}
+
+std::string name_of(const ProgramKey& key) {
+  std::string name(names.at(static_cast<std::size_t>(key.routine)));
+  name += key.target == Target::i386 ? "-i386" : "-i8088";
+  const bool round = key.routine == Routine::div ? key.build.div_rounding : key.build.mul_rounding;
+  if (key.routine != Routine::cossin) name += round ? "-on" : "-off";
+  if (key.build.chapter_52) name += "-ch52";
+  if (key.build.endif_as_scanned) name += "-scanned";
+  return name;
+}
+
+}  // namespace fixproof

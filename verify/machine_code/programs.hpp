@@ -1,0 +1,32 @@
+/// @file
+/// Which programs are assembled to machine code, and what each is called.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "x86model/routine.hpp"
+
+namespace fixproof {
+
+/// One program of the model.
+struct ProgramKey {
+  x86model::Routine routine = x86model::Routine::mul;
+  x86model::Target target = x86model::Target::i386;
+  x86model::Build build;
+};
+
+/// One key for every program there is: each routine on each processor under each setting of the
+/// switch that matters to it, the forms of chapter 52, and the 8088 divide as it was scanned.
+std::vector<ProgramKey> all_programs();
+
+/// The program's name, such as mul-i386-on or div-i8088-off-scanned. Two keys have one name where
+/// they assemble to one program: only the switch that matters to the routine is in it.
+std::string name_of(const ProgramKey& key);
+
+/// Where the machine code of a program begins in its segment: above all that x86model/call.hpp
+/// puts into memory, and on a page of its own.
+inline constexpr std::uint16_t code_origin = 0x4000;
+
+}  // namespace fixproof

@@ -1,0 +1,26 @@
+/// @file
+/// The parties that run machine code, and any code in the place of a routine's.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "verify/machine_code/call_ending.hpp"
+#include "verify/party.hpp"
+#include "x86model/routine.hpp"
+
+namespace fixproof {
+
+/// Whether there is machine code for a variant in this build.
+bool has_machine_code(const Variant& variant);
+
+Ending ending_of(CallEnding ending);
+
+/// Answers a batch by calls of `code`, which stands in for the routine. Processor::absence(), or
+/// Emulator::absence(), has to be empty.
+void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
+                       const Batch& batch);
+void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine routine,
+                       const Batch& batch);
+
+}  // namespace fixproof

@@ -1,0 +1,70 @@
+// The processor itself: the listings as NASM assembles them, run on the machine that verifies.
+#include <algorithm>
+#include <vector>
+
+#include "verify/machine_code/frame.hpp"
+#include "verify/machine_code/machine_code.hpp"
+#include "verify/machine_code/processor.hpp"
+#include "verify/parties/machines.hpp"
+#include "verify/parties/parties.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// The processor of one thread and the code that stands in its segment.
+struct Loaded {
+  Processor processor;
+  std::vector<std::uint8_t> code;
+};
+
+}  // namespace
+
+void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
+                       const Batch& batch) {
+  thread_local Loaded loaded;
+  thread_local std::uint64_t number = 0;
+  if (!std::equal(code.begin(), code.end(), loaded.code.begin(), loaded.code.end())) {
+    loaded.code.clear();
+    loaded.processor.load(code);
+    loaded.code.assign(code.begin(), code.end());
+  }
+  const Frame frame = frame_of(routine);
+  const auto in = static_cast<std::size_t>(x86model::arity(routine).in);
+  const auto out = static_cast<std::size_t>(x86model::arity(routine).out);
+  const Processor::Calls calls(loaded.processor);
+  SegmentMachine m(loaded.processor.memory());
+  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+    frame.enter(m, batch.in.subspan(i * in, in));
+    scramble(m, number++);
+    const auto entered = m.registers;
+    batch.endings[i] = ending_of(calls.call(m));
+    if (batch.endings[i] != Ending::value) continue;
+    if (!kept_for_caller(entered, m.registers)) batch.endings[i] = Ending::broken;
+    frame.leave(m, batch.out.subspan(i * out, out));
+  }
+}
+
+namespace {
+
+class Silicon final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "silicon"; }
+  [[nodiscard]] std::string absence() const override {
+    const std::string reason = machine_code_absence();
+    return reason.empty() ? Processor::absence() : reason;
+  }
+  [[nodiscard]] bool answers(const Variant& v) const override {
+    return has_machine_code(v) && absence().empty();
+  }
+  void answer(const Variant& v, const Batch& batch) const override {
+    const ProgramKey key = key_of(v);
+    answer_on_silicon(machine_code(key), key.routine, batch);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Party> make_silicon() { return std::make_unique<Silicon>(); }
+
+}  // namespace fixproof
