@@ -44,6 +44,10 @@ std::string variant_options(const Variant& v, std::string_view rounding_option) 
   return options;
 }
 
+std::string_view rounding_option(const Variant& v) {
+  return v.operation == Operation::div ? "--div-round" : "--mul-round";
+}
+
 }  // namespace
 
 std::string grouped(std::uint64_t number) {
@@ -89,13 +93,17 @@ std::string decimal_words(const Variant& v, std::span<const std::uint32_t> words
   return text;
 }
 
+std::string trace_line(const Variant& v, std::span<const std::uint32_t> words) {
+  return fmt::format("fixproof trace {}{} {}", name_of(v.operation),
+                     variant_options(v, rounding_option(v)), hex_words(words, operand_bits(v)));
+}
+
 std::string replay(const Row& row, std::span<const std::uint32_t> words) {
   const Variant& v = row.variant;
   const std::string hex = hex_words(words, operand_bits(v));
   if (v.target != Target::standard && v.fraction_bits == 16) {
-    const std::string_view option = v.operation == Operation::div ? "--div-round" : "--mul-round";
     return fmt::format("echo '{}' | fixproof eval {}{} --by {}", hex, name_of(v.operation),
-                       variant_options(v, option), row.parties.front());
+                       variant_options(v, rounding_option(v)), row.parties.front());
   }
   constexpr std::array<std::string_view, 4> usual{"model", "oracle", "fast", "type"};
   const bool unusual =

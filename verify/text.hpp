@@ -27,6 +27,9 @@ std::string hex_words(std::span<const std::uint32_t> words, int bits);
 /// The operands in decimal, to five places, which tell all 16.16 values apart; angles in degrees.
 std::string decimal_words(const Variant& variant, std::span<const std::uint32_t> words);
 
+/// The command line that shows what the routine does with the case.
+std::string trace_line(const Variant& variant, std::span<const std::uint32_t> words);
+
 /// The command line that asks for the case again: `fixproof eval` of the judged party where it has
 /// the variant, else `fixproof verify --case`.
 std::string replay(const Row& row, std::span<const std::uint32_t> words);

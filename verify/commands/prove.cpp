@@ -8,6 +8,7 @@
 
 #include "verify/commands/commands.hpp"
 #include "verify/file.hpp"
+#include "verify/mutation/kill.hpp"
 #include "verify/parties/interpreter.hpp"
 #include "verify/parties/parties.hpp"
 #include "verify/proof/lemmas.hpp"
@@ -24,6 +25,7 @@ struct Options {
   std::string solver = "z3";
   int seconds = 60;
   std::string directory;
+  std::size_t mutant = 0;  ///< 0: none
 };
 
 /// What was asked, by how it stands.
@@ -108,20 +110,31 @@ void prove_lemmas(const Solver& solver, int seconds, Tally& tally) {
   }
 }
 
-void prove_routine(const Variant& v, const Solver& solver, int seconds, Tally& tally) {
-  const Proof proof = prove(v, program_of(v), solver, seconds);
+void prove_routine(const Variant& v, const Options& options, const Solver& solver, Tally& tally) {
+  x86model::Program program = program_of(v);
+  std::string which;
+  if (options.mutant != 0) {
+    const x86model::Mutant mutant = mutant_of(v, options.mutant);
+    std::cout << fmt::format("mutant {}: {}\n", options.mutant, mutant.change);
+    program = mutant.program;
+    which = fmt::format(" --mutant {}", options.mutant);
+  }
+  const Proof proof = prove(v, program, solver, options.seconds);
   print_line(fmt::format("{}, {} questions", name_of(v), proof.questions), name_of(proof.standing),
              proof.seconds);
   tally.add(proof.standing, proof.seconds);
   if (proof.standing != Standing::disproven) return;
   const int bits = 2 * v.fraction_bits;
-  std::cout << fmt::format("  {}: the program answers {}, the oracle {}\n",
+  std::cout << fmt::format("  {}: the program {}, the oracle {}\n  replay: {}{}\n",
                            hex_words(proof.counterexample, operand_bits(v)), proof.given.text(bits),
-                           proof.wanted.text(bits));
+                           proof.wanted.text(bits), trace_line(v, proof.counterexample), which);
 }
 
 int run(const Options& options) {
   const std::vector<Variant> variants = routines_in(options.selection);
+  if (options.mutant != 0 && variants.size() != 1) {
+    throw UsageError("--mutant needs one routine, --target and --round (and --chapter 54)");
+  }
   if (!options.directory.empty()) {
     write_scripts(options.directory, variants);
     return 0;
@@ -130,7 +143,7 @@ int run(const Options& options) {
   std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(), options.seconds);
   Tally tally;
   prove_lemmas(solver, options.seconds, tally);
-  for (const Variant& v : variants) prove_routine(v, solver, options.seconds, tally);
+  for (const Variant& v : variants) prove_routine(v, options, solver, tally);
   std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
                            tally.disproven, tally.open, duration(tally.seconds));
   if (tally.disproven > 0) return 1;
@@ -153,6 +166,10 @@ void add_prove(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--write", options->directory,
                       "ask nothing: write the questions into this folder, for any solver");
+  command
+      ->add_option("--mutant", options->mutant,
+                   "of one routine: with that mistake in it, see mutate")
+      ->check(CLI::Range(1, 100'000));
   command->footer(
       "Each routine is run symbolically on all its paths: it must return what the specification\n"
       "says, fault exactly where it says, read no undefined flag, stay in its memory, and keep "
@@ -164,6 +181,7 @@ void add_prove(CLI::App& app, int& status) {
       "Examples:\n"
       "  fixproof prove\n"
       "  fixproof prove div --target i8088 --solver cvc5\n"
+      "  fixproof prove div --target i8088 --round on --mutant 3\n"
       "  fixproof prove --write proofs && z3 proofs/mul-i8088-on-1.smt2");
   command->callback([command, options, &status] {
     options->selection.chapter_given = command->count("--chapter") > 0;

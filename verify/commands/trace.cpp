@@ -10,6 +10,7 @@
 #include "verify/commands/program.hpp"
 #include "verify/commands/shown.hpp"
 #include "verify/hex.hpp"
+#include "verify/mutation/kill.hpp"
 #include "verify/usage_error.hpp"
 #include "x86model/call.hpp"
 #include "x86model/text.hpp"
@@ -23,6 +24,7 @@ namespace x86 = x86model;
 struct Options {
   ProgramOptions program;
   std::vector<std::string> words;
+  std::size_t mutant = 0;  ///< 0: none
 };
 
 /// The six flags as 0, 1 or ? where undefined, under the heading's columns.
@@ -80,14 +82,12 @@ std::string decimal(std::uint32_t word) {
 }
 
 template <x86::Routine routine>
-void trace(const ProgramKey& chosen, std::span<const std::uint32_t> in) {
-  const auto program = std::make_unique<x86::Program>(
-      x86::assemble(x86::listing(routine, chosen.target), chosen.build));
-  const auto code = program->instructions();
+void trace(const x86::Program& program, x86::Target target, std::span<const std::uint32_t> in) {
+  const auto code = program.instructions();
   x86::CallMachine<routine, 16> machine;
   if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(machine);
   x86::enter<routine>(machine, in);
-  const auto size = chosen.target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
+  const auto size = target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
 
   fmt::print("   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
   auto before = machine;
@@ -119,22 +119,30 @@ int run(const Options& options) {
   std::vector<std::uint32_t> in;
   const std::size_t digits = chosen.routine == x86::Routine::cossin ? 4 : 8;
   for (const std::string& word : options.words) in.push_back(parse_hex(word, digits));
+  x86::Program program = x86::assemble(x86::listing(chosen.routine, chosen.target), chosen.build);
+  if (options.mutant != 0) {
+    if (options.program.as_scanned) throw UsageError("--mutant excludes --as-scanned");
+    const Variant v = options.program.variant.choose(operation_named(options.program.operation));
+    const x86::Mutant mutant = mutant_of(v, options.mutant);
+    fmt::print("mutant {}: {}\n", options.mutant, mutant.change);
+    program = mutant.program;
+  }
   using enum x86::Routine;
   switch (chosen.routine) {
     case mul:
-      trace<mul>(chosen, in);
+      trace<mul>(program, chosen.target, in);
       break;
     case div:
-      trace<div>(chosen, in);
+      trace<div>(program, chosen.target, in);
       break;
     case cossin:
-      trace<cossin>(chosen, in);
+      trace<cossin>(program, chosen.target, in);
       break;
     case xformvec:
-      trace<xformvec>(chosen, in);
+      trace<xformvec>(program, chosen.target, in);
       break;
     case concat:
-      trace<concat>(chosen, in);
+      trace<concat>(program, chosen.target, in);
       break;
   }
   return 0;
@@ -148,6 +156,8 @@ void add_trace(CLI::App& app, int& status) {
       app.add_subcommand("trace", "show what each instruction of a routine changes");
   options->program.add_to(*command);
   command->add_option("words", options->words, "operands, as for eval");
+  command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
+      ->check(CLI::Range(1, 100'000));
   command->footer(
       "Flags are 0, 1 or ? where Intel leaves them undefined. [0054] is the word at that "
       "address.\n\n"

@@ -1,11 +1,15 @@
 #include "verify/mutation/kill.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 
 #include "verify/parties/interpreter.hpp"
 #include "verify/plan.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
 
 namespace fixproof {
 
@@ -59,27 +63,6 @@ class Duel {
   std::array<Ending, most> ends_{}, ends_wanted_{};
 };
 
-/// Whether level 1 kills the program; counts its cases until then.
-bool level_1_kills(const Variant& v, const x86::Program& program, std::uint64_t seed,
-                   std::uint64_t& cases) {
-  const auto mutant = make_interpreter_of("mutant", program);
-  const Party& oracle = party_named(v.operation == Operation::cossin ? "oracle" : "fast");
-  const Plan plan(1, seed, {Row{v, {"mutant", std::string(oracle.name())}}});
-  Duel duel(v, *mutant, oracle);
-  // A few cases of every stream first: most mutants need no more.
-  constexpr std::uint64_t few = 256;
-  for (const bool first_ones : {true, false}) {
-    for (const Job& job : plan.jobs()) {
-      const std::uint64_t begin = first_ones ? 0 : std::min(few, job.cases);
-      const std::uint64_t end = first_ones ? std::min(few, job.cases) : job.cases;
-      const std::uint64_t passed = duel.passed(job, seed, begin, end - begin);
-      cases += passed;
-      if (passed < end - begin) return ++cases, true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 std::vector<x86::Mutant> mutants_of(const Variant& v) {
@@ -91,12 +74,42 @@ std::vector<x86::Mutant> mutants_of(const Variant& v) {
   return all;
 }
 
+x86::Mutant mutant_of(const Variant& v, std::size_t number) {
+  const auto all = mutants_of(v);
+  if (number < 1 || number > all.size()) {
+    throw UsageError(
+        fmt::format("--mutant {}: {} has mutants 1 to {}", number, name_of(v), all.size()));
+  }
+  return all[number - 1];
+}
+
+std::optional<std::uint64_t> cases_to_kill(const Variant& v, const Party& judged,
+                                           std::uint64_t seed) {
+  const Party& oracle = party_named(v.operation == Operation::cossin ? "oracle" : "fast");
+  const Plan plan(1, seed, {Row{v, {std::string(judged.name()), std::string(oracle.name())}}});
+  Duel duel(v, judged, oracle);
+  std::uint64_t cases = 0;
+  // A few cases of every stream first: most mutants need no more.
+  constexpr std::uint64_t few = 256;
+  for (const bool first_ones : {true, false}) {
+    for (const Job& job : plan.jobs()) {
+      const std::uint64_t begin = first_ones ? 0 : std::min(few, job.cases);
+      const std::uint64_t end = first_ones ? std::min(few, job.cases) : job.cases;
+      const std::uint64_t passed = duel.passed(job, seed, begin, end - begin);
+      cases += passed;
+      if (passed < end - begin) return cases + 1;
+    }
+  }
+  return std::nullopt;
+}
+
 Judgement judge(const Variant& v, const x86::Program& program, std::uint64_t seed,
                 const Solver& solver, int most_seconds) {
   const auto begin = std::chrono::steady_clock::now();
   Judgement judgement;
-  if (level_1_kills(v, program, seed, judgement.cases)) {
+  if (const auto cases = cases_to_kill(v, *make_interpreter_of("mutant", program), seed)) {
     judgement.fate = Fate::killed;
+    judgement.cases = *cases;
   } else if (has_same_terms(v, program.instructions())) {
     judgement.fate = Fate::equivalent;
   } else {

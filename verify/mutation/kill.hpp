@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "verify/proof/prove.hpp"
@@ -19,7 +20,7 @@ enum class Fate {
 
 struct Judgement {
   Fate fate = Fate::gap;
-  std::uint64_t cases = 0;  ///< of level 1 that were run, the killing one included
+  std::uint64_t cases = 0;  ///< of level 1 that were run until it was killed
   double seconds = 0;
   Proof proof;  ///< of what level 1 did not kill
 };
@@ -27,6 +28,14 @@ struct Judgement {
 /// The mutants of a variant's routine. Those of the FixedMul that an 8088 transform brings along
 /// are left to FixedMul.
 std::vector<x86model::Mutant> mutants_of(const Variant& variant);
+
+/// Mutant `number`, from 1. @throws UsageError where there are fewer
+x86model::Mutant mutant_of(const Variant& variant, std::size_t number);
+
+/// Runs the cases of level 1 until one shows that `judged` is not what the oracle says. @return how
+/// many were run, that one included; nothing where none does
+std::optional<std::uint64_t> cases_to_kill(const Variant& variant, const Party& judged,
+                                           std::uint64_t seed);
 
 /// Runs the cases of level 1 until one kills the program; what survives is put to the solver.
 /// @param most_seconds that one question to the solver may take

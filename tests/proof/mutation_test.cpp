@@ -1,0 +1,117 @@
+// Level 1 against programs that are wrong: a share of all mutants, roundings swapped, the other
+// processor's routine, a fault left out. `fixproof mutate` tries all mutants.
+#include <gtest/gtest.h>
+
+#include "verify/mutation/kill.hpp"
+#include "verify/parties/interpreter.hpp"
+#include "verify/parties/parties.hpp"
+
+namespace {
+
+using namespace fixproof;
+
+constexpr std::uint64_t seed = 54;
+
+bool caught(const x86model::Program& program, const Variant& v) {
+  return cases_to_kill(v, *make_interpreter_of("broken", program), seed).has_value();
+}
+
+TEST(Mutation, ThereAreMutantsOfEveryKind) {
+  std::string changes;
+  for (const auto& mutant : mutants_of({.target = Target::i8088})) changes += mutant.change + '\n';
+  for (const char* wanted :
+       {"mul bx -> imul bx", "mov ax, si -> mov si, ax", "sub cx, cx -> sub dx, cx",
+        "xor cx, 1 -> xor cx, 2", "xor cx, 1 -> xor cx, 0", "add ax, 0x8000 -> add ax, 0\n",
+        "jns .CheckSecondOperand -> js .CheckSecondOperand",
+        "jns .CheckSecondOperand -> jmp .CheckSecondOperand",
+        "jz .FixedMulDone -> jz .SaveSignStatus", "ret -> left out", "neg ax -> twice",
+        "mov ax, [bp+6] -> mov ax, [bp+4]"}) {
+    EXPECT_NE(changes.find(wanted), std::string::npos) << wanted;
+  }
+}
+
+TEST(Mutation, JumpsStillLeadWhereTheyLed) {
+  // Whatever is left out or doubled, every label is still before the instruction it was before.
+  const Variant v{.target = Target::i8088};
+  for (const auto& mutant : mutants_of(v)) {
+    if (!mutant.change.ends_with("twice") && !mutant.change.ends_with("left out")) continue;
+    std::size_t jumps = 0;
+    for (const auto& i : mutant.program.instructions()) {
+      const auto& o = i.operands[0];
+      if (o.kind != x86model::Operand::Kind::label) continue;
+      ++jumps;
+      ASSERT_LT(static_cast<std::size_t>(o.value), mutant.program.size);
+      const auto& target = mutant.program.code.at(static_cast<std::size_t>(o.value));
+      const bool led_to_the_change = mutant.change.ends_with("left out") && target.label == nullptr;
+      if (led_to_the_change) continue;
+      EXPECT_STREQ(target.label, o.name) << mutant.change;
+    }
+    EXPECT_GE(jumps + 1, 3U);
+  }
+}
+
+TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
+  const Solver solver("z3");
+  std::size_t killed = 0;
+  for (const Variant& v : all_variants()) {
+    if (!has_program(v) || v.chapter_52 || !rounds(v)) continue;
+    const auto all = mutants_of(v);
+    for (std::size_t i = 5; i < all.size(); i += 97) {
+      const Judgement judgement = judge(v, all[i].program, seed, solver, 60);
+      EXPECT_NE(judgement.fate, Fate::gap) << all[i].change;
+      if (judgement.fate == Fate::killed) ++killed;
+    }
+  }
+  EXPECT_GE(killed, 60U);
+}
+
+TEST(Mutation, WhatDoesTheSameIsEquivalent) {
+  const Solver solver("z3");
+  const Variant v{.target = Target::i8088};
+  EXPECT_EQ(judge(v, program_of(v), seed, solver, 60).fate, Fate::equivalent);
+  for (const auto& mutant : mutants_of(v)) {
+    // Only the low half of that product is used, in which MUL and IMUL are the same.
+    if (mutant.change != "23 mul bx -> imul bx") continue;
+    EXPECT_EQ(judge(v, mutant.program, seed, solver, 60).fate, Fate::equivalent);
+  }
+}
+
+TEST(Mutation, SwappedRoundingsAreCaught) {
+  for (const Operation o : {Operation::mul, Operation::div}) {
+    for (const Target t : {Target::i386, Target::i8088}) {
+      for (const bool round : {true, false}) {
+        const Variant v{.operation = o, .target = t, .mul_round = round, .div_round = round};
+        Variant other = v;
+        other.mul_round = other.div_round = !round;
+        EXPECT_TRUE(caught(program_of(other), v));
+        other = v;
+        other.target = t == Target::i386 ? Target::i8088 : Target::i386;
+        EXPECT_TRUE(caught(program_of(other), v));
+        EXPECT_FALSE(caught(program_of(v), v));
+      }
+    }
+  }
+}
+
+/// The sound model, but for a divide by zero, which it answers with 0.
+class DropsAFault final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "broken"; }
+  [[nodiscard]] bool answers(const Variant& /*variant*/) const override { return true; }
+  void answer(const Variant& v, const Batch& batch) const override {
+    party_named("model").answer(v, batch);
+    for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+      if (batch.in[2 * i + 1] != 0) continue;
+      batch.endings[i] = Ending::value;
+      batch.out[i] = 0;
+    }
+  }
+};
+
+TEST(Mutation, ADroppedFaultIsCaught) {
+  for (const Target t : {Target::i386, Target::i8088}) {
+    EXPECT_TRUE(cases_to_kill({.operation = Operation::div, .target = t}, DropsAFault(), seed));
+  }
+}
+
+}  // namespace
