@@ -42,7 +42,7 @@ struct Tally {
 };
 
 void print_line(std::string_view name, std::string_view result, double seconds) {
-  std::cout << fmt::format("{:<38}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
+  std::cout << fmt::format("{:<40}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
 }
 
 std::string_view name_of(Standing standing) {
@@ -120,8 +120,9 @@ void prove_routine(const Variant& v, const Options& options, const Solver& solve
     which = fmt::format(" --mutant {}", options.mutant);
   }
   const Proof proof = prove(v, program, solver, options.seconds);
-  print_line(fmt::format("{}, {} questions", name_of(v), proof.questions), name_of(proof.standing),
-             proof.seconds);
+  print_line(fmt::format("{}, {} question{}", name_of(v), proof.questions,
+                         proof.questions == 1 ? "" : "s"),
+             name_of(proof.standing), proof.seconds);
   tally.add(proof.standing, proof.seconds);
   if (proof.standing != Standing::disproven) return;
   const int bits = 2 * v.fraction_bits;

@@ -100,6 +100,9 @@ class Runner {
 
   /// Splits a thread at a jump, to follow either side that some operand takes.
   void branch(Thread thread, Term condition, std::size_t to) {
+    if (paths_.size() + threads_.size() > options_.most_paths) {
+      return end(thread, Outcome::step_limit);
+    }
     Thread other = thread;
     other.condition = t_.both(thread.condition, condition);
     other.position = to;

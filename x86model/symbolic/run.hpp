@@ -46,6 +46,9 @@ struct RunOptions {
   std::optional<Term> enumerated{};
   /// How often a path may jump at one place: one that would do so again ends as step_limit.
   int most_jumps = 12;
+  /// With more ways than that before it, a thread ends as step_limit where it would branch: broken
+  /// programs branch in circles.
+  std::size_t most_paths = 1000;
 };
 
 /// All paths through `code` from `start`. Stack, arguments and SP are the caller's to set up, the

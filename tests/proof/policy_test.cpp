@@ -1,0 +1,172 @@
+// The type under policies that are wrong in one rule, in the place of each preset: level 1 kills
+// each, but for those that are the same rule in other words.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "fixed/fixed.hpp"
+#include "verify/mutation/kill.hpp"
+
+namespace {
+
+using namespace fixproof;
+using fixed::divide_fault;
+using fixed::divisor_width;
+using fixed::overflow;
+using fixed::policy;
+using fixed::rounding;
+
+/// Products and quotients under one policy.
+template <policy rules>
+class Ruled final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "ruled"; }
+  [[nodiscard]] bool answers(const Variant& /*variant*/) const override { return true; }
+  void answer(const Variant& v, const Batch& batch) const override {
+    for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+      batch.endings[i] = one(v, batch.in.subspan(2 * i, 2), batch.out[i]);
+    }
+  }
+
+ private:
+  static Ending one(const Variant& v, std::span<const std::uint32_t> in, std::uint32_t& out) {
+    using Number = fixed::number<16, rules>;
+    const auto a = Number::from_raw(static_cast<std::int32_t>(in[0]));
+    const auto b = Number::from_raw(static_cast<std::int32_t>(in[1]));
+    try {
+      if (v.operation == Operation::mul) {
+        out = static_cast<std::uint32_t>((a * b).raw());
+        return Ending::value;
+      }
+      const auto quotient = fixed::try_divide(a, b);
+      if (!quotient) return Ending::divide_error;
+      out = static_cast<std::uint32_t>(quotient->raw());
+      return Ending::value;
+    } catch (const fixed::overflow_error&) {
+      return Ending::broken;
+    }
+  }
+};
+
+/// The wrong policies of one preset, and those of them that level 1 did not kill.
+class Trials {
+ public:
+  explicit Trials(Variant v) : v_(v) {}
+
+  template <policy wrong>
+  void try_out(const std::string& rule, bool is_right) {
+    if (is_right) return;
+    ++tried;
+    if (!cases_to_kill(v_, Ruled<wrong>(), 54)) survivors.push_back(rule);
+  }
+
+  template <policy right>
+  void round_otherwise() {
+    constexpr auto with = [](rounding r) {
+      policy p = right;
+      p.multiply = r;
+      p.divide = r;
+      return p;
+    };
+    const rounding now = v_.operation == Operation::mul ? right.multiply : right.divide;
+    try_out<with(rounding::half_up)>("half_up", now == rounding::half_up);
+    try_out<with(rounding::half_away)>("half_away", now == rounding::half_away);
+    try_out<with(rounding::floor)>("floor", now == rounding::floor);
+    try_out<with(rounding::truncate)>("truncate", now == rounding::truncate);
+  }
+
+  template <policy right>
+  void overflow_otherwise() {
+    constexpr auto with = [](overflow o) {
+      policy p = right;
+      p.range = o;
+      return p;
+    };
+    try_out<with(overflow::wrap)>("wrap", right.range == overflow::wrap);
+    try_out<with(overflow::saturate)>("saturate", right.range == overflow::saturate);
+    try_out<with(overflow::trap)>("trap", right.range == overflow::trap);
+  }
+
+  template <policy right>
+  void divide_otherwise() {
+    constexpr auto with = [](divisor_width d, divide_fault f) {
+      policy p = right;
+      p.divisor = d;
+      p.fault = f;
+      return p;
+    };
+    constexpr bool whole = right.divisor == divisor_width::whole_part;
+    constexpr auto other = whole ? divisor_width::full : divisor_width::whole_part;
+    try_out<with(other, right.fault)>("divisor", false);
+    using enum divide_fault;
+    try_out<with(right.divisor, none)>("none", right.fault == none);
+    try_out<with(right.divisor, zero_divisor)>("zero_divisor", right.fault == zero_divisor);
+    try_out<with(right.divisor, unsigned_quotient)>("unsigned_quotient",
+                                                    right.fault == unsigned_quotient);
+    try_out<with(right.divisor, signed_quotient)>("signed_quotient",
+                                                  right.fault == signed_quotient);
+  }
+
+  int tried = 0;
+  std::vector<std::string> survivors;
+
+ private:
+  Variant v_;
+};
+
+using Names = std::vector<std::string>;
+
+/// @param same rules of the divide that come to the same as the preset's
+template <policy right>
+void expect_all_killed(Target target, bool mul_round, bool div_round, const Names& same) {
+  const auto variant = [&](Operation o) {
+    return Variant{
+        .operation = o, .target = target, .mul_round = mul_round, .div_round = div_round};
+  };
+  Trials products(variant(Operation::mul));
+  products.round_otherwise<right>();
+  products.overflow_otherwise<right>();
+  EXPECT_EQ(products.tried, 5);
+  EXPECT_EQ(products.survivors, Names{});
+  EXPECT_FALSE(cases_to_kill(variant(Operation::mul), Ruled<right>(), 54));
+
+  Trials quotients(variant(Operation::div));
+  quotients.round_otherwise<right>();
+  quotients.overflow_otherwise<right>();
+  quotients.divide_otherwise<right>();
+  EXPECT_EQ(quotients.tried, 9);
+  EXPECT_EQ(quotients.survivors, same);
+  EXPECT_FALSE(cases_to_kill(variant(Operation::div), Ruled<right>(), 54));
+}
+
+namespace p = fixed::policies;
+
+// try_divide has no value for a zero divisor, whichever policy says so.
+TEST(PolicyMutation, Wrapping) {
+  expect_all_killed<p::wrapping>(Target::standard, true, true, {"zero_divisor"});
+}
+
+TEST(PolicyMutation, I386) {
+  expect_all_killed<p::i386>(Target::i386, true, true, {});
+  expect_all_killed<p::i386_div_rounded>(Target::i386, false, true, {});
+}
+
+// What would be out of range has faulted before.
+TEST(PolicyMutation, I386WithIdiv) {
+  const Names same{"saturate", "trap"};
+  expect_all_killed<p::i386_mul_rounded>(Target::i386, true, false, same);
+  expect_all_killed<p::i386_unrounded>(Target::i386, false, false, same);
+}
+
+// By a whole number, no quotient has a magnitude above 2^31 units: only zero divisors fault, and for
+// those try_divide has no value anyway.
+TEST(PolicyMutation, I8088) {
+  const Names same{"none", "unsigned_quotient"};
+  expect_all_killed<p::i8088>(Target::i8088, true, true, same);
+  expect_all_killed<p::i8088_mul_rounded>(Target::i8088, true, false, same);
+  expect_all_killed<p::i8088_div_rounded>(Target::i8088, false, true, same);
+  expect_all_killed<p::i8088_unrounded>(Target::i8088, false, false, same);
+}
+
+}  // namespace
