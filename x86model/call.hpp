@@ -90,7 +90,8 @@ X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
   }
   if constexpr (routine == Routine::mul || routine == Routine::div) return;
   for (int i = 0; i < arity(routine).out; ++i) {
-    detail::store(m, detail::data + (arity(routine).in + i) * detail::bytes_of_value, word + static_cast<std::uint32_t>(i));
+    detail::store(m, detail::data + (arity(routine).in + i) * detail::bytes_of_value,
+                  word + static_cast<std::uint32_t>(i));
   }
 }
 

@@ -159,8 +159,8 @@ TEST(PolicyMutation, I386WithIdiv) {
   expect_all_killed<p::i386_unrounded>(Target::i386, false, false, same);
 }
 
-// By a whole number, no quotient has a magnitude above 2^31 units: only zero divisors fault, and for
-// those try_divide has no value anyway.
+// By a whole number, no quotient has a magnitude above 2^31 units: only zero divisors fault, and
+// for those try_divide has no value anyway.
 TEST(PolicyMutation, I8088) {
   const Names same{"none", "unsigned_quotient"};
   expect_all_killed<p::i8088>(Target::i8088, true, true, same);
