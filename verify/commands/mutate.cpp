@@ -71,6 +71,8 @@ void judge_all(std::vector<Trial>& trials, const Options& options, const Solver&
         Trial& trial = trials[i];
         trial.judgement =
             judge(trial.variant, trial.mutant.program, options.seed, solver, options.seconds);
+        // Ctrl-C ends the solver too: what it did not decide then is not judged.
+        if (Interrupt::flag() && trial.judgement.fate == Fate::gap) break;
         const std::lock_guard lock(mutex);
         trial.done = true;
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
