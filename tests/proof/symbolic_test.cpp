@@ -19,7 +19,6 @@ namespace sym = x86model::symbolic;
 struct Answer {
   Outcome outcome;
   std::vector<std::uint32_t> words;
-  friend bool operator==(const Answer&, const Answer&) = default;
 };
 
 /// From registers and memory of zeros, which is what a symbolic variable comes to if it is not set.
