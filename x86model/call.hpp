@@ -83,7 +83,8 @@ X86MODEL_INLINE void load_cosine_table(M& m) {
 /// routine may depend on it. Different operands find different words.
 template <Routine routine, class M>
 X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
-  std::uint32_t word = in[0] * 0x9E3779B9U + in.back();
+  std::uint32_t word = 0x9E3779B9U;
+  for (const std::uint32_t operand : in) word = (word ^ operand) * 0x01000193U + 1U;
   for (std::size_t r = 0; r < register_count; ++r) {
     m.registers.write(static_cast<Register>(r), Size::dword, word);
     word = word * 0x85EBCA6BU + 0xC2B2AE35U;

@@ -46,7 +46,7 @@ TEST(Mutation, JumpsStillLeadWhereTheyLed) {
       if (led_to_the_change) continue;
       EXPECT_STREQ(target.label, o.name) << mutant.change;
     }
-    EXPECT_GE(jumps + 1, 3U);
+    EXPECT_GE(jumps, 2U);
   }
 }
 
@@ -69,11 +69,14 @@ TEST(Mutation, WhatDoesTheSameIsEquivalent) {
   const Solver solver("z3");
   const Variant v{.target = Target::i8088};
   EXPECT_EQ(judge(v, program_of(v), seed, solver, 60).fate, Fate::equivalent);
+  bool found = false;
   for (const auto& mutant : mutants_of(v)) {
     // Only the low half of that product is used, in which MUL and IMUL are the same.
     if (mutant.change != "23 mul bx -> imul bx") continue;
+    found = true;
     EXPECT_EQ(judge(v, mutant.program, seed, solver, 60).fate, Fate::equivalent);
   }
+  EXPECT_TRUE(found);
 }
 
 TEST(Mutation, SwappedRoundingsAreCaught) {

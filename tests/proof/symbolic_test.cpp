@@ -21,11 +21,17 @@ struct Answer {
   std::vector<std::uint32_t> words;
 };
 
-/// From registers and memory of zeros, which is what a symbolic variable comes to if it is not set.
+/// What register number `r` holds before a call.
+std::uint32_t held(std::size_t r) { return 0x9E3779B9U * static_cast<std::uint32_t>(r + 1); }
+
+/// From a stack of zeros, which is what a symbolic variable comes to if it is not set.
 template <Routine routine>
 Answer interpreted(std::span<const Instruction> code, std::span<const std::uint32_t> in) {
   CallMachine<routine, 16> m;
   if constexpr (routine == Routine::cossin) load_cosine_table(m);
+  for (std::size_t r = 0; r < register_count; ++r) {
+    m.registers.write(static_cast<Register>(r), Size::dword, held(r));
+  }
   enter<routine>(m, in);
   Answer answer{run(code, m).outcome, {}};
   if (answer.outcome != Outcome::returned) return answer;
@@ -57,6 +63,9 @@ class Paths {
   std::optional<Answer> answer(std::span<const std::uint32_t> in) {
     for (std::size_t i = 0; i < in.size(); ++i) {
       evaluation_.set(sym::operand_name(routine, static_cast<int>(i)), in[i]);
+    }
+    for (std::size_t r = 0; r < register_count; ++r) {
+      evaluation_.set(sym::numbered("register", r), held(r));
     }
     std::optional<Answer> answer;
     for (std::size_t i = 0; i < paths_.size(); ++i) {

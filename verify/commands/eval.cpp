@@ -68,7 +68,7 @@ void add_eval(CLI::App& app, int& status) {
       ->required();
   command
       ->add_option("--by", options->by,
-                   "who answers: model, interpreter, oracle, fast, type, silicon or unicorn")
+                   "model, interpreter, oracle, fast, type, silicon or unicorn")
       ->capture_default_str();
   options->variant.add_to(*command);
   command->footer(

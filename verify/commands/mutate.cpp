@@ -80,7 +80,8 @@ void judge_all(std::vector<Trial>& trials, const Options& options, const Solver&
       }
     } catch (...) {
       const std::lock_guard lock(mutex);
-      failure = std::current_exception();
+      // Ctrl-C ends the solver too: that is no failure of its own.
+      if (!Interrupt::flag()) failure = std::current_exception();
       next = trials.size();
     }
   };

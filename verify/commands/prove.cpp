@@ -91,8 +91,9 @@ void write_scripts(const std::string& directory, const std::vector<Variant>& var
     const auto scripts = questions(v, program_of(v).instructions());
     for (std::size_t i = 0; i < scripts.size(); ++i) {
       write(fmt::format("{} {}", name_of(v), i + 1),
-            fmt::format("; unsat: on path {} of {}, {} does what it should for all operands\n{}",
-                        i + 1, scripts.size(), name_of(v), scripts[i]));
+            fmt::format("; question {} of {}: {} does what it should if all are unsatisfiable\n{}",
+                        i + 1, scripts.size(), name_of(v),
+                        scripts[i].substr(0, scripts[i].find("(get-value"))));
     }
   }
   std::cout << fmt::format("{} scripts written to {}; each is to be unsatisfiable\n", written,
@@ -133,6 +134,9 @@ void prove_routine(const Variant& v, const Options& options, const Solver& solve
 
 int run(const Options& options) {
   const std::vector<Variant> variants = routines_in(options.selection);
+  if (options.mutant != 0 && !options.directory.empty()) {
+    throw UsageError("--mutant excludes --write");
+  }
   if (options.mutant != 0 && variants.size() != 1) {
     throw UsageError("--mutant needs one routine, --target and --round (and --chapter 54)");
   }
@@ -165,8 +169,11 @@ void add_prove(CLI::App& app, int& status) {
   command->add_option("--timeout", options->seconds, "seconds that one question may take")
       ->check(CLI::Range(1, 86'400))
       ->capture_default_str();
-  command->add_option("--write", options->directory,
-                      "ask nothing: write the questions into this folder, for any solver");
+  command
+      ->add_option("--write", options->directory,
+                   "ask nothing: write the questions into this folder, for any solver")
+      ->check(CLI::Validator(
+          [](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""));
   command
       ->add_option("--mutant", options->mutant,
                    "of one routine: with that mistake in it, see mutate")
@@ -183,7 +190,7 @@ void add_prove(CLI::App& app, int& status) {
       "  fixproof prove\n"
       "  fixproof prove div --target i8088 --solver cvc5\n"
       "  fixproof prove div --target i8088 --round on --mutant 3\n"
-      "  fixproof prove --write proofs && z3 proofs/mul-i8088-on-1.smt2");
+      "  fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2");
   command->callback([command, options, &status] {
     options->selection.chapter_given = command->count("--chapter") > 0;
     status = run(*options);

@@ -161,7 +161,7 @@ void add_step(CLI::App& app, int& status) {
   auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand(
       "step",
-      "execute one instruction a line, read from standard input, or judge the model by files");
+      "execute one instruction a line, or judge the model by files");
   command->add_option("--cpu", *cpu, "8088 or 386")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();

@@ -82,10 +82,12 @@ std::string decimal(std::uint32_t word) {
 }
 
 template <x86::Routine routine>
-void trace(const x86::Program& program, x86::Target target, std::span<const std::uint32_t> in) {
+void trace(const x86::Program& program, x86::Target target, bool with_junk,
+           std::span<const std::uint32_t> in) {
   const auto code = program.instructions();
   x86::CallMachine<routine, 16> machine;
   if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(machine);
+  if (with_junk) x86::leave_junk<routine>(machine, in);
   x86::enter<routine>(machine, in);
   const auto size = target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
 
@@ -96,6 +98,10 @@ void trace(const x86::Program& program, x86::Target target, std::span<const std:
                changes(before, after, size));
     before = after;
   });
+  if (ending.position >= code.size()) {
+    fmt::print("{:4}  leaves the program\n", ending.position);
+    return;
+  }
   if (ending.outcome != x86::Outcome::returned) {
     fmt::print("{:4}  {:<30}{}  {}\n", ending.position, x86::text_of(code[ending.position]),
                flag_columns(machine.flags), reason(ending.outcome));
@@ -127,22 +133,24 @@ int run(const Options& options) {
     fmt::print("mutant {}: {}\n", options.mutant, mutant.change);
     program = mutant.program;
   }
+  // A mistake may show only where registers hold what a caller has left; else zeros read better.
+  const bool with_junk = options.mutant != 0;
   using enum x86::Routine;
   switch (chosen.routine) {
     case mul:
-      trace<mul>(program, chosen.target, in);
+      trace<mul>(program, chosen.target, with_junk, in);
       break;
     case div:
-      trace<div>(program, chosen.target, in);
+      trace<div>(program, chosen.target, with_junk, in);
       break;
     case cossin:
-      trace<cossin>(program, chosen.target, in);
+      trace<cossin>(program, chosen.target, with_junk, in);
       break;
     case xformvec:
-      trace<xformvec>(program, chosen.target, in);
+      trace<xformvec>(program, chosen.target, with_junk, in);
       break;
     case concat:
-      trace<concat>(program, chosen.target, in);
+      trace<concat>(program, chosen.target, with_junk, in);
       break;
   }
   return 0;

@@ -199,7 +199,7 @@ CLI::Validator not_empty() {
 void add_options(CLI::App& command, Options& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
-                     "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64; none: all");
+                     "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64 (all)");
   command
       .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
       ->check(CLI::Range(1, 3))

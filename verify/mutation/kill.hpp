@@ -32,7 +32,8 @@ std::vector<x86model::Mutant> mutants_of(const Variant& variant);
 /// Mutant `number`, from 1. @throws UsageError where there are fewer
 x86model::Mutant mutant_of(const Variant& variant, std::size_t number);
 
-/// Runs the cases of level 1 until one shows that `judged` is not what the oracle says. @return how
+/// Runs the cases of level 1 until one shows that `judged` is not what the oracle says:
+/// `oracle` for CosSin, else its faster form `fast`. @return how
 /// many were run, that one included; nothing where none does
 std::optional<std::uint64_t> cases_to_kill(const Variant& variant, const Party& judged,
                                            std::uint64_t seed);

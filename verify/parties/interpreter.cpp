@@ -35,6 +35,18 @@ std::array<std::uint32_t, 3> kept_registers(const M& m) {
           m.registers.read(bp, x86::Size::dword)};
 }
 
+/// Whether a transform has left its operands as they were. The divides need not: see finding 11.
+template <x86::Routine routine, class M>
+bool kept_operands(const M& m, std::span<const std::uint32_t> in) {
+  if constexpr (routine == x86::Routine::xformvec || routine == x86::Routine::concat) {
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const auto at = static_cast<std::int32_t>(i) * x86::detail::bytes_of_value;
+      if (x86::detail::load(m, x86::detail::data + at) != in[i]) return false;
+    }
+  }
+  return true;
+}
+
 template <x86::Routine routine, int word_bits>
 Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, word_bits>& m,
               std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
@@ -47,8 +59,9 @@ Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, 
   x86::leave<routine>(m, out);
   const bool balanced =
       m.registers.read(x86::Register::sp, x86::Size::word) == ((top + word_bits / 8) & low_bits);
-  if (ending == Ending::value && (!balanced || kept_registers(m) != before)) return Ending::broken;
-  return ending;
+  if (ending != Ending::value) return ending;
+  const bool kept = balanced && kept_registers(m) == before && kept_operands<routine>(m, in);
+  return kept ? Ending::value : Ending::broken;
 }
 
 template <x86::Routine routine, int word_bits>
@@ -57,6 +70,10 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
   constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
   x86::CallMachine<routine, word_bits> fresh;
   if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(fresh);
+  // The stack holds what earlier calls have left there.
+  for (std::int32_t at = 0; at < x86::detail::stack_top; at += x86::detail::bytes_of_value) {
+    x86::detail::store(fresh, at, 0x6D2B79F5U * static_cast<std::uint32_t>(at + 1));
+  }
   for (std::size_t i = 0; i < batch.endings.size(); ++i) {
     // Nothing is left over from one case to the next, whatever a broken program has written.
     auto machine = fresh;

@@ -14,7 +14,8 @@ namespace fixproof {
 x86model::Program program_of(const Variant& variant);
 
 /// A party that runs `program` in the place of the routine of every variant it is asked. A program
-/// that does not keep SI, DI, BP and SP as C wants them kept breaks down.
+/// that does not keep SI, DI, BP and SP as C wants them kept, or a transform its operands, breaks
+/// down.
 std::unique_ptr<Party> make_interpreter_of(std::string name, const x86model::Program& program);
 
 }  // namespace fixproof

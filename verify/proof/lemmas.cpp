@@ -15,6 +15,12 @@ constexpr std::array all{
                 (+ (* 4294967296 h j) (* 65536 (+ (* l j) (* h k))) (* l k)))))
 (check-sat)
 )"},
+    Lemma{"order-of-factors", "a product is the same whichever factor comes first",
+          R"((set-logic QF_NIA)
+(declare-const x Int) (declare-const y Int)
+(assert (not (= (* x y) (* y x))))
+(check-sat)
+)"},
     Lemma{"signed-product",
           "a product of signed words is that of the unsigned ones less what the signs add",
           // X = x + 2^n [x < 0], with s and t 0 or 1 and w = 2^n for any n.

@@ -15,7 +15,7 @@ namespace fixproof {
 enum class Standing {
   proven,     ///< for all operands
   disproven,  ///< by a counterexample that has been run
-  open,       ///< the solver did not get to an end in its time
+  open,       ///< the solver came to no end in its time, or to a case that shows nothing when run
 };
 
 struct Proof {

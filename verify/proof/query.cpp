@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -133,7 +134,9 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
     operands += fmt::format(" {}", sym::operand_name(routine, i));
   }
   std::vector<std::string> scripts;
+  std::vector<sym::Term> conditions;
   for (const sym::Path& path : paths_of(v, terms, start, code)) {
+    conditions.push_back(path.condition);
     std::vector<sym::Term> roots{path.condition, path.in_table};
     std::string right;
     if (path.outcome == x86::Outcome::returned) {
@@ -164,6 +167,17 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
     }
     add(known, fmt::format("(and {} {})", sym::name_in_smt(terms, path.in_table), right));
   }
+  if (scripts.empty()) throw std::logic_error("a program without a path");
+  std::string some_path;
+  for (const sym::Term condition : conditions) {
+    some_path += fmt::format(" {}", sym::name_in_smt(terms, condition));
+  }
+  scripts.push_back(fmt::format(
+      "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}(assert (not (or "
+      "false{})))\n"
+      "(check-sat)\n(get-value ({}))\n",
+      abstractions(arithmetic), declare(terms, conditions, routine), sym::define(terms, conditions),
+      facts_of_divides(terms, conditions), some_path, operands));
   return scripts;
 }
 
@@ -196,8 +210,12 @@ std::vector<std::uint32_t> operands_in(const Variant& v, const std::string& answ
     if (place == std::string::npos) return {};
     const auto digits = place + asked.size() + 1;
     const int base = answer[digits - 1] == 'x' ? 16 : 2;
-    values.push_back(
-        static_cast<std::uint32_t>(std::stoull(answer.substr(digits, 32), nullptr, base)));
+    std::uint32_t value = 0;
+    const char* first = answer.data() + digits;
+    if (std::from_chars(first, answer.data() + answer.size(), value, base).ec != std::errc{}) {
+      return {};
+    }
+    values.push_back(value);
   }
   return values;
 }

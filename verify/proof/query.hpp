@@ -13,12 +13,15 @@
 
 namespace fixproof {
 
-/// SMT-LIB scripts, one or two for each path through `code`, that are unsatisfiable, all of them,
-/// exactly where `code` does what the specification of `variant` says for every operand: the same
-/// words, #DE exactly where it says, no undefined flag read, no memory but its own touched, and SI,
-/// DI, BP and SP kept. Each ends by asking for the operands.
+/// SMT-LIB scripts. Where all of them are unsatisfiable, `code` does what the specification of
+/// `variant` says for every operand: the same words, #DE exactly where it says, no undefined flag
+/// read, no memory but its own touched, and what it must keep kept. For each path there is one that
+/// says so, before it perhaps one that says that its products are the specification's, which the
+/// next takes for granted; the last says that there are no operands but those of the paths. Each ends
+/// by asking for the operands. Under abstract arithmetic a script may be satisfiable though `code` is
+/// right.
 /// @param code the whole program; any, a broken one too
-/// @throws std::logic_error where the 8088 transforms do not bring the FixedMul along that is
+/// @throws std::logic_error where there is no path, or the 8088 transforms do not bring the FixedMul along that is
 /// proven by itself
 std::vector<std::string> questions(const Variant& variant,
                                    std::span<const x86model::Instruction> code,

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "verify/hex.hpp"
 #include "verify/usage_error.hpp"
 
 namespace fixproof {
@@ -70,6 +71,10 @@ std::string output_of(std::vector<std::string> arguments, const std::string& inp
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
     throw std::system_error(ENOENT, std::generic_category(), arguments.front());
   }
+  if (WIFSIGNALED(status)) {
+    throw std::runtime_error(
+        fmt::format("{} was ended by signal {}", arguments.front(), WTERMSIG(status)));
+  }
   return contents(out.get());
 }
 
@@ -105,8 +110,8 @@ SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
     answer.verdict = Verdict::unsatisfiable;
   } else if (said == "sat") {
     answer.verdict = Verdict::satisfiable;
-  } else if (said.find("error") != std::string::npos) {
-    throw std::runtime_error(fmt::format("{} says: {}", name_, said));
+  } else if (said != "unknown" && said.find("timeout") == std::string::npos) {
+    throw std::runtime_error(fmt::format("{} says: {}", name_, quoted(said)));
   }
   return answer;
 }

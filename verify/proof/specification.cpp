@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "x86model/cosine_table.hpp"
+
 namespace fixproof {
 
 namespace {
@@ -90,6 +92,7 @@ std::string divide(const Variant& v) {
 
 /// The angle less whole turns (lemma whole-turns), then by quadrants. entry(i) is the cosine of i
 /// tenths of a degree, 0 <= i <= 900.
+static_assert(x86model::cosine_table[900] == 0, "asserted below: cos(90 degrees) is 0");
 constexpr const char* cosine_and_sine =
     R"((define-fun entry ((i (_ BitVec 16))) (_ BitVec 32)
   (concat (cosword (bvadd (bvshl i (_ bv2 16)) (_ bv2 16))) (cosword (bvshl i (_ bv2 16)))))
@@ -123,7 +126,7 @@ std::vector<std::string> digit_products(const Variant& v) {
 }
 
 /// A sum of three products and of what is added to it. The 8088 calls FixedMul with the second
-/// factor first.
+/// factor first (lemma order-of-factors).
 std::string sum(const Variant& v, const std::vector<std::pair<std::string, std::string>>& products,
                 const std::string& translation) {
   std::string text = "(bvadd";

@@ -114,9 +114,14 @@ Term keeps_what_it_must(Terms& terms, Routine routine, const State& start, const
   const Term top = start.read(terms, Register::sp, Size::word);
   kept = terms.both(kept, terms.equal(terms.add(top, terms.constant(2, 16)),
                                       end.read(terms, Register::sp, Size::word)));
-  if (routine != Routine::mul) return kept;
+  const bool is_transform = routine == Routine::xformvec || routine == Routine::concat;
+  const std::uint64_t first = is_transform ? data : terms.value(top) + 2;
+  const std::uint64_t beyond =
+      is_transform ? first + static_cast<std::uint64_t>(arity(routine).in * bytes_of_value)
+                   : stack_top;
+  if (!is_transform && routine != Routine::mul) return kept;
   for (const auto& [at, word] : start.memory) {
-    if (at <= terms.value(top)) continue;
+    if (at < first || at >= beyond) continue;
     kept = terms.both(kept, terms.equal(word, end.memory.at(at)));
   }
   return kept;

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "x86model/cosine_table.hpp"
@@ -81,7 +82,10 @@ class Runner {
         if (t_.value(*to) == return_to_caller<16>) return end(thread, Outcome::returned);
         thread.position = t_.value(*to);
       } else if (i.mnemonic == Mnemonic::call && options_.calls_are_fixed_mul) {
-        if (!fixed_mul(thread)) return end(thread, Outcome::bad_address);
+        const auto to = static_cast<std::size_t>(i.operands[0].value);
+        const bool calls_it = to < code_.size() && code_[to].is_procedure &&
+                              std::string_view(code_[to].label) == "FixedMul";
+        if (!calls_it || !fixed_mul(thread)) return end(thread, Outcome::bad_address);
         ++thread.position;
       } else if (is_control_flow(i.mnemonic)) {
         if (!jump(thread, i)) return;
@@ -284,7 +288,9 @@ class Runner {
       if (is_shift(op)) {
         result = shift(t_, op, *a, count);
       } else {
-        result = double_shift(t_, op, *a, *read(thread, i.operands[1], size), count);
+        const auto fill = read(thread, i.operands[1], size);
+        if (!fill) return Outcome::bad_address;
+        result = double_shift(t_, op, *a, *fill, count);
       }
     } else if (is_one_operand(op)) {
       const Term one = t_.constant(1, t_.width(*a));
