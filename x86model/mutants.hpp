@@ -22,8 +22,8 @@ struct Mutant {
 ///     step up and down, half a unit left out
 ///   - a jump made to go always, or to each other label
 ///   - the instruction left out, or there twice
-/// A change that leaves the instruction as it is is left out; one that its processor does not have is
-/// not: the interpreter runs it.
+/// A change that leaves the instruction as it is is left out; one that its processor does not have
+/// is not: the interpreter runs it.
 std::vector<Mutant> mutants(const Program& sound);
 
 }  // namespace x86model

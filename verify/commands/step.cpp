@@ -159,9 +159,8 @@ void add_step(CLI::App& app, int& status) {
                                                              {"386", x86::Target::i386}};
   auto cpu = std::make_shared<std::string>("386");
   auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = app.add_subcommand(
-      "step",
-      "execute one instruction a line, or judge the model by files");
+  CLI::App* command =
+      app.add_subcommand("step", "execute one instruction a line, or judge the model by files");
   command->add_option("--cpu", *cpu, "8088 or 386")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();

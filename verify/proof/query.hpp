@@ -17,12 +17,12 @@ namespace fixproof {
 /// `variant` says for every operand: the same words, #DE exactly where it says, no undefined flag
 /// read, no memory but its own touched, and what it must keep kept. For each path there is one that
 /// says so, before it perhaps one that says that its products are the specification's, which the
-/// next takes for granted; the last says that there are no operands but those of the paths. Each ends
-/// by asking for the operands. Under abstract arithmetic a script may be satisfiable though `code` is
-/// right.
+/// next takes for granted; the last says that there are no operands but those of the paths. Each
+/// ends by asking for the operands. Under abstract arithmetic a script may be satisfiable though
+/// `code` is right.
 /// @param code the whole program; any, a broken one too
-/// @throws std::logic_error where there is no path, or the 8088 transforms do not bring the FixedMul along that is
-/// proven by itself
+/// @throws std::logic_error where there is no path, or the 8088 transforms do not bring the
+/// FixedMul along that is proven by itself
 std::vector<std::string> questions(const Variant& variant,
                                    std::span<const x86model::Instruction> code,
                                    Arithmetic arithmetic = Arithmetic::abstract);

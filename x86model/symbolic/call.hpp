@@ -21,9 +21,9 @@ State enter(Terms& terms, Routine routine);
 /// What the routine has returned, 32 bits each, from the state at the end of a path.
 std::vector<Term> results(Terms& terms, Routine routine, const State& end);
 
-/// What the routine must leave as it was: SI, DI and BP; SP just past the return address; the operands
-/// of a transform; and for FixedMul, whose callers are proven on the strength of it, the caller's
-/// stack.
+/// What the routine must leave as it was: SI, DI and BP; SP just past the return address; the
+/// operands of a transform; and for FixedMul, whose callers are proven on the strength of it, the
+/// caller's stack.
 Term keeps_what_it_must(Terms& terms, Routine routine, const State& start, const State& end);
 
 }  // namespace x86model::symbolic
