@@ -1,0 +1,141 @@
+/// @file
+/// What is to be seen: plain data, independent of the arithmetic that draws it.
+///
+/// Units of space are those of the scene. Angles are tenths of a degree. The viewer stands at the
+/// origin of view space and looks down -z, y is up.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "xsharp/mesh.hpp"
+#include "xsharp/picture.hpp"
+
+namespace xsharp {
+
+/// How a constant that is computed in double becomes 16.16.
+enum class Conversion {
+  published,  ///< (long)(x * 65536.0 + 0.5): one unit too high for nearly every negative value
+  nearest,    ///< the nearest 16.16 number, halves up
+};
+
+/// Where the sine and cosine of a rotation come from.
+enum class Trigonometry {
+  floating,  ///< sin() and cos() in double, through the scene's Conversion (chapter 52)
+  table,     ///< CosSin (chapter 53)
+};
+
+/// What objects are sorted by, farthest first, before they are drawn.
+enum class DepthKey {
+  none,      ///< drawn in the order of the scene (chapter 52)
+  center,    ///< view z of the centre (chapter 53)
+  nearest,   ///< view z of the nearest vertex
+  farthest,  ///< view z of the farthest vertex
+};
+
+enum class PaletteKind {
+  vga,      ///< the 256 colours a VGA starts with
+  shading,  ///< 64 levels of each pure primary, four of each component in mixtures
+};
+
+/// Counts frames down: due when the count reaches 0, then again after every `base` frames.
+struct Delay {
+  std::int32_t first = 1;
+  std::int32_t base = 1;
+};
+
+/// Turns about the object's own axes; those that are not 0 are appended about x, then y, then z.
+struct Spin {
+  std::array<std::int32_t, 3> tenths{};
+  Delay delay{};
+};
+
+/// Adds `step` to the place; once z is beyond `stop_z`, moves in z no more.
+struct Drift {
+  Triple step{};
+  std::optional<double> stop_z{};
+  Delay delay{};
+};
+
+/// Goes round `about` on a circle that is tilted about the x axis.
+struct Orbit {
+  Triple about{};
+  double radius = 0;
+  std::int32_t start_tenths = 0;
+  std::int32_t step_tenths = 0;
+  std::int32_t tilt_tenths = 0;
+};
+
+/// Which light a face answers to; with neither it has its paint as it is.
+struct Shading {
+  bool ambient = false;
+  bool diffuse = false;
+};
+
+struct ObjectDescription {
+  std::string name;  ///< for messages
+  Mesh mesh;
+  std::vector<Paint> paints;  ///< one for each face; a Color is its reflectance, 255 for 1
+  Shading shading{};
+  /// The world in pages of 16384 units: the place is page * 16384 + position.
+  std::array<std::int32_t, 3> page{};
+  Triple position{};
+  Spin spin{};
+  std::optional<Drift> drift{};
+  std::optional<Orbit> orbit{};
+};
+
+/// Light of each colour; 1 shows a face of reflectance 1 as bright as can be.
+using Intensity = Triple;
+
+struct Spot {
+  bool on = true;
+  Triple direction{0, 0, -1};  ///< where the light goes, of any length but 0, in world space
+  Intensity intensity{};
+};
+
+struct Lights {
+  bool ambient_on = true;
+  Intensity ambient{};
+  std::vector<Spot> spots{};
+};
+
+struct Camera {
+  std::array<std::int32_t, 3> page{};
+  Triple position{};
+  std::array<std::int32_t, 3> turn_tenths{};  ///< about x, then y, then z
+};
+
+/// The arithmetic a scene is drawn with when the command does not say.
+struct ArithmeticChoice {
+  std::string by = "type";      ///< type, model or double
+  std::string target = "i386";  ///< i386, i8088 or standard
+  bool mul_round = true;
+  bool div_round = true;
+};
+
+struct Scene {
+  std::string name;
+  std::int32_t width = 320;
+  std::int32_t height = 240;
+  double frames_per_second = 60;
+  /// Distance of the projection plane over half its width, negative: visible z is.
+  double projection_ratio = -2.0;
+  Conversion conversion = Conversion::published;
+  Trigonometry trigonometry = Trigonometry::table;
+  DepthKey depth_key = DepthKey::center;
+  PaletteKind palette = PaletteKind::vga;
+  std::uint8_t background = 0;
+  ArithmeticChoice arithmetic{};
+  /// Orthogonality is restored every so many rotations of an object; 0: never.
+  std::int32_t restore_every = 0;
+  Camera camera{};
+  Lights lights{};
+  std::vector<ObjectDescription> objects;
+};
+
+}  // namespace xsharp
