@@ -131,6 +131,9 @@ struct Scene {
   PaletteKind palette = PaletteKind::vga;
   std::uint8_t background = 0;
   ArithmeticChoice arithmetic{};
+  /// Orientations are worked out anew in double for every rotation, instead of appending to the
+  /// last.
+  bool from_scratch = false;
   /// Orthogonality is restored every so many rotations of an object; 0: never.
   std::int32_t restore_every = 0;
   Camera camera{};

@@ -1,0 +1,145 @@
+/// @file
+/// What the pipeline asks of a number type: the operators + - * and <, an explicit conversion to
+/// double, and a specialisation of Arithmetic.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include "fixed/fixed.hpp"
+#include "xsharp/scene.hpp"
+#include "xsharp/transform.hpp"
+
+namespace xsharp {
+
+/// The cosine and sine of an angle.
+template <class N>
+struct Turn {
+  N cos{};
+  N sin{};
+
+  friend constexpr bool operator==(const Turn&, const Turn&) = default;
+};
+
+inline double radians(std::int32_t tenths) { return tenths * (std::numbers::pi / 1800.0); }
+
+/// A constant in 16.16, in units of 2^-16; what is out of range becomes the end of the range, NaN
+/// 0.
+inline std::int32_t raw_constant(double value, Conversion conversion) {
+  const double units = value * 65536.0 + 0.5;
+  const double whole = conversion == Conversion::published ? std::trunc(units) : std::floor(units);
+  using limits = std::numeric_limits<std::int32_t>;
+  if (std::isnan(whole)) return 0;
+  if (whole <= limits::min()) return limits::min();
+  if (whole >= limits::max()) return limits::max();
+  return static_cast<std::int32_t>(whole);
+}
+
+/// A coordinate in 16.16: whole numbers are exact (the listings shift them left), others go through
+/// `conversion`.
+inline std::int32_t raw_coordinate(double value, Conversion conversion) {
+  return raw_constant(value, value == std::trunc(value) ? Conversion::nearest : conversion);
+}
+
+/// The pipeline's way into a number type. A specialisation has:
+///
+///     static std::int32_t raw(N);               in units of 2^-16, nearest
+///     static N from_raw(std::int32_t);
+///     static N constant(double, Conversion);    computed in double
+///     static std::optional<N> divide(N n, N d); nothing for a divide error
+///     static Turn<N> turn(std::int32_t tenths); from the table of cosines
+///     static N midpoint(N, N);                  between the two, or one of them if they are
+///     neighbours static Vec3<N> apply(const Transform<N>&, const Vec3<N>&); static Transform<N>
+///     concatenate(const Transform<N>& first, const Transform<N>& second);
+template <class N>
+struct Arithmetic;
+
+/// The verified type, under any of its policies.
+template <fixed::policy P>
+struct Arithmetic<fixed::number<16, P>> {
+  using N = fixed::number<16, P>;
+
+  static constexpr std::int32_t raw(N x) { return x.raw(); }
+  static constexpr N from_raw(std::int32_t raw) { return N::from_raw(raw); }
+  static N constant(double value, Conversion conversion) {
+    return N::from_raw(raw_constant(value, conversion));
+  }
+  static constexpr std::optional<N> divide(N n, N d) { return fixed::try_divide(n, d); }
+  static constexpr Turn<N> turn(std::int32_t tenths) {
+    const auto [cos, sin] = fixed::sin_cos<N>(tenths);
+    return {cos, sin};
+  }
+  static constexpr N midpoint(N a, N b) { return N::from_raw(std::midpoint(a.raw(), b.raw())); }
+  static constexpr Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v) {
+    return apply_products(t, v);
+  }
+  static constexpr Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second) {
+    return concatenate_products(first, second);
+  }
+};
+
+/// The reference: constants, sines and cosines are not rounded to 16.16 either.
+template <>
+struct Arithmetic<double> {
+  static std::int32_t raw(double x) { return raw_constant(x, Conversion::nearest); }
+  static double from_raw(std::int32_t raw) { return raw / 65536.0; }
+  static double constant(double value, Conversion /*conversion*/) { return value; }
+  static std::optional<double> divide(double n, double d) {
+    return d == 0 ? std::nullopt : std::optional(n / d);
+  }
+  static Turn<double> turn(std::int32_t tenths) {
+    return {std::cos(radians(tenths)), std::sin(radians(tenths))};
+  }
+  static double midpoint(double a, double b) { return std::midpoint(a, b); }
+  static Vec3<double> apply(const Transform<double>& t, const Vec3<double>& v) {
+    return apply_products(t, v);
+  }
+  static Transform<double> concatenate(const Transform<double>& first,
+                                       const Transform<double>& second) {
+    return concatenate_products(first, second);
+  }
+};
+
+template <class N>
+concept Scalar = std::totally_ordered<N> && requires(N a, std::int32_t i) {
+  { a + a } -> std::same_as<N>;
+  { a - a } -> std::same_as<N>;
+  { -a } -> std::same_as<N>;
+  { a* a } -> std::same_as<N>;
+  static_cast<double>(a);
+  { Arithmetic<N>::from_raw(i) } -> std::same_as<N>;
+};
+
+/// A whole number in range.
+template <Scalar N>
+N from_whole(std::int32_t value) {
+  return Arithmetic<N>::from_raw(value * 65536);
+}
+
+/// See raw_coordinate(). In double the coordinate is what it is.
+template <Scalar N>
+N coordinate(double value, Conversion conversion) {
+  const bool whole = value == std::trunc(value);
+  return Arithmetic<N>::constant(value, whole ? Conversion::nearest : conversion);
+}
+
+/// The whole part of x + 1/2: a position in pixels, halves up.
+/// @param x within 0.5 of the ends of the range neither
+template <Scalar N>
+std::int32_t nearest_pixel(N x) {
+  return static_cast<std::int32_t>(std::floor(static_cast<double>(x) + 0.5));
+}
+
+template <Scalar N>
+Transform<N> identity() {
+  Transform<N> t;
+  for (std::size_t i = 0; i < 3; ++i) t.rows[i][i] = from_whole<N>(1);
+  return t;
+}
+
+}  // namespace xsharp

@@ -1,0 +1,154 @@
+/// @file
+/// How an object turns and moves from frame to frame.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "xsharp/arithmetic.hpp"
+#include "xsharp/rotation.hpp"
+#include "xsharp/scene.hpp"
+
+namespace xsharp {
+
+/// How a scene wants its rotations done.
+struct RotationStyle {
+  Trigonometry trigonometry = Trigonometry::table;
+  Conversion conversion = Conversion::published;
+  bool from_scratch = false;
+  std::int32_t restore_every = 0;
+};
+
+inline constexpr std::int32_t page_size = 16384;
+
+/// The place and orientation of an object in the world, and what changes them.
+template <Scalar N>
+class Motion {
+ public:
+  Motion(const ObjectDescription& object, const RotationStyle& style)
+      : style_(style),
+        spin_(object.spin),
+        drift_(object.drift),
+        orbit_(object.orbit),
+        to_world_(identity<N>()),
+        page_(object.page) {
+    for (std::size_t i = 0; i < 3; ++i)
+      place(i) = coordinate<N>(object.position[i], style.conversion);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      turns_[axis] = turn<N>(spin_.tenths[axis], style.trigonometry, style.conversion);
+    }
+    rotation_count_ = spin_.delay.first;
+    if (drift_) {
+      for (std::size_t i = 0; i < 3; ++i)
+        step_[i] = coordinate<N>(drift_->step[i], style.conversion);
+      move_count_ = drift_->delay.first;
+    }
+    if (orbit_) {
+      orbit_angle_ = orbit_->start_tenths;
+      put_on_orbit();
+    }
+  }
+
+  /// Its translation is the place within the page.
+  [[nodiscard]] const Transform<N>& to_world() const { return to_world_; }
+  [[nodiscard]] const std::array<std::int32_t, 3>& page() const { return page_; }
+
+  /// One frame: turns when its delay is over, then moves. @return whether anything changed
+  bool advance() {
+    bool changed = false;
+    if (due(rotation_count_, spin_.delay)) {
+      rotate();
+      changed = true;
+    }
+    if (drift_ && due(move_count_, drift_->delay)) {
+      move();
+      changed = true;
+    }
+    if (orbit_) {
+      orbit_angle_ = (orbit_angle_ + orbit_->step_tenths) % 3600;
+      put_on_orbit();
+      changed = true;
+    }
+    return changed;
+  }
+
+ private:
+  N& place(std::size_t i) { return to_world_.rows[i][3]; }
+
+  static bool due(std::int32_t& count, const Delay& delay) {
+    if (--count != 0) return false;
+    count = delay.base;
+    return true;
+  }
+
+  void rotate() {
+    ++rotations_;
+    if (style_.from_scratch) {
+      const auto matrix = rotation_after(spin_.tenths, rotations_);
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          to_world_.rows[i][j] = Arithmetic<N>::constant(matrix[i][j], Conversion::nearest);
+        }
+      }
+      return;
+    }
+    for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+      const auto i = static_cast<std::size_t>(axis);
+      if (spin_.tenths[i] != 0) append_rotation(to_world_, axis, turns_[i]);
+    }
+    if (style_.restore_every > 0 && rotations_ % style_.restore_every == 0) {
+      restore_orthogonality(to_world_);
+    }
+  }
+
+  void move() {
+    for (std::size_t i = 0; i < 3; ++i) {
+      place(i) = place(i) + step_[i];
+      turn_page(i);
+    }
+    const double z = page_[2] * static_cast<double>(page_size) + static_cast<double>(place(2));
+    if (drift_->stop_z && z > *drift_->stop_z) step_[2] = from_whole<N>(0);
+  }
+
+  /// Keeps the place within a page to either side.
+  void turn_page(std::size_t i) {
+    const N page = from_whole<N>(page_size);
+    if (place(i) >= page && page_[i] < most_pages) {
+      place(i) = place(i) - page;
+      ++page_[i];
+    } else if (place(i) <= -page && page_[i] > -most_pages) {
+      place(i) = place(i) + page;
+      --page_[i];
+    }
+  }
+
+  void put_on_orbit() {
+    const Turn<N> around = Arithmetic<N>::turn(orbit_angle_);
+    const Turn<N> tilt = Arithmetic<N>::turn(orbit_->tilt_tenths);
+    const N radius = coordinate<N>(orbit_->radius, style_.conversion);
+    const N across = radius * around.cos;
+    const N along = radius * around.sin;
+    const std::array<N, 3> offset{across, -(along * tilt.sin), along * tilt.cos};
+    for (std::size_t i = 0; i < 3; ++i) {
+      place(i) = coordinate<N>(orbit_->about[i], style_.conversion) + offset[i];
+    }
+  }
+
+  static constexpr std::int32_t most_pages = 1 << 30;
+
+  RotationStyle style_;
+  Spin spin_;
+  std::optional<Drift> drift_;
+  std::optional<Orbit> orbit_;
+  Transform<N> to_world_;
+  std::array<std::int32_t, 3> page_;
+  std::array<Turn<N>, 3> turns_{};
+  std::array<N, 3> step_{};
+  std::int32_t rotation_count_ = 1;
+  std::int32_t move_count_ = 1;
+  std::int32_t orbit_angle_ = 0;
+  std::int64_t rotations_ = 0;
+};
+
+}  // namespace xsharp

@@ -1,0 +1,54 @@
+/// @file
+/// Perspective projection, from view space to the screen.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "xsharp/arithmetic.hpp"
+#include "xsharp/picture.hpp"
+#include "xsharp/scene.hpp"
+#include "xsharp/transform.hpp"
+
+namespace xsharp {
+
+/// How view space is seen: x and y over z, times a constant, about the middle of the page.
+template <Scalar N>
+struct Projection {
+  /// Negative, for visible z is.
+  N constant{};
+  std::int32_t center_x = 0;
+  std::int32_t center_y = 0;
+  /// Points with |x| or |y| above slope * |z| are clipped: x / z times the constant would come near
+  /// the ends of 16.16. A power of two, at least 1; see projection_of().
+  std::int32_t slope = 1;
+};
+
+/// The constant is ratio * half the width, the same for x and y.
+///
+/// The slope is the greatest power of two, to 1024, that keeps slope * |constant| within 16,000:
+/// the 8088 divide drops the divisor's fraction, which makes a quotient twice as large at most, so
+/// that every projected coordinate stays within 32,000.
+template <Scalar N>
+Projection<N> projection_of(const Scene& scene) {
+  const double constant = scene.projection_ratio *
+                          (scene.width / 2);  // NOLINT(bugprone-integer-division): as published
+  Projection<N> p{Arithmetic<N>::constant(constant, scene.conversion), scene.width / 2,
+                  scene.height / 2, 1024};
+  while (p.slope > 1 && p.slope * std::fabs(constant) > 16000) p.slope /= 2;
+  return p;
+}
+
+/// Where a point of view space is on the screen; nothing where the divide faults, which it does not
+/// for a point within the clip volume.
+template <Scalar N>
+std::optional<ScreenPoint> project(const Vec3<N>& view, const Projection<N>& projection) {
+  const auto x = Arithmetic<N>::divide(view.x, view.z);
+  const auto y = Arithmetic<N>::divide(view.y, view.z);
+  if (!x || !y) return std::nullopt;
+  return ScreenPoint{nearest_pixel(*x * projection.constant) + projection.center_x,
+                     -nearest_pixel(*y * projection.constant) + projection.center_y};
+}
+
+}  // namespace xsharp

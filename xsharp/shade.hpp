@@ -1,0 +1,85 @@
+/// @file
+/// Ambient and diffuse light on a face (Lambert), for each colour component.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "xsharp/arithmetic.hpp"
+#include "xsharp/picture.hpp"
+#include "xsharp/scene.hpp"
+#include "xsharp/transform.hpp"
+
+namespace xsharp {
+
+/// A light so far away that its rays are parallel.
+template <Scalar N>
+struct Ray {
+  bool on = true;
+  /// Unit vector to the light, in view space.
+  Vec3<N> to_light{};
+  /// Red, green, blue.
+  std::array<N, 3> intensity{};
+};
+
+template <Scalar N>
+struct Lighting {
+  bool ambient_on = true;
+  std::array<N, 3> ambient{};
+  std::vector<Ray<N>> rays;
+};
+
+/// The lights of a scene as numbers, their directions turned into view space in double.
+/// @param turn the matrix that turns world space into view space
+template <Scalar N>
+Lighting<N> lighting_of(const Lights& lights, Conversion conversion,
+                        const std::array<std::array<double, 3>, 3>& turn) {
+  const auto numbers = [conversion](const Triple& t) {
+    return std::array<N, 3>{coordinate<N>(t[0], conversion), coordinate<N>(t[1], conversion),
+                            coordinate<N>(t[2], conversion)};
+  };
+  Lighting<N> lighting{lights.ambient_on, numbers(lights.ambient), {}};
+  for (const Spot& spot : lights.spots) {
+    const auto& d = spot.direction;
+    const double length = std::hypot(d[0], d[1], d[2]);
+    Triple back{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      back[i] = -(turn[i][0] * d[0] + turn[i][1] * d[1] + turn[i][2] * d[2]) / length;
+    }
+    const auto to_light = numbers(back);
+    lighting.rays.push_back(
+        {spot.on, {to_light[0], to_light[1], to_light[2]}, numbers(spot.intensity)});
+  }
+  return lighting;
+}
+
+/// The colour of a face: min(1, (ambient + sum of intensity * max(0, L . N)) * reflectance) in each
+/// component, in 255ths to the nearest.
+/// @param normal      of unit length, in view space
+/// @param reflectance 255 for 1
+template <Scalar N>
+Color shade(const Vec3<N>& normal, const Color& reflectance, const Shading& shading,
+            const Lighting<N>& lighting) {
+  const N zero = from_whole<N>(0);
+  std::array<N, 3> light{zero, zero, zero};
+  if (shading.ambient && lighting.ambient_on) light = lighting.ambient;
+  if (shading.diffuse) {
+    for (const Ray<N>& ray : lighting.rays) {
+      if (!ray.on) continue;
+      const N cosine = dot(ray.to_light, normal);
+      if (!(zero < cosine)) continue;
+      for (std::size_t c = 0; c < 3; ++c) light[c] = light[c] + ray.intensity[c] * cosine;
+    }
+  }
+  const auto component = [&light](std::size_t c, std::uint8_t full) {
+    const N reflected = light[c] * Arithmetic<N>::constant(full / 255.0, Conversion::nearest);
+    const N shown = std::min(reflected, from_whole<N>(1));
+    return static_cast<std::uint8_t>(nearest_pixel(shown * from_whole<N>(255)));
+  };
+  return {component(0, reflectance.red), component(1, reflectance.green),
+          component(2, reflectance.blue)};
+}
+
+}  // namespace xsharp
