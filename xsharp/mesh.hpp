@@ -2,28 +2,40 @@
 /// A convex body: its vertices and faces, in object space.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "xsharp/triple.hpp"
+
 namespace xsharp {
 
-/// A place or a direction before it becomes fixed point.
-using Triple = std::array<double, 3>;
-
-/// A convex polygon whose vertices run so that it shows when the screen-space cross product of its
-/// first and last edges is positive (y down): counterclockwise seen from outside in a right-handed
-/// object space.
+/// A convex polygon whose vertices run clockwise seen from outside, in a right-handed object space.
+/// It shows when the screen-space cross product of (vertex 1 - vertex 0) and (last vertex - vertex
+/// 0) is positive, y down.
 struct Face {
   std::vector<std::size_t> vertices;
   /// The vertex at the end of the unit normal that starts at vertices[0]; a shaded face has one.
   std::optional<std::size_t> normal_end{};
 };
 
+/// A body of faces; vertices are those of the faces and the ends of normals.
 struct Mesh {
   std::vector<Triple> vertices;
   std::vector<Face> faces;
 };
+
+/// Twice the area of a face, as a vector that is normal to it and points out of the body.
+/// @pre the indices of the face are those of vertices
+[[nodiscard]] inline Triple outward_area(const Mesh& mesh, const Face& face) {
+  Triple area{};
+  // From the first vertex: far from the origin, products of coordinates would swallow the area.
+  const Triple first = face.vertices.empty() ? Triple{} : mesh.vertices[face.vertices[0]];
+  for (std::size_t i = 2; i < face.vertices.size(); ++i) {
+    area = sum(area, cross(difference(mesh.vertices[face.vertices[i]], first),
+                           difference(mesh.vertices[face.vertices[i - 1]], first)));
+  }
+  return area;
+}
 
 }  // namespace xsharp

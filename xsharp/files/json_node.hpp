@@ -1,0 +1,65 @@
+/// @file
+/// Reading JSON strictly: whatever is not as demanded is refused with its place in the file.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "xsharp/triple.hpp"
+
+namespace xsharp {
+
+/// A value of a document and where it stands, such as objects[2].spin.tenths.
+class JsonNode {
+ public:
+  using Json = nlohmann::json;
+  struct Key {
+    std::string_view name;
+    std::function<void(const JsonNode&)> read;
+  };
+
+  /// @param value must outlive the node and those made from it
+  JsonNode(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
+
+  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] bool is_text() const { return value_->is_string(); }
+  [[nodiscard]] bool is_list() const { return value_->is_array(); }
+  [[nodiscard]] bool has(std::string_view key) const {
+    return value_->is_object() && value_->contains(key);
+  }
+
+  // Each throws SceneError, naming the place and what is allowed, for a value of another kind.
+  [[nodiscard]] bool flag() const;
+  [[nodiscard]] std::int32_t whole(std::int32_t least = INT32_MIN,
+                                   std::int32_t most = INT32_MAX) const;
+  [[nodiscard]] double number() const;
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] Triple triple() const;
+  [[nodiscard]] std::vector<JsonNode> list() const;
+  [[nodiscard]] std::vector<JsonNode> list_of(std::size_t count) const;
+  /// One of `words`, by its index.
+  [[nodiscard]] std::size_t word(std::initializer_list<std::string_view> words) const;
+
+  /// Calls `read` of every key that is there, in the order of `keys`.
+  /// @throws SceneError for a key that is not among them
+  void object(std::initializer_list<Key> keys) const;
+  /// @throws SceneError if `key` is not there
+  void require(std::string_view key) const;
+
+  /// @throws SceneError "place: wrong"
+  [[noreturn]] void refuse(const std::string& wrong) const;
+
+ private:
+  [[noreturn]] void must_be(const std::string& demand) const;
+
+  const Json* value_;
+  std::string place_;
+};
+
+}  // namespace xsharp

@@ -1,0 +1,308 @@
+#include "xsharp/files/scene_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "xsharp/files/json_node.hpp"
+#include "xsharp/files/read_text.hpp"
+#include "xsharp/shapes.hpp"
+
+namespace xsharp {
+namespace {
+
+using Json = JsonNode::Json;
+
+std::array<std::int32_t, 3> three_whole(const JsonNode& node) {
+  const auto numbers = node.list_of(3);
+  return {numbers[0].whole(), numbers[1].whole(), numbers[2].whole()};
+}
+
+std::uint8_t byte(const JsonNode& node) { return static_cast<std::uint8_t>(node.whole(0, 255)); }
+
+/// 17, an index of the palette; "#rrggbb" or [red, green, blue], a colour.
+Paint paint(const JsonNode& node) {
+  if (node.is_list()) {
+    const auto parts = node.list_of(3);
+    return {false, 0, {byte(parts[0]), byte(parts[1]), byte(parts[2])}};
+  }
+  if (!node.is_text()) return {true, byte(node), {}};
+  const std::string text = node.text();
+  std::uint32_t value = 0;
+  const char* const end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#' ||
+      std::from_chars(text.data() + 1, end, value, 16).ptr != end) {
+    node.refuse("a colour is written \"#rrggbb\", not \"" + text + '"');
+  }
+  return {false,
+          0,
+          {static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U & 0xFFU),
+           static_cast<std::uint8_t>(value & 0xFFU)}};
+}
+
+Delay delay(const JsonNode& node) {
+  const auto counts = node.list_of(2);
+  return {counts[0].whole(), counts[1].whole()};
+}
+
+Spin spin(const JsonNode& node) {
+  Spin read;
+  node.require("tenths");
+  node.object({{"tenths", [&](const JsonNode& value) { read.tenths = three_whole(value); }},
+               {"delay", [&](const JsonNode& value) { read.delay = delay(value); }}});
+  return read;
+}
+
+Drift drift(const JsonNode& node) {
+  Drift read;
+  node.require("step");
+  node.object({{"step", [&](const JsonNode& value) { read.step = value.triple(); }},
+               {"stop_z", [&](const JsonNode& value) { read.stop_z = value.number(); }},
+               {"delay", [&](const JsonNode& value) { read.delay = delay(value); }}});
+  return read;
+}
+
+Orbit orbit(const JsonNode& node) {
+  Orbit read;
+  node.require("radius");
+  node.object({{"about", [&](const JsonNode& value) { read.about = value.triple(); }},
+               {"radius", [&](const JsonNode& value) { read.radius = value.number(); }},
+               {"start_tenths", [&](const JsonNode& value) { read.start_tenths = value.whole(); }},
+               {"step_tenths", [&](const JsonNode& value) { read.step_tenths = value.whole(); }},
+               {"tilt_tenths", [&](const JsonNode& value) { read.tilt_tenths = value.whole(); }}});
+  return read;
+}
+
+Shading shading(const JsonNode& node) {
+  Shading read;
+  node.object({{"ambient", [&](const JsonNode& value) { read.ambient = value.flag(); }},
+               {"diffuse", [&](const JsonNode& value) { read.diffuse = value.flag(); }}});
+  return read;
+}
+
+Spot spot(const JsonNode& node) {
+  Spot read;
+  node.require("direction");
+  node.require("intensity");
+  node.object({{"on", [&](const JsonNode& value) { read.on = value.flag(); }},
+               {"direction", [&](const JsonNode& value) { read.direction = value.triple(); }},
+               {"intensity", [&](const JsonNode& value) { read.intensity = value.triple(); }}});
+  return read;
+}
+
+Lights lights(const JsonNode& node) {
+  Lights read;
+  node.object({{"ambient_on", [&](const JsonNode& value) { read.ambient_on = value.flag(); }},
+               {"ambient", [&](const JsonNode& value) { read.ambient = value.triple(); }},
+               {"spots", [&](const JsonNode& value) {
+                  for (const JsonNode& element : value.list()) read.spots.push_back(spot(element));
+                }}});
+  return read;
+}
+
+Camera camera(const JsonNode& node) {
+  Camera read;
+  node.object(
+      {{"page", [&](const JsonNode& value) { read.page = three_whole(value); }},
+       {"position", [&](const JsonNode& value) { read.position = value.triple(); }},
+       {"turn_tenths", [&](const JsonNode& value) { read.turn_tenths = three_whole(value); }}});
+  return read;
+}
+
+ArithmeticChoice arithmetic(const JsonNode& node) {
+  ArithmeticChoice read;
+  node.object({{"by", [&](const JsonNode& value) { read.by = value.text(); }},
+               {"target", [&](const JsonNode& value) { read.target = value.text(); }},
+               {"mul_round", [&](const JsonNode& value) { read.mul_round = value.flag(); }},
+               {"div_round", [&](const JsonNode& value) { read.div_round = value.flag(); }}});
+  return read;
+}
+
+/// A mesh, and how many faces go round a ball, for its checks.
+struct Shape {
+  Mesh mesh;
+  std::optional<std::size_t> faces_around{};
+};
+
+Shape shape(const JsonNode& node, const std::filesystem::path& folder) {
+  std::vector<Shape> read;
+  node.object(
+      {{"cube",
+        [&](const JsonNode& value) {
+          value.require("half_edge");
+          value.object({{"half_edge", [&](const JsonNode& half_edge) {
+                           read.push_back({cube(half_edge.number())});
+                         }}});
+        }},
+       {"ball", [&](const JsonNode& value) {
+          double radius = 0;
+          std::int32_t bands = 0;
+          value.require("radius");
+          value.require("bands");
+          value.object(
+              {{"radius", [&](const JsonNode& number) { radius = number.number(); }},
+               {"bands", [&](const JsonNode& number) { bands = number.whole(2, most_bands); }}});
+          read.push_back({ball(radius, bands), static_cast<std::size_t>(2 * bands)});
+        }}});
+  static_cast<void>(folder);
+  if (read.size() != 1) node.refuse("must have one key: cube, ball or obj");
+  return std::move(read[0]);
+}
+
+/// How the paints of an object are written.
+struct Paints {
+  enum class Kind { none, each, all, checks } kind = Kind::none;
+  std::vector<Paint> list;
+};
+
+/// An object as far as it is read: what `defaults` says, then what the object says.
+struct Draft {
+  ObjectDescription object;
+  std::optional<Shape> shape;
+  Paints paints;
+};
+
+void read_draft(const JsonNode& node, const std::filesystem::path& folder, Draft& draft) {
+  ObjectDescription& object = draft.object;
+  if (node.has("paint") + node.has("paints") + node.has("checks") > 1) {
+    node.refuse("must have one of paint, paints and checks");
+  }
+  const auto paints = [&](Paints::Kind kind, const std::vector<JsonNode>& nodes) {
+    draft.paints = {kind, {}};
+    for (const JsonNode& element : nodes) draft.paints.list.push_back(paint(element));
+  };
+  node.object(
+      {{"name", [&](const JsonNode& value) { object.name = value.text(); }},
+       {"shape", [&](const JsonNode& value) { draft.shape = shape(value, folder); }},
+       {"paint", [&](const JsonNode& value) { paints(Paints::Kind::all, {value}); }},
+       {"paints", [&](const JsonNode& value) { paints(Paints::Kind::each, value.list()); }},
+       {"checks", [&](const JsonNode& value) { paints(Paints::Kind::checks, value.list_of(2)); }},
+       {"shading", [&](const JsonNode& value) { object.shading = shading(value); }},
+       {"page", [&](const JsonNode& value) { object.page = three_whole(value); }},
+       {"position", [&](const JsonNode& value) { object.position = value.triple(); }},
+       {"spin", [&](const JsonNode& value) { object.spin = spin(value); }},
+       {"drift", [&](const JsonNode& value) { object.drift = drift(value); }},
+       {"orbit", [&](const JsonNode& value) { object.orbit = orbit(value); }}});
+}
+
+ObjectDescription finished(const JsonNode& node, Draft draft) {
+  if (!draft.shape) node.refuse("must have the key \"shape\"");
+  ObjectDescription& object = draft.object;
+  const std::size_t faces = draft.shape->mesh.faces.size();
+  switch (draft.paints.kind) {
+    case Paints::Kind::none:
+      node.refuse("must have one of paint, paints and checks");
+    case Paints::Kind::each:
+      object.paints = std::move(draft.paints.list);
+      break;
+    case Paints::Kind::all:
+      object.paints.assign(faces, draft.paints.list[0]);
+      break;
+    case Paints::Kind::checks:
+      if (!draft.shape->faces_around) node.refuse("only a ball has checks");
+      for (std::size_t face = 0; face < faces; ++face) {
+        const std::size_t around = *draft.shape->faces_around;
+        object.paints.push_back(draft.paints.list[(face / around + face % around) % 2]);
+      }
+      break;
+  }
+  object.mesh = std::move(draft.shape->mesh);
+  if (object.shading.diffuse) object.mesh = with_normals(std::move(object.mesh));
+  return std::move(object);
+}
+
+Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
+  Scene read;
+  Draft defaults;
+  std::vector<ObjectDescription>& objects = read.objects;
+  node.require("objects");
+  node.object(
+      {{"name", [&](const JsonNode& value) { read.name = value.text(); }},
+       {"width", [&](const JsonNode& value) { read.width = value.whole(); }},
+       {"height", [&](const JsonNode& value) { read.height = value.whole(); }},
+       {"frames_per_second",
+        [&](const JsonNode& value) { read.frames_per_second = value.number(); }},
+       {"projection_ratio", [&](const JsonNode& value) { read.projection_ratio = value.number(); }},
+       {"conversion",
+        [&](const JsonNode& value) {
+          read.conversion = std::array{Conversion::published,
+                                       Conversion::nearest}[value.word({"published", "nearest"})];
+        }},
+       {"trigonometry",
+        [&](const JsonNode& value) {
+          read.trigonometry = std::array{Trigonometry::floating,
+                                         Trigonometry::table}[value.word({"floating", "table"})];
+        }},
+       {"depth_key",
+        [&](const JsonNode& value) {
+          read.depth_key =
+              std::array{DepthKey::none, DepthKey::center, DepthKey::nearest,
+                         DepthKey::farthest}[value.word({"none", "center", "nearest", "farthest"})];
+        }},
+       {"palette",
+        [&](const JsonNode& value) {
+          read.palette =
+              std::array{PaletteKind::vga, PaletteKind::shading}[value.word({"vga", "shading"})];
+        }},
+       {"background", [&](const JsonNode& value) { read.background = byte(value); }},
+       {"arithmetic", [&](const JsonNode& value) { read.arithmetic = arithmetic(value); }},
+       {"restore_every", [&](const JsonNode& value) { read.restore_every = value.whole(); }},
+       {"camera", [&](const JsonNode& value) { read.camera = camera(value); }},
+       {"lights", [&](const JsonNode& value) { read.lights = lights(value); }},
+       {"defaults", [&](const JsonNode& value) { read_draft(value, folder, defaults); }},
+       {"objects", [&](const JsonNode& value) {
+          for (const JsonNode& element : value.list()) {
+            Draft draft = defaults;
+            draft.object.name = "object " + std::to_string(objects.size());
+            read_draft(element, folder, draft);
+            objects.push_back(finished(element, std::move(draft)));
+          }
+        }}});
+  return read;
+}
+
+/// @throws SceneError for what is not JSON with comments, or has a key twice
+Json parse(std::string_view text) {
+  std::vector<std::set<std::string>> open;
+  const auto watch = [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key &&
+        !open.back().insert(parsed.get<std::string>()).second) {
+      throw SceneError("the key " + parsed.dump() + " stands twice in one object");
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, watch, true, true);
+  } catch (const Json::exception& error) {
+    // Without the library's own label, "[json.exception...] ".
+    const std::string what = error.what();
+    throw SceneError("not JSON: " + what.substr(std::min(what.find("] ") + 2, what.size())));
+  }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::filesystem::path& folder) {
+  const Json document = parse(text);
+  return scene({document, ""}, folder);
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  try {
+    Scene read = parse_scene(read_text(file, std::size_t{1} << 20U), file.parent_path());
+    if (read.name.empty()) read.name = file.stem().string();
+    return read;
+  } catch (const SceneError& error) {
+    throw SceneError(file.string() + ": " + error.what());
+  }
+}
+
+}  // namespace xsharp

@@ -1,0 +1,22 @@
+/// @file
+/// Scenes from JSON; docs/scenes.md states the format.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "xsharp/scene.hpp"
+#include "xsharp/scene_error.hpp"
+
+namespace xsharp {
+
+/// A scene that validate() accepts, from a file of up to 1 MiB. A scene without a name is named
+/// after the file.
+/// @throws SceneError naming the file and the place in it; that the file cannot be read is one too
+Scene read_scene(const std::filesystem::path& file);
+
+/// The same from the text of a file. @param folder where the files that the scene names are
+/// @throws SceneError naming the place
+Scene parse_scene(std::string_view text, const std::filesystem::path& folder);
+
+}  // namespace xsharp

@@ -1,0 +1,36 @@
+/// @file
+/// Places and directions in double, before they become fixed point.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace xsharp {
+
+/// A place or a direction before it becomes fixed point.
+using Triple = std::array<double, 3>;
+
+[[nodiscard]] inline Triple sum(const Triple& a, const Triple& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+[[nodiscard]] inline Triple difference(const Triple& a, const Triple& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+[[nodiscard]] inline Triple scaled(const Triple& a, double by) {
+  return {a[0] * by, a[1] * by, a[2] * by};
+}
+
+[[nodiscard]] inline double dot(const Triple& a, const Triple& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+[[nodiscard]] inline Triple cross(const Triple& a, const Triple& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Without overflow on the way.
+[[nodiscard]] inline double length(const Triple& a) { return std::hypot(a[0], a[1], a[2]); }
+
+}  // namespace xsharp
