@@ -44,7 +44,8 @@ class Filler {
     std::int64_t right = std::numeric_limits<std::int64_t>::min();
   };
 
-  /// Sets top_, bottom_ and ends_ to the polygon's rows on the page. False if it cannot have pixels.
+  /// Sets top_, bottom_ and ends_ to the polygon's rows on the page. False if it cannot have
+  /// pixels.
   bool find_rows(std::span<const ScreenPoint> points, std::int32_t width, std::int32_t height) {
     if (points.size() < 3) return false;
     ScreenPoint least = points.front();

@@ -35,19 +35,25 @@ constexpr Color on_ring(std::size_t hue, const std::array<unsigned, 5>& levels) 
   const unsigned rising = levels.at(step);
   const unsigned falling = levels.at(4 - step);
   switch (hue / 4) {
-    case 0: return from_dac(rising, least, most);
-    case 1: return from_dac(most, least, falling);
-    case 2: return from_dac(most, rising, least);
-    case 3: return from_dac(falling, most, least);
-    case 4: return from_dac(least, most, rising);
-    default: return from_dac(least, falling, most);
+    case 0:
+      return from_dac(rising, least, most);
+    case 1:
+      return from_dac(most, least, falling);
+    case 2:
+      return from_dac(most, rising, least);
+    case 3:
+      return from_dac(falling, most, least);
+    case 4:
+      return from_dac(least, most, rising);
+    default:
+      return from_dac(least, falling, most);
   }
 }
 
 }  // namespace detail
 
-/// What a VGA starts mode 13h with: the 16 colours of the EGA, 16 greys, a ring of 24 hues in each of
-/// three saturations of each of three values, 8 times black.
+/// What a VGA starts mode 13h with: the 16 colours of the EGA, 16 greys, a ring of 24 hues in each
+/// of three saturations of each of three values, 8 times black.
 constexpr Palette vga_palette() {
   Palette palette{};
   for (std::size_t i = 0; i < 16; ++i) {
@@ -131,13 +137,13 @@ constexpr std::uint8_t nearest(const Palette& palette, const Color& color) {
     return red * red + green * green + blue * blue;
   };
   const auto* const found =
-      std::min_element(palette.begin(), palette.end(), [&](const Color& a, const Color& b) {
-        return distance(a) < distance(b);
-      });
+      std::min_element(palette.begin(), palette.end(),
+                       [&](const Color& a, const Color& b) { return distance(a) < distance(b); });
   return static_cast<std::uint8_t>(found - palette.begin());
 }
 
-/// What a paint sets a pixel to: an index as it stands, or the one that the palette has for a colour.
+/// What a paint sets a pixel to: an index as it stands, or the one that the palette has for a
+/// colour.
 inline std::uint8_t index_of(const Paint& paint, PaletteKind kind) {
   if (paint.is_index) return paint.index;
   return kind == PaletteKind::shading ? index_of(paint.color)
@@ -149,8 +155,8 @@ constexpr std::uint32_t rgb(const Color& color) {
   return std::uint32_t{color.red} << 16U | std::uint32_t{color.green} << 8U | color.blue;
 }
 
-/// What a paint sets a pixel of this type to: true colour shows an index's colour in the palette, and
-/// a colour as it is.
+/// What a paint sets a pixel of this type to: true colour shows an index's colour in the palette,
+/// and a colour as it is.
 template <PixelType Pixel>
 Pixel pixel_of(const Paint& paint, PaletteKind kind) {
   if constexpr (std::same_as<Pixel, std::uint8_t>) {

@@ -115,8 +115,8 @@ class Screen {
              std::max(whole.right, extent.right), std::max(whole.bottom, extent.bottom)};
   }
 
-  /// The part of the page from the least coordinates to the greatest. These are not of it: a polygon
-  /// has no pixels there.
+  /// The part of the page from the least coordinates to the greatest. These are not of it: a
+  /// polygon has no pixels there.
   [[nodiscard]] Rectangle extent_of(std::span<const ScreenPoint> points) const {
     const std::int32_t width = pages_.front().width();
     const std::int32_t height = pages_.front().height();
