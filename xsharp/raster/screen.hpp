@@ -1,0 +1,142 @@
+/// @file
+/// Two pages: one is shown while the next picture is drawn on the other.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "xsharp/picture.hpp"
+#include "xsharp/raster/fill.hpp"
+#include "xsharp/raster/page.hpp"
+#include "xsharp/raster/palette.hpp"
+#include "xsharp/scene.hpp"
+
+namespace xsharp {
+
+/// Pixels from (left, top) up to, but not including, right and bottom.
+struct Rectangle {
+  std::int32_t left = 0;
+  std::int32_t top = 0;
+  std::int32_t right = 0;
+  std::int32_t bottom = 0;
+};
+
+/// What has been drawn since the beginning.
+struct DrawingCount {
+  std::int64_t polygons = 0;
+  std::int64_t pixels = 0;         ///< set by polygons on the page; one covered again counts again
+  std::int64_t erased_pixels = 0;  ///< set to the background before a picture was drawn
+};
+
+/// Shows pictures one after another, each as if on an empty page, but erases no more than where the
+/// page's last picture had its objects.
+template <PixelType Pixel>
+class Screen {
+ public:
+  /// Both pages empty: filled with `background`, an index of the palette.
+  /// @throws std::invalid_argument as Page does
+  Screen(std::int32_t width, std::int32_t height, PaletteKind palette, std::uint8_t background)
+      : palette_(palette),
+        background_(pixel_of<Pixel>(Paint{.index = background}, palette)),
+        pages_{Page<Pixel>(width, height), Page<Pixel>(width, height)} {
+    for (Page<Pixel>& page : pages_) page.clear(background_);
+  }
+
+  /// Draws the picture on the hidden page and flips.
+  /// @throws std::out_of_range if a polygon claims points that the picture does not have; nothing
+  ///         has been drawn then
+  void show(const Picture& picture) {
+    check(picture);
+    const std::size_t hidden = 1 - shown_;
+    erase(pages_.at(hidden), drawn_.at(hidden));
+    drawn_.at(hidden).clear();
+    for (const Polygon& polygon : picture.polygons) {
+      const auto points = picture.points_of(polygon);
+      remember(drawn_.at(hidden), polygon.object, points);
+      const auto pixel = pixel_of<Pixel>(polygon.paint, palette_);
+      count_.pixels += filler_.fill(pages_.at(hidden), points, pixel);
+    }
+    count_.polygons += static_cast<std::int64_t>(picture.polygons.size());
+    shown_ = hidden;
+  }
+
+  /// The last picture shown; another page after the next show().
+  [[nodiscard]] const Page<Pixel>& page() const { return pages_.at(shown_); }
+
+  [[nodiscard]] const DrawingCount& count() const { return count_; }
+
+ private:
+  struct Drawn {
+    std::uint32_t object = 0;
+    Rectangle extent{};
+  };
+
+  static void check(const Picture& picture) {
+    const std::size_t has = picture.points.size();
+    for (const Polygon& polygon : picture.polygons) {
+      if (polygon.first <= has && polygon.points <= has - polygon.first) continue;
+      throw std::out_of_range("a polygon of object " + std::to_string(polygon.object) + " has " +
+                              std::to_string(polygon.points) + " points from " +
+                              std::to_string(polygon.first) + ", the picture has " +
+                              std::to_string(has));
+    }
+  }
+
+  void erase(Page<Pixel>& page, const std::vector<Drawn>& drawn) {
+    for (const Drawn& object : drawn) {
+      const auto left = static_cast<std::size_t>(object.extent.left);
+      const auto width = static_cast<std::size_t>(object.extent.right - object.extent.left);
+      for (std::int32_t y = object.extent.top; y < object.extent.bottom; ++y) {
+        const std::span<Pixel> pixels = page.row(y).subspan(left, width);
+        std::fill(pixels.begin(), pixels.end(), background_);
+        count_.erased_pixels += static_cast<std::int64_t>(width);
+      }
+    }
+  }
+
+  /// Adds the polygon's extent to that of its object. An object whose polygons do not follow one
+  /// another has one rectangle for each run of them: no search, and no more is erased.
+  void remember(std::vector<Drawn>& drawn, std::uint32_t object,
+                std::span<const ScreenPoint> points) const {
+    const Rectangle extent = extent_of(points);
+    if (extent.left >= extent.right || extent.top >= extent.bottom) return;
+    if (drawn.empty() || drawn.back().object != object) {
+      drawn.push_back({object, extent});
+      return;
+    }
+    Rectangle& whole = drawn.back().extent;
+    whole = {std::min(whole.left, extent.left), std::min(whole.top, extent.top),
+             std::max(whole.right, extent.right), std::max(whole.bottom, extent.bottom)};
+  }
+
+  /// The part of the page from the least coordinates to the greatest. These are not of it: a
+  /// polygon has no pixels there.
+  [[nodiscard]] Rectangle extent_of(std::span<const ScreenPoint> points) const {
+    const std::int32_t width = pages_.front().width();
+    const std::int32_t height = pages_.front().height();
+    Rectangle extent{width, height, 0, 0};
+    for (const ScreenPoint& point : points) {
+      extent.left = std::min(extent.left, std::max(point.x, 0));
+      extent.top = std::min(extent.top, std::max(point.y, 0));
+      extent.right = std::max(extent.right, std::min(point.x, width));
+      extent.bottom = std::max(extent.bottom, std::min(point.y, height));
+    }
+    return extent;
+  }
+
+  PaletteKind palette_;
+  Pixel background_;
+  std::array<Page<Pixel>, 2> pages_;
+  std::array<std::vector<Drawn>, 2> drawn_{};
+  std::size_t shown_ = 0;
+  Filler filler_{};
+  DrawingCount count_{};
+};
+
+}  // namespace xsharp
