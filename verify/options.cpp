@@ -43,10 +43,10 @@ void VariantOptions::add_to(CLI::App& command, bool with_standard) {
   command.add_flag("--as-printed", as_printed,
                    "the roundings are the printed switches: see docs/findings.md, 1");
   command
-      .add_option_function<int>(
-          "--chapter", [this](int chapter) { chapter_52 = chapter == 52; },
+      .add_option_function<std::string>(
+          "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
           "which printing: 54, or 52 (386 only, always rounded)")
-      ->check(CLI::IsMember({52, 54}));
+      ->check(CLI::IsMember({"52", "54"}));
 }
 
 Variant VariantOptions::choose(Operation operation) const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/commands/program.hpp"
 #include "verify/commands/shown.hpp"
@@ -177,7 +178,7 @@ void add_trace(CLI::App& app, int& status) {
   options->program.add_to(*command);
   command->add_option("words", options->words, "operands, as for eval");
   command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
-      ->check(CLI::Range(1, 100'000));
+      ->transform(whole_number(1, 100'000));
   command->footer(
       "Flags are 0, 1 or ? where Intel leaves them undefined. [0054] is the word at that "
       "address.\n"

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <thread>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/engine.hpp"
 #include "verify/file.hpp"
@@ -176,36 +176,16 @@ int verify(const Options& options) {
   return report.complete() ? 0 : interrupted_status;
 }
 
-/// CLI11 takes -1 for the largest unsigned number.
-CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
-  return {[first, last](const std::string& text) {
-            std::uint64_t value = 0;
-            const char* end = text.data() + text.size();
-            const auto [read, error] = std::from_chars(text.data(), end, value);
-            const bool fits =
-                error == std::errc{} && read == end && value >= first && value <= last;
-            return fits ? ""
-                        : fmt::format("{} is no whole number from {} to {}", fixproof::quoted(text),
-                                      first, last);
-          },
-          "", "whole number"};
-}
-
-/// An option that is given says something: a script's empty variable is not taken for none.
-CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""};
-}
-
 void add_options(CLI::App& command, Options& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
                      "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64 (all)");
   command
       .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
-      ->check(CLI::Range(1, 3))
+      ->transform(whole_number(1, 3))
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of the random cases")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   selection.variant.add_to(command, true);
   command
@@ -214,13 +194,15 @@ void add_options(CLI::App& command, Options& options) {
           "full: 16.16; half: 8.8, where the routines run on 8-bit registers")
       ->check(CLI::IsMember({"full", "half"}));
   command.add_option("--by", selection.by, "the party that is judged, of those named below")
+      ->check(not_empty())
       ->capture_default_str();
   command
       .add_option("--against", selection.against,
                   "the parties it is judged against; by default oracle,fast,type")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(not_empty());
   command.add_option("--threads", options.threads, "of the run; by default one for each processor")
-      ->check(whole_number(1, 1024))
+      ->transform(whole_number(1, 1024))
       ->capture_default_str();
   auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
   auto* resume = command
@@ -230,7 +212,7 @@ void add_options(CLI::App& command, Options& options) {
   auto* report = command.add_option("--report", options.report, "write what was found as JSON")
                      ->check(not_empty());
   command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
-      ->check(whole_number(0, 1000))
+      ->transform(whole_number(0, 1000))
       ->capture_default_str();
   command.add_option("--case", options.words, "compare only this case: its words in hex")
       ->check(not_empty())
