@@ -54,12 +54,10 @@ int compare_case(const Options& options, std::span<const Row> rows) {
       said.emplace_back(name, answers.back().text(2 * row.variant.fraction_bits));
     }
     const bool equal = agree(answers);
-    if (row.compared() && !equal) status = 1;
+    if (!equal) status = 1;
     std::cout << fmt::format("{}: {} ({}): {}: {}\n", name_of(row.variant), options.words,
                              decimal_words(row.variant, words), grouped_answers(said),
-                             !row.compared() ? "not compared"
-                             : equal         ? "equal"
-                                             : "DIFFER");
+                             equal ? "equal" : "DIFFER");
   }
   return status;
 }
@@ -191,11 +189,12 @@ void add_options(CLI::App& command, Options& options) {
   command
       .add_option_function<std::string>(
           "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
-          "full: 16.16; half: 8.8, where the routines run on 8-bit registers")
+          "full: 16.16; half: 8.8, without cossin; the routines run on 8-bit registers")
       ->check(CLI::IsMember({"full", "half"}));
-  command.add_option("--by", selection.by, "the party that is judged, of those named below")
-      ->check(not_empty())
-      ->capture_default_str();
+  command
+      .add_option("--by", selection.by,
+                  "the party that is judged, of those named below; by default model")
+      ->check(not_empty());
   command
       .add_option("--against", selection.against,
                   "the parties it is judged against; by default oracle,fast,type")
@@ -236,12 +235,16 @@ void add_verify(CLI::App& app, int& status) {
       "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
       "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
       "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
-      "Options that name a rule leave out the rows that follow another.\n\n"
+      "Options that name a rule leave out the rows that follow another. A party that is named has "
+      "to\n"
+      "be there and to answer every row, or nothing is run: what is not compared as asked is no\n"
+      "success.\n\n"
       "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
       "end.\n\n"
       "Examples:\n"
       "  fixproof verify                                   # every row, in seconds\n"
       "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
+      "  fixproof verify --target both --against silicon   # every routine, on this processor\n"
       "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
       "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
       "  fixproof verify div --case '00010000 00000003'    # who says what of one case");
