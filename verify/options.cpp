@@ -11,20 +11,23 @@ namespace fixproof {
 namespace {
 
 const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
-const std::map<std::string, Target> targets{{"i386", Target::i386}, {"i8088", Target::i8088}};
-const std::map<std::string, Target> targets_and_standard{
-    {"i386", Target::i386}, {"i8088", Target::i8088}, {"standard", Target::standard}};
+using Targets = std::map<std::string, std::vector<Target>>;
+const Targets targets_of_programs{{"i386", {Target::i386}}, {"i8088", {Target::i8088}}};
+const Targets targets_of_rows{{"i386", {Target::i386}},
+                              {"i8088", {Target::i8088}},
+                              {"both", {Target::i386, Target::i8088}},
+                              {"standard", {Target::standard}}};
 
 }  // namespace
 
-void VariantOptions::add_to(CLI::App& command, bool with_standard) {
+void VariantOptions::add_to(CLI::App& command, bool of_rows) {
   const auto named = [](const auto& names) { return CLI::IsMember(&names); };
   command
       .add_option_function<std::string>(
-          "--target", [this](const std::string& t) { target = targets_and_standard.at(t); },
-          with_standard ? "whose rules: i386, i8088 or standard (those of the type)"
-                        : "which half of the listing: i386 or i8088")
-      ->check(named(with_standard ? targets_and_standard : targets));
+          "--target", [this](const std::string& t) { targets = targets_of_rows.at(t); },
+          of_rows ? "whose rules: i386, i8088, both of these, or standard (those of the type)"
+                  : "which half of the listing: i386 or i8088")
+      ->check(named(of_rows ? targets_of_rows : targets_of_programs));
   command
       .add_option_function<std::string>(
           "--round", [this](const std::string& r) { mul_round = div_round = on_off.at(r); },
@@ -43,14 +46,14 @@ void VariantOptions::add_to(CLI::App& command, bool with_standard) {
   command.add_flag("--as-printed", as_printed,
                    "the roundings are the printed switches: see docs/findings.md, 1");
   command
-      .add_option_function<int>(
-          "--chapter", [this](int chapter) { chapter_52 = chapter == 52; },
+      .add_option_function<std::string>(
+          "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
           "which printing: 54, or 52 (386 only, always rounded)")
-      ->check(CLI::IsMember({52, 54}));
+      ->check(CLI::IsMember({"52", "54"}));
 }
 
 Variant VariantOptions::choose(Operation operation) const {
-  Variant v{.operation = operation, .target = target.value_or(Target::i386)};
+  Variant v{.operation = operation, .target = targets.empty() ? Target::i386 : targets.front()};
   v.mul_round = mul_round.value_or(true);
   // The listings of chapter 54 print rounded multiplies and unrounded divides; chapter 52 has no
   // switch.

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "verify/variant.hpp"
 
@@ -12,15 +13,16 @@ namespace fixproof {
 
 /// What was given on the command line to choose a variant; what was not given is empty.
 struct VariantOptions {
-  std::optional<Target> target;
+  std::vector<Target> targets;
   std::optional<bool> mul_round;
   std::optional<bool> div_round;
   bool chapter_52 = false;
   bool as_printed = false;
 
   /// Adds --target, --round, --mul-round, --div-round, --as-printed and --chapter to a command.
-  /// `with_standard`: whether the rules of the type may be chosen as target too.
-  void add_to(CLI::App& command, bool with_standard = false);
+  /// `of_rows`: whether rows are chosen, so that the target may be both processors too, or the
+  /// rules of the type.
+  void add_to(CLI::App& command, bool of_rows = false);
 
   /// The variant of `operation` that was chosen. The target defaults to i386; both roundings to on,
   /// or with --as-printed to what the listings print (multiply on, divide off).

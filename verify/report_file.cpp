@@ -15,6 +15,9 @@ Report read_report(const std::string& path) {
   try {
     Report report = from_json(text);
     for (const Row& row : report.plan.rows()) {
+      if (!row.compared()) {
+        throw std::runtime_error(fmt::format("{} is not compared", name_of(row.variant)));
+      }
       for (const std::string& name : row.parties) {
         if (!party_named(name).answers(row.variant)) {
           throw std::runtime_error(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 
 namespace fixproof {
@@ -31,7 +32,8 @@ bool fits(const Selection& selection, const std::vector<Operation>& operations, 
   const VariantOptions& options = selection.variant;
   return (operations.empty() ||
           std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
-         (!options.target || *options.target == v.target) &&
+         (options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
+                                               v.target) != options.targets.end()) &&
          (!selection.chapter_given || options.chapter_52 == v.chapter_52) &&
          rounding_fits(options, v);
 }
@@ -39,7 +41,7 @@ bool fits(const Selection& selection, const std::vector<Operation>& operations, 
 }  // namespace
 
 std::vector<const Party*> chosen_parties(const Selection& selection) {
-  std::vector<std::string> names{selection.by};
+  std::vector<std::string> names{selection.by.empty() ? "model" : selection.by};
   if (!selection.against.empty()) {
     names.insert(names.end(), selection.against.begin(), selection.against.end());
   } else if (selection.level == 3) {
@@ -54,7 +56,7 @@ std::vector<const Party*> chosen_parties(const Selection& selection) {
   }
   if (chosen.size() < 2) {
     throw UsageError(
-        fmt::format("'{}' alone cannot be compared: give --against another", selection.by));
+        fmt::format("'{}' alone cannot be compared: give --against another", names.front()));
   }
   return chosen;
 }
@@ -67,20 +69,44 @@ std::vector<Variant> chosen_variants(const Selection& selection) {
   return variants;
 }
 
+namespace {
+
+/// A row that is not compared as it was asked for would be taken for one that is equal, were it
+/// passed over.
+[[noreturn]] void refuse(const Row& row, std::string_view reason) {
+  throw UsageError(fmt::format("{}: {}; choose rows (--target, the operations) or other parties",
+                               name_of(row.variant), reason));
+}
+
+void refuse_without(const std::string& party, std::span<const Row> rows) {
+  for (const Row& row : rows) {
+    if (std::find(row.parties.begin(), row.parties.end(), party) != row.parties.end()) continue;
+    refuse(row, fmt::format("{} does not answer", party));
+  }
+}
+
+}  // namespace
+
 std::vector<Row> chosen_rows(const Selection& selection, std::span<const Party* const> parties) {
   std::vector<Row> rows;
   for (const Variant& listed : chosen_variants(selection)) {
     auto variant = at_level(selection.level, listed);
     if (!variant) continue;
-    if (selection.half_width) variant->fraction_bits = 8;
+    if (selection.half_width) {
+      // The table has no cosines of 8.8, and so nobody has.
+      if (variant->operation == Operation::cossin) continue;
+      variant->fraction_bits = 8;
+    }
     rows.push_back(row_of(*variant, parties));
   }
   if (rows.empty()) {
     throw UsageError(
         fmt::format("level {} has no row for these operations and options", selection.level));
   }
-  if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.compared(); })) {
-    throw UsageError("nothing to compare: of these parties no two answer the same row");
+  if (!selection.by.empty()) refuse_without(selection.by, rows);
+  for (const std::string& party : selection.against) refuse_without(party, rows);
+  for (const Row& row : rows) {
+    if (!row.compared()) refuse(row, "nothing to compare, fewer than two of the parties answer");
   }
   return rows;
 }

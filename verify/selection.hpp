@@ -20,7 +20,7 @@ struct Selection {
   bool chapter_given = false;
   bool half_width = false;
   int level = 1;
-  std::string by = "model";
+  std::string by;                    ///< empty: model
   std::vector<std::string> against;  ///< none: the usual ones of the level
 };
 
@@ -32,8 +32,9 @@ std::vector<const Party*> chosen_parties(const Selection& selection);
 /// @throws std::invalid_argument for a name that no operation has
 std::vector<Variant> chosen_variants(const Selection& selection);
 
-/// The rows, in the order of the verification table.
-/// @throws UsageError if none fits, or none can be compared by these parties;
+/// The rows, in the order of the verification table. Parties that nobody has named are left out of
+/// rows that they do not answer.
+/// @throws UsageError if none fits, or a party that was named does not answer one;
 /// std::invalid_argument for a name that no operation has
 std::vector<Row> chosen_rows(const Selection& selection, std::span<const Party* const> parties);
 

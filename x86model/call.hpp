@@ -79,6 +79,17 @@ X86MODEL_INLINE void load_cosine_table(M& m) {
   }
 }
 
+/// Puts words that count up from `junk` where results in memory are to come: a routine that does
+/// not write one is not to be right by chance.
+template <Routine routine, class M>
+X86MODEL_INLINE void spoil_results(M& m, std::uint32_t junk) {
+  if constexpr (routine == Routine::mul || routine == Routine::div) return;
+  for (int i = 0; i < arity(routine).out; ++i) {
+    detail::store(m, detail::data + (arity(routine).in + i) * detail::bytes_of_value,
+                  junk + static_cast<std::uint32_t>(i));
+  }
+}
+
 /// Fills the registers, and the place of the results, with what some caller has left there: no
 /// routine may depend on it. Different operands find different words.
 template <Routine routine, class M>
@@ -89,11 +100,7 @@ X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
     m.registers.write(static_cast<Register>(r), Size::dword, word);
     word = word * 0x85EBCA6BU + 0xC2B2AE35U;
   }
-  if constexpr (routine == Routine::mul || routine == Routine::div) return;
-  for (int i = 0; i < arity(routine).out; ++i) {
-    detail::store(m, detail::data + (arity(routine).in + i) * detail::bytes_of_value,
-                  word + static_cast<std::uint32_t>(i));
-  }
+  spoil_results<routine>(m, word);
 }
 
 /// Sets up the stack and the operands as a C caller of `routine` does, last argument first.

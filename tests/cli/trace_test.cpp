@@ -1,4 +1,5 @@
 // `fixproof trace`: what the lines say, worked out by hand. Addresses of the stack are the model's.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -98,6 +99,33 @@ TEST(Trace, LinesEndWithoutSpaces) {
   for (const std::string& line : trace("div 00018000 00028000 --target i8088")) {
     EXPECT_NE(line.back(), ' ') << line;
   }
+}
+
+/// The last two lines of the trace of a mutant, which has to be the one with that change.
+std::string end_of_mutant(const std::string& arguments, int number, std::string_view change) {
+  const auto lines = trace(fmt::format("{} --mutant {}", arguments, number));
+  EXPECT_EQ(lines.front(), fmt::format("mutant {}: {}", number, change));
+  return lines.at(lines.size() - 2) + '\n' + lines.back();
+}
+
+TEST(Trace, SaysWhatAMutantDoesNotKeep) {
+  const std::string mul = "mul 00018000 00028000";
+  // The caller's BP comes back in SI: both are lost, and the result is right.
+  EXPECT_EQ(end_of_mutant(mul, 50, "7 pop bp -> pop si"),
+            trace(mul).back() + "\nbreaks down: does not keep si, bp");
+  // The caller's DI comes back in BP, which is restored after it.
+  const std::string on_8088 = mul + " --target i8088";
+  EXPECT_EQ(end_of_mutant(on_8088, 277, "46 pop di -> pop bp"),
+            trace(on_8088).back() + "\nbreaks down: does not keep di");
+  // Writes to the transform where it should read it.
+  std::string point = "xformvec";
+  for (int i = 0; i < 15; ++i) point += " 00010000";
+  EXPECT_NE(end_of_mutant(point, 44, "7 mov eax, [si] -> mov [si], eax")
+                .find("\nbreaks down: does not keep operand 1"),
+            std::string::npos);
+  // What only rounds the wrong way, down instead of up, keeps all.
+  EXPECT_EQ(end_of_mutant(mul, 27, "4 add eax, 0x8000 -> sub eax, 0x8000").find("breaks down"),
+            std::string::npos);
 }
 
 TEST(Trace, CountsAndChecksItsWords) {

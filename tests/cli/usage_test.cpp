@@ -1,4 +1,5 @@
 // The command line itself: what is no usage ends with status 2 and one line on stderr.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -70,6 +71,27 @@ TEST(Usage, UnknownValues) {
   expect_usage_error("list div --round off --as-scanned", "--as-scanned");
   expect_usage_error("step --cpu 286", "286");
   expect_usage_error("eval mul --target", "--target");
+}
+
+TEST(Usage, NumbersAreDecimal) {
+  // As octal 010 would be 8, 09 nothing and 064 the 52 of a chapter.
+  for (const std::string_view number : {"010", "10"}) {
+    const auto run = cli::fixproof("trace mul 00018000 00028000 --mutant " + std::string(number));
+    EXPECT_EQ(run.out.rfind("mutant 10: ", 0), 0U) << run.out;
+  }
+  const auto heading = [](std::string_view options) {
+    const std::string out = cli::fixproof("verify cossin " + std::string(options)).out;
+    return out.substr(0, out.find(':'));
+  };
+  EXPECT_EQ(heading("--seed 09 --threads 01 --level 01"), "Level 1, seed 9, 1 thread");
+  EXPECT_EQ(heading("--seed 010 --threads 002"), "Level 1, seed 10, 2 threads");
+  expect_usage_error("eval mul --chapter 064", "064");
+  for (const std::string_view wrong : {"0x10", "-1", "+1", "1.0", "1e1", "0", "100001"}) {
+    expect_usage_error(fmt::format("trace mul 00018000 00028000 --mutant={}", wrong), "--mutant");
+    expect_usage_error(fmt::format("prove mul --timeout={}", wrong), "--timeout");
+    expect_usage_error(fmt::format("mutate mul --threads={}", wrong), "--threads");
+  }
+  expect_usage_error("mutate mul --seed=-1", "--seed");
 }
 
 TEST(Usage, HelpIsNoError) {

@@ -91,7 +91,7 @@ class Lockstep {
   std::string difference(std::span<const std::uint32_t> in) {
     const Frame frame = frame_of(key_.routine);
     SegmentMachine m(emulator_.memory());
-    scramble(m, cases_);
+    scramble(m, frame, cases_);
     Draw random(1981, cases_++);
     const History model = history_of(key_, m.registers, in);
     frame.enter(m, in);

@@ -159,11 +159,35 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
         cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
     EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
   }
+  // XOR ESI,10000h and RET, then the same of EBP and of EDI: only the upper half is lost.
+  for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xF5, 0xF7}) {
+    const std::array<std::uint8_t, 8> code{0x66, 0x81, registers, 0x00, 0x00, 0x01, 0x00, 0xC3};
+    const Answers said = answers_of(
+        cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
+    EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+  }
   // RET 2: the arguments are the caller's to drop.
   const std::array<std::uint8_t, 3> ret_2{0xC2, 0x02, 0x00};
   const Answers said = answers_of(
       cases, [&](const Batch& batch) { GetParam().answer(ret_2, x86model::Routine::mul, batch); });
   EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+}
+
+TEST_P(MachineParty, SeesThatARoutineDoesNotWriteItsResults) {
+  // RET. What memory held before may be the right answer: that of the case before, or zeros.
+  const std::array<std::uint8_t, 1> code{0xC3};
+  for (const Operation operation : {Operation::cossin, Operation::xformvec, Operation::concat}) {
+    const Variant v{.operation = operation};
+    Cases zeros(v);
+    zeros.words.resize(10 * words_in(operation));
+    const Answers right = answers_of(zeros, find(GetParam().name));
+    const Answers said = answers_of(
+        zeros, [&](const Batch& batch) { GetParam().answer(code, key_of(v).routine, batch); });
+    for (std::size_t i = 0; i < said.out.size(); ++i) {
+      ASSERT_EQ(said.endings[i / words_out(operation)], Ending::value);
+      ASSERT_NE(said.out[i], right.out[i]) << name_of(v) << ", word " << i;
+    }
+  }
 }
 
 TEST_P(MachineParty, EndsInAFaultForCodeThatIsNone) {

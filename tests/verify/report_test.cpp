@@ -4,11 +4,14 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include "tests/verify/saboteur.hpp"
 #include "verify/draw.hpp"
+#include "verify/file.hpp"
+#include "verify/report_file.hpp"
 #include "verify/report_json.hpp"
 
 namespace fixproof {
@@ -166,6 +169,23 @@ TEST(Reports, DifferencesAreNamed) {
   rows = report.plan.rows();
   rows[2].variant.div_round = true;
   EXPECT_EQ(difference(report, Report(Plan(1, 5, rows), Shard{}, 3)), "another variant in row 3");
+}
+
+TEST(Reports, WithARowThatNobodyComparesAreNotRead) {
+  const std::string file = testing::TempDir() + "fixproof_report_test.json";
+  const auto read = [&](std::vector<std::string> parties) {
+    const Plan plan(1, 5, {{mul, {"model", "fast"}}, {cossin, std::move(parties)}});
+    replace_file(file, to_json(Report(plan, Shard{}, 3)));
+    try {
+      return "read " + std::to_string(read_report(file).plan.rows().size());
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(read({"model", "oracle"}), "read 2");
+  EXPECT_EQ(read({"oracle"}), file + ": cossin i386 on is not compared");
+  EXPECT_EQ(read({}), file + ": cossin i386 on is not compared");
+  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/commands/program.hpp"
 #include "verify/file.hpp"
@@ -41,7 +42,7 @@ void add_dos(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("dos", "write a DOS program that calls a routine");
   options->program.add_to(*command);
   command->add_option("-o,--output", options->file, "the file; by default standard output")
-      ->check([](const std::string& text) { return text.empty() ? "an empty text" : ""; });
+      ->check(not_empty());
   command->footer(
       "The program, a .COM file for any DOS, reads lines of operands and writes a line of results\n"
       "for each, as `fixproof eval` does; DE is a divide error. A routine for the 8088 needs no "

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/file.hpp"
 #include "verify/report_file.hpp"
@@ -38,7 +39,8 @@ void add_merge(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("merge", "add the reports of shards of one verification");
   command->add_option("reports", options->files, "files written by verify --report")->required();
-  command->add_option("--report", options->report, "write the sum to this file, as verify does");
+  command->add_option("--report", options->report, "write the sum to this file, as verify does")
+      ->check(not_empty());
   command->footer(
       "The parts must be of the same verification (level, seed, rows, parties) and have no chunk "
       "in\n"

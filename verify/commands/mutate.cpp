@@ -4,10 +4,12 @@
 #include <atomic>
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/mutation/kill.hpp"
@@ -192,15 +194,18 @@ void add_mutate(CLI::App& app, int& status) {
   command->add_option("operations", options->selection.operations,
                       "mul, div, cossin, xformvec, concat; none: all");
   options->selection.variant.add_to(*command);
-  command->add_option("--seed", options->seed, "of the random cases")->capture_default_str();
+  command->add_option("--seed", options->seed, "of the random cases")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command->add_option("--solver", options->solver, "z3 or cvc5, which tells what is equivalent")
+      ->check(not_empty())
       ->capture_default_str();
   command->add_option("--timeout", options->seconds, "seconds that one question may take")
-      ->check(CLI::Range(1, 86'400))
+      ->transform(whole_number(1, 86'400))
       ->capture_default_str();
   command
       ->add_option("--threads", options->threads, "of the run; by default one for each processor")
-      ->check(CLI::Range(1, 1024));
+      ->transform(whole_number(1, 1024));
   command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
   command->footer(
       "Every single instruction of every routine is changed in every way that "

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/file.hpp"
 #include "verify/mutation/kill.hpp"
@@ -165,19 +166,19 @@ void add_prove(CLI::App& app, int& status) {
                       "mul, div, cossin, xformvec, concat; none: all");
   options->selection.variant.add_to(*command);
   command->add_option("--solver", options->solver, "z3 or cvc5, from the PATH")
+      ->check(not_empty())
       ->capture_default_str();
   command->add_option("--timeout", options->seconds, "seconds that one question may take")
-      ->check(CLI::Range(1, 86'400))
+      ->transform(whole_number(1, 86'400))
       ->capture_default_str();
   command
       ->add_option("--write", options->directory,
                    "ask nothing: write the questions into this folder, for any solver")
-      ->check(CLI::Validator(
-          [](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""));
+      ->check(not_empty());
   command
       ->add_option("--mutant", options->mutant,
                    "of one routine: with that mistake in it, see mutate")
-      ->check(CLI::Range(1, 100'000));
+      ->transform(whole_number(1, 100'000));
   command->footer(
       "Each routine is run symbolically on all its paths: it must return what the specification\n"
       "says, fault exactly where it says, read no undefined flag, stay in its memory, and keep "

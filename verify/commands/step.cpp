@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/commands/lines.hpp"
 #include "verify/commands/shown.hpp"
@@ -164,8 +165,10 @@ void add_step(CLI::App& app, int& status) {
   command->add_option("--cpu", *cpu, "8088 or 386")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();
-  command->add_option("--singlestep", *files,
-                      "judge cases of these files in place of lines: JSON, plain or gzip");
+  command
+      ->add_option("--singlestep", *files,
+                   "judge cases of these files in place of lines: JSON, plain or gzip")
+      ->check(not_empty());
   command->footer(
       "A line is an instruction and all registers; the answer is the state after it, then the "
       "flags\n"

@@ -6,11 +6,13 @@
 #include <memory>
 #include <vector>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/commands/program.hpp"
 #include "verify/commands/shown.hpp"
 #include "verify/hex.hpp"
 #include "verify/mutation/kill.hpp"
+#include "verify/parties/not_kept.hpp"
 #include "verify/usage_error.hpp"
 #include "x86model/call.hpp"
 #include "x86model/text.hpp"
@@ -81,17 +83,26 @@ std::string decimal(std::uint32_t word) {
   return fmt::format("{}", static_cast<double>(static_cast<std::int32_t>(word)) / 65536.0);
 }
 
+/// A program to follow, and what it is called with.
+struct Traced {
+  ProgramKey key;
+  x86::Program program;
+  std::string mistake;  ///< of a mutant; empty: none
+  std::vector<std::uint32_t> in;
+};
+
 template <x86::Routine routine>
-void trace(const x86::Program& program, x86::Target target, bool with_junk,
-           std::span<const std::uint32_t> in) {
-  const auto code = program.instructions();
+void trace(const Traced& traced) {
+  const auto code = traced.program.instructions();
   x86::CallMachine<routine, 16> machine;
   if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(machine);
-  if (with_junk) x86::leave_junk<routine>(machine, in);
-  x86::enter<routine>(machine, in);
-  const auto size = target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
+  // A mistake may show only where registers hold what a caller has left; else zeros read better.
+  if (!traced.mistake.empty()) x86::leave_junk<routine>(machine, traced.in);
+  x86::enter<routine>(machine, traced.in);
+  const auto size = traced.key.target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
 
   fmt::print("   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
+  const auto entered = machine.registers;
   auto before = machine;
   const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {
     fmt::print("{:4}  {:<30}{}{}\n", at, x86::text_of(code[at]), flag_columns(after.flags),
@@ -113,44 +124,46 @@ void trace(const x86::Program& program, x86::Target target, bool with_junk,
   fmt::print("{} instructions; result", ending.steps);
   for (const std::uint32_t word : given) fmt::print(" {:08x} ({})", word, decimal(word));
   fmt::print("\n");
+  const std::string lost = not_kept<routine>(entered, machine, traced.in);
+  if (!lost.empty()) fmt::print("breaks down: does not keep {}\n", lost);
 }
 
 int run(const Options& options) {
-  const ProgramKey chosen = options.program.choose();
-  const auto wanted = static_cast<std::size_t>(x86::arity(chosen.routine).in);
+  Traced traced;
+  traced.key = options.program.choose();
+  const ProgramKey& key = traced.key;
+  const auto wanted = static_cast<std::size_t>(x86::arity(key.routine).in);
   if (options.words.size() != wanted) {
     throw UsageError(fmt::format("{} takes {} words, not {}", options.program.operation, wanted,
                                  options.words.size()));
   }
-  std::vector<std::uint32_t> in;
-  const std::size_t digits = chosen.routine == x86::Routine::cossin ? 4 : 8;
-  for (const std::string& word : options.words) in.push_back(parse_hex(word, digits));
-  x86::Program program = x86::assemble(x86::listing(chosen.routine, chosen.target), chosen.build);
+  const std::size_t digits = key.routine == x86::Routine::cossin ? 4 : 8;
+  for (const std::string& word : options.words) traced.in.push_back(parse_hex(word, digits));
+  traced.program = x86::assemble(x86::listing(key.routine, key.target), key.build);
   if (options.mutant != 0) {
     if (options.program.as_scanned) throw UsageError("--mutant excludes --as-scanned");
     const Variant v = options.program.variant.choose(operation_named(options.program.operation));
     const x86::Mutant mutant = mutant_of(v, options.mutant);
     fmt::print("mutant {}: {}\n", options.mutant, mutant.change);
-    program = mutant.program;
+    traced.program = mutant.program;
+    traced.mistake = mutant.change;
   }
-  // A mistake may show only where registers hold what a caller has left; else zeros read better.
-  const bool with_junk = options.mutant != 0;
   using enum x86::Routine;
-  switch (chosen.routine) {
+  switch (key.routine) {
     case mul:
-      trace<mul>(program, chosen.target, with_junk, in);
+      trace<mul>(traced);
       break;
     case div:
-      trace<div>(program, chosen.target, with_junk, in);
+      trace<div>(traced);
       break;
     case cossin:
-      trace<cossin>(program, chosen.target, with_junk, in);
+      trace<cossin>(traced);
       break;
     case xformvec:
-      trace<xformvec>(program, chosen.target, with_junk, in);
+      trace<xformvec>(traced);
       break;
     case concat:
-      trace<concat>(program, chosen.target, with_junk, in);
+      trace<concat>(traced);
       break;
   }
   return 0;
@@ -165,10 +178,12 @@ void add_trace(CLI::App& app, int& status) {
   options->program.add_to(*command);
   command->add_option("words", options->words, "operands, as for eval");
   command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
-      ->check(CLI::Range(1, 100'000));
+      ->transform(whole_number(1, 100'000));
   command->footer(
       "Flags are 0, 1 or ? where Intel leaves them undefined. [0054] is the word at that "
-      "address.\n\n"
+      "address.\n"
+      "With --mutant registers begin full of noise, and a last line says what of a C caller is "
+      "lost.\n\n"
       "Examples:\n"
       "  fixproof trace mul 00018000 00028000\n"
       "  fixproof trace div 00010000 00008000 --target i8088\n"

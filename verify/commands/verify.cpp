@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <thread>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/engine.hpp"
 #include "verify/file.hpp"
@@ -54,12 +54,10 @@ int compare_case(const Options& options, std::span<const Row> rows) {
       said.emplace_back(name, answers.back().text(2 * row.variant.fraction_bits));
     }
     const bool equal = agree(answers);
-    if (row.compared() && !equal) status = 1;
+    if (!equal) status = 1;
     std::cout << fmt::format("{}: {} ({}): {}: {}\n", name_of(row.variant), options.words,
                              decimal_words(row.variant, words), grouped_answers(said),
-                             !row.compared() ? "not compared"
-                             : equal         ? "equal"
-                                             : "DIFFER");
+                             equal ? "equal" : "DIFFER");
   }
   return status;
 }
@@ -176,51 +174,34 @@ int verify(const Options& options) {
   return report.complete() ? 0 : interrupted_status;
 }
 
-/// CLI11 takes -1 for the largest unsigned number.
-CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
-  return {[first, last](const std::string& text) {
-            std::uint64_t value = 0;
-            const char* end = text.data() + text.size();
-            const auto [read, error] = std::from_chars(text.data(), end, value);
-            const bool fits =
-                error == std::errc{} && read == end && value >= first && value <= last;
-            return fits ? ""
-                        : fmt::format("{} is no whole number from {} to {}", fixproof::quoted(text),
-                                      first, last);
-          },
-          "", "whole number"};
-}
-
-/// An option that is given says something: a script's empty variable is not taken for none.
-CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""};
-}
-
 void add_options(CLI::App& command, Options& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
                      "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64 (all)");
   command
       .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
-      ->check(CLI::Range(1, 3))
+      ->transform(whole_number(1, 3))
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of the random cases")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   selection.variant.add_to(command, true);
   command
       .add_option_function<std::string>(
           "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
-          "full: 16.16; half: 8.8, where the routines run on 8-bit registers")
+          "full: 16.16; half: 8.8, without cossin; the routines run on 8-bit registers")
       ->check(CLI::IsMember({"full", "half"}));
-  command.add_option("--by", selection.by, "the party that is judged, of those named below")
-      ->capture_default_str();
+  command
+      .add_option("--by", selection.by,
+                  "the party that is judged, of those named below; by default model")
+      ->check(not_empty());
   command
       .add_option("--against", selection.against,
                   "the parties it is judged against; by default oracle,fast,type")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(not_empty());
   command.add_option("--threads", options.threads, "of the run; by default one for each processor")
-      ->check(whole_number(1, 1024))
+      ->transform(whole_number(1, 1024))
       ->capture_default_str();
   auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
   auto* resume = command
@@ -230,7 +211,7 @@ void add_options(CLI::App& command, Options& options) {
   auto* report = command.add_option("--report", options.report, "write what was found as JSON")
                      ->check(not_empty());
   command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
-      ->check(whole_number(0, 1000))
+      ->transform(whole_number(0, 1000))
       ->capture_default_str();
   command.add_option("--case", options.words, "compare only this case: its words in hex")
       ->check(not_empty())
@@ -254,12 +235,16 @@ void add_verify(CLI::App& app, int& status) {
       "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
       "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
       "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
-      "Options that name a rule leave out the rows that follow another.\n\n"
+      "Options that name a rule leave out the rows that follow another. A party that is named has "
+      "to\n"
+      "be there and to answer every row, or nothing is run: what is not compared as asked is no\n"
+      "success.\n\n"
       "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
       "end.\n\n"
       "Examples:\n"
       "  fixproof verify                                   # every row, in seconds\n"
       "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
+      "  fixproof verify --target both --against silicon   # every routine, on this processor\n"
       "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
       "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
       "  fixproof verify div --case '00010000 00000003'    # who says what of one case");

@@ -38,7 +38,8 @@ class Emulator {
   ~Emulator();
 
   /// Makes all these calls. The emulated caller loops, for entering and leaving the emulator takes
-  /// far longer than a call; only a fault ends the loop, and it is begun again.
+  /// far longer than a call; only a fault ends the loop, and it is begun again. A call may take any
+  /// number of instructions: only this project's listings run here, and all of them end.
   void run(const Calls& calls);
 
   /// What is done between two instructions, given the machine with the offset of the next one.

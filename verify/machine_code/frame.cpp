@@ -14,9 +14,8 @@ using x86model::Size;
 template <Routine routine>
 constexpr Frame frame{
     [](SegmentMachine& m, std::span<const std::uint32_t> in) { x86model::enter<routine>(m, in); },
-    [](const SegmentMachine& m, std::span<std::uint32_t> out) {
-      x86model::leave<routine>(m, out);
-    }};
+    [](const SegmentMachine& m, std::span<std::uint32_t> out) { x86model::leave<routine>(m, out); },
+    [](SegmentMachine& m, std::uint32_t junk) { x86model::spoil_results<routine>(m, junk); }};
 
 }  // namespace
 
@@ -36,7 +35,7 @@ Frame frame_of(Routine routine) {
   return frame<Routine::concat>;
 }
 
-void scramble(SegmentMachine& m, std::uint64_t call) {
+void scramble(SegmentMachine& m, const Frame& frame, std::uint64_t call) {
   Draw draw(386, call);
   const std::uint32_t sp = m.registers.read(Register::sp, Size::word);
   for (std::size_t r = 0; r < x86model::register_count; ++r) {
@@ -45,16 +44,14 @@ void scramble(SegmentMachine& m, std::uint64_t call) {
   }
   m.registers.write(Register::sp, Size::word, sp);
   m.flags = {static_cast<std::uint16_t>(draw.bits() & x86model::arithmetic_flags), 0};
+  frame.spoil_results(m, static_cast<std::uint32_t>(draw.bits()));
 }
 
 bool kept_for_caller(const x86model::Registers<16>& entered, const x86model::Registers<16>& left) {
-  const auto word = [](const x86model::Registers<16>& registers, Register r) {
-    return registers.read(r, Size::word);
-  };
   for (const Register kept : {Register::bp, Register::si, Register::di}) {
-    if (word(left, kept) != word(entered, kept)) return false;
+    if (left.read(kept, Size::dword) != entered.read(kept, Size::dword)) return false;
   }
-  return word(left, Register::sp) == word(entered, Register::sp) + 2;
+  return left.read(Register::sp, Size::word) == entered.read(Register::sp, Size::word) + 2;
 }
 
 }  // namespace fixproof

@@ -48,7 +48,8 @@ class Processor {
 
     /// Calls what stands at code_origin with the registers and flags of `m`, whose SP stands at the
     /// return address as enter() has left it. Afterwards `m` has the registers that the routine
-    /// left, and unless it returned, those of the fault; flags are unspecified.
+    /// left, and unless it returned, those of the fault; flags are unspecified. Waits for the
+    /// routine however long it takes: only this project's listings run here, and all of them end.
     [[nodiscard]] CallEnding call(SegmentMachine& m) const;
 
    private:

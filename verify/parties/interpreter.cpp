@@ -1,10 +1,11 @@
 #include "verify/parties/interpreter.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
 #include "verify/machine_code/machine_code.hpp"
+#include "verify/parties/not_kept.hpp"
+#include "verify/parties/outcome.hpp"
 #include "verify/parties/parties.hpp"
 #include "x86model/call.hpp"
 
@@ -14,54 +15,16 @@ namespace {
 
 namespace x86 = x86model;
 
-Ending ending_of(x86::Outcome outcome) {
-  switch (outcome) {
-    case x86::Outcome::returned:
-      return Ending::value;
-    case x86::Outcome::divide_error:
-      return Ending::divide_error;
-    case x86::Outcome::undefined_flag:
-      return Ending::undefined_flag;
-    default:
-      return Ending::broken;
-  }
-}
-
-/// What a C caller counts on finding again.
-template <class M>
-std::array<std::uint32_t, 3> kept_registers(const M& m) {
-  using enum x86::Register;
-  return {m.registers.read(si, x86::Size::dword), m.registers.read(di, x86::Size::dword),
-          m.registers.read(bp, x86::Size::dword)};
-}
-
-/// Whether a transform has left its operands as they were. The divides need not: see finding 11.
-template <x86::Routine routine, class M>
-bool kept_operands(const M& m, std::span<const std::uint32_t> in) {
-  if constexpr (routine == x86::Routine::xformvec || routine == x86::Routine::concat) {
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      const auto at = static_cast<std::int32_t>(i) * x86::detail::bytes_of_value;
-      if (x86::detail::load(m, x86::detail::data + at) != in[i]) return false;
-    }
-  }
-  return true;
-}
-
 template <x86::Routine routine, int word_bits>
 Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, word_bits>& m,
               std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
-  constexpr auto low_bits = x86::alu::mask(word_bits);
   x86::leave_junk<routine>(m, in);
   x86::enter<routine>(m, in);
-  const auto before = kept_registers(m);
-  const std::uint32_t top = m.registers.read(x86::Register::sp, x86::Size::word);
+  const auto entered = m.registers;
   const Ending ending = ending_of(x86::run(code, m).outcome);
   x86::leave<routine>(m, out);
-  const bool balanced =
-      m.registers.read(x86::Register::sp, x86::Size::word) == ((top + word_bits / 8) & low_bits);
   if (ending != Ending::value) return ending;
-  const bool kept = balanced && kept_registers(m) == before && kept_operands<routine>(m, in);
-  return kept ? Ending::value : Ending::broken;
+  return not_kept<routine>(entered, m, in).empty() ? Ending::value : Ending::broken;
 }
 
 template <x86::Routine routine, int word_bits>

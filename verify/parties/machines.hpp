@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "verify/machine_code/call_ending.hpp"
 #include "verify/party.hpp"
 #include "x86model/routine.hpp"
 
@@ -14,10 +13,10 @@ namespace fixproof {
 /// Whether there is machine code for a variant in this build.
 bool has_machine_code(const Variant& variant);
 
-Ending ending_of(CallEnding ending);
-
-/// Answers a batch by calls of `code`, which stands in for the routine. Processor::absence(), or
-/// Emulator::absence(), has to be empty.
+/// Answers a batch by calls of `code`, which stands in for the routine: a listing of this project,
+/// or what a test makes of one. Nothing limits how long a call may take, so that code which does
+/// not end is not to be given: the listings end, on every path that there is (`fixproof prove`).
+/// Processor::absence(), or Emulator::absence(), has to be empty.
 void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
                        const Batch& batch);
 void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine routine,

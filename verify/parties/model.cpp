@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "verify/parties/outcome.hpp"
 #include "verify/parties/parties.hpp"
 #include "x86model/call.hpp"
 
@@ -11,19 +12,6 @@ namespace fixproof {
 namespace {
 
 namespace x86 = x86model;
-
-Ending ending_of(x86::Outcome outcome) {
-  switch (outcome) {
-    case x86::Outcome::returned:
-      return Ending::value;
-    case x86::Outcome::divide_error:
-      return Ending::divide_error;
-    case x86::Outcome::undefined_flag:
-      return Ending::undefined_flag;
-    default:
-      return Ending::broken;
-  }
-}
 
 /// The build for one setting of the switch that matters.
 constexpr x86::Build build(x86::Routine routine, bool round, bool chapter_52) {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "verify/machine_code/frame.hpp"
 #include "verify/machine_code/machine_code.hpp"
 #include "verify/machine_code/processor.hpp"
+#include "verify/parties/machine_calls.hpp"
 #include "verify/parties/machines.hpp"
 #include "verify/parties/parties.hpp"
 
@@ -23,25 +23,18 @@ struct Loaded {
 void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
                        const Batch& batch) {
   thread_local Loaded loaded;
-  thread_local std::uint64_t number = 0;
   if (!std::equal(code.begin(), code.end(), loaded.code.begin(), loaded.code.end())) {
     loaded.code.clear();
     loaded.processor.load(code);
     loaded.code.assign(code.begin(), code.end());
   }
-  const Frame frame = frame_of(routine);
-  const auto in = static_cast<std::size_t>(x86model::arity(routine).in);
-  const auto out = static_cast<std::size_t>(x86model::arity(routine).out);
+  MachineCalls cases(routine, batch);
   const Processor::Calls calls(loaded.processor);
   SegmentMachine m(loaded.processor.memory());
   for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-    frame.enter(m, batch.in.subspan(i * in, in));
-    scramble(m, number++);
-    const auto entered = m.registers;
-    batch.endings[i] = ending_of(calls.call(m));
-    if (batch.endings[i] != Ending::value) continue;
-    if (!kept_for_caller(entered, m.registers)) batch.endings[i] = Ending::broken;
-    frame.leave(m, batch.out.subspan(i * out, out));
+    cases.enter(i, m);
+    const CallEnding ending = calls.call(m);
+    cases.leave(i, m, ending);
   }
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "verify/machine_code/emulator.hpp"
-#include "verify/machine_code/frame.hpp"
 #include "verify/machine_code/machine_code.hpp"
+#include "verify/parties/machine_calls.hpp"
 #include "verify/parties/machines.hpp"
 #include "verify/parties/parties.hpp"
 
@@ -16,31 +16,16 @@ void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine rou
   // Made anew for other code: the emulator keeps what it has translated.
   thread_local std::unique_ptr<Emulator> emulator;
   thread_local std::vector<std::uint8_t> loaded;
-  thread_local std::uint64_t number = 0;
   if (!emulator || !std::equal(code.begin(), code.end(), loaded.begin(), loaded.end())) {
     emulator.reset();
     emulator = std::make_unique<Emulator>(code);
     loaded.assign(code.begin(), code.end());
   }
-  const Frame frame = frame_of(routine);
-  const auto in = static_cast<std::size_t>(x86model::arity(routine).in);
-  const auto out = static_cast<std::size_t>(x86model::arity(routine).out);
-  x86model::Registers<16> entered;
+  MachineCalls cases(routine, batch);
   emulator->run({.count = batch.endings.size(),
-                 .enter =
-                     [&](std::size_t i, SegmentMachine& m) {
-                       frame.enter(m, batch.in.subspan(i * in, in));
-                       scramble(m, number++);
-                       entered = m.registers;
-                     },
-                 .leave =
-                     [&](std::size_t i, const SegmentMachine& m, CallEnding ending) {
-                       batch.endings[i] = ending_of(ending);
-                       if (ending != CallEnding::returned) return;
-                       if (!kept_for_caller(entered, m.registers))
-                         batch.endings[i] = Ending::broken;
-                       frame.leave(m, batch.out.subspan(i * out, out));
-                     }});
+                 .enter = [&](std::size_t i, SegmentMachine& m) { cases.enter(i, m); },
+                 .leave = [&](std::size_t i, const SegmentMachine& m,
+                              CallEnding ending) { cases.leave(i, m, ending); }});
 }
 
 namespace {

@@ -1,0 +1,42 @@
+#include "verify/parties/machine_calls.hpp"
+
+namespace fixproof {
+
+namespace {
+
+Ending ending_of(CallEnding ending) {
+  switch (ending) {
+    case CallEnding::returned:
+      return Ending::value;
+    case CallEnding::divide_error:
+      return Ending::divide_error;
+    case CallEnding::fault:
+      break;
+  }
+  return Ending::broken;
+}
+
+}  // namespace
+
+MachineCalls::MachineCalls(x86model::Routine routine, const Batch& batch)
+    : frame_(frame_of(routine)),
+      in_(static_cast<std::size_t>(x86model::arity(routine).in)),
+      out_(static_cast<std::size_t>(x86model::arity(routine).out)),
+      batch_(batch) {}
+
+void MachineCalls::enter(std::size_t i, SegmentMachine& m) {
+  thread_local std::uint64_t number = 0;
+  frame_.enter(m, batch_.in.subspan(i * in_, in_));
+  scramble(m, frame_, number++);
+  entered_ = m.registers;
+}
+
+void MachineCalls::leave(std::size_t i, const SegmentMachine& m, CallEnding ending) {
+  Ending& said = batch_.endings[i];
+  said = ending_of(ending);
+  if (said != Ending::value) return;
+  if (!kept_for_caller(entered_, m.registers)) said = Ending::broken;
+  frame_.leave(m, batch_.out.subspan(i * out_, out_));
+}
+
+}  // namespace fixproof
