@@ -1,0 +1,48 @@
+#include "verify/scenes/players.hpp"
+
+#include <fmt/format.h>
+
+#include "verify/usage_error.hpp"
+#include "xsharp/animation.hpp"
+
+namespace fixproof {
+
+using xsharp::ArithmeticChoice;
+
+std::vector<ArithmeticChoice> all_arithmetics() {
+  std::vector<ArithmeticChoice> all;
+  for (const char* by : {"type", "model"}) {
+    for (const char* target : {"i386", "i8088"}) {
+      for (const bool mul : {true, false}) {
+        for (const bool div : {true, false}) all.push_back({by, target, mul, div});
+      }
+    }
+  }
+  for (const char* target : {"standard", "saturating", "trapping"}) {
+    all.push_back({"type", target, true, true});
+  }
+  all.push_back({"double", "", true, true});
+  return all;
+}
+
+std::string name_of(const ArithmeticChoice& choice) {
+  if (choice.by == "double") return "double";
+  if (choice.target != "i386" && choice.target != "i8088") {
+    return fmt::format("{} {}", choice.by, choice.target);
+  }
+  const auto on = [](bool rounds) { return rounds ? "on" : "off"; };
+  return fmt::format("{} {}, multiply {}, divide {}", choice.by, choice.target,
+                     on(choice.mul_round), on(choice.div_round));
+}
+
+std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
+                                            const ArithmeticChoice& choice) {
+  if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene);
+  auto player = choice.by == "model" ? make_model_player(scene, choice)
+                : choice.by == "type" ? make_type_player(scene, choice)
+                                      : nullptr;
+  if (!player) throw UsageError(fmt::format("no arithmetic {}", name_of(choice)));
+  return player;
+}
+
+}  // namespace fixproof

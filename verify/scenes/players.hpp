@@ -1,0 +1,33 @@
+/// @file
+/// A scene under the arithmetic that is chosen.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/variant.hpp"
+#include "xsharp/player.hpp"
+#include "xsharp/scene.hpp"
+
+namespace fixproof {
+
+/// Every arithmetic that a scene can be drawn with: the type under its presets, the model under the
+/// builds of the listings, double.
+std::vector<xsharp::ArithmeticChoice> all_arithmetics();
+
+/// As in messages and tables: `type i386 on/off`, `type saturating`, `double`.
+std::string name_of(const xsharp::ArithmeticChoice& choice);
+
+/// @throws UsageError for a choice that all_arithmetics() does not have
+std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
+                                            const xsharp::ArithmeticChoice& choice);
+
+/// The players of one party, which have a file each: they take long to compile. Null if there is none.
+std::unique_ptr<xsharp::Player> make_type_player(const xsharp::Scene& scene,
+                                                 const xsharp::ArithmeticChoice& choice);
+std::unique_ptr<xsharp::Player> make_model_player(const xsharp::Scene& scene,
+                                                  const xsharp::ArithmeticChoice& choice);
+
+}  // namespace fixproof
