@@ -1,0 +1,43 @@
+/// @file
+/// A file that is there when it is complete and not before.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace xsharp {
+
+/// Written beside its place, with `.part` added to the name; finish() puts it there. Removed if
+/// that does not happen. Errors name the file and the reason.
+class PartFile {
+ public:
+  /// @throws std::runtime_error if it cannot be written there, or if what is there is no regular
+  ///         file (which the new one would replace, or which cannot be gone back in)
+  explicit PartFile(const std::string& path);
+  ~PartFile();
+  PartFile(const PartFile&) = delete;
+  PartFile(PartFile&&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  PartFile& operator=(PartFile&&) = delete;
+
+  /// At the end.
+  /// @throws std::runtime_error
+  void append(std::string_view bytes);
+
+  /// Over what is `offset` bytes from the beginning.
+  /// @throws std::runtime_error
+  void overwrite(std::uint32_t offset, std::string_view bytes);
+
+  /// Flushes to the disk and renames. Afterwards nothing more can be written.
+  /// @throws std::runtime_error
+  void finish();
+
+ private:
+  std::string path_;    ///< as it was asked for
+  std::string target_;  ///< behind links: a link itself survives
+  std::string part_;
+  int descriptor_ = -1;
+};
+
+}  // namespace xsharp
