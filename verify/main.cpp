@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   fixproof::add_prove(app, status);
   fixproof::add_mutate(app, status);
   fixproof::add_dos(app, status);
+  fixproof::add_render(app, status);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

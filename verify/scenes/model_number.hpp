@@ -1,6 +1,6 @@
 /// @file
-/// A number whose multiplies, divides, sines and transforms are runs of the listings: register-level
-/// X-Sharp.
+/// A number whose multiplies, divides, sines and transforms are runs of the listings:
+/// register-level X-Sharp.
 #pragma once
 
 #include <array>
@@ -31,10 +31,8 @@ class ModelNumber {
   [[nodiscard]] constexpr std::int32_t raw() const { return static_cast<std::int32_t>(word_); }
 
   static constexpr Variant variant(Operation operation) {
-    return {.operation = operation,
-            .target = target,
-            .mul_round = mul_round,
-            .div_round = div_round};
+    return {
+        .operation = operation, .target = target, .mul_round = mul_round, .div_round = div_round};
   }
 
   friend constexpr ModelNumber operator+(ModelNumber a, ModelNumber b) {
@@ -88,7 +86,7 @@ struct Arithmetic<fixproof::ModelNumber<target, mul_round, div_round>> {
 
   static Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v) {
     std::array<std::uint32_t, 15> in{};
-    put(t, std::span(in).first<12>());
+    put(t, in.data());
     in[12] = v.x.word();
     in[13] = v.y.word();
     in[14] = v.z.word();
@@ -99,8 +97,8 @@ struct Arithmetic<fixproof::ModelNumber<target, mul_round, div_round>> {
 
   static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second) {
     std::array<std::uint32_t, 24> in{};
-    put(first, std::span(in).first<12>());
-    put(second, std::span(in).last<12>());
+    put(first, in.data());
+    put(second, in.data() + 12);
     std::array<std::uint32_t, 12> out{};
     fixproof::call_model(N::variant(Operation::concat), in, out);
     Transform<N> result;
@@ -109,7 +107,8 @@ struct Arithmetic<fixproof::ModelNumber<target, mul_round, div_round>> {
   }
 
  private:
-  static void put(const Transform<N>& t, std::span<std::uint32_t, 12> words) {
+  /// Twelve words, row by row.
+  static void put(const Transform<N>& t, std::uint32_t* words) {
     for (std::size_t i = 0; i < 12; ++i) words[i] = t.rows[i / 4][i % 4].word();
   }
 };

@@ -38,7 +38,7 @@ std::string name_of(const ArithmeticChoice& choice) {
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const ArithmeticChoice& choice) {
   if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene);
-  auto player = choice.by == "model" ? make_model_player(scene, choice)
+  auto player = choice.by == "model"  ? make_model_player(scene, choice)
                 : choice.by == "type" ? make_type_player(scene, choice)
                                       : nullptr;
   if (!player) throw UsageError(fmt::format("no arithmetic {}", name_of(choice)));

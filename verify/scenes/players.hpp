@@ -24,7 +24,8 @@ std::string name_of(const xsharp::ArithmeticChoice& choice);
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const xsharp::ArithmeticChoice& choice);
 
-/// The players of one party, which have a file each: they take long to compile. Null if there is none.
+/// The players of one party, which have a file each: they take long to compile. Null if there is
+/// none.
 std::unique_ptr<xsharp::Player> make_type_player(const xsharp::Scene& scene,
                                                  const xsharp::ArithmeticChoice& choice);
 std::unique_ptr<xsharp::Player> make_model_player(const xsharp::Scene& scene,

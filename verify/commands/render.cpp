@@ -1,0 +1,204 @@
+// fixproof render: draws a scene into files, or into a window.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "verify/arguments.hpp"
+#include "verify/commands/commands.hpp"
+#include "verify/file.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/scenes/canvas.hpp"
+#include "verify/scenes/dump.hpp"
+#include "verify/scenes/players.hpp"
+#include "verify/scenes/scene_options.hpp"
+#include "verify/scenes/show.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
+#include "xsharp/files/animation_png.hpp"
+#include "xsharp/files/part_file.hpp"
+
+namespace fixproof {
+
+namespace {
+
+constexpr int interrupted_status = 130;
+
+struct Options {
+  SceneOptions scene;
+  std::optional<std::uint64_t> frames;
+  std::string size;
+  bool true_color = false;
+  std::string out;
+  std::string animate;
+  std::string dump;
+  bool show = false;
+};
+
+void set_size(xsharp::Scene& scene, const std::string& size) {
+  const auto refuse = [&size] {
+    throw UsageError(fmt::format("--size {}: want WIDTHxHEIGHT, each from 1 to 4096", size));
+  };
+  const auto cross = size.find('x');
+  if (cross == std::string::npos) refuse();
+  const auto side = [&](std::string_view text) {
+    std::int32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > 4096)
+      refuse();
+    return value;
+  };
+  scene.width = side(std::string_view(size).substr(0, cross));
+  scene.height = side(std::string_view(size).substr(cross + 1));
+}
+
+/// One line on a terminal, drawn a few times a second.
+class FrameProgress {
+ public:
+  explicit FrameProgress(std::uint64_t all) : all_(all) {}
+  ~FrameProgress() {
+    if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  }
+  FrameProgress(const FrameProgress&) = delete;
+  FrameProgress& operator=(const FrameProgress&) = delete;
+  FrameProgress(FrameProgress&&) = delete;
+  FrameProgress& operator=(FrameProgress&&) = delete;
+
+  void show(std::uint64_t done) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || done == 0 || now - last_ < std::chrono::milliseconds(200)) return;
+    last_ = now;
+    const std::chrono::duration<double> passed = now - begin_;
+    const double left =
+        passed.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
+    fmt::print(stderr, "\r{:3} %, {} of {} frames, about {} left\x1b[K", done * 100 / all_,
+               grouped(done), grouped(all_), duration(left));
+    drawn_ = true;
+  }
+
+ private:
+  std::uint64_t all_;
+  bool terminal_ = ::isatty(STDERR_FILENO) == 1;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_ = begin_;
+};
+
+/// Where frames go.
+struct Outputs {
+  std::string folder;
+  std::unique_ptr<xsharp::AnimationPng> animation;
+  std::unique_ptr<xsharp::PartFile> dump;
+
+  Outputs(const Options& options, double frames_per_second) : folder(options.out) {
+    if (!folder.empty()) std::filesystem::create_directories(folder);
+    if (!options.animate.empty()) {
+      animation = std::make_unique<xsharp::AnimationPng>(options.animate,
+                                                         xsharp::frame_time(frames_per_second));
+    }
+    if (!options.dump.empty()) dump = std::make_unique<xsharp::PartFile>(options.dump);
+  }
+
+  void add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {
+    if (animation || !folder.empty()) {
+      const std::string png = canvas.png();
+      if (!folder.empty()) replace_file(fmt::format("{}/frame_{:06}.png", folder, frame), png);
+      if (animation) animation->add(png);
+    }
+    if (dump) dump->append(dump_frame(player, frame));
+  }
+
+  void finish(std::uint64_t frames) {
+    if (animation && frames > 0) animation->finish();
+    if (dump) dump->finish();
+  }
+};
+
+int render(const Options& options) {
+  xsharp::Scene scene = options.scene.read();
+  if (!options.size.empty()) set_size(scene, options.size);
+  if (options.show) return show_scene(scene, options.true_color);
+
+  const std::uint64_t frames = options.frames.value_or(
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  const auto player = make_player(scene, scene.arithmetic);
+  const auto canvas = make_canvas(scene, options.true_color);
+  Outputs outputs(options, scene.frames_per_second);
+
+  xsharp::Picture picture;
+  xsharp::Tally tally;
+  std::uint64_t done = 0;
+  std::chrono::duration<double> drawing{};
+  const Interrupt interrupt;
+  FrameProgress progress(frames);
+  for (; done < frames && !Interrupt::flag(); ++done) {
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      if (done > 0) player->move();
+      const xsharp::Tally drawn = player->draw(picture);
+      tally.faults += drawn.faults;
+      tally.out_of_reach += drawn.out_of_reach;
+    } catch (const std::exception& error) {
+      outputs.finish(done);
+      throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));
+    }
+    canvas->show(picture);
+    drawing += std::chrono::steady_clock::now() - begin;
+    outputs.add(*canvas, *player, done);
+    progress.show(done);
+  }
+  outputs.finish(done);
+
+  const xsharp::DrawingCount count = canvas->count();
+  std::cout << fmt::format(
+      "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n", scene.name,
+      name_of(scene.arithmetic), grouped(done), grouped(static_cast<std::uint64_t>(count.polygons)),
+      grouped(static_cast<std::uint64_t>(count.pixels)), grouped(tally.faults),
+      grouped(static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
+  if (tally.out_of_reach > 0) {
+    std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
+                             grouped(tally.out_of_reach));
+  }
+  if (done == frames) return 0;
+  std::cout << fmt::format("STOPPED after {} of {} frames; what is written is complete\n",
+                           grouped(done), grouped(frames));
+  return interrupted_status;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("render", "draw a scene");
+  options->scene.add_to(*command);
+  command->add_option("--frames", options->frames, "how many; by default ten seconds")
+      ->transform(whole_number(1, 100'000'000));
+  command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
+  command->add_flag("--true-color", options->true_color, "24 bits a pixel instead of the palette");
+  command->add_option("--out", options->out, "a folder for a PNG of every frame")
+      ->check(not_empty());
+  command->add_option("--animate", options->animate, "an animated PNG, as browsers play it")
+      ->check(not_empty());
+  command->add_option("--dump", options->dump, "transforms, vertices and faces as lines of JSON")
+      ->check(not_empty());
+  command->add_flag("--show", options->show, "in a window, until it is closed");
+  command->footer(
+      "Keys of the window: space pauses, s or the right arrow steps, 1 (or a) switches the "
+      "ambient\n"
+      "light, 2, 3, 4 the spots, r the rounding, q or Escape ends.\n\n"
+      "Exit status: 0 all frames are drawn, 2 bad usage or a scene that is refused, 130 stopped\n"
+      "before the end.\n\n"
+      "Examples:\n"
+      "  fixproof render scenes/twelve_cubes.json --animate cubes.png\n"
+      "  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color\n"
+      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl");
+  command->callback([options, &status] { status = render(*options); });
+}
+
+}  // namespace fixproof

@@ -1,0 +1,48 @@
+#include "verify/scenes/canvas.hpp"
+
+#include <concepts>
+#include <cstdint>
+
+#include "xsharp/files/png.hpp"
+
+namespace fixproof {
+
+namespace {
+
+template <class Pixel>
+class ScreenCanvas final : public Canvas {
+ public:
+  explicit ScreenCanvas(const xsharp::Scene& scene)
+      : palette_(xsharp::palette_of(scene.palette)),
+        screen_(scene.width, scene.height, scene.palette, scene.background) {}
+
+  void show(const xsharp::Picture& picture) override { screen_.show(picture); }
+  [[nodiscard]] std::string png() const override {
+    if constexpr (std::same_as<Pixel, std::uint8_t>) {
+      return xsharp::encode_png(screen_.page(), palette_);
+    } else {
+      return xsharp::encode_png(screen_.page());
+    }
+  }
+  void show_in(xsharp::Window& window) const override {
+    if constexpr (std::same_as<Pixel, std::uint8_t>) {
+      window.show(screen_.page(), palette_);
+    } else {
+      window.show(screen_.page());
+    }
+  }
+  [[nodiscard]] xsharp::DrawingCount count() const override { return screen_.count(); }
+
+ private:
+  const xsharp::Palette& palette_;
+  xsharp::Screen<Pixel> screen_;
+};
+
+}  // namespace
+
+std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color) {
+  if (true_color) return std::make_unique<ScreenCanvas<std::uint32_t>>(scene);
+  return std::make_unique<ScreenCanvas<std::uint8_t>>(scene);
+}
+
+}  // namespace fixproof

@@ -1,0 +1,35 @@
+/// @file
+/// A screen of either kind of pixel.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "xsharp/picture.hpp"
+#include "xsharp/raster/screen.hpp"
+#include "xsharp/scene.hpp"
+#include "xsharp/window/window.hpp"
+
+namespace fixproof {
+
+class Canvas {
+ public:
+  Canvas() = default;
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+  Canvas(Canvas&&) = delete;
+  Canvas& operator=(Canvas&&) = delete;
+  virtual ~Canvas() = default;
+
+  virtual void show(const xsharp::Picture& picture) = 0;
+  /// The picture that is shown, as the bytes of a PNG.
+  [[nodiscard]] virtual std::string png() const = 0;
+  /// The picture that is shown, in a window.
+  virtual void show_in(xsharp::Window& window) const = 0;
+  [[nodiscard]] virtual xsharp::DrawingCount count() const = 0;
+};
+
+/// Of the scene's size, in 24 bits a pixel or with the scene's palette.
+std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color);
+
+}  // namespace fixproof

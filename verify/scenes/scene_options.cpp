@@ -1,0 +1,66 @@
+#include "verify/scenes/scene_options.hpp"
+
+#include <limits>
+#include <map>
+
+#include "verify/arguments.hpp"
+#include "verify/scenes/players.hpp"
+#include "verify/usage_error.hpp"
+#include "xsharp/files/scene_json.hpp"
+
+namespace fixproof {
+
+void SceneOptions::add_to(CLI::App& command) {
+  command.add_option("scene", file, "a scene, such as scenes/twelve_cubes.json")
+      ->required()
+      ->check(not_empty());
+  command.add_option("--arith", by, "what computes: type, model or double")
+      ->check(CLI::IsMember({"type", "model", "double"}));
+  command
+      .add_option("--target", target,
+                  "rules of i386 or i8088; for the type also standard, saturating, trapping")
+      ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
+  const auto on_off = [&command](const char* name, const char* what, auto set) {
+    command
+        .add_option_function<std::string>(
+            name, [set](const std::string& text) { set(text == "on"); }, what)
+        ->check(CLI::IsMember({"on", "off"}));
+  };
+  on_off("--round", "both roundings: on or off", [this](bool on) { mul_round = div_round = on; });
+  on_off("--mul-round", "rounding of multiplies: on or off", [this](bool on) { mul_round = on; });
+  on_off("--div-round", "rounding of divides: on or off", [this](bool on) { div_round = on; });
+  command
+      .add_option("--reortho", restore_every,
+                  "restore orthogonality after every so many rotations of an object; 0: never")
+      ->transform(whole_number(0, std::numeric_limits<std::int32_t>::max()));
+  command.add_flag("--from-scratch", from_scratch,
+                   "work every orientation out anew instead of appending rotations");
+}
+
+xsharp::Scene SceneOptions::read() const {
+  xsharp::Scene scene = xsharp::read_scene(file);
+  xsharp::ArithmeticChoice& choice = scene.arithmetic;
+  // Another party begins with the rules that both have.
+  if (by && *by != choice.by) choice = {*by, *by == "double" ? "" : "i386", true, true};
+  if (choice.by == "double" && (target || mul_round || div_round)) {
+    throw UsageError("double has no --target and no roundings");
+  }
+  if (target) choice.target = *target;
+  const bool listing = choice.target == "i386" || choice.target == "i8088";
+  if (!listing && choice.by != "double") {
+    if (mul_round || div_round) {
+      throw UsageError("--target " + choice.target + " has no roundings to choose");
+    }
+    choice.mul_round = choice.div_round = true;
+  }
+  if (mul_round) choice.mul_round = *mul_round;
+  if (div_round) choice.div_round = *div_round;
+  if (restore_every) scene.restore_every = *restore_every;
+  if (from_scratch) scene.from_scratch = true;
+  if (scene.from_scratch && scene.restore_every > 0) {
+    throw UsageError("orientations made from scratch have no orthogonality to restore");
+  }
+  return scene;
+}
+
+}  // namespace fixproof

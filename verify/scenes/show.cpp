@@ -1,0 +1,125 @@
+#include "verify/scenes/show.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <thread>
+
+#include "verify/interrupt.hpp"
+#include "verify/scenes/canvas.hpp"
+#include "verify/scenes/players.hpp"
+#include "verify/usage_error.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using xsharp::Key;
+
+/// What is being played, and what keys have changed about it.
+class Show {
+ public:
+  explicit Show(const xsharp::Scene& scene, bool true_color)
+      : scene_(scene),
+        window_(fmt::format("{} - {}", scene.name, name_of(scene.arithmetic)), scene.width,
+                scene.height),
+        canvas_(make_canvas(scene, true_color)),
+        player_(make_player(scene, scene.arithmetic)) {}
+
+  void play() {
+    using clock = std::chrono::steady_clock;
+    const auto frame_time = std::chrono::duration_cast<clock::duration>(
+        std::chrono::duration<double>(1 / scene_.frames_per_second));
+    auto next = clock::now();
+    draw();
+    while (!ended_ && !Interrupt::flag()) {
+      for (const Key key : window_.keys()) press(key);
+      if (!paused_ && clock::now() >= next) {
+        step();
+        // A machine that is too slow shows every frame, later.
+        next = std::max(next + frame_time, clock::now());
+      }
+      const auto longest = std::chrono::milliseconds(paused_ ? 20 : 5);
+      std::this_thread::sleep_for(
+          std::clamp<clock::duration>(next - clock::now(), clock::duration(0), longest));
+    }
+  }
+
+ private:
+  void press(Key key) {
+    switch (key) {
+      case Key::quit:
+        ended_ = true;
+        return;
+      case Key::pause:
+        paused_ = !paused_;
+        return;
+      case Key::step:
+        paused_ = true;
+        step();
+        return;
+      case Key::rounding:
+        switch_rounding();
+        break;
+      case Key::ambient:
+      case Key::spot1:
+      case Key::spot2:
+      case Key::spot3:
+        switch_light(static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::ambient));
+        break;
+    }
+    draw();
+  }
+
+  void switch_light(std::size_t light) {
+    player_->switch_light(light);
+    switched_.push_back(light);
+  }
+
+  /// Shows what would be seen if the rounding had been the other from the beginning: the errors
+  /// that have gathered since are the point.
+  void switch_rounding() {
+    xsharp::ArithmeticChoice& choice = scene_.arithmetic;
+    if (choice.target != "i386" && choice.target != "i8088") return;
+    choice.mul_round = !choice.mul_round;
+    player_ = make_player(scene_, choice);
+    for (std::uint64_t i = 0; i < moves_; ++i) player_->move();
+    for (const std::size_t light : switched_) player_->switch_light(light);
+  }
+
+  void step() {
+    player_->move();
+    ++moves_;
+    draw();
+  }
+
+  void draw() {
+    player_->draw(picture_);
+    canvas_->show(picture_);
+    canvas_->show_in(window_);
+  }
+
+  xsharp::Scene scene_;
+  xsharp::Window window_;
+  std::unique_ptr<Canvas> canvas_;
+  std::unique_ptr<xsharp::Player> player_;
+  xsharp::Picture picture_;
+  std::vector<std::size_t> switched_;
+  std::uint64_t moves_ = 0;
+  bool paused_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+int show_scene(const xsharp::Scene& scene, bool true_color) {
+  if (!xsharp::window_available()) throw UsageError("--show: built without SDL2");
+  const Interrupt interrupt;
+  Show(scene, true_color).play();
+  return 0;
+}
+
+}  // namespace fixproof

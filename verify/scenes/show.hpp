@@ -1,0 +1,14 @@
+/// @file
+/// A scene in a window.
+#pragma once
+
+#include "xsharp/scene.hpp"
+
+namespace fixproof {
+
+/// Plays the scene at its own speed until the window is closed or a signal comes.
+/// @return the exit status
+/// @throws UsageError where there can be no window
+int show_scene(const xsharp::Scene& scene, bool true_color);
+
+}  // namespace fixproof
