@@ -6,6 +6,9 @@
 
 namespace fixproof {
 
+/// What the shell reports of a command that Ctrl-C has ended.
+inline constexpr int interrupted_status = 130;
+
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag. One that comes more than a
 /// second later kills; sooner ones are taken for the same, since some tools signal a process and
 /// its group alike.

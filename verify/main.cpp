@@ -9,6 +9,8 @@
 
 #include "verify/commands/commands.hpp"
 #include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/proof/process.hpp"
 #include "verify/usage_error.hpp"
 
 int main(int argc, char** argv) {
@@ -48,6 +50,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "fixproof: {} (see fixproof --help)\n", fixproof::printable(error.what()));
     return 2;
+  } catch (const fixproof::Stopped&) {
+    fmt::print(stderr, "fixproof: stopped\n");
+    return fixproof::interrupted_status;
   } catch (const std::exception& error) {
     std::cout.flush();
     fmt::print(stderr, "fixproof: {}\n", fixproof::printable(error.what()));

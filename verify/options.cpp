@@ -28,21 +28,25 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
           of_rows ? "whose rules: i386, i8088, both of these, or standard (those of the type)"
                   : "which half of the listing: i386 or i8088")
       ->check(named(of_rows ? targets_of_rows : targets_of_programs));
-  command
-      .add_option_function<std::string>(
-          "--round", [this](const std::string& r) { mul_round = div_round = on_off.at(r); },
-          "both roundings: on or off")
-      ->check(named(on_off));
+  // Which of two that contradict each other is meant, nobody can know.
+  auto* both =
+      command
+          .add_option_function<std::string>(
+              "--round", [this](const std::string& r) { mul_round = div_round = on_off.at(r); },
+              "both roundings: on or off")
+          ->check(named(on_off));
   command
       .add_option_function<std::string>(
           "--mul-round", [this](const std::string& r) { mul_round = on_off.at(r); },
           "rounding of multiplies: on or off")
-      ->check(named(on_off));
+      ->check(named(on_off))
+      ->excludes(both);
   command
       .add_option_function<std::string>(
           "--div-round", [this](const std::string& r) { div_round = on_off.at(r); },
           "rounding of divides: on or off")
-      ->check(named(on_off));
+      ->check(named(on_off))
+      ->excludes(both);
   command.add_flag("--as-printed", as_printed,
                    "the roundings are the printed switches: see docs/findings.md, 1");
   command

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "verify/parties/parties.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 
@@ -66,6 +67,16 @@ std::vector<Variant> chosen_variants(const Selection& selection) {
   for (const std::string& name : selection.operations) operations.push_back(operation_named(name));
   std::vector<Variant> variants = all_variants();
   std::erase_if(variants, [&](const Variant& v) { return !fits(selection, operations, v); });
+  return variants;
+}
+
+std::vector<Variant> chosen_routines(const Selection& selection) {
+  for (const std::string& name : selection.operations) static_cast<void>(routine_named(name));
+  std::vector<Variant> variants = chosen_variants(selection);
+  std::erase_if(variants, [](const Variant& v) {
+    return !has_program(v) || (v.operation == Operation::cossin && !v.mul_round);
+  });
+  if (variants.empty()) throw UsageError("no routine has these operations and options");
   return variants;
 }
 

@@ -32,6 +32,10 @@ std::vector<const Party*> chosen_parties(const Selection& selection);
 /// @throws std::invalid_argument for a name that no operation has
 std::vector<Variant> chosen_variants(const Selection& selection);
 
+/// Of these the ones that have a program; CosSin, which has no switch, once for each target.
+/// @throws UsageError if there is none; std::invalid_argument for a name that no routine has
+std::vector<Variant> chosen_routines(const Selection& selection);
+
 /// The rows, in the order of the verification table. Parties that nobody has named are left out of
 /// rows that they do not answer.
 /// @throws UsageError if none fits, or a party that was named does not answer one;

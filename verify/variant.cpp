@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -21,6 +22,17 @@ constexpr std::array<std::pair<std::string_view, Operation>, 8> operations{{
     {"binary64", Operation::binary64},
 }};
 
+/// The one of that name among `known`.
+Operation named(std::string_view name, std::string_view kind,
+                std::span<const std::pair<std::string_view, Operation>> known) {
+  std::string all;
+  for (const auto& [other, operation] : known) {
+    if (other == name) return operation;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", other);
+  }
+  throw std::invalid_argument(fmt::format("unknown {} '{}'; there are {}", kind, name, all));
+}
+
 }  // namespace
 
 std::string_view name_of(Operation o) { return operations.at(static_cast<std::size_t>(o)).first; }
@@ -37,14 +49,10 @@ std::string_view name_of(Target t) {
   return "standard";
 }
 
-Operation operation_named(std::string_view name) {
-  for (const auto& [known, operation] : operations) {
-    if (known == name) return operation;
-  }
-  std::string all;
-  for (const auto& known : operations)
-    all += fmt::format("{}{}", all.empty() ? "" : ", ", known.first);
-  throw std::invalid_argument(fmt::format("unknown operation '{}'; there are {}", name, all));
+Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
+
+Operation routine_named(std::string_view name) {
+  return named(name, "routine", std::span(operations).first<5>());
 }
 
 std::vector<Variant> all_variants() {

@@ -87,6 +87,8 @@ std::string_view name_of(Operation o);
 std::string_view name_of(Target t);
 /// The name on the command line; throws std::invalid_argument for any other.
 Operation operation_named(std::string_view name);
+/// As operation_named(), of the routines alone.
+Operation routine_named(std::string_view name);
 
 /// Every variant of 16.16, in the order of the verification table: each routine on both processors
 /// under both roundings, the forms of chapter 52, then the operations under the type's standard

@@ -44,6 +44,24 @@ TEST(Usage, OperationsThatAreNoRoutines) {
   }
 }
 
+TEST(Usage, WhatTakesRoutinesNamesTheRoutines) {
+  for (const std::string_view command : {"eval ", "list ", "trace ", "dos ", "prove ", "mutate "}) {
+    for (const std::string_view name : {"add", "sqrt"}) {
+      expect_usage_error(std::string(command) + std::string(name),
+                         "there are mul, div, cossin, xformvec, concat\n");
+    }
+  }
+}
+
+TEST(Usage, RoundingsThatMayContradictEachOther) {
+  for (const std::string_view command : {"eval", "list", "trace", "dos", "prove", "mutate"}) {
+    for (const std::string_view one : {"--mul-round", "--div-round"}) {
+      expect_usage_error(fmt::format("{} mul --round on {} off", command, one), "excludes");
+      expect_usage_error(fmt::format("{} mul {} off --round on", command, one), "excludes");
+    }
+  }
+}
+
 TEST(Usage, UnknownParty) {
   expect_usage_error("eval mul --by chance", "'chance'");
   expect_usage_error("eval mul --by chance",

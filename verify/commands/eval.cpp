@@ -34,11 +34,7 @@ void append_answer(std::string& output, Ending ending, std::span<const std::uint
 }
 
 int run(const Options& options) {
-  const Operation operation = operation_named(options.operation);
-  if (operation > Operation::concat) {
-    throw UsageError(fmt::format("eval answers mul, div, cossin, xformvec and concat, not {}",
-                                 options.operation));
-  }
+  const Operation operation = routine_named(options.operation);
   const Variant variant = options.variant.choose(operation);
   const Party& party = party_named(options.by);
   if (!party.answers(variant)) {

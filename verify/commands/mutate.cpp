@@ -11,12 +11,13 @@
 
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
+#include "verify/commands/solver_options.hpp"
+#include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/mutation/kill.hpp"
-#include "verify/parties/parties.hpp"
+#include "verify/proof/process.hpp"
 #include "verify/selection.hpp"
 #include "verify/text.hpp"
-#include "verify/usage_error.hpp"
 
 namespace fixproof {
 
@@ -24,8 +25,7 @@ namespace {
 
 struct Options {
   Selection selection;
-  std::string solver = "z3";
-  int seconds = 20;
+  SolverOptions solver{.seconds = 20};
   std::uint64_t seed = 1994;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool verbose = false;
@@ -42,15 +42,12 @@ struct Trial {
 
 std::vector<Trial> trials_of(const Selection& selection) {
   std::vector<Trial> trials;
-  for (const Variant& v : chosen_variants(selection)) {
-    // CosSin has no switch: its two builds are one program.
-    if (!has_program(v) || (v.operation == Operation::cossin && !v.mul_round)) continue;
+  for (const Variant& v : chosen_routines(selection)) {
     std::size_t number = 0;
     for (x86model::Mutant& mutant : mutants_of(v)) {
       trials.push_back({.variant = v, .number = ++number, .mutant = std::move(mutant)});
     }
   }
-  if (trials.empty()) throw UsageError("no routine has these operations and options");
   return trials;
 }
 
@@ -71,19 +68,18 @@ void judge_all(std::vector<Trial>& trials, const Options& options, const Solver&
     try {
       for (std::size_t i = next++; i < trials.size() && !Interrupt::flag(); i = next++) {
         Trial& trial = trials[i];
-        trial.judgement =
-            judge(trial.variant, trial.mutant.program, options.seed, solver, options.seconds);
-        // Ctrl-C ends the solver too: what it did not decide then is not judged.
-        if (Interrupt::flag() && trial.judgement.fate == Fate::gap) break;
+        trial.judgement = judge(trial.variant, trial.mutant.program, options.seed, solver,
+                                options.solver.seconds);
         const std::lock_guard lock(mutex);
         trial.done = true;
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
         show(++done, trials.size(), passed.count());
       }
+    } catch (const Stopped&) {
+      // Ends the solver, and the threads one after the other: that trial is not judged.
     } catch (...) {
       const std::lock_guard lock(mutex);
-      // Ctrl-C ends the solver too: that is no failure of its own.
-      if (!Interrupt::flag()) failure = std::current_exception();
+      failure = std::current_exception();
       next = trials.size();
     }
   };
@@ -105,7 +101,10 @@ std::string what_became_of(const Trial& trial) {
     case Fate::gap:
       break;
   }
-  if (j.proof.standing != Standing::disproven) return "GAP: survives level 1, not decided";
+  if (j.proof.standing != Standing::disproven) {
+    return fmt::format("GAP: survives level 1, not decided{}{}", j.failure.empty() ? "" : ": ",
+                       printable(j.failure));
+  }
   return fmt::format("GAP: survives level 1, but fails at {}",
                      hex_words(j.proof.counterexample, operand_bits(trial.variant)));
 }
@@ -164,21 +163,22 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
       mortal == 0 ? 100.0 : 100.0 * static_cast<double>(all.killed) / static_cast<double>(mortal),
       duration(seconds));
   if (left > 0) {
-    std::cout << fmt::format("INCOMPLETE: {} mutants are not judged.\n", grouped(left));
+    std::cout << fmt::format("Stopped. INCOMPLETE: {} mutants are not judged.\n", grouped(left));
   }
   if (all.gaps > 0) return 1;
-  return left > 0 ? 130 : 0;
+  return left > 0 ? interrupted_status : 0;
 }
 
 int run(const Options& options) {
   std::vector<Trial> trials = trials_of(options.selection);
-  const Solver solver(options.solver);
-  std::cout << fmt::format("{} mutants, seed {}, {}\n\n", grouped(trials.size()), options.seed,
-                           solver.version())
-            << std::flush;
   const auto begin = std::chrono::steady_clock::now();
   {
+    // Not longer: a report may wait for its reader, and Ctrl-C must end that.
     const Interrupt interrupt;
+    const Solver solver(options.solver.name);
+    std::cout << fmt::format("{} mutants, seed {}, {}\n\n", grouped(trials.size()), options.seed,
+                             solver.version())
+              << std::flush;
     judge_all(trials, options, solver);
   }
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
@@ -197,12 +197,7 @@ void add_mutate(CLI::App& app, int& status) {
   command->add_option("--seed", options->seed, "of the random cases")
       ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
-  command->add_option("--solver", options->solver, "z3 or cvc5, which tells what is equivalent")
-      ->check(not_empty())
-      ->capture_default_str();
-  command->add_option("--timeout", options->seconds, "seconds that one question may take")
-      ->transform(whole_number(1, 86'400))
-      ->capture_default_str();
+  options->solver.add_to(*command);
   command
       ->add_option("--threads", options->threads, "of the run; by default one for each processor")
       ->transform(whole_number(1, 1024));

@@ -1,7 +1,5 @@
 #include "verify/commands/program.hpp"
 
-#include <fmt/format.h>
-
 #include "verify/machine_code/machine_code.hpp"
 #include "verify/usage_error.hpp"
 
@@ -15,10 +13,7 @@ void ProgramOptions::add_to(CLI::App& command) {
 }
 
 ProgramKey ProgramOptions::choose() const {
-  const Operation chosen = operation_named(operation);
-  if (chosen > Operation::concat) {
-    throw UsageError(fmt::format("{} is no routine of FIXED.ASM", operation));
-  }
+  const Operation chosen = routine_named(operation);
   const Variant v = variant.choose(chosen);
   if (as_scanned && (chosen != Operation::div || v.target != Target::i8088)) {
     throw UsageError("--as-scanned is a reading of div --target i8088");

@@ -17,7 +17,8 @@ struct ProgramOptions {
   bool as_scanned = false;
 
   void add_to(CLI::App& command);
-  /// @throws UsageError for what is no routine
+  /// @throws std::invalid_argument for what is no routine; UsageError for a combination that does
+  /// not exist
   [[nodiscard]] ProgramKey choose() const;
 };
 

@@ -8,11 +8,13 @@
 
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
+#include "verify/commands/solver_options.hpp"
 #include "verify/file.hpp"
+#include "verify/interrupt.hpp"
 #include "verify/mutation/kill.hpp"
 #include "verify/parties/interpreter.hpp"
-#include "verify/parties/parties.hpp"
 #include "verify/proof/lemmas.hpp"
+#include "verify/proof/process.hpp"
 #include "verify/selection.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
@@ -23,19 +25,19 @@ namespace {
 
 struct Options {
   Selection selection;
-  std::string solver = "z3";
-  int seconds = 60;
+  SolverOptions solver{.seconds = 60};
   std::string directory;
   std::size_t mutant = 0;  ///< 0: none
 };
 
 /// What was asked, by how it stands.
 struct Tally {
-  int proven = 0;
-  int disproven = 0;
-  int open = 0;
+  std::size_t proven = 0;
+  std::size_t disproven = 0;
+  std::size_t open = 0;
   double seconds = 0;
 
+  [[nodiscard]] std::size_t answered() const { return proven + disproven + open; }
   void add(Standing standing, double took) {
     ++(standing == Standing::proven ? proven : standing == Standing::disproven ? disproven : open);
     seconds += took;
@@ -56,17 +58,6 @@ std::string_view name_of(Standing standing) {
       break;
   }
   return "not decided";
-}
-
-/// The variants asked for that have a program; CosSin, which has no switch, once for each target.
-std::vector<Variant> routines_in(const Selection& selection) {
-  std::vector<Variant> chosen;
-  for (const Variant& v : chosen_variants(selection)) {
-    if (!has_program(v) || (v.operation == Operation::cossin && !v.mul_round)) continue;
-    chosen.push_back(v);
-  }
-  if (chosen.empty()) throw UsageError("no routine has these operations and options");
-  return chosen;
 }
 
 /// `mul i386 on` as `mul-i386-on.smt2`.
@@ -93,23 +84,20 @@ void write_scripts(const std::string& directory, const std::vector<Variant>& var
     for (std::size_t i = 0; i < scripts.size(); ++i) {
       write(fmt::format("{} {}", name_of(v), i + 1),
             fmt::format("; question {} of {}: {} does what it should if all are unsatisfiable\n{}",
-                        i + 1, scripts.size(), name_of(v),
-                        scripts[i].substr(0, scripts[i].find("(get-value"))));
+                        i + 1, scripts.size(), name_of(v), scripts[i]));
     }
   }
   std::cout << fmt::format("{} scripts written to {}; each is to be unsatisfiable\n", written,
                            directory);
 }
 
-void prove_lemmas(const Solver& solver, int seconds, Tally& tally) {
-  for (const Lemma& lemma : lemmas()) {
-    const SolverAnswer answer = solver.ask(lemma.smt, seconds);
-    const Standing standing = answer.verdict == Verdict::unsatisfiable ? Standing::proven
-                              : answer.verdict == Verdict::satisfiable ? Standing::disproven
-                                                                       : Standing::open;
-    print_line(fmt::format("lemma {}", lemma.name), name_of(standing), answer.seconds);
-    tally.add(standing, answer.seconds);
-  }
+void prove_lemma(const Lemma& lemma, int seconds, const Solver& solver, Tally& tally) {
+  const SolverAnswer answer = solver.ask(lemma.smt, seconds);
+  const Standing standing = answer.verdict == Verdict::unsatisfiable ? Standing::proven
+                            : answer.verdict == Verdict::satisfiable ? Standing::disproven
+                                                                     : Standing::open;
+  print_line(fmt::format("lemma {}", lemma.name), name_of(standing), answer.seconds);
+  tally.add(standing, answer.seconds);
 }
 
 void prove_routine(const Variant& v, const Options& options, const Solver& solver, Tally& tally) {
@@ -121,7 +109,7 @@ void prove_routine(const Variant& v, const Options& options, const Solver& solve
     program = mutant.program;
     which = fmt::format(" --mutant {}", options.mutant);
   }
-  const Proof proof = prove(v, program, solver, options.seconds);
+  const Proof proof = prove(v, program, solver, options.solver.seconds);
   print_line(fmt::format("{}, {} question{}", name_of(v), proof.questions,
                          proof.questions == 1 ? "" : "s"),
              name_of(proof.standing), proof.seconds);
@@ -133,8 +121,39 @@ void prove_routine(const Variant& v, const Options& options, const Solver& solve
                            proof.wanted.text(bits), trace_line(v, proof.counterexample), which);
 }
 
+/// Proves all of it, or as much as there is time for until somebody stops it.
+Tally prove_all(const std::vector<Variant>& variants, const Options& options) {
+  const Interrupt interrupt;
+  const Solver solver(options.solver.name);
+  std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(),
+                           options.solver.seconds)
+            << std::flush;
+  Tally tally;
+  try {
+    for (const Lemma& lemma : lemmas()) prove_lemma(lemma, options.solver.seconds, solver, tally);
+    for (const Variant& v : variants) prove_routine(v, options, solver, tally);
+  } catch (const Stopped&) {
+    // What is left has no answer, as the summary says.
+  }
+  return tally;
+}
+
+/// @return the exit status
+int summarize(const Tally& tally, std::size_t goals) {
+  std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
+                           tally.disproven, tally.open, duration(tally.seconds));
+  const std::size_t left = goals - tally.answered();
+  if (left > 0) {
+    std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} have no answer.\n", left, goals);
+  }
+  // What is missing cannot undo a counterexample.
+  if (tally.disproven > 0) return 1;
+  if (left > 0) return interrupted_status;
+  return tally.open > 0 ? 2 : 0;
+}
+
 int run(const Options& options) {
-  const std::vector<Variant> variants = routines_in(options.selection);
+  const std::vector<Variant> variants = chosen_routines(options.selection);
   if (options.mutant != 0 && !options.directory.empty()) {
     throw UsageError("--mutant excludes --write");
   }
@@ -145,15 +164,7 @@ int run(const Options& options) {
     write_scripts(options.directory, variants);
     return 0;
   }
-  const Solver solver(options.solver);
-  std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(), options.seconds);
-  Tally tally;
-  prove_lemmas(solver, options.seconds, tally);
-  for (const Variant& v : variants) prove_routine(v, options, solver, tally);
-  std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
-                           tally.disproven, tally.open, duration(tally.seconds));
-  if (tally.disproven > 0) return 1;
-  return tally.open > 0 ? 2 : 0;
+  return summarize(prove_all(variants, options), lemmas().size() + variants.size());
 }
 
 }  // namespace
@@ -165,12 +176,7 @@ void add_prove(CLI::App& app, int& status) {
   command->add_option("operations", options->selection.operations,
                       "mul, div, cossin, xformvec, concat; none: all");
   options->selection.variant.add_to(*command);
-  command->add_option("--solver", options->solver, "z3 or cvc5, from the PATH")
-      ->check(not_empty())
-      ->capture_default_str();
-  command->add_option("--timeout", options->seconds, "seconds that one question may take")
-      ->transform(whole_number(1, 86'400))
-      ->capture_default_str();
+  options->solver.add_to(*command);
   command
       ->add_option("--write", options->directory,
                    "ask nothing: write the questions into this folder, for any solver")
@@ -186,7 +192,9 @@ void add_prove(CLI::App& app, int& status) {
       "registers it has to. Products and quotients stay abstract; the lemmas about integers say "
       "why\n"
       "that is enough. docs/proofs.md tells what is proven and what is not.\n\n"
-      "Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage.\n\n"
+      "Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 stopped "
+      "before\n"
+      "the end.\n\n"
       "Examples:\n"
       "  fixproof prove\n"
       "  fixproof prove div --target i8088 --solver cvc5\n"

@@ -23,9 +23,6 @@ namespace fixproof {
 
 namespace {
 
-/// What the shell reports of a command that Ctrl-C has ended.
-constexpr int interrupted_status = 130;
-
 /// A kill -9 loses little more than this.
 constexpr std::chrono::milliseconds checkpoint_every{500};
 

@@ -8,6 +8,7 @@
 
 #include "verify/parties/interpreter.hpp"
 #include "verify/plan.hpp"
+#include "verify/proof/process.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 
@@ -113,7 +114,13 @@ Judgement judge(const Variant& v, const x86::Program& program, std::uint64_t see
   } else if (has_same_terms(v, program.instructions())) {
     judgement.fate = Fate::equivalent;
   } else {
-    judgement.proof = prove(v, program, solver, most_seconds);
+    try {
+      judgement.proof = prove(v, program, solver, most_seconds);
+    } catch (const Stopped&) {
+      throw;
+    } catch (const std::exception& error) {
+      judgement.failure = error.what();
+    }
     if (judgement.proof.standing == Standing::proven) judgement.fate = Fate::equivalent;
   }
   judgement.seconds =

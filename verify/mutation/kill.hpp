@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "verify/proof/prove.hpp"
@@ -22,7 +23,8 @@ struct Judgement {
   Fate fate = Fate::gap;
   std::uint64_t cases = 0;  ///< of level 1 that were run until it was killed
   double seconds = 0;
-  Proof proof;  ///< of what level 1 did not kill
+  Proof proof;          ///< of what level 1 did not kill
+  std::string failure;  ///< why there is no proof, where the solver failed
 };
 
 /// The mutants of a variant's routine. Those of the FixedMul that an 8088 transform brings along
@@ -38,8 +40,10 @@ x86model::Mutant mutant_of(const Variant& variant, std::size_t number);
 std::optional<std::uint64_t> cases_to_kill(const Variant& variant, const Party& judged,
                                            std::uint64_t seed);
 
-/// Runs the cases of level 1 until one kills the program; what survives is put to the solver.
+/// Runs the cases of level 1 until one kills the program; what survives is put to the solver. A
+/// solver that fails leaves a gap, and says why.
 /// @param most_seconds that one question to the solver may take
+/// @throws Stopped
 Judgement judge(const Variant& variant, const x86model::Program& program, std::uint64_t seed,
                 const Solver& solver, int most_seconds);
 

@@ -31,7 +31,6 @@ Proof prove(const Variant& v, const x86model::Program& program, const Solver& so
     if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
     if (answer.verdict != Verdict::satisfiable) return proof;
     const auto operands = operands_in(v, answer.text);
-    if (operands.empty()) return proof;
     proof.given = ask(*party, v, operands);
     proof.wanted = ask(party_named("oracle"), v, operands);
     if (proof.given != proof.wanted) {

@@ -29,7 +29,7 @@ struct Proof {
 
 /// Proves `program` in the place of the routine of `variant`: with products and quotients abstract,
 /// and, where that gives a counterexample that is none, with products and quotients as they are.
-/// Each question may take `most_seconds`.
+/// Each question may take `most_seconds`. @throws what Solver::ask does
 Proof prove(const Variant& variant, const x86model::Program& program, const Solver& solver,
             int most_seconds);
 

@@ -129,10 +129,6 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
   sym::Terms terms;
   const sym::State start = sym::enter(terms, routine);
   const Specification wanted = specification(v);
-  std::string operands;
-  for (int i = 0; i < x86::arity(routine).in; ++i) {
-    operands += fmt::format(" {}", sym::operand_name(routine, i));
-  }
   std::vector<std::string> scripts;
   std::vector<sym::Term> conditions;
   for (const sym::Path& path : paths_of(v, terms, start, code)) {
@@ -156,8 +152,7 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
         sym::define(terms, roots), facts_of_divides(terms, roots),
         sym::name_in_smt(terms, path.condition));
     const auto add = [&](std::string_view known, std::string_view shown) {
-      scripts.push_back(fmt::format("{}{}(assert (not {}))\n(check-sat)\n(get-value ({}))\n",
-                                    before, known, shown, operands));
+      scripts.push_back(fmt::format("{}{}(assert (not {}))\n(check-sat)\n", before, known, shown));
     };
     std::string known;
     if (const std::string same = same_products(terms, roots, wanted);
@@ -167,7 +162,6 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
     }
     add(known, fmt::format("(and {} {})", sym::name_in_smt(terms, path.in_table), right));
   }
-  if (scripts.empty()) throw std::logic_error("a program without a path");
   std::string some_path;
   for (const sym::Term condition : conditions) {
     some_path += fmt::format(" {}", sym::name_in_smt(terms, condition));
@@ -175,9 +169,9 @@ std::vector<std::string> questions(const Variant& v, std::span<const x86::Instru
   scripts.push_back(fmt::format(
       "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}(assert (not (or "
       "false{})))\n"
-      "(check-sat)\n(get-value ({}))\n",
+      "(check-sat)\n",
       abstractions(arithmetic), declare(terms, conditions, routine), sym::define(terms, conditions),
-      facts_of_divides(terms, conditions), some_path, operands));
+      facts_of_divides(terms, conditions), some_path));
   return scripts;
 }
 
@@ -205,15 +199,13 @@ std::vector<std::uint32_t> operands_in(const Variant& v, const std::string& answ
   const x86::Routine routine = key_of(v).routine;
   std::vector<std::uint32_t> values;
   for (int i = 0; i < x86::arity(routine).in; ++i) {
-    const std::string asked = fmt::format("({} #", sym::operand_name(routine, i));
-    const auto place = answer.find(asked);
-    if (place == std::string::npos) return {};
-    const auto digits = place + asked.size() + 1;
-    const int base = answer[digits - 1] == 'x' ? 16 : 2;
     std::uint32_t value = 0;
-    const char* first = answer.data() + digits;
-    if (std::from_chars(first, answer.data() + answer.size(), value, base).ec != std::errc{}) {
-      return {};
+    const auto place = answer.find(fmt::format("(define-fun {} ()", sym::operand_name(routine, i)));
+    const auto number = answer.find('#', place);
+    if (place != std::string::npos && number != std::string::npos) {
+      const auto digits = std::string_view(answer).substr(number + 1);
+      const int base = digits.starts_with('x') ? 16 : 2;
+      std::from_chars(digits.data() + 1, digits.data() + digits.size(), value, base);
     }
     values.push_back(value);
   }

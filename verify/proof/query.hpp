@@ -17,12 +17,11 @@ namespace fixproof {
 /// `variant` says for every operand: the same words, #DE exactly where it says, no undefined flag
 /// read, no memory but its own touched, and what it must keep kept. For each path there is one that
 /// says so, before it perhaps one that says that its products are the specification's, which the
-/// next takes for granted; the last says that there are no operands but those of the paths. Each
-/// ends by asking for the operands. Under abstract arithmetic a script may be satisfiable though
-/// `code` is right.
+/// next takes for granted; the last says that there are no operands but those of the paths. Under
+/// abstract arithmetic a script may be satisfiable though `code` is right.
 /// @param code the whole program; any, a broken one too
-/// @throws std::logic_error where there is no path, or the 8088 transforms do not bring the
-/// FixedMul along that is proven by itself
+/// @throws std::logic_error where the 8088 transforms do not bring the FixedMul along that is
+/// proven by itself
 std::vector<std::string> questions(const Variant& variant,
                                    std::span<const x86model::Instruction> code,
                                    Arithmetic arithmetic = Arithmetic::abstract);
@@ -31,7 +30,8 @@ std::vector<std::string> questions(const Variant& variant,
 /// the two are equivalent, and no solver need be asked.
 bool has_same_terms(const Variant& variant, std::span<const x86model::Instruction> code);
 
-/// The operands in a solver's answer to such a script; empty where it holds none.
+/// The operands in the model that a solver gives for such a script. One that it does not name may
+/// be any: it is 0.
 std::vector<std::uint32_t> operands_in(const Variant& variant, const std::string& answer);
 
 }  // namespace fixproof
