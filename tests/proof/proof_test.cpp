@@ -143,7 +143,7 @@ TEST(Proof, AWrongProgramComesBackWithACase) {
     const auto all = mutants_of(v);
     for (std::size_t i = 0; i < all.size(); i += all.size() / 3 + 1) {
       if (!cases_to_kill(v, *party(all[i].program), 1)) continue;
-      const Proof proof = prove(v, all[i].program, z3(), 3);
+      const Proof proof = prove(v, all[i].program, z3(), 10);
       ASSERT_NE(proof.standing, Standing::proven) << all[i].change;
       if (proof.standing == Standing::open) continue;
       EXPECT_NE(ask(*party(all[i].program), v, proof.counterexample),
