@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace xsharp {
@@ -147,8 +148,6 @@ bool window_available() { return true; }
 Window::Window(const std::string& title, std::int32_t width, std::int32_t height)
     : implementation_(std::make_unique<Implementation>(title, width, height)) {}
 Window::~Window() = default;
-Window::Window(Window&&) noexcept = default;
-Window& Window::operator=(Window&&) noexcept = default;
 
 void Window::show(const Page<std::uint32_t>& page) {
   implementation_->show(page.pixels(), page.width(), page.height());
