@@ -60,7 +60,7 @@ TEST(AnimationPng, IndexedFramesShareTheirPalette) {
   const Palette& palette = palette_of(PaletteKind::vga);
   AnimationPng animation(folder.path("a.png"), frame_time(60));
   Page<std::uint8_t> page(5, 3);
-  for (const std::uint8_t index : {4, 15, 40}) {
+  for (const auto index : std::vector<std::uint8_t>{4, 15, 40}) {
     page.clear(index);
     animation.add(encode_png(page, palette));
   }
