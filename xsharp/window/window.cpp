@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 namespace xsharp {
 
@@ -22,12 +24,23 @@ class Video {
     // Interrupts stay what the program has made of them.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("open a window");
+    if (nobody_would_see()) {
+      SDL_QuitSubSystem(SDL_INIT_VIDEO);
+      throw std::runtime_error("cannot open a window: no display, neither X11 nor Wayland");
+    }
   }
   ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
   Video(const Video&) = delete;
   Video(Video&&) = delete;
   Video& operator=(const Video&) = delete;
   Video& operator=(Video&&) = delete;
+
+ private:
+  /// SDL falls back to a driver that draws into memory, unless it was told which to take.
+  static bool nobody_would_see() {
+    return SDL_GetHint(SDL_HINT_VIDEODRIVER) == nullptr &&
+           std::string_view(SDL_GetCurrentVideoDriver()) == "offscreen";
+  }
 };
 
 struct Destroy {
@@ -147,8 +160,6 @@ bool window_available() { return true; }
 Window::Window(const std::string& title, std::int32_t width, std::int32_t height)
     : implementation_(std::make_unique<Implementation>(title, width, height)) {}
 Window::~Window() = default;
-Window::Window(Window&&) noexcept = default;
-Window& Window::operator=(Window&&) noexcept = default;
 
 void Window::show(const Page<std::uint32_t>& page) {
   implementation_->show(page.pixels(), page.width(), page.height());

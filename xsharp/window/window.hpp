@@ -34,10 +34,10 @@ class Window {
   /// @throws std::runtime_error naming the cause: no SDL2 in this build, no display, no memory
   Window(const std::string& title, std::int32_t width, std::int32_t height);
   ~Window();
-  Window(Window&&) noexcept;
-  Window& operator=(Window&&) noexcept;
   Window(const Window&) = delete;
+  Window(Window&&) = delete;
   Window& operator=(const Window&) = delete;
+  Window& operator=(Window&&) = delete;
 
   /// @throws std::invalid_argument for a page of another size, std::runtime_error naming the cause
   void show(const Page<std::uint32_t>& page);

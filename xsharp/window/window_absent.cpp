@@ -13,8 +13,6 @@ Window::Window(const std::string& /*title*/, std::int32_t /*width*/, std::int32_
   throw std::runtime_error("cannot open a window: this was built without SDL2");
 }
 Window::~Window() = default;
-Window::Window(Window&&) noexcept = default;
-Window& Window::operator=(Window&&) noexcept = default;
 
 // Never reached: there is no window.
 void Window::show(const Page<std::uint32_t>& /*page*/) {}
