@@ -10,6 +10,9 @@
 
 namespace xsharp {
 
+/// Vertices of a face at most.
+inline constexpr std::size_t longest_polygon = 16;
+
 /// A convex polygon whose vertices run clockwise seen from outside, in a right-handed object space.
 /// It shows when the screen-space cross product of (vertex 1 - vertex 0) and (last vertex - vertex
 /// 0) is positive, y down.

@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "xsharp/files/json_node.hpp"
+#include "xsharp/files/obj.hpp"
 #include "xsharp/files/read_text.hpp"
 #include "xsharp/shapes.hpp"
+#include "xsharp/validate.hpp"
 
 namespace xsharp {
 namespace {
@@ -140,6 +142,15 @@ Shape shape(const JsonNode& node, const std::filesystem::path& folder) {
                            read.push_back({cube(half_edge.number())});
                          }}});
         }},
+       {"obj",
+        [&](const JsonNode& value) {
+          const std::filesystem::path file = folder / value.text();
+          try {
+            read.push_back({read_obj(file)});
+          } catch (const SceneError& error) {
+            value.refuse(error.what());
+          }
+        }},
        {"ball", [&](const JsonNode& value) {
           double radius = 0;
           std::int32_t bands = 0;
@@ -150,7 +161,6 @@ Shape shape(const JsonNode& node, const std::filesystem::path& folder) {
                {"bands", [&](const JsonNode& number) { bands = number.whole(2, most_bands); }}});
           read.push_back({ball(radius, bands), static_cast<std::size_t>(2 * bands)});
         }}});
-  static_cast<void>(folder);
   if (read.size() != 1) node.refuse("must have one key: cube, ball or obj");
   return std::move(read[0]);
 }
@@ -257,11 +267,16 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
        {"lights", [&](const JsonNode& value) { read.lights = lights(value); }},
        {"defaults", [&](const JsonNode& value) { read_draft(value, folder, defaults); }},
        {"objects", [&](const JsonNode& value) {
+          std::size_t faces = 0;
           for (const JsonNode& element : value.list()) {
             Draft draft = defaults;
             draft.object.name = "object " + std::to_string(objects.size());
             read_draft(element, folder, draft);
             objects.push_back(finished(element, std::move(draft)));
+            // validate() says so too, but a small text can make a scene that does not fit in
+            // memory.
+            faces += objects.back().mesh.faces.size();
+            if (objects.size() > most_objects || faces > most_faces_in_scene) break;
           }
         }}});
   return read;
@@ -290,16 +305,19 @@ Json parse(std::string_view text) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::filesystem::path& folder) {
+Scene parse_scene(std::string_view text, const std::string& name,
+                  const std::filesystem::path& folder) {
   const Json document = parse(text);
-  return scene({document, ""}, folder);
+  Scene read = scene({document, ""}, folder);
+  if (read.name.empty()) read.name = name;
+  validate(read);
+  return read;
 }
 
 Scene read_scene(const std::filesystem::path& file) {
   try {
-    Scene read = parse_scene(read_text(file, std::size_t{1} << 20U), file.parent_path());
-    if (read.name.empty()) read.name = file.stem().string();
-    return read;
+    return parse_scene(read_text(file, std::size_t{1} << 20U), file.stem().string(),
+                       file.parent_path());
   } catch (const SceneError& error) {
     throw SceneError(file.string() + ": " + error.what());
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "xsharp/scene.hpp"
@@ -15,8 +16,11 @@ namespace xsharp {
 /// @throws SceneError naming the file and the place in it; that the file cannot be read is one too
 Scene read_scene(const std::filesystem::path& file);
 
-/// The same from the text of a file. @param folder where the files that the scene names are
+/// The same from the text of a file.
+/// @param name   of the scene, unless the text has one
+/// @param folder where the files that the text names are
 /// @throws SceneError naming the place
-Scene parse_scene(std::string_view text, const std::filesystem::path& folder);
+Scene parse_scene(std::string_view text, const std::string& name,
+                  const std::filesystem::path& folder);
 
 }  // namespace xsharp

@@ -1,0 +1,115 @@
+#include "xsharp/files/obj.hpp"
+
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <sstream>
+#include <string_view>
+
+#include "xsharp/files/read_text.hpp"
+#include "xsharp/validate_mesh.hpp"
+
+namespace xsharp {
+namespace {
+
+constexpr std::string_view blank = " \t\r";
+
+/// Takes the first word off the line; empty at its end.
+std::string_view next_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blank));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/// The library takes whatever is no number for 0, so places are looked at beforehand.
+void check_places(std::string_view text) {
+  std::size_t number = 0;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    text.remove_prefix(line.size());
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
+    ++number;
+    if (next_word(line) != "v") continue;
+    for (int component = 0; component < 3; ++component) {
+      const std::string_view word = next_word(line);
+      double value = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+      if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
+        throw SceneError(detail::text_of("line ", number, ": a vertex needs three numbers, not \"",
+                                         word.substr(0, 40), '"'));
+      }
+    }
+  }
+}
+
+void add_vertex(Mesh& mesh, const Triple& place) {
+  // 0e999 is no number to the library.
+  if (!std::isfinite(length(place))) {
+    throw SceneError(detail::text_of("vertex ", mesh.vertices.size() + 1, " is not finite"));
+  }
+  if (mesh.vertices.size() == most_vertices) {
+    throw SceneError(detail::text_of("more than ", most_vertices, " vertices"));
+  }
+  mesh.vertices.push_back(place);
+}
+
+void add_face(Mesh& mesh, std::span<const tinyobj::index_t> corners) {
+  const std::size_t number = mesh.faces.size();
+  if (number == most_faces) throw SceneError(detail::text_of("more than ", most_faces, " faces"));
+  if (corners.size() < 3 || corners.size() > longest_polygon) {
+    throw SceneError(detail::text_of("face ", number, " has ", corners.size(),
+                                     " vertices, must have 3 to ", longest_polygon));
+  }
+  Face face;
+  for (const tinyobj::index_t& corner : corners) {
+    // Counted from 1, or backward from the last one so far.
+    const auto count = static_cast<std::ptrdiff_t>(mesh.vertices.size());
+    const std::ptrdiff_t written = corner.vertex_index;
+    const std::ptrdiff_t index = written < 0 ? count + written : written - 1;
+    if (index < 0 || index >= count) {
+      throw SceneError(
+          detail::text_of("face ", number, " has vertex ", written, " of ", count, " so far"));
+    }
+    face.vertices.push_back(static_cast<std::size_t>(index));
+  }
+  std::reverse(face.vertices.begin() + 1, face.vertices.end());
+  mesh.faces.push_back(std::move(face));
+}
+
+}  // namespace
+
+Mesh parse_obj(const std::string& text) {
+  check_places(text);
+  Mesh mesh;
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = [](void* to, double x, double y, double z, double /*w*/) {
+    add_vertex(*static_cast<Mesh*>(to), {x, y, z});
+  };
+  callbacks.index_cb = [](void* to, tinyobj::index_t* corners, int count) {
+    add_face(*static_cast<Mesh*>(to), {corners, static_cast<std::size_t>(count)});
+  };
+  std::istringstream stream(text);
+  std::string error;
+  // Without a reader of materials no other file is opened.
+  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &mesh, nullptr, nullptr, &error) ||
+      !error.empty()) {
+    throw SceneError("not a Wavefront OBJ file: " + error);
+  }
+  if (mesh.faces.empty()) throw SceneError("there are no faces");
+  return mesh;
+}
+
+Mesh read_obj(const std::filesystem::path& file) {
+  try {
+    return parse_obj(read_text(file, std::size_t{4} << 20U));
+  } catch (const SceneError& error) {
+    throw SceneError(file.string() + ": " + error.what());
+  }
+}
+
+}  // namespace xsharp

@@ -1,0 +1,171 @@
+/// @file
+/// Refuses a scene that breaks a limit of 16.16 numbers or of the pipeline.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "xsharp/scene.hpp"
+#include "xsharp/scene_error.hpp"
+#include "xsharp/validate_mesh.hpp"
+
+namespace xsharp {
+
+inline constexpr std::size_t most_objects = 256;
+inline constexpr std::size_t most_faces_in_scene = 65536;
+inline constexpr std::size_t most_spots = 16;
+inline constexpr std::int32_t longest_side = 4096;
+/// Of a position in its page, in each component: so far, and half a page of body, stay in 16.16.
+inline constexpr double farthest_position = 16384;
+inline constexpr std::int32_t farthest_page = 1000000;
+
+namespace detail {
+
+/// Written so that NaN is out of every range.
+template <class Number>
+void demand_range(const std::string& what, Number value, Number least, Number most) {
+  if (value >= least && value <= most) return;
+  throw SceneError(text_of(what, " is ", value, ", must be from ", least, " to ", most));
+}
+
+inline void demand_range(const std::string& what, const Triple& values, double least, double most) {
+  for (const double value : values) demand_range(what, value, least, most);
+}
+
+/// Angles are arguments of CosSin, a 16-bit number.
+inline void demand_angle(const std::string& what, std::int32_t tenths) {
+  demand_range<std::int32_t>(what, tenths, INT16_MIN, INT16_MAX);
+}
+
+inline void demand_place(const std::array<std::int32_t, 3>& page, const Triple& position) {
+  for (const std::int32_t component : page) {
+    demand_range("page", component, -farthest_page, farthest_page);
+  }
+  demand_range("position", position, -farthest_position, farthest_position);
+}
+
+inline void demand_delay(const std::string& what, const Delay& delay) {
+  demand_range(what + ".delay, first", delay.first, 1, INT32_MAX);
+  demand_range(what + ".delay, base", delay.base, 1, INT32_MAX);
+}
+
+inline void demand_word(const std::string& what, const std::string& value,
+                        std::initializer_list<std::string_view> words) {
+  if (std::ranges::find(words, value) != words.end()) return;
+  std::string known;
+  for (const auto word : words) known.append(known.empty() ? "" : ", ").append(word);
+  throw SceneError(text_of(what, " is \"", value, "\", must be one of ", known));
+}
+
+inline void validate_orbit(const Orbit& orbit) {
+  demand_range("orbit.radius", orbit.radius, 0.0, farthest_position);
+  // All of the circle has to be a position.
+  const double most = farthest_position - orbit.radius;
+  demand_range("orbit.about, with this radius,", orbit.about, -most, most);
+  demand_angle("orbit.start_tenths", orbit.start_tenths);
+  demand_angle("orbit.step_tenths", orbit.step_tenths);
+  demand_angle("orbit.tilt_tenths", orbit.tilt_tenths);
+}
+
+inline void validate_paints(const ObjectDescription& object) {
+  const auto& faces = object.mesh.faces;
+  if (object.paints.size() != faces.size()) {
+    throw SceneError(text_of(object.paints.size(), " paints for ", faces.size(), " faces"));
+  }
+  if (!object.shading.ambient && !object.shading.diffuse) return;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (object.paints[i].is_index) {
+      throw SceneError(text_of("face ", i, " answers to light, so its paint must be a colour"));
+    }
+    if (object.shading.diffuse && !faces[i].normal_end) {
+      throw SceneError(text_of("face ", i, " answers to diffuse light, but has no normal"));
+    }
+  }
+}
+
+inline void validate_lights(const Lights& lights) {
+  demand_range("lights.ambient", lights.ambient, 0, 100);
+  if (lights.spots.size() > most_spots) {
+    throw SceneError(text_of(lights.spots.size(), " spots, more than ", most_spots));
+  }
+  for (std::size_t i = 0; i < lights.spots.size(); ++i) {
+    const std::string name = text_of("spot ", i);
+    demand_range(name + ": direction", lights.spots[i].direction, -32768, 32768);
+    demand_range(name + ": length of direction", length(lights.spots[i].direction),
+                 std::ldexp(1, -16), 65536.0);
+    demand_range(name + ": intensity", lights.spots[i].intensity, 0, 100);
+  }
+}
+
+/// The scene without its objects.
+inline void validate_setting(const Scene& scene) {
+  demand_range("width", scene.width, 1, longest_side);
+  demand_range("height", scene.height, 1, longest_side);
+  demand_range("frames_per_second", scene.frames_per_second, 0.001, 1000.0);
+  demand_range("projection_ratio", scene.projection_ratio, -1000.0, -0.01);
+  // Beyond this the screen coordinates at the sides of a wide page near the ends of 16.16.
+  demand_range("projection_ratio * width / 2", scene.projection_ratio * scene.width / 2, -16000.0,
+               -0.01);
+  demand_range("restore_every", scene.restore_every, 0, INT32_MAX);
+  demand_word("arithmetic.by", scene.arithmetic.by, {"type", "model", "double"});
+  demand_word("arithmetic.target", scene.arithmetic.target, {"i386", "i8088", "standard"});
+  try {
+    demand_place(scene.camera.page, scene.camera.position);
+    for (const std::int32_t tenths : scene.camera.turn_tenths) demand_angle("turn_tenths", tenths);
+  } catch (const SceneError& error) {
+    throw SceneError(text_of("camera: ", error.what()));
+  }
+  validate_lights(scene.lights);
+}
+
+}  // namespace detail
+
+/// @throws SceneError saying what is wrong, without the object's name
+inline void validate_object(const ObjectDescription& object) {
+  validate_mesh(object.mesh);
+  detail::validate_paints(object);
+  detail::demand_place(object.page, object.position);
+  for (const std::int32_t tenths : object.spin.tenths) detail::demand_angle("spin.tenths", tenths);
+  detail::demand_delay("spin", object.spin.delay);
+  if (object.drift) {
+    detail::demand_range("drift.step", object.drift->step, -farthest_position, farthest_position);
+    if (object.drift->stop_z) {
+      detail::demand_range("drift.stop_z", *object.drift->stop_z, -farthest_position,
+                           farthest_position);
+    }
+    detail::demand_delay("drift", object.drift->delay);
+  }
+  if (object.orbit) detail::validate_orbit(*object.orbit);
+}
+
+/// A scene that passes can be drawn by every arithmetic without leaving 16.16 unawares, as far as
+/// can be told before it moves.
+/// @throws SceneError naming the scene, the object and the reason
+inline void validate(const Scene& scene) {
+  std::string place = "scene '" + scene.name + "': ";
+  try {
+    detail::validate_setting(scene);
+    if (scene.objects.size() > most_objects) {
+      throw SceneError(detail::text_of(scene.objects.size(), " objects, more than ", most_objects));
+    }
+    std::size_t faces = 0;
+    for (const ObjectDescription& object : scene.objects) faces += object.mesh.faces.size();
+    if (faces > most_faces_in_scene) {
+      throw SceneError(detail::text_of(faces, " faces, more than ", most_faces_in_scene));
+    }
+    for (const ObjectDescription& object : scene.objects) {
+      place = "scene '" + scene.name + "': object '" + object.name + "': ";
+      validate_object(object);
+    }
+  } catch (const SceneError& error) {
+    throw SceneError(place + error.what());
+  }
+}
+
+}  // namespace xsharp
