@@ -18,7 +18,7 @@ using enum x86model::Target;
 /// What the model answers to a divide under the switches as they are printed.
 std::uint32_t divide_as_printed(fixproof::Target target, std::uint32_t n, std::uint32_t d) {
   fixproof::VariantOptions options;
-  options.target = target;
+  options.targets = {target};
   options.as_printed = true;
   const fixproof::Variant variant = options.choose(fixproof::Operation::div);
   const std::array in{n, d};

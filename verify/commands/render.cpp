@@ -1,6 +1,5 @@
 // fixproof render: draws a scene into files, or into a window.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/file.hpp"
+#include "verify/frame_progress.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/scenes/canvas.hpp"
 #include "verify/scenes/dump.hpp"
@@ -57,38 +57,6 @@ void set_size(xsharp::Scene& scene, const std::string& size) {
   scene.width = side(std::string_view(size).substr(0, cross));
   scene.height = side(std::string_view(size).substr(cross + 1));
 }
-
-/// One line on a terminal, drawn a few times a second.
-class FrameProgress {
- public:
-  explicit FrameProgress(std::uint64_t all) : all_(all) {}
-  ~FrameProgress() {
-    if (drawn_) fmt::print(stderr, "\r\x1b[K");
-  }
-  FrameProgress(const FrameProgress&) = delete;
-  FrameProgress& operator=(const FrameProgress&) = delete;
-  FrameProgress(FrameProgress&&) = delete;
-  FrameProgress& operator=(FrameProgress&&) = delete;
-
-  void show(std::uint64_t done) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!terminal_ || done == 0 || now - last_ < std::chrono::milliseconds(200)) return;
-    last_ = now;
-    const std::chrono::duration<double> passed = now - begin_;
-    const double left =
-        passed.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
-    fmt::print(stderr, "\r{:3} %, {} of {} frames, about {} left\x1b[K", done * 100 / all_,
-               grouped(done), grouped(all_), duration(left));
-    drawn_ = true;
-  }
-
- private:
-  std::uint64_t all_;
-  bool terminal_ = ::isatty(STDERR_FILENO) == 1;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point last_ = begin_;
-};
 
 /// Where frames go.
 struct Outputs {

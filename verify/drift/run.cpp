@@ -1,0 +1,143 @@
+#include "verify/drift/run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "fixed/fixed.hpp"
+#include "verify/drift/sources.hpp"
+#include "xsharp/motion.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using xsharp::ObjectDescription;
+using xsharp::RotationStyle;
+
+/// The motions of all objects, whatever the number type.
+class Motions {
+ public:
+  Motions() = default;
+  Motions(const Motions&) = delete;
+  Motions& operator=(const Motions&) = delete;
+  Motions(Motions&&) = delete;
+  Motions& operator=(Motions&&) = delete;
+  virtual ~Motions() = default;
+  virtual void advance() = 0;
+  [[nodiscard]] virtual Placement placement(std::size_t object) const = 0;
+};
+
+template <class N>
+class MotionsOf final : public Motions {
+ public:
+  MotionsOf(const xsharp::Scene& scene, const RotationStyle& style) {
+    for (const ObjectDescription& object : scene.objects) motions_.emplace_back(object, style);
+  }
+  void advance() override {
+    for (auto& motion : motions_) motion.advance();
+  }
+  [[nodiscard]] Placement placement(std::size_t object) const override {
+    Placement p;
+    const auto& motion = motions_[object];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        p.at(i).at(j) = static_cast<double>(motion.to_world().rows[i][j]);
+      }
+      p.at(i)[3] += static_cast<double>(motion.page()[i]) * xsharp::page_size;
+    }
+    return p;
+  }
+
+ private:
+  std::vector<xsharp::Motion<N>> motions_;
+};
+
+template <class Number, fixed::rounding rounding>
+std::unique_ptr<Motions> motions_with(const xsharp::Scene& scene, const RotationStyle& style,
+                                      Without without) {
+  switch (without) {
+    case Without::nothing:
+    case Without::offset:
+      break;
+    case Without::step:
+      return std::make_unique<MotionsOf<Partly<ExactSteps<rounding>>>>(scene, style);
+    case Without::products:
+      return std::make_unique<MotionsOf<Partly<ExactProducts>>>(scene, style);
+    case Without::all:
+      return std::make_unique<MotionsOf<double>>(scene, style);
+  }
+  return std::make_unique<MotionsOf<Number>>(scene, style);
+}
+
+std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase& c) {
+  using enum fixed::rounding;
+  const auto conversion =
+      c.without == Without::offset ? xsharp::Conversion::nearest : scene.conversion;
+  const RotationStyle style{scene.trigonometry, conversion, c.from_scratch, c.restore_every};
+  switch (c.multiply) {
+    case Multiply::i386_on:
+      return motions_with<fixed::q16_16_i386, half_up>(scene, style, c.without);
+    case Multiply::i386_off:
+      return motions_with<fixed::q16_16_i386_unrounded, floor>(scene, style, c.without);
+    case Multiply::i8088_on:
+      return motions_with<fixed::q16_16_i8088, half_away>(scene, style, c.without);
+    case Multiply::i8088_off:
+      break;
+  }
+  return motions_with<fixed::q16_16_i8088_unrounded, truncate>(scene, style, c.without);
+}
+
+void note(DriftResult& result, const Distortion& d, std::uint64_t frame) {
+  result.worst.add(d);
+  if (!result.pixel && d.pixels >= Thresholds::pixels) result.pixel = frame;
+  if (!result.some && d.length >= Thresholds::some) result.some = frame;
+  if (!result.much && d.length >= Thresholds::much) result.much = frame;
+}
+
+}  // namespace
+
+std::string name_of(const DriftCase& c) {
+  static constexpr std::array multiplies{"386 on", "386 off", "8088 on", "8088 off"};
+  static constexpr std::array withouts{"", ", without offset", ", without step",
+                                       ", without products", ", without all"};
+  std::string name = multiplies.at(static_cast<std::size_t>(c.multiply));
+  name += withouts.at(static_cast<std::size_t>(c.without));
+  if (c.restore_every > 0) name += fmt::format(", restored every {}", c.restore_every);
+  if (c.from_scratch) name += ", from scratch";
+  return name;
+}
+
+std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector<DriftCase>& cases,
+                                   std::uint64_t& frames, const std::atomic<bool>& stop,
+                                   const std::function<void(std::uint64_t)>& frame_done) {
+  std::vector<std::unique_ptr<Motions>> runs;
+  for (const DriftCase& c : cases) runs.push_back(motions_of(scene, c));
+  const RotationStyle exact{scene.trigonometry, scene.conversion, true, 0};
+  MotionsOf<double> reference(scene, exact);
+
+  std::vector<DriftResult> results(cases.size());
+  for (std::uint64_t frame = 0; frame < frames; ++frame) {
+    if (stop) {
+      frames = frame;
+      break;
+    }
+    if (frame > 0) {
+      reference.advance();
+      for (const auto& run : runs) run->advance();
+    }
+    for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+      const Placement should_be = reference.placement(object);
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        note(results[i],
+             distortion(runs[i]->placement(object), should_be, scene.objects[object].mesh, scene),
+             frame);
+      }
+    }
+    frame_done(frame + 1);
+  }
+  return results;
+}
+
+}  // namespace fixproof

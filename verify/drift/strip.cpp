@@ -1,0 +1,88 @@
+#include "verify/drift/strip.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/scenes/players.hpp"
+#include "xsharp/raster/palette.hpp"
+
+namespace fixproof {
+
+namespace {
+
+constexpr int cell = 110;
+constexpr int name_width = 190;
+constexpr int head = 28;
+
+/// The object alone, before the viewer, large enough to fill most of a cell.
+xsharp::Scene alone(xsharp::Scene scene, std::size_t object) {
+  xsharp::ObjectDescription kept = scene.objects.at(object);
+  double radius = 1;
+  for (const xsharp::Triple& v : kept.mesh.vertices) {
+    radius = std::max(radius, std::hypot(v[0], v[1], v[2]));
+  }
+  scene.camera = {};
+  scene.width = scene.height = cell;
+  const double constant = std::fabs(scene.projection_ratio) *
+                          (cell / 2);  // NOLINT(bugprone-integer-division): as the pipeline
+  kept.page = {};
+  kept.position = {0, 0, -std::ceil(radius * constant / (0.45 * cell) + radius)};
+  kept.drift.reset();
+  kept.orbit.reset();
+  scene.objects = {std::move(kept)};
+  return scene;
+}
+
+/// What has grown out of its cell is cut off.
+std::string polygons(const xsharp::Picture& picture, const xsharp::Palette& palette, int x, int y) {
+  std::string svg =
+      fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{2}\" height=\"{2}\">\n", x, y, cell);
+  for (const xsharp::Polygon& polygon : picture.polygons) {
+    const xsharp::Paint& paint = polygon.paint;
+    const xsharp::Color color = paint.is_index ? palette.at(paint.index) : paint.color;
+    svg += "<polygon points=\"";
+    for (const xsharp::ScreenPoint& point : picture.points_of(polygon)) {
+      svg += fmt::format("{},{} ", point.x, point.y);
+    }
+    svg += fmt::format("\" fill=\"#{:02x}{:02x}{:02x}\"/>\n", color.red, color.green, color.blue);
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace
+
+std::string drift_strip(const std::vector<StripRow>& rows, std::size_t object,
+                        const std::vector<std::uint64_t>& frames,
+                        const std::vector<std::string>& labels) {
+  const int width = name_width + cell * static_cast<int>(frames.size());
+  const int height = head + cell * static_cast<int>(rows.size());
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" font-family=\"sans-serif\" font-size=\"13\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#14161a\"/>\n",
+      width, height);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    svg += fmt::format("<text x=\"{}\" y=\"19\" fill=\"#ddd\" text-anchor=\"middle\">{}</text>\n",
+                       name_width + cell * static_cast<int>(i) + cell / 2, labels[i]);
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const int top = head + cell * static_cast<int>(r);
+    svg += fmt::format("<text x=\"10\" y=\"{}\" fill=\"#ddd\">{}</text>\n", top + cell / 2,
+                       rows[r].name);
+    const xsharp::Scene scene = alone(rows[r].scene, object);
+    const auto player = make_player(scene, scene.arithmetic);
+    const xsharp::Palette& palette = xsharp::palette_of(scene.palette);
+    xsharp::Picture picture;
+    std::uint64_t frame = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      for (; frame < frames[i]; ++frame) player->move();
+      player->draw(picture);
+      svg += polygons(picture, palette, name_width + cell * static_cast<int>(i), top);
+    }
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace fixproof
