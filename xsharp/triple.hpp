@@ -30,7 +30,7 @@ using Triple = std::array<double, 3>;
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Without overflow on the way.
+/// Without overflow on the way. @pre finite: the standard library may take a NaN for 0
 [[nodiscard]] inline double length(const Triple& a) { return std::hypot(a[0], a[1], a[2]); }
 
 }  // namespace xsharp

@@ -147,7 +147,8 @@ class MeshExamination {
       const Triple in = scaled(cross(edge, out_), 1 / length(edge));
       for (std::size_t j = 0; j < count; ++j) {
         if (dot(in, difference(corner(j), corner(i))) < -tolerance_) {
-          refuse_face(" is not convex at vertex ", face().vertices[j]);
+          refuse_face(" is not convex: vertex ", face().vertices[j],
+                      " is outside the edge that begins at vertex ", face().vertices[i]);
         }
       }
     }

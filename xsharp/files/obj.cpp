@@ -49,7 +49,7 @@ void check_places(std::string_view text) {
 
 void add_vertex(Mesh& mesh, const Triple& place) {
   // 0e999 is no number to the library.
-  if (!std::isfinite(length(place))) {
+  if (!std::ranges::all_of(place, [](double component) { return std::isfinite(component); })) {
     throw SceneError(detail::text_of("vertex ", mesh.vertices.size() + 1, " is not finite"));
   }
   if (mesh.vertices.size() == most_vertices) {

@@ -282,20 +282,46 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
   return read;
 }
 
+/// Looks for keys that stand twice. The library's parser would take the last, and its callbacks
+/// take quadratic time for a list of objects.
+class TwiceCheck final : public nlohmann::json_sax<Json> {
+ public:
+  bool key(std::string& name) override {
+    if (open_.back().insert(name).second) return true;
+    throw SceneError("the key \"" + name + "\" stands twice in one object");
+  }
+  bool start_object(std::size_t /*keys*/) override {
+    open_.emplace_back();
+    return true;
+  }
+  bool end_object() override {
+    open_.pop_back();
+    return true;
+  }
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(std::int64_t /*value*/) override { return true; }
+  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
+  bool string(std::string& /*value*/) override { return true; }
+  bool binary(Json::binary_t& /*value*/) override { return true; }
+  bool start_array(std::size_t /*elements*/) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
+                   const Json::exception& /*error*/) override {
+    return false;  // the parser says it better
+  }
+
+ private:
+  std::vector<std::set<std::string>> open_;
+};
+
 /// @throws SceneError for what is not JSON with comments, or has a key twice
 Json parse(std::string_view text) {
-  std::vector<std::set<std::string>> open;
-  const auto watch = [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key &&
-        !open.back().insert(parsed.get<std::string>()).second) {
-      throw SceneError("the key " + parsed.dump() + " stands twice in one object");
-    }
-    return true;
-  };
+  TwiceCheck twice;
+  Json::sax_parse(text, &twice, nlohmann::detail::input_format_t::json, true, true);
   try {
-    return Json::parse(text, watch, true, true);
+    return Json::parse(text, nullptr, true, true);
   } catch (const Json::exception& error) {
     // Without the library's own label, "[json.exception...] ".
     const std::string what = error.what();

@@ -1,0 +1,254 @@
+/// The format of scenes: every key, and every way of being wrong.
+#include "xsharp/files/scene_json.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/xsharp/scenes/refusal.hpp"
+
+namespace {
+
+using namespace xsharp;
+
+const std::filesystem::path root = SOURCE_FOLDER;
+
+std::string contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+Scene parsed(const std::string& text) { return parse_scene(text, "s", root / "scenes"); }
+std::string said(const std::string& text) {
+  return xsharp_test::refusal([&] { parsed(text); });
+}
+/// A scene of one cube with these keys.
+std::string cube_with(const std::string& keys) {
+  return R"({"objects": [{"shape": {"cube": {"half_edge": 1}}, )" + keys + "}]}";
+}
+std::string paint_of(const std::string& paint) { return cube_with("\"paint\": " + paint); }
+
+TEST(SceneJson, ReadsTheExampleOfTheDocument) {
+  const std::string page = contents(root / "docs" / "scenes.md");
+  const std::string fence = "```json\n";
+  const auto begin = page.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const Scene scene = parsed(
+      page.substr(begin + fence.size(), page.find("```\n", begin + 3) - begin - fence.size()));
+  EXPECT_EQ(scene.name, "two bodies");
+  ASSERT_EQ(scene.objects.size(), 2U);
+  EXPECT_EQ(scene.objects[0].mesh.faces.size(), 72U);
+  EXPECT_EQ(scene.objects[1].mesh.faces.size(), 6U);
+}
+
+TEST(SceneJson, ReadsEveryKey) {
+  const Scene scene = parsed(R"({
+    "name": "n", "width": 100, "height": 50, "frames_per_second": 12.5, "projection_ratio": -3,
+    "conversion": "nearest", "trigonometry": "floating", "depth_key": "farthest",
+    "palette": "shading", "background": 7, "restore_every": 5,
+    "arithmetic": {"by": "model", "target": "i8088", "mul_round": false, "div_round": false},
+    "camera": {"page": [1, 2, 3], "position": [4, 5, 6.5], "turn_tenths": [7, 8, 9]},
+    "lights": {"ambient_on": false, "ambient": [0.25, 0.5, 1],
+               "spots": [{"on": false, "direction": [1, 2, 3], "intensity": [4, 5, 6]}]},
+    "objects": [{"name": "o", "shape": {"cube": {"half_edge": 2.5}}, "paint": [1, 2, 3],
+                 "shading": {"ambient": true, "diffuse": true}, "page": [-1, -2, -3],
+                 "position": [-4, -5, -6], "spin": {"tenths": [10, -20, 30], "delay": [2, 3]},
+                 "drift": {"step": [1, 2, 3], "stop_z": -9, "delay": [4, 5]},
+                 "orbit": {"about": [1, 2, 3], "radius": 4, "start_tenths": 5, "step_tenths": 6,
+                           "tilt_tenths": 7}}]})");
+  EXPECT_EQ(scene.name, "n");
+  EXPECT_EQ(std::pair(scene.width, scene.height), std::pair(100, 50));
+  EXPECT_EQ(scene.frames_per_second, 12.5);
+  EXPECT_EQ(scene.projection_ratio, -3);
+  EXPECT_EQ(scene.conversion, Conversion::nearest);
+  EXPECT_EQ(scene.trigonometry, Trigonometry::floating);
+  EXPECT_EQ(scene.depth_key, DepthKey::farthest);
+  EXPECT_EQ(scene.palette, PaletteKind::shading);
+  EXPECT_EQ(scene.background, 7);
+  EXPECT_EQ(scene.restore_every, 5);
+  EXPECT_EQ(scene.arithmetic.by + scene.arithmetic.target, "modeli8088");
+  EXPECT_FALSE(scene.arithmetic.mul_round || scene.arithmetic.div_round);
+  EXPECT_EQ(scene.camera.page, (std::array{1, 2, 3}));
+  EXPECT_EQ(scene.camera.position, (Triple{4, 5, 6.5}));
+  EXPECT_EQ(scene.camera.turn_tenths, (std::array{7, 8, 9}));
+  EXPECT_FALSE(scene.lights.ambient_on);
+  EXPECT_EQ(scene.lights.ambient, (Triple{0.25, 0.5, 1}));
+  ASSERT_EQ(scene.lights.spots.size(), 1U);
+  EXPECT_FALSE(scene.lights.spots[0].on);
+  EXPECT_EQ(scene.lights.spots[0].direction, (Triple{1, 2, 3}));
+  EXPECT_EQ(scene.lights.spots[0].intensity, (Triple{4, 5, 6}));
+  ASSERT_EQ(scene.objects.size(), 1U);
+  const ObjectDescription& object = scene.objects[0];
+  EXPECT_EQ(object.name, "o");
+  EXPECT_EQ(object.mesh.vertices.at(13), (Triple{2.5, 2.5, 3.5}));
+  EXPECT_EQ(object.paints, (std::vector<Paint>(6, Paint{false, 0, {1, 2, 3}})));
+  EXPECT_TRUE(object.shading.ambient && object.shading.diffuse);
+  EXPECT_EQ(object.page, (std::array{-1, -2, -3}));
+  EXPECT_EQ(object.position, (Triple{-4, -5, -6}));
+  EXPECT_EQ(object.spin.tenths, (std::array{10, -20, 30}));
+  EXPECT_EQ(std::pair(object.spin.delay.first, object.spin.delay.base), std::pair(2, 3));
+  ASSERT_TRUE(object.drift && object.orbit);
+  EXPECT_EQ(object.drift->step, (Triple{1, 2, 3}));
+  EXPECT_EQ(object.drift->stop_z, -9.0);
+  EXPECT_EQ(std::pair(object.drift->delay.first, object.drift->delay.base), std::pair(4, 5));
+  EXPECT_EQ(object.orbit->about, (Triple{1, 2, 3}));
+  EXPECT_EQ(object.orbit->radius, 4);
+  EXPECT_EQ(object.orbit->start_tenths, 5);
+  EXPECT_EQ(object.orbit->step_tenths, 6);
+  EXPECT_EQ(object.orbit->tilt_tenths, 7);
+}
+
+TEST(SceneJson, ReadsPaints) {
+  EXPECT_EQ(parsed(paint_of("255")).objects[0].paints[5], (Paint{true, 255, {}}));
+  EXPECT_EQ(parsed(paint_of("\"#0aFF10\"")).objects[0].paints[5], (Paint{false, 0, {10, 255, 16}}));
+  const Scene ball =
+      parsed(R"({"objects": [{"shape": {"ball": {"radius": 9, "bands": 2}}, "checks": [1, 2]}]})");
+  std::string checks;
+  for (const Paint& paint : ball.objects[0].paints) checks += std::to_string(paint.index);
+  EXPECT_EQ(checks, "12122121");
+}
+
+TEST(SceneJson, DefaultsGiveWay) {
+  const Scene scene = parsed(R"({
+    "objects": [{"name": "a"}, {"paints": [1, 2, 3, 4, 5, 6], "spin": {"tenths": [0, 0, 9]}}],
+    "defaults": {"shape": {"cube": {"half_edge": 1}}, "paint": 9,
+                 "spin": {"tenths": [1, 2, 3], "delay": [4, 4]}}})");
+  EXPECT_EQ(scene.name, "s");
+  EXPECT_EQ(scene.objects[0].paints[0].index, 9);
+  EXPECT_EQ(scene.objects[0].spin.delay.base, 4);
+  EXPECT_EQ(scene.objects[1].name, "object 1");
+  EXPECT_EQ(scene.objects[1].paints[5].index, 6);
+  EXPECT_EQ(scene.objects[1].spin.tenths, (std::array{0, 0, 9}));
+  EXPECT_EQ(scene.objects[1].spin.delay.base, 1);
+}
+
+TEST(SceneJson, SaysWhatIsWrongAndWhere) {
+  const std::vector<std::pair<std::string, std::string>> table{
+      {"[]", "must be an object {…}, not []"},
+      {"{}", "must have the key \"objects\""},
+      {R"({"objects": {}})", "objects: must be a list, not {}"},
+      {R"({"objects": [3]})", "objects[0]: must be an object {…}, not 3"},
+      {R"({"objects": [], "objects": []})", "the key \"objects\" stands twice in one object"},
+      {R"({"objects": [], "camera": {"poistion": [0, 0, 0]}})",
+       "camera: no key \"poistion\" is known here, only page, position, turn_tenths"},
+      {R"({"objects": [], "width": "wide"})",
+       "width: must be a whole number from -2147483648 to 2147483647, not \"wide\""},
+      {R"({"objects": [], "width": 320.0})",
+       "width: must be a whole number from -2147483648 to 2147483647, not 320.0"},
+      {R"({"objects": [], "width": 18446744073709551615})",
+       "width: must be a whole number from -2147483648 to 2147483647, not 18446744073709551615"},
+      {R"({"objects": [], "background": 256})",
+       "background: must be a whole number from 0 to 255, not 256"},
+      {R"({"objects": [], "palette": "cga"})",
+       "palette: must be one of \"vga\" \"shading\", not \"cga\""},
+      {R"({"objects": [], "depth_key": 1})",
+       "depth_key: must be one of \"none\" \"center\" \"nearest\" \"farthest\", not 1"},
+      {R"({"objects": [], "camera": {"position": [0, 0]}})",
+       "camera.position: must be a list of 3, not [0,0]"},
+      {R"({"objects": [], "camera": {"position": [0, null, 0]}})",
+       "camera.position[1]: must be a number, not null"},
+      {R"({"objects": [], "lights": {"ambient_on": 1}})",
+       "lights.ambient_on: must be true or false, not 1"},
+      {R"({"objects": [], "lights": {"spots": [{"direction": [0, 0, 1]}]}})",
+       "lights.spots[0]: must have the key \"intensity\""},
+      {R"({"objects": [], "name": 5})", "name: must be a text, not 5"},
+      {R"({"objects": [], "width": 0})", "scene 's': width is 0, must be from 1 to 4096"},
+      {R"({"objects": [{"paint": 1}]})", "objects[0]: must have the key \"shape\""},
+      {R"({"objects": [{"shape": {}, "paint": 1}]})",
+       "objects[0].shape: must have one key: cube, ball or obj"},
+      {R"({"objects": [{"shape": {"cube": {"half_edge": 1}, "obj": "dodecahedron.obj"}}]})",
+       "objects[0].shape: must have one key: cube, ball or obj"},
+      {R"({"objects": [{"shape": {"cube": 15}}]})",
+       "objects[0].shape.cube: must be an object {…}, not 15"},
+      {R"({"objects": [{"shape": {"ball": {"radius": 1, "bands": 46}}}]})",
+       "objects[0].shape.ball.bands: must be a whole number from 2 to 45, not 46"},
+      {R"({"objects": [{"shape": {"ball": {"radius": 1}}}]})",
+       "objects[0].shape.ball: must have the key \"bands\""},
+      {R"({"defaults": {"shape": {"obj": "no.obj"}}, "objects": []})",
+       "defaults.shape.obj: " + (root / "scenes" / "no.obj").string() + ": there is no such file"},
+      {cube_with(R"("name": "x")"), "objects[0]: must have one of paint, paints and checks"},
+      {cube_with(R"("paint": 1, "checks": [1, 2])"),
+       "objects[0]: must have one of paint, paints and checks"},
+      {cube_with(R"("checks": [1, 2])"), "objects[0]: only a ball has checks"},
+      {cube_with(R"("checks": [1, 2, 3])"), "objects[0].checks: must be a list of 2, not [1,2,3]"},
+      {cube_with(R"("name": "x", "paints": [1, 2])"),
+       "scene 's': object 'x': 2 paints for 6 faces"},
+      {paint_of("-1"), "objects[0].paint: must be a whole number from 0 to 255, not -1"},
+      {paint_of("[0, 0, 300]"),
+       "objects[0].paint[2]: must be a whole number from 0 to 255, not 300"},
+      {paint_of("\"red\""), "objects[0].paint: a colour is written \"#rrggbb\", not \"red\""},
+      {paint_of("\"#12345\""), "objects[0].paint: a colour is written \"#rrggbb\", not \"#12345\""},
+      {paint_of("\"#12345g\""),
+       "objects[0].paint: a colour is written \"#rrggbb\", not \"#12345g\""},
+      {paint_of("\"#-12345\""),
+       "objects[0].paint: a colour is written \"#rrggbb\", not \"#-12345\""},
+      {cube_with(R"("paint": 1, "spin": {"delay": [1, 1]})"),
+       "objects[0].spin: must have the key \"tenths\""},
+      {cube_with(R"("paint": 1, "spin": {"tenths": [1, 1, 1], "delay": 1})"),
+       "objects[0].spin.delay: must be a list of 2, not 1"},
+      {cube_with(R"("paint": 1, "shading": {"diffuse": true})"),
+       "scene 's': object 'object 0': face 0 answers to light, so its paint must be a colour"},
+      {R"({"objects": [], "name": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
+          "width": [1111111111, 2222222222, 3333333333, 4444444444]})",
+       "width: must be a whole number from -2147483648 to 2147483647, not "
+       "[1111111111,2222222222,3333333333,444..."},
+  };
+  for (const auto& [text, message] : table) EXPECT_EQ(said(text), message) << text;
+}
+
+TEST(SceneJson, SaysWhereItIsNotJson) {
+  EXPECT_EQ(said("{\n  \"objects\": [}").substr(0, 38), "not JSON: parse error at line 2, colum");
+  EXPECT_EQ(said("").substr(0, 22), "not JSON: parse error ");
+  EXPECT_EQ(said(R"({"objects": [], "width": 1e999})").substr(0, 25), "not JSON: number overflow");
+  EXPECT_EQ(said("// all of it\n{\"objects\": /* none */ []}"), "accepted");
+  EXPECT_EQ(said(std::string(100000, '[')).substr(0, 9), "not JSON:");
+}
+
+TEST(SceneJson, ASmallTextMakesNoHugeScene) {
+  std::string objects = "{}";
+  for (int i = 0; i < 100000; ++i) objects += ",{}";
+  const auto many = [&](const std::string& shape) {
+    return said(R"({"defaults": {"paint": 1, "shape": )" + shape + "}, \"objects\": [" + objects +
+                "]}");
+  };
+  EXPECT_EQ(many(R"({"cube": {"half_edge": 1}})"), "scene 's': 257 objects, more than 256");
+  EXPECT_EQ(many(R"({"ball": {"radius": 99, "bands": 45}})"),
+            "scene 's': 68850 faces, more than 65536");
+}
+
+TEST(SceneJson, NamesTheFile) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "xsharp_scene_test.json";
+  std::ofstream(file) << R"({"objects": [], "width": 0})";
+  EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }),
+            file.string() + ": scene 'xsharp_scene_test': width is 0, must be from 1 to 4096");
+  std::ofstream(file) << std::string((1U << 20U) + 1, ' ');
+  EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }), file.string() + ": longer than 1 MiB");
+  std::filesystem::remove(file);
+}
+
+TEST(SceneJson, OutlivesAnyBytes) {
+  std::vector<std::string> texts;
+  for (const char* name : {"ball_and_cubes.json", "shaded_ball.json", "solid.json"}) {
+    texts.push_back(contents(root / "scenes" / name));
+    ASSERT_EQ(said(texts.back()), "accepted");
+  }
+  ASSERT_TRUE(rc::check([&] {
+    std::string text = *rc::gen::elementOf(texts);
+    for (int i = *rc::gen::inRange(1, 6); i > 0; --i) {
+      const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+      text[at] = *rc::gen::weightedOneOf<char>(
+          {{1, rc::gen::arbitrary<char>()},
+           {3, rc::gen::element('0', '9', '-', '.', 'e', ',', ' ', '"', '[', ']', '{', '}')}});
+    }
+    RC_CLASSIFY(said(text) == "accepted");
+  }));
+}
+
+}  // namespace
