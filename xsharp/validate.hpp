@@ -136,8 +136,9 @@ inline void validate_object(const ObjectDescription& object) {
   if (object.drift) {
     detail::demand_range("drift.step", object.drift->step, -farthest_position, farthest_position);
     if (object.drift->stop_z) {
-      detail::demand_range("drift.stop_z", *object.drift->stop_z, -farthest_position,
-                           farthest_position);
+      // Compared with the whole place, pages included.
+      const double most = farthest_page * farthest_position;
+      detail::demand_range("drift.stop_z", *object.drift->stop_z, -most, most);
     }
     detail::demand_delay("drift", object.drift->delay);
   }

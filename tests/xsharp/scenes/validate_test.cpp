@@ -123,7 +123,7 @@ const std::vector<BadScene>& bad_objects() {
        [](Scene& s) { s.objects[0].spin.delay.base = -1; }},
       {"'cube': drift.step is inf, must be from -16384 to 16384",
        [](Scene& s) { s.objects[0].drift->step[0] = infinity; }},
-      {"'cube': drift.stop_z is nan, must be from -16384 to 16384",
+      {"'cube': drift.stop_z is nan, must be from -1.6384e+10 to 1.6384e+10",
        [](Scene& s) { s.objects[0].drift->stop_z = nan; }},
       {"'cube': drift.delay, base is 0, must be from 1 to 2147483647",
        [](Scene& s) { s.objects[0].drift->delay.base = 0; }},
