@@ -38,7 +38,7 @@ xsharp::Scene alone(xsharp::Scene scene, std::size_t object) {
 /// What has grown out of its cell is cut off.
 std::string polygons(const xsharp::Picture& picture, const xsharp::Palette& palette, int x, int y) {
   std::string svg =
-      fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{2}\" height=\"{2}\">\n", x, y, cell);
+      fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", x, y, cell, cell);
   for (const xsharp::Polygon& polygon : picture.polygons) {
     const xsharp::Paint& paint = polygon.paint;
     const xsharp::Color color = paint.is_index ? palette.at(paint.index) : paint.color;
