@@ -1,0 +1,107 @@
+// How drift is measured, and what it measures in the twelve cubes.
+#include "verify/drift/distortion.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verify/drift/run.hpp"
+#include "xsharp/files/scene_json.hpp"
+#include "xsharp/shapes.hpp"
+
+namespace fixproof {
+namespace {
+
+constexpr Placement straight{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -100}}};
+
+xsharp::Scene twelve_cubes() {
+  return xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
+}
+
+TEST(Distortion, OfARotationIsNone) {
+  const double c = std::cos(1.0);
+  const double s = std::sin(1.0);
+  const Placement turned{{{c, -s, 0, 0}, {s, c, 0, 0}, {0, 0, 1, -100}}};
+  const Distortion d = distortion(turned, turned, xsharp::cube(15), twelve_cubes());
+  EXPECT_NEAR(d.skew, 0, 1e-15);
+  EXPECT_NEAR(d.length, 0, 1e-15);
+  EXPECT_NEAR(d.volume, 0, 1e-15);
+  EXPECT_EQ(d.pixels, 0);
+}
+
+TEST(Distortion, OfAStretch) {
+  Placement stretched = straight;
+  stretched[0][0] = 1.25;
+  const Distortion d = distortion(stretched, straight, xsharp::cube(15), twelve_cubes());
+  EXPECT_EQ(d.skew, 0);
+  EXPECT_DOUBLE_EQ(d.length, 0.25);
+  EXPECT_DOUBLE_EQ(d.volume, 0.25);
+  // The nearest corners, at z = -85, are 15 / 4 off to the side.
+  EXPECT_NEAR(d.pixels, 320 * 3.75 / 85, 1e-9);
+}
+
+TEST(Distortion, OfAShear) {
+  Placement sheared = straight;
+  sheared[0][1] = 1;
+  const Distortion d = distortion(sheared, straight, xsharp::cube(15), twelve_cubes());
+  EXPECT_NEAR(d.skew, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(d.volume, 0, 1e-12);
+  EXPECT_NEAR(d.length, std::sqrt(2.0) - 1, 1e-12);
+}
+
+DriftResult drift(const DriftCase& c, std::uint64_t frames) {
+  const std::atomic<bool> stop = false;
+  return run_drift(twelve_cubes(), {c}, frames, stop, [](std::uint64_t) {}).at(0);
+}
+
+// The longest column of a step's matrix, rounded by the published conversion, is so much longer
+// than 1 for each cube and each step: lengths grow by its powers, whatever the products do. The
+// steps of cube 11 are those of 6 degrees about y and z.
+TEST(Drift, GrowsWithTheStepsThatAreNotOfUnitLength) {
+  const double cos = std::trunc(std::cos(M_PI / 30) * 65536 + 0.5) / 65536;
+  const double sin = std::trunc(std::sin(M_PI / 30) * 65536 + 0.5) / 65536;
+  // Published, sin(-6 degrees) is a unit smaller in magnitude.
+  const double minus_sin = sin - 1.0 / 65536;
+  const double per_turn = std::min(std::hypot(cos, sin), std::hypot(cos, minus_sin));
+  const double expected = 1 - std::pow(per_turn, 2 * 6000);
+  const DriftResult r = drift({}, 6001);
+  EXPECT_NEAR(r.worst.length, expected, 0.01);
+  EXPECT_GT(r.worst.length, 0.02);
+}
+
+TEST(Drift, EachSourceLeftOutLessIsWrong) {
+  constexpr std::uint64_t frames = 20'000;
+  const double published = drift({}, frames).worst.length;
+  EXPECT_LT(drift({.without = Without::step}, frames).worst.length, published / 10);
+  EXPECT_LT(drift({.without = Without::all}, frames).worst.length, 1e-9);
+  EXPECT_LT(drift({.without = Without::offset}, frames).worst.pixels,
+            drift({}, frames).worst.pixels);
+  // Truncated products alone ruin it.
+  EXPECT_GT(drift({.multiply = Multiply::i386_off, .without = Without::step}, frames).worst.length,
+            0.1);
+  EXPECT_LT(
+      drift({.multiply = Multiply::i386_off, .without = Without::products}, frames).worst.length,
+      published * 1.1);
+}
+
+TEST(Drift, IsHeldBackByRestoringAndByStartingOver) {
+  constexpr std::uint64_t frames = 20'000;
+  for (const Multiply multiply :
+       {Multiply::i386_on, Multiply::i386_off, Multiply::i8088_on, Multiply::i8088_off}) {
+    EXPECT_LT(drift({.multiply = multiply, .restore_every = 60}, frames).worst.length, 0.005);
+  }
+  const DriftResult anew = drift({.from_scratch = true}, frames);
+  EXPECT_LT(anew.worst.length, 1e-4);
+  EXPECT_LT(anew.worst.pixels, 0.1);
+}
+
+TEST(Drift, StopsWhenAsked) {
+  const std::atomic<bool> stop = true;
+  std::uint64_t frames = 1000;
+  run_drift(twelve_cubes(), {{}}, frames, stop, [](std::uint64_t) {});
+  EXPECT_EQ(frames, 0U);
+}
+
+}  // namespace
+}  // namespace fixproof

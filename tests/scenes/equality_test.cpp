@@ -1,0 +1,100 @@
+// Register-level X-Sharp against X-Sharp on the type: every transform, vertex, face and pixel.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "verify/scenes/dump.hpp"
+#include "verify/scenes/players.hpp"
+#include "xsharp/files/scene_json.hpp"
+#include "xsharp/raster/screen.hpp"
+
+namespace fixproof {
+namespace {
+
+constexpr int frames = 600;
+
+/// A scene under one arithmetic, drawn.
+struct Drawn {
+  explicit Drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
+      : player(make_player(scene, choice)),
+        screen(scene.width, scene.height, scene.palette, scene.background) {}
+
+  void draw(int frame) {
+    if (frame > 0) player->move();
+    faults += player->draw(picture).faults;
+    screen.show(picture);
+  }
+
+  std::unique_ptr<xsharp::Player> player;
+  xsharp::Screen<std::uint8_t> screen;
+  xsharp::Picture picture{};
+  std::uint64_t faults = 0;
+};
+
+/// @return the frames compared
+int expect_equal(const std::string& name, xsharp::ArithmeticChoice choice) {
+  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+  choice.by = "type";
+  Drawn type(scene, choice);
+  choice.by = "model";
+  Drawn model(scene, choice);
+  int compared = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    type.draw(frame);
+    model.draw(frame);
+    const auto number = static_cast<std::uint64_t>(frame);
+    const bool same = dump_frame(*type.player, number) == dump_frame(*model.player, number) &&
+                      type.screen.page() == model.screen.page();
+    EXPECT_TRUE(same) << name << ", " << name_of(choice) << ", frame " << frame;
+    if (!same) break;
+    ++compared;
+  }
+  EXPECT_EQ(type.faults + model.faults, 0U);
+  return compared;
+}
+
+class Equality : public testing::TestWithParam<const char*> {};
+
+TEST_P(Equality, ModelAndTypeDrawTheSame) {
+  int variants = 0;
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+    if (choice.by != "model") continue;
+    ++variants;
+    EXPECT_EQ(expect_equal(GetParam(), choice), frames);
+  }
+  EXPECT_EQ(variants, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Equality,
+                         testing::Values("twelve_cubes", "ball_and_cubes", "shaded_ball", "solid"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+// Were a variant drawn with another's rules, the tests above would not notice.
+TEST(Variants, EachDrawsDifferently) {
+  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
+  std::map<std::string, std::string> dumps;
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+    const auto player = make_player(scene, choice);
+    xsharp::Picture picture;
+    std::string dump;
+    for (std::uint64_t frame = 0; frame < 300; ++frame) {
+      if (frame > 0) player->move();
+      player->draw(picture);
+      if (frame % 20 == 0) dump += dump_frame(*player, frame);
+    }
+    dumps[name_of(choice)] = dump;
+  }
+  for (const auto& [one, dump] : dumps) {
+    for (const auto& [other, other_dump] : dumps) {
+      if (!one.starts_with("type i") || !other.starts_with("type i") || one >= other) continue;
+      EXPECT_NE(dump, other_dump) << one << " and " << other;
+    }
+  }
+  // What is in range does not depend on what would become of it outside.
+  EXPECT_EQ(dumps.at("type standard"), dumps.at("type saturating"));
+  EXPECT_EQ(dumps.at("type standard"), dumps.at("type trapping"));
+}
+
+}  // namespace
+}  // namespace fixproof

@@ -1,0 +1,244 @@
+#!/usr/bin/env python3
+"""Works the golden files out in exact integers, without a line of the code under test.
+
+usage: work_out.py SCENE                    what tests/scenes/golden keeps of a scene, on stdout
+       work_out.py SCENE TARGET MUL DIV N   the dump of N frames, as `fixproof render --dump` writes it
+                                            (TARGET i386 or i8088; MUL and DIV on or off)
+"""
+import json
+import math
+import re
+import sys
+
+ONE = 1 << 16
+FRAMES = (0, 1, 199, 599)
+VERTICES = 8
+
+
+def wrap(x):
+    return (x + (1 << 31)) % (1 << 32) - (1 << 31)
+
+
+def sign(x):
+    return -1 if x < 0 else 1
+
+
+class Rules:
+    """Multiply and divide as docs/semantics.md states them."""
+
+    def __init__(self, target, mul_on, div_on):
+        self.i386, self.mul_on, self.div_on = target == "i386", mul_on, div_on
+
+    def mul(self, a, b):
+        half = ONE // 2 if self.mul_on else 0
+        if self.i386:
+            return wrap((a * b + half) // ONE)
+        return wrap(sign(a * b) * ((abs(a * b) + half) // ONE))
+
+    def div(self, n, d):
+        divisor = abs(d) if self.i386 else (abs(d) // ONE)
+        q, r = divmod(abs(n) * ONE if self.i386 else abs(n), divisor)
+        if self.div_on and 2 * r >= divisor:
+            q += 1
+        return wrap(sign(n) * sign(d) * q)
+
+    def dot(self, a, b):
+        return wrap(sum(self.mul(x, y) for x, y in zip(a, b)))
+
+
+def published(x):
+    return int(x * 65536.0 + 0.5)  # int() truncates, as the cast of the listing
+
+
+def coordinate(x):
+    return int(x) * ONE if x == int(x) else published(x)
+
+
+def table(tenths):
+    angle = math.radians(tenths / 10)
+    return math.floor(math.cos(angle) * ONE + 0.5), math.floor(math.sin(angle) * ONE + 0.5)
+
+
+def cube(half):
+    signs = [(x, y, z) for x in (1, -1) for y in (1, -1) for z in (1, -1)]
+    faces = [[1, 3, 2, 0], [5, 7, 3, 1], [4, 5, 1, 0], [3, 7, 6, 2], [5, 4, 6, 7], [0, 2, 6, 4]]
+    return [[half * s for s in v] for v in signs], faces
+
+
+def ball(radius, bands):
+    step, around = math.pi / bands, 2 * bands
+    vertices = [[0, radius, 0]]
+    for c in range(1, bands):
+        for m in range(around):
+            ring = radius * math.sin(c * step)
+            vertices.append([ring * math.sin(m * step), radius * math.cos(c * step),
+                             ring * math.cos(m * step)])
+    vertices.append([0, -radius, 0])
+    at = lambda circle, m: 1 + (circle - 1) * around + m % around
+    faces = []
+    for band in range(bands):
+        for m in range(around):
+            if band == 0:
+                faces.append([0, at(1, m + 1), at(1, m)])
+            elif band == bands - 1:
+                faces.append([at(band, m), at(band, m + 1), len(vertices) - 1])
+            else:
+                faces.append([at(band, m), at(band, m + 1), at(band + 1, m + 1), at(band + 1, m)])
+    return vertices, faces
+
+
+def add_normals(vertices, faces):
+    for face in list(faces):
+        a, b, c = (vertices[face[i]] for i in (0, 1, 2))
+        u = [c[i] - a[i] for i in range(3)]
+        v = [b[i] - a[i] for i in range(3)]
+        n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        size = math.sqrt(sum(x * x for x in n))
+        vertices.append([a[i] + n[i] / size for i in range(3)])
+
+
+class Body:
+    def __init__(self, scene, data, rules):
+        self.rules = rules
+        (kind, of), = data["shape"].items()
+        vertices, self.faces = cube(of["half_edge"]) if kind == "cube" else ball(**of)
+        if data.get("shading"):
+            add_normals(vertices, self.faces)
+        self.vertices = [[coordinate(c) for c in v] for v in vertices]
+        self.m = [[ONE * (i == j) for j in range(3)] + [coordinate(data["position"][i])]
+                  for i in range(3)] if "position" in data else \
+                 [[ONE * (i == j) for j in range(3)] + [0] for i in range(3)]
+        spin = data.get("spin", {"tenths": [0, 0, 0]})
+        self.tenths = spin["tenths"]
+        self.wait, self.base = spin.get("delay", [1, 1])
+        self.floating = scene.get("trigonometry") == "floating"
+        self.restore = scene.get("restore_every", 0)
+        self.rotations = 0
+        self.drift = data.get("drift")
+        if self.drift:
+            self.step = [coordinate(s) for s in self.drift["step"]]
+        self.orbit = data.get("orbit")
+        if self.orbit:
+            self.angle = self.orbit.get("start_tenths", 0)
+            self.place()
+
+    def place(self):
+        mul, orbit = self.rules.mul, self.orbit
+        radius = coordinate(orbit["radius"])
+        cos, sin = table(self.angle)
+        tilt_cos, tilt_sin = table(orbit.get("tilt_tenths", 0))
+        along = mul(radius, sin)
+        offset = [mul(radius, cos), -mul(along, tilt_sin), mul(along, tilt_cos)]
+        for i in range(3):
+            self.m[i][3] = wrap(coordinate(orbit["about"][i]) + offset[i])
+
+    def rotate(self):
+        mul, m = self.rules.mul, self.m
+        self.rotations += 1
+        for axis in range(3):
+            tenths = self.tenths[axis]
+            if tenths == 0:
+                continue
+            if self.floating:
+                angle = tenths * (math.pi / 1800)
+                cos, sin = published(math.cos(angle)), published(math.sin(angle))
+            else:
+                cos, sin = table(tenths)
+            a, b = (axis + 1) % 3, (axis + 2) % 3
+            for j in range(3):
+                above, below = m[a][j], m[b][j]
+                m[a][j] = wrap(mul(cos, above) + mul(-sin, below))
+                m[b][j] = wrap(mul(sin, above) + mul(cos, below))
+        if self.restore and self.rotations % self.restore == 0:
+            first = self.unit(m[0][:3])
+            last = self.unit(self.cross(first, m[1][:3]))
+            middle = self.unit(self.cross(last, first))
+            for i, row in enumerate((first, middle, last)):
+                m[i][:3] = row
+
+    def unit(self, v):
+        factor = self.rules.mul(wrap(3 * ONE - self.rules.dot(v, v)), ONE // 2)
+        return [self.rules.mul(x, factor) for x in v]
+
+    def cross(self, a, b):
+        mul = self.rules.mul
+        return [wrap(mul(a[(i + 1) % 3], b[(i + 2) % 3]) - mul(a[(i + 2) % 3], b[(i + 1) % 3]))
+                for i in range(3)]
+
+    def move(self):
+        self.wait -= 1
+        if self.wait == 0:
+            self.wait = self.base
+            self.rotate()
+        if self.drift:
+            for i in range(3):
+                self.m[i][3] = wrap(self.m[i][3] + self.step[i])
+            if self.m[2][3] > coordinate(self.drift["stop_z"]):
+                self.step[2] = 0
+        if self.orbit:
+            self.angle = math.fmod(self.angle + self.orbit.get("step_tenths", 0), 3600)
+            self.place()
+
+    def prepare(self):
+        """World to view is the identity, and a product with 1.0 or 0.0 is exact."""
+        self.view = [[wrap(self.rules.dot(row[:3], v) + row[3]) for row in self.m]
+                     for v in self.vertices]
+        self.screen = [self.project(v) for v in self.view]
+        self.visible = [f for f, face in enumerate(self.faces) if self.shows(face)]
+
+    def project(self, v):
+        constant = published(-320.0)
+        x, y = (self.rules.mul(self.rules.div(c, v[2]), constant) for c in v[:2])
+        return [((x + ONE // 2) >> 16) + 160, -((y + ONE // 2) >> 16) + 120]
+
+    def shows(self, face):
+        p = [self.screen[v] for v in face]
+        v = [p[1][i] - p[0][i] for i in range(2)]
+        w = [p[-1][i] - p[0][i] for i in range(2)]
+        return v[0] * w[1] - v[1] * w[0] > 0
+
+
+def frames(scene, rules, count):
+    bodies = [Body(scene, {**scene.get("defaults", {}), **data}, rules) for data in scene["objects"]]
+    order = list(range(len(bodies)))
+    for frame in range(count):
+        if frame:
+            for body in bodies:
+                body.move()
+        for body in bodies:
+            body.prepare()
+        if scene.get("depth_key", "center") == "center":
+            order.sort(key=lambda i: bodies[i].m[2][3])  # stable
+        yield frame, bodies, order
+
+
+def main():
+    scene = json.loads(re.sub(r"^\s*//.*$", "", open(sys.argv[1]).read(), flags=re.M))
+    if len(sys.argv) > 2:
+        target, mul_on, div_on, count = sys.argv[2], sys.argv[3] == "on", sys.argv[4] == "on", sys.argv[5]
+        for frame, bodies, order in frames(scene, Rules(target, mul_on, div_on), int(count)):
+            for i, b in enumerate(bodies):
+                print(json.dumps({"frame": frame, "object": i, "order": order.index(i),
+                                  "xform": sum(b.m, []), "view": b.view, "screen": b.screen,
+                                  "visible": b.visible}, separators=(",", ":")))
+        return
+    join = lambda numbers: " ".join(map(str, numbers))
+    for target in ("i386", "i8088"):
+        for mul_on in (True, False):
+            for div_on in (True, False):
+                rules = Rules(target, mul_on, div_on)
+                print("#", target, "multiply", "on" if mul_on else "off", "divide",
+                      "on" if div_on else "off")
+                for frame, bodies, order in frames(scene, rules, FRAMES[-1] + 1):
+                    if frame not in FRAMES:
+                        continue
+                    i = frame % len(bodies)
+                    b = bodies[i]
+                    print("frame", frame, "order", join(order))
+                    print("  object", i, "xform", join(sum(b.m, [])))
+                    print("  view", ", ".join(join(v) for v in b.view[:VERTICES]))
+                    print("  screen", ", ".join(join(p) for p in b.screen[:VERTICES]))
+                    print("  visible", join(b.visible))
+
+
+main()
