@@ -32,15 +32,15 @@ enum class Kind : std::uint8_t { mov, push, pop, arithmetic, neg, step, shift, d
 enum class Shape : std::uint8_t { r, m, rr, rm, mr, ri, r_one, rri };
 
 struct Row {
-  Kind kind;
-  Shape shape;
+  Kind kind = Kind::mov;
+  Shape shape = Shape::rr;
   /// Without the effective address, and without what the words below add on an 8088.
-  Cell i8088;
+  Cell i8088 = absent;
   /// Words that go over the bus.
-  std::uint32_t transfers;
-  Cell i286;
-  Cell i386;
-  Cell i486;
+  std::uint32_t transfers = 0;
+  Cell i286 = absent;
+  Cell i386 = absent;
+  Cell i486 = absent;
 };
 
 constexpr std::array table{
@@ -144,10 +144,9 @@ bool is_dword(const Execution& e) { return e.instruction.operands[0].size == Siz
 /// The 386 stops at the highest bit of the multiplier, which is the operand: its manual's formula.
 /// The ranges printed beside it go one clock further for IMUL than the formula does.
 std::uint32_t multiply_on_386(const Execution& e) {
-  const int bits = is_dword(e) ? 32 : 16;
   std::uint32_t magnitude = e.operand;
-  if (e.instruction.mnemonic == Mnemonic::imul && alu::sign(magnitude, bits)) {
-    magnitude = (0 - magnitude) & alu::mask(bits);
+  if (e.instruction.mnemonic == Mnemonic::imul && alu::sign(magnitude, 32)) {
+    magnitude = 0 - magnitude;
   }
   // ceil(log2(magnitude)), 0 for 0: then, too, the formula gives 3 + 6.
   const int log2 = magnitude == 0 ? 0 : 32 - std::countl_zero(magnitude - 1);
@@ -155,18 +154,16 @@ std::uint32_t multiply_on_386(const Execution& e) {
   return clocks + (operand_is(e, Operand::Kind::memory) ? 3 : 0);
 }
 
-/// The one multiply or divide that an 8088 or 286 is asked for.
-bool is_unsigned_by_register(const Execution& e) {
-  const Mnemonic op = e.instruction.mnemonic;
-  return (op == Mnemonic::mul || op == Mnemonic::div) && operand_is(e, Operand::Kind::reg);
-}
-
+/// MUL by a register, IMUL by a dword.
 Cell multiply(Cpu cpu, const Execution& e) {
+  const bool mul_by_register =
+      e.instruction.mnemonic == Mnemonic::mul && operand_is(e, Operand::Kind::reg);
+  if (!mul_by_register && !is_dword(e)) return absent;
   switch (cpu) {
     case Cpu::i8088:
-      return is_unsigned_by_register(e) ? mul_on_8088(e) : absent;
+      return mul_on_8088(e);
     case Cpu::i286:
-      return is_unsigned_by_register(e) ? 21 : absent;
+      return 21;
     case Cpu::i386:
       return multiply_on_386(e);
     case Cpu::i486:
@@ -175,24 +172,27 @@ Cell multiply(Cpu cpu, const Execution& e) {
   return is_dword(e) ? Cell{13, 42} : Cell{13, 26};
 }
 
+/// IDIV by a dword in memory.
+Cell signed_divide(Cpu cpu, const Execution& e) {
+  if (!is_dword(e) || !operand_is(e, Operand::Kind::memory)) return absent;
+  // The 386's manual gives memory no time of its own, 43 for both; its data sheet does.
+  return cpu == Cpu::i386 ? 46 : 44;
+}
+
+/// DIV by a register, or the above.
 Cell divide(Cpu cpu, const Execution& e) {
-  const bool memory = operand_is(e, Operand::Kind::memory);
-  const bool is_signed = e.instruction.mnemonic == Mnemonic::idiv;
-  const std::uint32_t signed_by_register = is_dword(e) ? 43 : 27;
+  if (e.instruction.mnemonic == Mnemonic::idiv) return signed_divide(cpu, e);
+  if (!operand_is(e, Operand::Kind::reg)) return absent;
   switch (cpu) {
     case Cpu::i8088:
-      return is_unsigned_by_register(e) ? div_on_8088(e) : absent;
+      return div_on_8088(e);
     case Cpu::i286:
-      return is_unsigned_by_register(e) ? 22 : absent;
-    case Cpu::i386: {
-      // The manual gives IDIV by an operand in memory no time of its own; the data sheet does.
-      const std::uint32_t unsigned_by_register = is_dword(e) ? 38 : 22;
-      return (is_signed ? signed_by_register : unsigned_by_register) + (memory ? 3 : 0);
-    }
+      return 22;
+    case Cpu::i386:
+      return is_dword(e) ? 38 : 22;
     case Cpu::i486:
       break;
   }
-  if (is_signed) return signed_by_register + (memory ? 1 : 0);
   return is_dword(e) ? 40 : 24;
 }
 
@@ -243,17 +243,22 @@ Cell look_up(Cpu cpu, const Instruction& i) {
   return row->i486;
 }
 
+Cell cell_of(Cpu cpu, const Execution& e) {
+  const Mnemonic op = e.instruction.mnemonic;
+  if (is_control_flow(op)) return control_flow(cpu, e);
+  if (detail::is_multiply(op)) return multiply(cpu, e);
+  if (detail::is_divide(op)) return divide(cpu, e);
+  return look_up(cpu, e.instruction);
+}
+
 }  // namespace
 
 std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const Instruction& i = execution.instruction;
   const bool has_prefix = encoding_of(i).prefixes > 0;
   if (has_prefix && cpu < Cpu::i386) return std::nullopt;
-  Range range = is_control_flow(i.mnemonic)       ? control_flow(cpu, execution)
-                : detail::is_multiply(i.mnemonic) ? multiply(cpu, execution)
-                : detail::is_divide(i.mnemonic)   ? divide(cpu, execution)
-                                                  : look_up(cpu, i);
-  if (range == absent) return std::nullopt;
+  Range range = cell_of(cpu, execution);
+  if (range.max == 0) return std::nullopt;
   // A 486 takes a clock for a prefix, unless the instruction before it leaves it the time. A 386
   // takes none.
   if (has_prefix && cpu == Cpu::i486) range += Range{0, 1};

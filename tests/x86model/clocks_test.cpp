@@ -201,10 +201,20 @@ TEST(Clocks, OtherForms) {
   expect({xor_(cx, 1)}, on(4, 3, 2, 1));
   expect({sbb(dx, 0)}, on(4, 3, 2, 1));
   expect({cmp(bx, 3600)}, on(4, 3, 2, 1));
+  expect({.instruction = div(bx), .low = 7, .operand = 2}, on(17 + 14 * 8 + 9 + 10, 22, 22, 24));
   expect({ja("far")}, on(4, 3, 3, 1));
   expect({.instruction = jmp("far"), .taken = true, .next = &pushes}, on(15, 7 + 1, 7 + 1, 3));
   expect({.instruction = call("far"), .taken = true, .next = &pushes}, on(19 + 4, 8, 8, 3));
   expect({.instruction = ret(), .taken = true, .next = &adds}, on(16 + 4, 11 + 3, 10 + 3, 5));
+}
+
+TEST(Clocks, FormsThatNoListingHasHaveNoEntry) {
+  for (const Cpu cpu : cpus) {
+    EXPECT_EQ(clocks(cpu, {imul(bx)}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {idiv(ebx)}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {div(word[bp + 4])}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {add(word[bp + 4], ax)}), std::nullopt);
+  }
 }
 
 TEST(Clocks, OtherFormsOfThe386) {
