@@ -19,9 +19,12 @@ namespace x86model {
 namespace {
 
 /// One entry of a table: a number of clocks, or its bounds; 0 where there is none.
-struct Cell : Range {
-  constexpr Cell(std::uint32_t n) : Range{n, n} {}  // NOLINT(google-explicit-constructor)
-  constexpr Cell(std::uint32_t low, std::uint32_t high) : Range{low, high} {}
+struct Cell {
+  std::uint32_t min;
+  std::uint32_t max;
+  constexpr Cell(std::uint32_t n) : min(n), max(n) {}  // NOLINT(google-explicit-constructor)
+  constexpr Cell(std::uint32_t low, std::uint32_t high) : min(low), max(high) {}
+  [[nodiscard]] constexpr bool is_absent() const { return max == 0; }
 };
 constexpr Cell absent = 0;
 
@@ -231,7 +234,7 @@ Cell look_up(Cpu cpu, const Instruction& i) {
   if (row == table.end()) return absent;
   switch (cpu) {
     case Cpu::i8088:
-      if (row->i8088 == absent) return absent;
+      if (row->i8088.is_absent()) return absent;
       return row->i8088.min + effective_address_clocks(i) + second_byte * row->transfers;
     case Cpu::i286:
       return row->i286;
@@ -257,12 +260,12 @@ std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const Instruction& i = execution.instruction;
   const bool has_prefix = encoding_of(i).prefixes > 0;
   if (has_prefix && cpu < Cpu::i386) return std::nullopt;
-  Range range = cell_of(cpu, execution);
-  if (range.max == 0) return std::nullopt;
+  const Cell cell = cell_of(cpu, execution);
+  if (cell.is_absent()) return std::nullopt;
   // A 486 takes a clock for a prefix, unless the instruction before it leaves it the time. A 386
   // takes none.
-  if (has_prefix && cpu == Cpu::i486) range += Range{0, 1};
-  return range;
+  const std::uint32_t prefix = has_prefix && cpu == Cpu::i486 ? 1 : 0;
+  return Range{cell.min, cell.max + prefix};
 }
 
 std::string_view name_of(Cpu cpu) {

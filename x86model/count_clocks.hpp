@@ -83,7 +83,7 @@ class ClockCounter {
 /// How a call ended, and the clocks from its first instruction to its end. The caller's pushes and
 /// its CALL are not in them.
 struct ClockedEnding {
-  Ending ending;
+  Ending ending{};
   Range clocks;
 };
 

@@ -47,28 +47,25 @@ constexpr std::array<Range, 2> on_386(std::uint32_t i386, std::uint32_t i486,
 }
 
 /// Writes down every instruction and what the counter added for it.
-class Recorder {
- public:
-  Recorder(std::span<const Instruction> code, Cpu cpu) : code_(code), counter_(code, cpu) {}
+struct Recorder {
+  Recorder(std::span<const Instruction> program, Cpu cpu) : code(program), counter(program, cpu) {}
 
   template <class M>
   void before(std::size_t at, const M& m) {
-    counter_.before(at, m);
+    counter.before(at, m);
   }
   template <class M>
   void operator()(std::size_t at, const M& m) {
-    const Range so_far = counter_.total();
-    counter_(at, m);
-    texts.push_back(text_of(code_[at]));
-    clocks.push_back({counter_.total().min - so_far.min, counter_.total().max - so_far.max});
+    const Range so_far = counter.total();
+    counter(at, m);
+    texts.push_back(text_of(code[at]));
+    clocks.push_back({counter.total().min - so_far.min, counter.total().max - so_far.max});
   }
 
   std::vector<std::string> texts;
   std::vector<Range> clocks;
-
- private:
-  std::span<const Instruction> code_;
-  ClockCounter counter_;
+  std::span<const Instruction> code;
+  ClockCounter counter;
 };
 
 template <Routine routine, std::size_t Cpus>

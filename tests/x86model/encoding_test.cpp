@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "verify/machine_code/machine_code.hpp"
+#include "x86model/cosine_table.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"
 
@@ -28,8 +29,8 @@ TEST(Encoding, ProgramsAreAsLongAsNasmMakesThem) {
 TEST(Encoding, PartsOfSomeInstructions) {
   struct Case {
     Instruction instruction;
-    int bytes;
-    int components;
+    int bytes = 0;
+    int components = 0;
   };
   const std::array cases{
       Case{push(bp), 1, 1},                      // 55
