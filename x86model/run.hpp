@@ -40,13 +40,18 @@ Outcome execute_any(const Instruction& instruction, M& m) {
 /// undefined flag, leaves memory, or has taken `limit` steps. Stack, arguments and SP are the
 /// caller's to set up.
 ///
-/// @param observe called as observe(position, machine) after each instruction that was executed.
+/// @param observe called as observe(position, machine) after each instruction that was executed;
+/// one that has a member `before` also as observe.before(position, machine) before it, and before
+/// one that then faults.
 template <class M, class Observer>
 Ending run(std::span<const Instruction> code, M& m, Observer&& observe,
            std::uint64_t limit = 100'000) {
   std::size_t position = 0;
   for (std::uint64_t steps = 0; steps < limit; ++steps) {
     if (position >= code.size()) return {Outcome::bad_address, position, steps};
+    if constexpr (requires { observe.before(position, std::as_const(m)); }) {
+      observe.before(position, std::as_const(m));
+    }
     const Instruction& instruction = code[position];
     const Mnemonic op = instruction.mnemonic;
     std::size_t next = position + 1;

@@ -1,0 +1,357 @@
+// Sums from Intel's tables worked by hand, instruction by instruction.
+#include "x86model/clocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/x86model/cases.hpp"
+#include "x86model/count_clocks.hpp"
+#include "x86model/notation.hpp"
+#include "x86model/text.hpp"
+
+namespace x86model {
+
+// GoogleTest finds it by its name.
+// NOLINTNEXTLINE(readability-identifier-naming)
+void PrintTo(const Range& r, std::ostream* out) { *out << r.min << " to " << r.max; }
+
+}  // namespace x86model
+
+namespace {
+
+using namespace x86model;
+using namespace x86model::notation;
+
+constexpr std::array cpus{Cpu::i8088, Cpu::i286, Cpu::i386, Cpu::i486};
+
+/// One executed instruction: what it is and what it takes on one or more processors.
+template <std::size_t Cpus>
+struct Step {
+  const char* text;
+  std::array<Range, Cpus> clocks;
+};
+
+constexpr Range exactly(std::uint32_t n) { return {n, n}; }
+/// On 8088, 286, 386, and from ... to on a 486.
+constexpr std::array<Range, 4> on(std::uint32_t i8088, std::uint32_t i286, std::uint32_t i386,
+                                  std::uint32_t i486, std::uint32_t i486_max = 0) {
+  return {exactly(i8088), exactly(i286), exactly(i386), {i486, std::max(i486, i486_max)}};
+}
+/// On a 386, and from ... to on a 486.
+constexpr std::array<Range, 2> on_386(std::uint32_t i386, std::uint32_t i486,
+                                      std::uint32_t i486_max) {
+  return {exactly(i386), {i486, i486_max}};
+}
+
+/// Writes down every instruction and what the counter added for it.
+struct Recorder {
+  Recorder(std::span<const Instruction> program, Cpu cpu) : code(program), counter(program, cpu) {}
+
+  template <class M>
+  void before(std::size_t at, const M& m) {
+    counter.before(at, m);
+  }
+  template <class M>
+  void operator()(std::size_t at, const M& m) {
+    const Range so_far = counter.total();
+    counter(at, m);
+    texts.push_back(text_of(code[at]));
+    clocks.push_back({counter.total().min - so_far.min, counter.total().max - so_far.max});
+  }
+
+  std::vector<std::string> texts;
+  std::vector<Range> clocks;
+  std::span<const Instruction> code;
+  ClockCounter counter;
+};
+
+template <Routine routine, std::size_t Cpus>
+void expect_steps(Target target, std::vector<std::uint32_t> in,
+                  const std::vector<Step<Cpus>>& steps) {
+  const Program program = assemble(listing(routine, target), {});
+  for (std::size_t c = 0; c < Cpus; ++c) {
+    const Cpu cpu = cpus.at(cpus.size() - Cpus + c);
+    Recorder recorder(program.instructions(), cpu);
+    std::array<std::uint32_t, 12> out{};
+    call<routine, 16>(program.instructions(), in, out, recorder);
+    ASSERT_EQ(recorder.texts.size(), steps.size());
+    Range sum;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      EXPECT_EQ(recorder.texts[i], steps[i].text);
+      EXPECT_EQ(recorder.clocks[i], steps[i].clocks.at(c)) << name_of(cpu) << ' ' << steps[i].text;
+      sum += steps[i].clocks.at(c);
+    }
+    EXPECT_EQ((count_clocks<routine>(program.instructions(), in, cpu).clocks), sum);
+  }
+}
+
+// 1.0 times 3.0. IMUL: 3 * 2^16 lies between 2^17 and 2^18: 18 + 6, and 3 for the operand in
+// memory. The caller's ADD SP,8 has three components: RET is 10 + 3. Sums: 59; 26 to 63.
+TEST(Clocks, FixedMulOfThe386) {
+  expect_steps<Routine::mul, 2>(Target::i386, {0x00010000, 0x00030000},
+                                {{"push bp", on_386(2, 1, 1)},
+                                 {"mov bp, sp", on_386(2, 1, 1)},
+                                 {"mov eax, [bp+4]", on_386(4, 1, 2)},
+                                 {"imul dword [bp+8]", on_386(27, 13, 43)},
+                                 {"add eax, 0x8000", on_386(2, 1, 2)},
+                                 {"adc edx, 0", on_386(2, 1, 2)},
+                                 {"shr eax, 16", on_386(3, 2, 3)},
+                                 {"pop bp", on_386(4, 1, 4)},
+                                 {"ret", on_386(13, 5, 5)}});
+  const Program program = assemble(listing(Routine::mul, Target::i386), {});
+  const std::array<std::uint32_t, 2> in{0x00010000, 0x00030000};
+  const auto sum = [&](Cpu cpu) {
+    return count_clocks<Routine::mul>(program.instructions(), in, cpu).clocks;
+  };
+  EXPECT_EQ(sum(Cpu::i386), exactly(59));
+  EXPECT_EQ(sum(Cpu::i486), (Range{26, 63}));
+}
+
+// 1.0 by 2.0. Jumps lead to SUB (66 29 D2: 3 components), DIV (66 F7 F3: 3), SHLD (66 0F A4 C2 10:
+// 5).
+TEST(Clocks, FixedDivOfThe386) {
+  expect_steps<Routine::div, 2>(
+      Target::i386, {0x00010000, 0x00020000},
+      {{"push bp", on_386(2, 1, 1)},         {"mov bp, sp", on_386(2, 1, 1)},
+       {"sub cx, cx", on_386(2, 1, 1)},      {"mov eax, [bp+4]", on_386(4, 1, 2)},
+       {"and eax, eax", on_386(2, 1, 2)},    {"jns .FDP1", on_386(7 + 3, 3, 3)},
+       {"sub edx, edx", on_386(2, 1, 2)},    {"rol eax, 16", on_386(3, 2, 3)},
+       {"mov dx, ax", on_386(2, 1, 1)},      {"sub ax, ax", on_386(2, 1, 1)},
+       {"mov ebx, [bp+8]", on_386(4, 1, 2)}, {"and ebx, ebx", on_386(2, 1, 2)},
+       {"jns .FDP2", on_386(7 + 3, 3, 3)},   {"div ebx", on_386(38, 40, 41)},
+       {"shr ebx, 1", on_386(3, 3, 4)},      {"adc ebx, 0", on_386(2, 1, 2)},
+       {"dec ebx", on_386(2, 1, 2)},         {"cmp ebx, edx", on_386(2, 1, 2)},
+       {"adc eax, 0", on_386(2, 1, 2)},      {"and cx, cx", on_386(2, 1, 1)},
+       {"jz .FDP3", on_386(7 + 5, 3, 3)},    {"shld edx, eax, 16", on_386(3, 2, 3)},
+       {"pop bp", on_386(4, 1, 4)},          {"ret", on_386(13, 5, 5)}});
+}
+
+// 1.0 times 1.0, on all four. On the 8088, [BP+n] is 9 clocks of address and a word is 4 more.
+// Jumps lead to MOV BX,[BP+10] (8B 5E 0A: 3 bytes, 3 components), PUSH and POP (1 byte).
+TEST(Clocks, FixedMulOfThe8088) {
+  expect_steps<Routine::mul, 4>(
+      Target::i8088, {0x00010000, 0x00010000},
+      {{"push bp", on(11 + 4, 3, 2, 1)},
+       {"mov bp, sp", on(2, 2, 2, 1)},
+       {"push si", on(11 + 4, 3, 2, 1)},
+       {"push di", on(11 + 4, 3, 2, 1)},
+       {"sub cx, cx", on(3, 2, 2, 1)},
+       {"mov ax, [bp+6]", on(8 + 9 + 4, 5, 4, 1)},
+       {"mov si, [bp+4]", on(8 + 9 + 4, 5, 4, 1)},
+       {"and ax, ax", on(3, 2, 2, 1)},
+       {"jns .CheckSecondOperand", on(16, 7 + 3, 7 + 3, 3)},
+       {"mov bx, [bp+10]", on(8 + 9 + 4, 5, 4, 1)},
+       {"mov di, [bp+8]", on(8 + 9 + 4, 5, 4, 1)},
+       {"and bx, bx", on(3, 2, 2, 1)},
+       {"jns .SaveSignStatus", on(16, 7 + 1, 7 + 1, 3)},
+       {"push cx", on(11 + 4, 3, 2, 1)},
+       {"push ax", on(11 + 4, 3, 2, 1)},
+       {"mul bx", on(117 + 1 + 1, 21, 3 + 6, 13, 26)},  // 1 * 1: one bit, DX is 0
+       {"mov cx, ax", on(2, 2, 2, 1)},
+       {"mov ax, si", on(2, 2, 2, 1)},
+       {"mul bx", on(117 + 0 + 1, 21, 3 + 6, 13, 26)},  // 0 * 1
+       {"mov bx, ax", on(2, 2, 2, 1)},
+       {"add cx, dx", on(3, 2, 2, 1)},
+       {"pop ax", on(8 + 4, 5, 4, 1, 4)},
+       {"mul di", on(117 + 1 + 1, 21, 9, 13, 26)},  // 1 * 0
+       {"add bx, ax", on(3, 2, 2, 1)},
+       {"adc cx, dx", on(3, 2, 2, 1)},
+       {"mov ax, si", on(2, 2, 2, 1)},
+       {"mul di", on(117 + 0 + 1, 21, 9, 13, 26)},  // 0 * 0
+       {"add ax, 0x8000", on(4, 3, 2, 1)},
+       {"adc bx, dx", on(3, 2, 2, 1)},
+       {"adc cx, 0", on(4, 3, 2, 1)},
+       {"mov dx, cx", on(2, 2, 2, 1)},
+       {"mov ax, bx", on(2, 2, 2, 1)},
+       {"pop cx", on(8 + 4, 5, 4, 1, 4)},
+       {"and cx, cx", on(3, 2, 2, 1)},
+       {"jz .FixedMulDone", on(16, 7 + 1, 7 + 1, 3)},
+       {"pop di", on(8 + 4, 5, 4, 1, 4)},
+       {"pop si", on(8 + 4, 5, 4, 1, 4)},
+       {"pop bp", on(8 + 4, 5, 4, 1, 4)},
+       {"ret", on(16 + 4, 11 + 3, 10 + 3, 5)}});
+}
+
+/// The forms that the three routines above do not execute.
+TEST(Clocks, OtherForms) {
+  const Instruction pushes = push(bp);
+  const Instruction adds = add(sp, bytes(8));
+  const auto expect = [](const Execution& e, const std::array<Range, 4>& all) {
+    for (std::size_t c = 0; c < cpus.size(); ++c) {
+      EXPECT_EQ(clocks(cpus.at(c), e), all.at(c))
+          << name_of(cpus.at(c)) << ' ' << text_of(e.instruction);
+    }
+  };
+  expect({push(word[si + 2])}, on(16 + 9 + 8, 5, 5, 4));
+  expect({push(word[si])}, on(16 + 5 + 8, 5, 5, 4));
+  expect({neg(word[bp + 4])}, on(16 + 9 + 8, 7, 6, 3));
+  expect({neg(dx)}, on(3, 2, 2, 1));
+  expect({mov(word[bx], ax)}, on(9 + 5 + 4, 3, 2, 1));
+  expect({add(cx, word[si + 12])}, on(9 + 9 + 4, 7, 6, 2));
+  expect({mov(ax, word[CosTable + bx])}, on(8 + 9 + 4, 5, 4, 1));
+  expect({inc(cx)}, on(2, 2, 2, 1));
+  expect({dec(bx)}, on(2, 2, 2, 1));
+  expect({shl(bx, 1)}, on(2, 2, 3, 3));
+  expect({xor_(cx, 1)}, on(4, 3, 2, 1));
+  expect({sbb(dx, 0)}, on(4, 3, 2, 1));
+  expect({cmp(bx, 3600)}, on(4, 3, 2, 1));
+  expect({.instruction = div(bx), .low = 7, .operand = 2}, on(17 + 14 * 8 + 9 + 10, 22, 22, 24));
+  expect({ja("far")}, on(4, 3, 3, 1));
+  expect({.instruction = jmp("far"), .taken = true, .next = &pushes}, on(15, 7 + 1, 7 + 1, 3));
+  expect({.instruction = call("far"), .taken = true, .next = &pushes}, on(19 + 4, 8, 8, 3));
+  expect({.instruction = ret(), .taken = true, .next = &adds}, on(16 + 4, 11 + 3, 10 + 3, 5));
+}
+
+TEST(Clocks, FormsThatNoListingHasHaveNoEntry) {
+  for (const Cpu cpu : cpus) {
+    EXPECT_EQ(clocks(cpu, {imul(bx)}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {idiv(ebx)}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {div(word[bp + 4])}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {add(word[bp + 4], ax)}), std::nullopt);
+  }
+}
+
+TEST(Clocks, OtherFormsOfThe386) {
+  const auto expect = [](const Execution& e, const std::array<Range, 2>& both) {
+    EXPECT_EQ(clocks(Cpu::i8088, e), std::nullopt) << text_of(e.instruction);
+    EXPECT_EQ(clocks(Cpu::i286, e), std::nullopt) << text_of(e.instruction);
+    EXPECT_EQ(clocks(Cpu::i386, e), both[0]) << text_of(e.instruction);
+    EXPECT_EQ(clocks(Cpu::i486, e), both[1]) << text_of(e.instruction);
+  };
+  expect({add(ecx, dword[si + 12])}, on_386(6, 2, 3));
+  expect({mov(dword[di], ecx)}, on_386(2, 1, 2));
+  expect({shrd(eax, edx, word_bits)}, on_386(3, 2, 3));
+  expect({sar(edx, word_bits)}, on_386(3, 2, 3));
+  expect({shl(bx, 2)}, on_386(3, 2, 2));
+  expect({neg(eax)}, on_386(2, 1, 2));
+  expect({idiv(dword[bp + 8])}, on_386(46, 44, 45));
+}
+
+std::optional<Range> mul_on_8088(std::uint32_t ax_before, std::uint32_t operand) {
+  return clocks(Cpu::i8088, {.instruction = mul(bx), .low = ax_before, .operand = operand});
+}
+
+TEST(Clocks, MulOfThe8088CountsTheOnesInAx) {
+  EXPECT_EQ(mul_on_8088(0, 0xFFFF), exactly(118)) << "none, and DX becomes 0";
+  EXPECT_EQ(mul_on_8088(0xFFFF, 0xFFFF), exactly(133)) << "16; the product is FFFE0001h";
+  EXPECT_EQ(mul_on_8088(0xFFFF, 1), exactly(134)) << "16, and DX becomes 0";
+  EXPECT_EQ(mul_on_8088(0x8000, 2), exactly(118)) << "1; DX becomes 1";
+  EXPECT_EQ(mul_on_8088(0x5555, 0x8000), exactly(125)) << "8; DX becomes 2AAAh";
+}
+
+std::optional<Range> div_on_8088(std::uint32_t dx_ax, std::uint32_t divisor) {
+  return clocks(
+      Cpu::i8088,
+      {.instruction = div(bx), .low = dx_ax & 0xFFFFU, .high = dx_ax >> 16U, .operand = divisor});
+}
+
+TEST(Clocks, DivOfThe8088FollowsTheRestoringDivision) {
+  // Nothing is ever subtracted: 15 * 8 + 7. The least in Intel's table.
+  EXPECT_EQ(div_on_8088(0, 1), exactly(17 + 15 * 8 + 7));
+  // Every step brings a 1 down and subtracts it: 15 * 9 + 10. The most in Intel's table.
+  EXPECT_EQ(div_on_8088(0x0000FFFF, 1), exactly(17 + 15 * 9 + 10));
+  // 7 / 2 = 3: the dividend's 111b comes down last. 1 < 2; 11b - 2 leaves 1; 11b - 2 in the last
+  // step.
+  EXPECT_EQ(div_on_8088(7, 2), exactly(17 + 14 * 8 + 9 + 10));
+  // 6 / 2 = 3: 1 < 2; 11b - 2 leaves 1; 10b - 2 in the last step.
+  EXPECT_EQ(div_on_8088(6, 2), exactly(17 + 14 * 8 + 9 + 10));
+  // 4 / 2 = 2: 10b - 2 leaves 0 in the last step but one, then 0 < 2.
+  EXPECT_EQ(div_on_8088(4, 2), exactly(17 + 14 * 8 + 9 + 7));
+  // Let the remainder be FFFFh - e: a step doubles e and takes off the bit brought down. It starts
+  // at e = 1; with ones brought down it stays there, and every step carries.
+  EXPECT_EQ(div_on_8088(0xFFFEFFFF, 0xFFFF), exactly(17 + 15 * 8 + 9));
+  // With zeros, steps 1 to 15 carry (e up to 4000h before them), and step 16, from 7FFFh to FFFEh,
+  // neither carries nor subtracts.
+  EXPECT_EQ(div_on_8088(0xFFFE0000, 0xFFFF), exactly(17 + 15 * 8 + 7));
+  // After step k the remainder is 8001h - 2^k: step 1 carries, from 8000h to 10000h; steps 2 to 15
+  // subtract, from at least 4001h; step 16, from 1 to 2, does not.
+  EXPECT_EQ(div_on_8088(0x80000000, 0x8001), exactly(17 + 8 + 14 * 9 + 7));
+}
+
+std::optional<Range> multiply_on_386(const Instruction& i, std::uint32_t multiplier) {
+  return clocks(Cpu::i386, {.instruction = i, .operand = multiplier});
+}
+
+// 6 and the logarithm of the multiplier rounded up, which counts as 3 at least.
+TEST(Clocks, MultiplyOfThe386StopsAtTheHighestBit) {
+  EXPECT_EQ(multiply_on_386(mul(bx), 0), exactly(9));
+  EXPECT_EQ(multiply_on_386(mul(bx), 1), exactly(9));
+  EXPECT_EQ(multiply_on_386(mul(bx), 8), exactly(9));
+  EXPECT_EQ(multiply_on_386(mul(bx), 9), exactly(10));
+  EXPECT_EQ(multiply_on_386(mul(bx), 0x8000), exactly(21));
+  EXPECT_EQ(multiply_on_386(mul(bx), 0xFFFF), exactly(22)) << "the most in the table";
+  const Instruction by_memory = imul(dword[bp + 8]);
+  EXPECT_EQ(multiply_on_386(by_memory, 0), exactly(12));
+  EXPECT_EQ(multiply_on_386(by_memory, 0xFFFFFFFF), exactly(12)) << "the magnitude of -1";
+  EXPECT_EQ(multiply_on_386(by_memory, 0xFFFF0000), exactly(25)) << "2^16";
+  EXPECT_EQ(multiply_on_386(by_memory, 0x7FFFFFFF), exactly(40));
+  EXPECT_EQ(multiply_on_386(by_memory, 0x80000000), exactly(40)) << "2^31";
+}
+
+TEST(Clocks, EveryFormOfEveryListingHasAnEntry) {
+  test::each_routine([]<Routine routine, Target target>() {
+    for (const Build& build : test::builds) {
+      const Program program = assemble(listing(routine, target), build);
+      for (const Instruction& i : program.instructions()) {
+        for (const Cpu cpu : cpus) {
+          if (target == Target::i386 && cpu < Cpu::i386) continue;
+          EXPECT_TRUE(clocks(cpu, {.instruction = i, .operand = 1}))
+              << name_of(cpu) << ' ' << text_of(i);
+        }
+      }
+    }
+  });
+}
+
+TEST(Clocks, AProcessorIsNotCountedForCodeItCannotRun) {
+  test::each_routine([]<Routine routine, Target target>() {
+    if (target == Target::i8088) return;
+    const Program program = assemble(listing(routine, target), {});
+    const auto words = test::cases(routine);
+    const auto in = std::span(words).first(static_cast<std::size_t>(arity(routine).in));
+    for (const Cpu cpu : {Cpu::i8088, Cpu::i286}) {
+      EXPECT_THROW(count_clocks<routine>(program.instructions(), in, cpu), std::invalid_argument);
+    }
+  });
+}
+
+TEST(Clocks, EachProcessorNeedsFewerThanTheOneBefore) {
+  test::each_routine([]<Routine routine, Target target>() {
+    const Program program = assemble(listing(routine, target), {});
+    const auto words = test::cases(routine);
+    const auto in = static_cast<std::size_t>(arity(routine).in);
+    for (std::size_t i = 0; i + in <= words.size(); i += in) {
+      std::array<std::uint32_t, 12> out{};
+      const auto operands = std::span(words).subspan(i, in);
+      const Ending ending = call<routine, 16>(program.instructions(), operands, out);
+      Range before{1'000'000, 1'000'000};
+      for (const Cpu cpu : cpus) {
+        if (target == Target::i386 && cpu < Cpu::i386) continue;
+        const auto [counted, clocks] = count_clocks<routine>(program.instructions(), operands, cpu);
+        ASSERT_EQ(counted.outcome, ending.outcome);
+        ASSERT_EQ(counted.steps, ending.steps);
+        ASSERT_LE(clocks.min, clocks.max);
+        ASSERT_LT(clocks.min, before.min) << name_of(routine) << name_of(cpu) << " case " << i / in;
+        // At its worst, a 486 is no faster than a 386.
+        if (cpu != Cpu::i486) {
+          ASSERT_LT(clocks.max, before.max) << name_of(routine) << name_of(cpu) << ' ' << i / in;
+        }
+        before = clocks;
+      }
+    }
+  });
+}
+
+TEST(Clocks, AFaultAddsNone) {
+  const Program program = assemble(listing(Routine::div, Target::i386), {});
+  const std::array<std::uint32_t, 2> in{0x00010000, 0};
+  const auto [ending, clocks] = count_clocks<Routine::div>(program.instructions(), in, Cpu::i386);
+  EXPECT_EQ(ending.outcome, Outcome::divide_error);
+  // The rows of FixedDiv above, up to DIV.
+  EXPECT_EQ(clocks, exactly(2 + 2 + 2 + 4 + 2 + 10 + 2 + 3 + 2 + 2 + 4 + 2 + 10));
+}
+
+}  // namespace

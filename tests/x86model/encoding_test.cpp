@@ -1,0 +1,64 @@
+#include "x86model/encoding.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verify/machine_code/machine_code.hpp"
+#include "x86model/cosine_table.hpp"
+#include "x86model/notation.hpp"
+#include "x86model/text.hpp"
+
+namespace {
+
+using namespace x86model;
+using namespace x86model::notation;
+
+/// The programs together hold every form: a byte too many or too few shows in some sum.
+TEST(Encoding, ProgramsAreAsLongAsNasmMakesThem) {
+  for (const fixproof::ProgramKey& key : fixproof::all_programs()) {
+    const auto assembled = fixproof::machine_code(key);
+    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code_absence();
+    const std::size_t table = key.routine == Routine::cossin ? 4 * cosine_table.size() : 0;
+    int bytes = 0;
+    const Program program = assemble(listing(key.routine, key.target), key.build);
+    for (const Instruction& i : program.instructions()) bytes += encoding_of(i).bytes();
+    EXPECT_EQ(static_cast<std::size_t>(bytes), assembled.size() - table) << name_of(key);
+  }
+}
+
+/// Bytes as an assembler lists them, then the components a 386 counts.
+TEST(Encoding, PartsOfSomeInstructions) {
+  struct Case {
+    Instruction instruction;
+    int bytes = 0;
+    int components = 0;
+  };
+  const std::array cases{
+      Case{push(bp), 1, 1},                      // 55
+      Case{mov(bp, sp), 2, 2},                   // 89 E5
+      Case{mov(word[di], ax), 2, 2},             // 89 05
+      Case{mov(ax, word[bp + 4]), 3, 3},         // 8B 46 04
+      Case{mov(ax, word[CosTable + bx]), 4, 3},  // 8B 87 iw
+      Case{mov(eax, dword[bp + 4]), 4, 4},       // 66 8B 46 04
+      Case{push(word[si + 200]), 4, 3},          // FF B4 C8 00
+      Case{mov(ax, word[bp]), 3, 3},             // 8B 46 00
+      Case{add(sp, bytes(8)), 3, 3},             // 83 C4 08
+      Case{cmp(bx, 3600), 4, 3},                 // 81 FB 10 0E
+      Case{add(ax, half_unit), 3, 2},            // 05 00 80
+      Case{add(eax, half_unit), 6, 3},           // 66 05 00 80 00 00
+      Case{adc(edx, 0), 4, 4},                   // 66 83 D2 00
+      Case{shr(bx, 1), 2, 2},                    // D1 EB
+      Case{shr(eax, word_bits), 4, 4},           // 66 C1 E8 10
+      Case{shld(edx, eax, word_bits), 5, 5},     // 66 0F A4 C2 10
+      Case{shrd(eax, edx, 1), 5, 5},             // 66 0F AC D0 01
+      Case{neg(word[bp + 4]), 3, 3},             // F7 5E 04
+      Case{jz("near"), 2, 2},                    // 74 xx
+      Case{call("procedure"), 3, 2},             // E8 xx xx
+      Case{ret(), 1, 1},                         // C3
+  };
+  for (const Case& c : cases) {
+    EXPECT_EQ(encoding_of(c.instruction).bytes(), c.bytes) << text_of(c.instruction);
+    EXPECT_EQ(encoding_of(c.instruction).components(), c.components) << text_of(c.instruction);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,276 @@
+#include "x86model/clocks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "x86model/encoding.hpp"
+#include "x86model/execute.hpp"
+
+// Where the numbers are from:
+//   8088  iAPX 86,88 User's Manual (210200), table 2-21; MUL and DIV as measured on the processor
+//   286   80286 Programmer's Reference Manual, appendix B
+//   386   80386 Programmer's Reference Manual (1986), chapter 17
+//   486   i486 Microprocessor Programmer's Reference Manual (1990), chapter 26
+// and, where one of these is known to be wrong or leaves a form out, the processor's data sheet.
+
+namespace x86model {
+
+namespace {
+
+/// One entry of a table: a number of clocks, or its bounds; 0 where there is none.
+struct Cell {
+  std::uint32_t min;
+  std::uint32_t max;
+  constexpr Cell(std::uint32_t n) : min(n), max(n) {}  // NOLINT(google-explicit-constructor)
+  constexpr Cell(std::uint32_t low, std::uint32_t high) : min(low), max(high) {}
+  [[nodiscard]] constexpr bool is_absent() const { return max == 0; }
+};
+constexpr Cell absent = 0;
+
+/// Instructions that have the same times.
+enum class Kind : std::uint8_t { mov, push, pop, arithmetic, neg, step, shift, double_shift };
+
+/// The kinds of an instruction's operands; `one` is the count of a shift by one.
+enum class Shape : std::uint8_t { r, m, rr, rm, mr, ri, r_one, rri };
+
+struct Row {
+  Kind kind = Kind::mov;
+  Shape shape = Shape::rr;
+  /// Without the effective address, and without what the words below add on an 8088.
+  Cell i8088 = absent;
+  /// Words that go over the bus.
+  std::uint32_t transfers = 0;
+  Cell i286 = absent;
+  Cell i386 = absent;
+  Cell i486 = absent;
+};
+
+constexpr std::array table{
+    // kind, shape, 8088, transfers, 286, 386, 486
+    Row{Kind::mov, Shape::rr, 2, 0, 2, 2, 1},
+    Row{Kind::mov, Shape::rm, 8, 1, 5, 4, 1},
+    Row{Kind::mov, Shape::mr, 9, 1, 3, 2, 1},
+    Row{Kind::push, Shape::r, 11, 1, 3, 2, 1},
+    Row{Kind::push, Shape::m, 16, 2, 5, 5, 4},
+    // The 486's manual says 4, its data sheet 1 for the short form, which this is.
+    Row{Kind::pop, Shape::r, 8, 1, 5, 4, {1, 4}},
+    Row{Kind::arithmetic, Shape::rr, 3, 0, 2, 2, 1},
+    Row{Kind::arithmetic, Shape::ri, 4, 0, 3, 2, 1},
+    Row{Kind::arithmetic, Shape::rm, 9, 1, 7, 6, 2},
+    Row{Kind::neg, Shape::r, 3, 0, 2, 2, 1},
+    Row{Kind::neg, Shape::m, 16, 2, 7, 6, 3},
+    Row{Kind::step, Shape::r, 2, 0, 2, 2, 1},
+    Row{Kind::shift, Shape::r_one, 2, 0, 2, 3, 3},
+    Row{Kind::shift, Shape::ri, absent, 0, absent, 3, 2},
+    Row{Kind::double_shift, Shape::rri, absent, 0, absent, 3, 2},
+};
+
+std::optional<Kind> kind_of(Mnemonic op) {
+  using namespace detail;
+  if (op == Mnemonic::mov) return Kind::mov;
+  if (op == Mnemonic::push) return Kind::push;
+  if (op == Mnemonic::pop) return Kind::pop;
+  if (is_two_operand(op)) return Kind::arithmetic;
+  if (op == Mnemonic::neg) return Kind::neg;
+  if (is_one_operand(op)) return Kind::step;
+  if (is_shift(op)) return Kind::shift;
+  if (is_double_shift(op)) return Kind::double_shift;
+  return std::nullopt;
+}
+
+std::optional<Shape> shape_of(const Instruction& i) {
+  using enum Operand::Kind;
+  const auto are = [&](Operand::Kind a, Operand::Kind b, Operand::Kind c) {
+    return i.operands[0].kind == a && i.operands[1].kind == b && i.operands[2].kind == c;
+  };
+  if (are(reg, none, none)) return Shape::r;
+  if (are(memory, none, none)) return Shape::m;
+  if (are(reg, reg, none)) return Shape::rr;
+  if (are(reg, memory, none)) return Shape::rm;
+  if (are(memory, reg, none)) return Shape::mr;
+  if (are(reg, reg, immediate)) return Shape::rri;
+  if (!are(reg, immediate, none)) return std::nullopt;
+  const bool by_one = detail::is_shift(i.mnemonic) && encoding_of(i).immediate == 0;
+  return by_one ? Shape::r_one : Shape::ri;
+}
+
+bool reads_or_writes_memory(const Instruction& i) {
+  return std::any_of(i.operands.begin(), i.operands.end(),
+                     [](const Operand& o) { return o.kind == Operand::Kind::memory; });
+}
+
+/// The 8088 moves a word over its bus in two bytes: one bus cycle more than the 8086.
+constexpr std::uint32_t second_byte = 4;
+
+/// What an 8088 adds to find an operand at [base] or [base+displacement].
+std::uint32_t effective_address_clocks(const Instruction& i) {
+  if (!reads_or_writes_memory(i)) return 0;
+  return encoding_of(i).displacement > 0 ? 9 : 5;
+}
+
+/// Depends on AX alone, but for a clock where the high half becomes 0.
+std::uint32_t mul_on_8088(const Execution& e) {
+  const bool high_is_zero = alu::mul(e.low, e.operand, 16).high == 0;
+  return 117 + static_cast<std::uint32_t>(std::popcount(e.low)) + (high_is_zero ? 1 : 0);
+}
+
+/// The microcode divides by shifting DX:AX left and subtracting the divisor from DX where it can;
+/// where a bit was shifted out of DX it need not compare. Its last step leaves the loop.
+std::uint32_t div_on_8088(const Execution& e) {
+  constexpr int steps = 16;
+  std::uint32_t clocks = 17;
+  std::uint32_t remainder = e.high;
+  for (int step = 1; step <= steps; ++step) {
+    const std::uint32_t next_bit = (e.low >> (steps - step)) & 1U;
+    remainder = remainder << 1 | next_bit;
+    const bool carry = remainder > 0xFFFF;
+    const bool subtracts = remainder >= e.operand;
+    const bool last = step == steps;
+    if (carry) {
+      clocks += last ? 9 : 8;
+    } else if (subtracts) {
+      clocks += last ? 10 : 9;
+    } else {
+      clocks += last ? 7 : 8;
+    }
+    if (subtracts) remainder -= e.operand;
+  }
+  return clocks;
+}
+
+bool operand_is(const Execution& e, Operand::Kind kind) {
+  return e.instruction.operands[0].kind == kind;
+}
+bool is_dword(const Execution& e) { return e.instruction.operands[0].size == Size::dword; }
+
+/// The 386 stops at the highest bit of the multiplier, which is the operand: its manual's formula.
+/// The ranges printed beside it go one clock further for IMUL than the formula does.
+std::uint32_t multiply_on_386(const Execution& e) {
+  std::uint32_t magnitude = e.operand;
+  if (e.instruction.mnemonic == Mnemonic::imul && alu::sign(magnitude, 32)) {
+    magnitude = 0 - magnitude;
+  }
+  // ceil(log2(magnitude)), 0 for 0: then, too, the formula gives 3 + 6.
+  const int log2 = magnitude == 0 ? 0 : 32 - std::countl_zero(magnitude - 1);
+  const auto clocks = static_cast<std::uint32_t>(std::max(log2, 3) + 6);
+  return clocks + (operand_is(e, Operand::Kind::memory) ? 3 : 0);
+}
+
+/// MUL by a register, IMUL by a dword.
+Cell multiply(Cpu cpu, const Execution& e) {
+  const bool mul_by_register =
+      e.instruction.mnemonic == Mnemonic::mul && operand_is(e, Operand::Kind::reg);
+  if (!mul_by_register && !is_dword(e)) return absent;
+  switch (cpu) {
+    case Cpu::i8088:
+      return mul_on_8088(e);
+    case Cpu::i286:
+      return 21;
+    case Cpu::i386:
+      return multiply_on_386(e);
+    case Cpu::i486:
+      break;
+  }
+  return is_dword(e) ? Cell{13, 42} : Cell{13, 26};
+}
+
+/// IDIV by a dword in memory.
+Cell signed_divide(Cpu cpu, const Execution& e) {
+  if (!is_dword(e) || !operand_is(e, Operand::Kind::memory)) return absent;
+  // The 386's manual gives memory no time of its own, 43 for both; its data sheet does.
+  return cpu == Cpu::i386 ? 46 : 44;
+}
+
+/// DIV by a register, or the above.
+Cell divide(Cpu cpu, const Execution& e) {
+  if (e.instruction.mnemonic == Mnemonic::idiv) return signed_divide(cpu, e);
+  if (!operand_is(e, Operand::Kind::reg)) return absent;
+  switch (cpu) {
+    case Cpu::i8088:
+      return div_on_8088(e);
+    case Cpu::i286:
+      return 22;
+    case Cpu::i386:
+      return is_dword(e) ? 38 : 22;
+    case Cpu::i486:
+      break;
+  }
+  return is_dword(e) ? 40 : 24;
+}
+
+/// ADD SP,n with a byte for n.
+constexpr Encoding caller_next{.mod_rm = 1, .immediate = 1};
+
+/// The same for every jump, but for RET: `m`, the length of the next instruction, comes on top.
+Cell control_flow(Cpu cpu, const Execution& e) {
+  const bool call = e.instruction.mnemonic == Mnemonic::call;
+  const bool ret = e.instruction.mnemonic == Mnemonic::ret;
+  const Encoding next = e.next == nullptr ? caller_next : encoding_of(*e.next);
+  switch (cpu) {
+    case Cpu::i8088:
+      // The word that CALL pushes and RET pops.
+      if (call) return 19 + second_byte;
+      if (ret) return 16 + second_byte;
+      if (e.instruction.mnemonic == Mnemonic::jmp) return 15;
+      return e.taken ? 16 : 4;
+    case Cpu::i286:
+      if (!e.taken) return 3;
+      return static_cast<std::uint32_t>((ret ? 11 : 7) + next.bytes());
+    case Cpu::i386:
+      if (!e.taken) return 3;
+      return static_cast<std::uint32_t>((ret ? 10 : 7) + next.components());
+    case Cpu::i486:
+      break;
+  }
+  if (ret) return 5;
+  return e.taken ? 3 : 1;
+}
+
+Cell look_up(Cpu cpu, const Instruction& i) {
+  const auto* row = std::find_if(table.begin(), table.end(), [&](const Row& r) {
+    return r.kind == kind_of(i.mnemonic) && r.shape == shape_of(i);
+  });
+  if (row == table.end()) return absent;
+  switch (cpu) {
+    case Cpu::i8088:
+      if (row->i8088.is_absent()) return absent;
+      return row->i8088.min + effective_address_clocks(i) + second_byte * row->transfers;
+    case Cpu::i286:
+      return row->i286;
+    case Cpu::i386:
+      return row->i386;
+    case Cpu::i486:
+      break;
+  }
+  return row->i486;
+}
+
+Cell cell_of(Cpu cpu, const Execution& e) {
+  const Mnemonic op = e.instruction.mnemonic;
+  if (is_control_flow(op)) return control_flow(cpu, e);
+  if (detail::is_multiply(op)) return multiply(cpu, e);
+  if (detail::is_divide(op)) return divide(cpu, e);
+  return look_up(cpu, e.instruction);
+}
+
+}  // namespace
+
+std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
+  const Instruction& i = execution.instruction;
+  const bool has_prefix = encoding_of(i).prefixes > 0;
+  if (has_prefix && cpu < Cpu::i386) return std::nullopt;
+  const Cell cell = cell_of(cpu, execution);
+  if (cell.is_absent()) return std::nullopt;
+  // A 486 takes a clock for a prefix, unless the instruction before it leaves it the time. A 386
+  // takes none.
+  const std::uint32_t prefix = has_prefix && cpu == Cpu::i486 ? 1 : 0;
+  return Range{cell.min, cell.max + prefix};
+}
+
+std::string_view name_of(Cpu cpu) {
+  constexpr std::array<std::string_view, cpu_count> names{"8088", "286", "386", "486"};
+  return names.at(static_cast<std::size_t>(cpu));
+}
+
+}  // namespace x86model

@@ -1,0 +1,102 @@
+/// @file
+/// The clocks of a whole run: an observer of run(), and call() with one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "x86model/call.hpp"
+#include "x86model/clocks.hpp"
+
+namespace x86model {
+
+namespace detail {
+
+/// The instruction that a return leads to; null for the routine's caller.
+template <class M>
+const Instruction* return_target(std::span<const Instruction> code, const M& m) {
+  std::uint32_t to = return_to_caller<M::word_bits>;
+  m.memory.read(m.registers.read(Register::sp, Size::word), to);
+  return to < code.size() ? &code[to] : nullptr;
+}
+
+/// The instruction at `position` as a machine in this state is about to execute it.
+template <class M>
+Execution execution_at(std::span<const Instruction> code, std::size_t position, const M& m) {
+  Execution execution{.instruction = code[position]};
+  const Mnemonic op = execution.instruction.mnemonic;
+  const Operand& operand = execution.instruction.operands[0];
+  if (is_control_flow(op)) {
+    jump_taken(op, m.flags, execution.taken);
+    if (op == Mnemonic::ret) {
+      execution.next = return_target(code, m);
+    } else if (execution.taken) {
+      execution.next = &code[static_cast<std::size_t>(operand.value)];
+    }
+  } else if (is_multiply(op) || is_divide(op)) {
+    execution.low = m.registers.read(Register::ax, operand.size);
+    execution.high = m.registers.read(Register::dx, operand.size);
+    read(operand, operand.size, m, execution.operand);
+  }
+  return execution;
+}
+
+}  // namespace detail
+
+/// Adds up the clocks of what run() executes; an instruction that faults adds none. For machines
+/// with words of 16 bits: no other was ever timed.
+class ClockCounter {
+ public:
+  /// @param code what is run; it must outlive the counter
+  ClockCounter(std::span<const Instruction> code, Cpu cpu) : code_(code), cpu_(cpu) {}
+
+  /// @throws std::invalid_argument where the processor has no such instruction
+  template <class M>
+  void before(std::size_t position, const M& m) {
+    static_assert(M::word_bits == 16);
+    const auto range = clocks(cpu_, detail::execution_at(code_, position, m));
+    if (!range) {
+      throw std::invalid_argument("no clocks on a " + std::string(name_of(cpu_)) +
+                                  " for the instruction at " + std::to_string(position));
+    }
+    pending_ = *range;
+  }
+
+  template <class M>
+  void operator()(std::size_t /*position*/, const M& /*after*/) {
+    total_ += pending_;
+  }
+
+  [[nodiscard]] Range total() const { return total_; }
+
+ private:
+  std::span<const Instruction> code_;
+  Cpu cpu_;
+  Range pending_;
+  Range total_;
+};
+
+/// How a call ended, and the clocks from its first instruction to its end. The caller's pushes and
+/// its CALL are not in them.
+struct ClockedEnding {
+  Ending ending{};
+  Range clocks;
+};
+
+/// Calls `routine` at full width and counts. `code` is as for call().
+/// @throws std::invalid_argument where the processor cannot run the code
+template <Routine routine>
+ClockedEnding count_clocks(std::span<const Instruction> code, std::span<const std::uint32_t> in,
+                           Cpu cpu) {
+  std::array<std::uint32_t, 12> out{};
+  ClockCounter counter(code, cpu);
+  const Ending ending = call<routine, 16>(
+      code, in, std::span(out).first(static_cast<std::size_t>(arity(routine).out)), counter);
+  return {ending, counter.total()};
+}
+
+}  // namespace x86model

@@ -1,0 +1,72 @@
+#include "x86model/encoding.hpp"
+
+#include "x86model/execute.hpp"
+
+namespace x86model {
+
+namespace {
+
+/// The machine whose immediates are those of the listings.
+struct FullWidth {
+  static constexpr int word_bits = 16;
+};
+
+bool fits_byte(std::int32_t value) { return value >= -128 && value <= 127; }
+
+bool is_register(const Operand& o) { return o.kind == Operand::Kind::reg; }
+
+/// Whether a ModR/M byte names an operand. Registers stand in the opcode of PUSH, POP, INC, DEC.
+bool has_mod_rm(const Instruction& i) {
+  switch (i.mnemonic) {
+    case Mnemonic::push:
+    case Mnemonic::pop:
+    case Mnemonic::inc:
+    case Mnemonic::dec:
+      return !is_register(i.operands[0]);
+    default:
+      return !is_control_flow(i.mnemonic);
+  }
+}
+
+int displacement_bytes(const Operand& o) {
+  if (o.symbol != Symbol::none) return 2;
+  // [BP] alone has no encoding.
+  if (o.value == 0 && o.reg != Register::bp) return 0;
+  return fits_byte(o.value) ? 1 : 2;
+}
+
+/// Two-operand arithmetic: a byte that is sign-extended where it can be; else as wide as the
+/// register, and where that is AX or EAX without a ModR/M byte.
+void encode_immediate(const Operand& reg, std::int32_t value, Encoding& encoding) {
+  if (fits_byte(value)) {
+    encoding.immediate = 1;
+    return;
+  }
+  encoding.immediate = reg.size == Size::dword ? 4 : 2;
+  if (reg.reg == Register::ax) encoding.mod_rm = 0;
+}
+
+}  // namespace
+
+Encoding encoding_of(const Instruction& instruction) {
+  Encoding encoding;
+  encoding.mod_rm = has_mod_rm(instruction) ? 1 : 0;
+  if (detail::is_double_shift(instruction.mnemonic)) encoding.opcode = 2;
+  for (const Operand& o : instruction.operands) {
+    if (o.size == Size::dword) encoding.prefixes = 1;
+    if (o.kind == Operand::Kind::memory) encoding.displacement = displacement_bytes(o);
+    if (o.kind == Operand::Kind::label) {
+      encoding.displacement = instruction.mnemonic == Mnemonic::call ? 2 : 1;
+    }
+    if (o.kind != Operand::Kind::immediate) continue;
+    const auto value = static_cast<std::int32_t>(detail::immediate<FullWidth>(o));
+    if (detail::is_two_operand(instruction.mnemonic)) {
+      encode_immediate(instruction.operands[0], value, encoding);
+    } else if (detail::is_double_shift(instruction.mnemonic) || value != 1) {
+      encoding.immediate = 1;  // the count of a shift; by one is an opcode of its own
+    }
+  }
+  return encoding;
+}
+
+}  // namespace x86model
