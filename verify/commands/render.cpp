@@ -8,6 +8,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
@@ -16,6 +19,7 @@
 #include "verify/interrupt.hpp"
 #include "verify/scenes/canvas.hpp"
 #include "verify/scenes/dump.hpp"
+#include "verify/scenes/frame_clocks.hpp"
 #include "verify/scenes/players.hpp"
 #include "verify/scenes/scene_options.hpp"
 #include "verify/scenes/show.hpp"
@@ -88,6 +92,56 @@ struct Outputs {
   }
 };
 
+/// Clocks of the listings in a frame, on the processors that people would ask about.
+class ClockMeter {
+ public:
+  explicit ClockMeter(const xsharp::ArithmeticChoice& choice) : choice_(choice) {
+    if (choice.by != "model") return;
+    if (choice.target == "i8088") totals_.push_back({x86model::Cpu::i8088});
+    totals_.push_back({x86model::Cpu::i386});
+  }
+
+  /// Whether the calls of this frame are to be recorded: counting takes longer than drawing.
+  [[nodiscard]] bool wants(std::uint64_t frame) const {
+    return !totals_.empty() && frame % every == 0;
+  }
+
+  void count(const OperandLog& log) {
+    for (Total& total : totals_) {
+      const x86model::Range clocks = clocks_of(log, choice_, total.cpu);
+      total.least += clocks.min;
+      total.most += clocks.max;
+    }
+    ++counted_;
+  }
+
+  /// `Listings alone: 123,456 clocks a frame on the 386`; empty where no model ran.
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (const auto& [cpu, least_of_all, most_of_all] : totals_) {
+      const std::uint64_t least = least_of_all / counted_;
+      const std::uint64_t most = most_of_all / counted_;
+      text += text.empty() ? "Listings alone: " : ", ";
+      text +=
+          least == most ? grouped(least) : fmt::format("{} to {}", grouped(least), grouped(most));
+      text += fmt::format(" clocks a frame on the {}", x86model::name_of(cpu));
+    }
+    return text.empty() ? text : fmt::format("{} (mean of {} frames)\n", text, grouped(counted_));
+  }
+
+ private:
+  struct Total {
+    x86model::Cpu cpu{};
+    std::uint64_t least = 0;
+    std::uint64_t most = 0;
+  };
+  static constexpr std::uint64_t every = 10;
+
+  xsharp::ArithmeticChoice choice_;
+  std::vector<Total> totals_;
+  std::uint64_t counted_ = 0;
+};
+
 int render(const Options& options) {
   xsharp::Scene scene = options.scene.read();
   if (!options.size.empty()) set_size(scene, options.size);
@@ -105,9 +159,13 @@ int render(const Options& options) {
   std::chrono::duration<double> drawing{};
   const Interrupt interrupt;
   FrameProgress progress(frames);
+  ClockMeter meter(scene.arithmetic);
+  OperandLog log;
   for (; done < frames && !Interrupt::flag(); ++done) {
     const auto begin = std::chrono::steady_clock::now();
     try {
+      std::optional<Recording> recording;
+      if (meter.wants(done)) recording.emplace(log);
       if (done > 0) player->move();
       const xsharp::Tally drawn = player->draw(picture);
       tally.faults += drawn.faults;
@@ -118,6 +176,7 @@ int render(const Options& options) {
     }
     canvas->show(picture);
     drawing += std::chrono::steady_clock::now() - begin;
+    if (meter.wants(done)) meter.count(std::exchange(log, {}));
     outputs.add(*canvas, *player, done);
     progress.show(done);
   }
@@ -129,6 +188,7 @@ int render(const Options& options) {
       name_of(scene.arithmetic), grouped(done), grouped(static_cast<std::uint64_t>(count.polygons)),
       grouped(static_cast<std::uint64_t>(count.pixels)), grouped(tally.faults),
       grouped(static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
+  std::cout << meter.text();
   if (tally.out_of_reach > 0) {
     std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
                              grouped(tally.out_of_reach));

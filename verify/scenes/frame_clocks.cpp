@@ -1,0 +1,43 @@
+#include "verify/scenes/frame_clocks.hpp"
+
+#include <span>
+
+#include "verify/parties/interpreter.hpp"
+#include "x86model/count_clocks.hpp"
+
+namespace fixproof {
+
+namespace {
+
+template <x86model::Routine routine>
+void add(x86model::Range& sum, const OperandLog& log, const xsharp::ArithmeticChoice& choice,
+         x86model::Cpu cpu) {
+  const auto operation = static_cast<Operation>(routine);
+  const x86model::Program program =
+      program_of({.operation = operation,
+                  .target = choice.target == "i8088" ? Target::i8088 : Target::i386,
+                  .mul_round = choice.mul_round,
+                  .div_round = choice.div_round});
+  const std::span<const std::uint32_t> words = log.at(static_cast<std::size_t>(operation));
+  const std::size_t in = words_in(operation);
+  for (std::size_t i = 0; i + in <= words.size(); i += in) {
+    sum +=
+        x86model::count_clocks<routine>(program.instructions(), words.subspan(i, in), cpu).clocks;
+  }
+}
+
+}  // namespace
+
+x86model::Range clocks_of(const OperandLog& log, const xsharp::ArithmeticChoice& choice,
+                          x86model::Cpu cpu) {
+  using x86model::Routine;
+  x86model::Range sum;
+  add<Routine::mul>(sum, log, choice, cpu);
+  add<Routine::div>(sum, log, choice, cpu);
+  add<Routine::cossin>(sum, log, choice, cpu);
+  add<Routine::xformvec>(sum, log, choice, cpu);
+  add<Routine::concat>(sum, log, choice, cpu);
+  return sum;
+}
+
+}  // namespace fixproof
