@@ -9,21 +9,11 @@
 #include <vector>
 
 #include "xsharp/picture.hpp"
-#include "xsharp/project.hpp"
 #include "xsharp/scene.hpp"
 #include "xsharp/shade.hpp"
-#include "xsharp/transform.hpp"
+#include "xsharp/view.hpp"
 
 namespace xsharp {
-
-/// From where the scene is seen.
-template <Scalar N>
-struct View {
-  Transform<N> world_to_view{};
-  /// World space begins at this page; see ObjectDescription::page.
-  std::array<std::int32_t, 3> page{};
-  Projection<N> projection{};
-};
 
 /// What became of an object in one frame.
 struct Tally {

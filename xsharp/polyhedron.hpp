@@ -104,7 +104,9 @@ class Polyhedron final : public Object<N> {
       const Face& face = faces_[seen.face];
       Paint paint = paints_[seen.face];
       if (shading_.ambient || shading_.diffuse) {
-        const Vec3<N> normal = view_[*face.normal_end] - view_[face.vertices[0]];
+        // A face that answers to ambient light alone has no normal.
+        const Vec3<N> normal =
+            shading_.diffuse ? view_[*face.normal_end] - view_[face.vertices[0]] : Vec3<N>{};
         paint = {false, 0, shade(normal, paint.color, shading_, lighting)};
       }
       picture.polygons.push_back(

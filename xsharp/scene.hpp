@@ -112,8 +112,9 @@ struct Camera {
 
 /// The arithmetic a scene is drawn with when the command does not say.
 struct ArithmeticChoice {
-  std::string by = "type";      ///< type, model or double
-  std::string target = "i386";  ///< i386, i8088 or standard
+  std::string by = "type";  ///< type, model or double
+  /// i386 or i8088; for the type also standard, saturating or trapping; double has none.
+  std::string target = "i386";
   bool mul_round = true;
   bool div_round = true;
 };

@@ -114,7 +114,16 @@ inline void validate_setting(const Scene& scene) {
                -0.01);
   demand_range("restore_every", scene.restore_every, 0, INT32_MAX);
   demand_word("arithmetic.by", scene.arithmetic.by, {"type", "model", "double"});
-  demand_word("arithmetic.target", scene.arithmetic.target, {"i386", "i8088", "standard"});
+  if (scene.from_scratch && scene.restore_every > 0) {
+    throw SceneError("from_scratch leaves restore_every nothing to restore");
+  }
+  demand_word("arithmetic.target", scene.arithmetic.target,
+              {"i386", "i8088", "standard", "saturating", "trapping"});
+  const bool listing = scene.arithmetic.target == "i386" || scene.arithmetic.target == "i8088";
+  if (scene.arithmetic.by == "model" && !listing) {
+    throw SceneError("arithmetic.by is \"model\", which has no target \"" +
+                     scene.arithmetic.target + "\"");
+  }
   try {
     demand_place(scene.camera.page, scene.camera.position);
     for (const std::int32_t tenths : scene.camera.turn_tenths) demand_angle("turn_tenths", tenths);

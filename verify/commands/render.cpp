@@ -27,6 +27,7 @@
 #include "verify/usage_error.hpp"
 #include "xsharp/files/animation_png.hpp"
 #include "xsharp/files/part_file.hpp"
+#include "xsharp/validate.hpp"
 
 namespace fixproof {
 
@@ -144,7 +145,10 @@ class ClockMeter {
 
 int render(const Options& options) {
   xsharp::Scene scene = options.scene.read();
-  if (!options.size.empty()) set_size(scene, options.size);
+  if (!options.size.empty()) {
+    set_size(scene, options.size);
+    xsharp::validate(scene);
+  }
   if (options.show) return show_scene(scene, options.true_color);
 
   const std::uint64_t frames = options.frames.value_or(

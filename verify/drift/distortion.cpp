@@ -48,7 +48,6 @@ Distortion distortion(const Placement& is, const Placement& should_be, const xsh
   }
   d.volume = std::fabs(determinant(is) - 1);
 
-  // The camera of a drift experiment stands where the scene begins: turning it changes no length.
   const double constant = scene.projection_ratio *
                           (scene.width / 2);  // NOLINT(bugprone-integer-division): as published
   for (const xsharp::Face& face : mesh.faces) {

@@ -10,7 +10,7 @@
 
 namespace fixproof {
 
-/// Object to world in double, row by row; the fourth column is the place.
+/// Object to view in double, row by row; the fourth column is the place.
 using Placement = std::array<std::array<double, 4>, 3>;
 
 /// Greatest values found. Lengths are relative: 0.02 is 2 %.

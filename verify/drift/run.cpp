@@ -8,6 +8,7 @@
 #include "fixed/fixed.hpp"
 #include "verify/drift/sources.hpp"
 #include "xsharp/motion.hpp"
+#include "xsharp/view.hpp"
 
 namespace fixproof {
 
@@ -89,6 +90,24 @@ std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase&
   return motions_with<fixed::q16_16_i8088_unrounded, truncate>(scene, style, c.without);
 }
 
+/// As the camera has it: pixels are counted where they are seen.
+Placement seen(const Placement& to_world, const xsharp::Camera& camera,
+               const std::array<std::array<double, 3>, 3>& turn) {
+  Placement from_camera = to_world;
+  for (std::size_t i = 0; i < 3; ++i) {
+    from_camera.at(i)[3] -=
+        camera.page.at(i) * static_cast<double>(xsharp::page_size) + camera.position.at(i);
+  }
+  Placement view{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = 0; k < 3; ++k)
+        view.at(i).at(j) += turn.at(i).at(k) * from_camera.at(k).at(j);
+    }
+  }
+  return view;
+}
+
 void note(DriftResult& result, const Distortion& d, std::uint64_t frame) {
   result.worst.add(d);
   if (!result.pixel && d.pixels >= Thresholds::pixels) result.pixel = frame;
@@ -117,6 +136,7 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
   const RotationStyle exact{scene.trigonometry, scene.conversion, true, 0};
   MotionsOf<double> reference(scene, exact);
 
+  const auto turn = xsharp::turn_to_view(scene.camera);
   std::vector<DriftResult> results(cases.size());
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     if (stop) {
@@ -128,10 +148,11 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
       for (const auto& run : runs) run->advance();
     }
     for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-      const Placement should_be = reference.placement(object);
+      const Placement should_be = seen(reference.placement(object), scene.camera, turn);
       for (std::size_t i = 0; i < runs.size(); ++i) {
         note(results[i],
-             distortion(runs[i]->placement(object), should_be, scene.objects[object].mesh, scene),
+             distortion(seen(runs[i]->placement(object), scene.camera, turn), should_be,
+                        scene.objects[object].mesh, scene),
              frame);
       }
     }

@@ -53,7 +53,7 @@ Solver::Solver(const std::string& name) : name_(name) {
   if (!printed.in_time) throw UsageError(fmt::format("{} --version comes to no end", name));
   if (printed.status != 0 || printed.out.empty()) {
     throw UsageError(fmt::format("{} --version fails with status {}: {}", name, printed.status,
-                                 quoted(remark(printed))));
+                                 fixproof::quoted(remark(printed))));
   }
   version_ = printable(first_line(printed.out));
 }
@@ -71,10 +71,10 @@ SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
   // An answer counts only from a solver that has nothing to complain of.
   if (printed.status != 0) {
     throw std::runtime_error(
-        fmt::format("{} fails with status {}: {}", name_, printed.status, quoted(said)));
+        fmt::format("{} fails with status {}: {}", name_, printed.status, fixproof::quoted(said)));
   }
   if ((said != "unsat" && said != "sat") || printed.out.find("(error") != std::string::npos) {
-    throw std::runtime_error(fmt::format("{} says: {}", name_, quoted(said)));
+    throw std::runtime_error(fmt::format("{} says: {}", name_, fixproof::quoted(said)));
   }
   answer.verdict = said == "sat" ? Verdict::satisfiable : Verdict::unsatisfiable;
   return answer;

@@ -41,7 +41,7 @@ xsharp::Scene SceneOptions::read() const {
   xsharp::Scene scene = xsharp::read_scene(file);
   xsharp::ArithmeticChoice& choice = scene.arithmetic;
   // Another party begins with the rules that both have.
-  if (by && *by != choice.by) choice = {*by, *by == "double" ? "" : "i386", true, true};
+  if (by && *by != choice.by) choice = {*by, "i386", true, true};
   if (choice.by == "double" && (target || mul_round || div_round)) {
     throw UsageError("double has no --target and no roundings");
   }
@@ -57,8 +57,10 @@ xsharp::Scene SceneOptions::read() const {
   if (div_round) choice.div_round = *div_round;
   if (restore_every) scene.restore_every = *restore_every;
   if (from_scratch) scene.from_scratch = true;
+  if (from_scratch && !restore_every) scene.restore_every = 0;
+  if (restore_every && !from_scratch) scene.from_scratch = false;
   if (scene.from_scratch && scene.restore_every > 0) {
-    throw UsageError("orientations made from scratch have no orthogonality to restore");
+    throw UsageError("--from-scratch leaves --reortho nothing to restore");
   }
   return scene;
 }

@@ -263,6 +263,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
        {"background", [&](const JsonNode& value) { read.background = byte(value); }},
        {"arithmetic", [&](const JsonNode& value) { read.arithmetic = arithmetic(value); }},
        {"restore_every", [&](const JsonNode& value) { read.restore_every = value.whole(); }},
+       {"from_scratch", [&](const JsonNode& value) { read.from_scratch = value.flag(); }},
        {"camera", [&](const JsonNode& value) { read.camera = camera(value); }},
        {"lights", [&](const JsonNode& value) { read.lights = lights(value); }},
        {"defaults", [&](const JsonNode& value) { read_draft(value, folder, defaults); }},
