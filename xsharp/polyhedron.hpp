@@ -104,7 +104,8 @@ class Polyhedron final : public Object<N> {
       const Face& face = faces_[seen.face];
       Paint paint = paints_[seen.face];
       if (shading_.ambient || shading_.diffuse) {
-        const Vec3<N> normal = view_[*face.normal_end] - view_[face.vertices[0]];
+        Vec3<N> normal{};
+        if (shading_.diffuse) normal = view_[*face.normal_end] - view_[face.vertices[0]];
         paint = {false, 0, shade(normal, paint.color, shading_, lighting)};
       }
       picture.polygons.push_back(
