@@ -49,7 +49,7 @@ bool inside(const Vec3<N>& point, std::int32_t slope) {
 
 /// The last point inside on the way from `in` to `out`, by halving the way until its ends are
 /// neighbours: no product and no divide, so every number type finds a point, and one that is
-/// inside. Two polygons that share the edge get the same point.
+/// inside this plane. Two polygons that share the edge get the same point.
 template <Scalar N>
 Vec3<N> crossing(Vec3<N> in, Vec3<N> out, ClipPlane plane, std::int32_t slope) {
   // 16.16 has 2^32 values; double is halved no further than is seen.
@@ -64,7 +64,8 @@ Vec3<N> crossing(Vec3<N> in, Vec3<N> out, ClipPlane plane, std::int32_t slope) {
 }
 
 /// The part of a convex polygon in the clip volume, in the same sense of rotation; empty if there
-/// is none.
+/// is none. Its points are at z <= -1 exactly; where a further plane cuts an edge that runs along a
+/// side of the volume, rounding may put the new corner a few units of 2^-16 beyond that side.
 template <Scalar N>
 std::vector<Vec3<N>> clip(std::span<const Vec3<N>> polygon, std::int32_t slope) {
   std::vector<Vec3<N>> kept(polygon.begin(), polygon.end());

@@ -39,9 +39,13 @@ class Motion {
       turns_[axis] = turn<N>(spin_.tenths[axis], style.trigonometry, style.conversion);
     }
     rotation_count_ = spin_.delay.first;
+    if (orbit_) drift_.reset();
     if (drift_) {
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i) {
         step_[i] = coordinate<N>(drift_->step[i], style.conversion);
+        // From the end of a page, a step of a page would leave 16.16.
+        turn_page(i);
+      }
       move_count_ = drift_->delay.first;
     }
     if (orbit_) {

@@ -173,6 +173,11 @@ class Polyhedron final : public Object<N> {
   static std::optional<ScreenPoint> project_inside(const Vec3<N>& point,
                                                    const Projection<N>& projection, Tally& tally) {
     if (!inside(point, projection.slope)) return std::nullopt;
+    return project_counted(point, projection, tally);
+  }
+
+  static std::optional<ScreenPoint> project_counted(const Vec3<N>& point,
+                                                    const Projection<N>& projection, Tally& tally) {
     const auto on_screen = project(point, projection);
     if (!on_screen) ++tally.faults;
     return on_screen;
@@ -195,7 +200,7 @@ class Polyhedron final : public Object<N> {
       std::vector<Vec3<N>> polygon;
       for (const std::size_t v : corners) polygon.push_back(view_[v]);
       for (const Vec3<N>& point : clip<N>(polygon, projection.slope)) {
-        if (const auto on_screen = project_inside(point, projection, tally)) {
+        if (const auto on_screen = project_counted(point, projection, tally)) {
           corners_.push_back(*on_screen);
         }
       }

@@ -41,7 +41,7 @@ Projection<N> projection_of(const Scene& scene) {
 }
 
 /// Where a point of view space is on the screen; nothing where the divide faults, which it does not
-/// for a point within the clip volume.
+/// for what clip() leaves.
 template <Scalar N>
 std::optional<ScreenPoint> project(const Vec3<N>& view, const Projection<N>& projection) {
   const auto x = Arithmetic<N>::divide(view.x, view.z);

@@ -61,7 +61,7 @@ struct Drift {
   Delay delay{};
 };
 
-/// Goes round `about` on a circle that is tilted about the x axis.
+/// Goes round `about` on a circle that is tilted about the x axis; such an object does not drift.
 struct Orbit {
   Triple about{};
   double radius = 0;

@@ -1,0 +1,313 @@
+/// Scenes in motion: pages, what is out of reach, flights past the viewer, objects of other kinds.
+#include "xsharp/animation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tests/xsharp/pipeline/draws.hpp"
+#include "tests/xsharp/pipeline/stage.hpp"
+#include "tests/xsharp/pipeline/types.hpp"
+
+namespace xsharp {
+namespace {
+
+using draws::Integers;
+using Page3 = std::array<std::int32_t, 3>;
+
+constexpr std::int32_t side = 200;
+
+/// A cube that turns about all axes.
+ObjectDescription spinning(double half_edge, const Triple& position) {
+  ObjectDescription object = pipeline::body(cube(half_edge), position);
+  object.spin.tenths = {30, 50, -20};
+  return object;
+}
+
+template <class N>
+struct AnimationOf : testing::Test {};
+TYPED_TEST_SUITE(AnimationOf, pipeline::all_types, );
+
+/// What is drawn, order included; points as they are.
+void expect_same(const Picture& a, const Picture& b) {
+  EXPECT_EQ(a.points, b.points);
+  ASSERT_EQ(a.polygons.size(), b.polygons.size());
+  for (std::size_t i = 0; i < a.polygons.size(); ++i) {
+    EXPECT_EQ(a.polygons[i].object, b.polygons[i].object);
+    EXPECT_EQ(a.polygons[i].first, b.polygons[i].first);
+    EXPECT_EQ(a.polygons[i].points, b.polygons[i].points);
+    EXPECT_EQ(a.polygons[i].paint, b.polygons[i].paint);
+  }
+}
+
+/// Two cubes, a ball that drifts out of its page, one in orbit, and a viewer who has turned.
+Scene moved_to(const Page3& page) {
+  std::vector<ObjectDescription> objects{
+      spinning(40, {100, 20, -700}), spinning(60, {-90, -50, -900.25}),
+      pipeline::body(ball(50, 4), {16300, 0, -16200}), spinning(25, {})};
+  objects[2].drift = Drift{{40.5, 0, -60.25}, {}, {}};
+  objects[3].orbit = Orbit{{0, 0, -800}, 200, 0, 35, 150};
+  Scene scene = pipeline::scene(side, std::move(objects));
+  scene.camera.position = {-5.5, 12, 40};
+  scene.camera.turn_tenths = {20, -30, 100};
+  scene.camera.page = page;
+  for (ObjectDescription& object : scene.objects) object.page = page;
+  return scene;
+}
+
+TYPED_TEST(AnimationOf, AFarPageIsSeenAsTheFirstIs) {
+  Animation<TypeParam> here(moved_to({0, 0, 0}));
+  for (const Page3& page : {Page3{1000000, -1000000, 999999}, {1, 0, -1}, {-7, 300000, 12}}) {
+    Animation<TypeParam> near(moved_to({0, 0, 0}));
+    Animation<TypeParam> far(moved_to(page));
+    std::size_t polygons = 0;
+    for (int frame = 0; frame < 20; ++frame) {
+      Picture one;
+      Picture other;
+      EXPECT_EQ(near.draw(one).out_of_reach, far.draw(other).out_of_reach);
+      expect_same(one, other);
+      for (std::size_t object = 0; object < 4; ++object) {
+        EXPECT_EQ(near.state(object).view, far.state(object).view);
+      }
+      polygons += one.polygons.size();
+      near.move();
+      far.move();
+    }
+    EXPECT_GT(polygons, 60U);
+  }
+}
+
+TYPED_TEST(AnimationOf, APlaceIsTheSameFromTheNextPage) {
+  using N = TypeParam;
+  // 384.5 is 16384 - 15999.5; and the viewer sees it from a page of his own.
+  const auto state = [](const Page3& object_page, const Triple& position, const Page3& camera) {
+    Scene scene = pipeline::scene(side, {spinning(30, position)});
+    scene.objects[0].page = object_page;
+    scene.camera.page = camera;
+    Animation<N> animation(scene);
+    Picture picture;
+    EXPECT_EQ(animation.draw(picture).out_of_reach, 0U);
+    EXPECT_FALSE(picture.polygons.empty());
+    return animation.state(0);
+  };
+  const ObjectState expected = state({0, 0, 0}, {200, -100, -900.5}, {0, 0, 0});
+  EXPECT_EQ(expected.xform[3], 200 * 65536);
+  EXPECT_EQ(expected.xform[11], -900 * 65536 - 32768);
+  for (const auto& [page, position] :
+       {std::pair{Page3{1, 0, 0}, Triple{200 - 16384, -100, -900.5}},
+        {Page3{-1, 1, -1}, {16384 + 200, -16384 - 100, 16384 - 900.5}}}) {
+    const ObjectState found =
+        state({page[0] + 500, page[1] - 9, page[2] - 999}, position, {500, -9, -999});
+    EXPECT_EQ(found.xform, expected.xform);
+    EXPECT_EQ(found.view, expected.view);
+    EXPECT_EQ(found.screen, expected.screen);
+    EXPECT_EQ(found.visible, expected.visible);
+  }
+}
+
+TYPED_TEST(AnimationOf, WhatIsOutOfReachIsCountedAndNotDrawn) {
+  Scene scene = pipeline::scene(side, {spinning(40, {0, 0, -600}), spinning(40, {0, 0, -700})});
+  for (const Page3& page : {Page3{2, 0, 0}, {0, 0, -2}, {0, -3, 0}, {0, 0, 1000000}}) {
+    scene.objects[1].page = page;
+    Animation<TypeParam> animation(scene);
+    for (int frame = 0; frame < 3; ++frame) {
+      Picture picture;
+      EXPECT_EQ(animation.draw(picture).out_of_reach, 1U);
+      EXPECT_FALSE(picture.polygons.empty());
+      for (const Polygon& polygon : picture.polygons) EXPECT_EQ(polygon.object, 0U);
+      EXPECT_TRUE(animation.state(1).visible.empty());
+      if (frame > 0) animation.move();
+    }
+  }
+}
+
+/// An object that comes from far away, past the viewer and away again is either out of reach or in
+/// its place to the unit: its matrix is the identity, so nothing is rounded.
+TYPED_TEST(AnimationOf, AnObjectIsOutOfReachOrInItsPlace) {
+  Scene scene = pipeline::scene(side, {pipeline::body(cube(100), {50, 60, 0})});
+  scene.objects[0].page = {0, 0, -4};
+  scene.objects[0].drift = Drift{{3.5, 0, 1000.25}, {}, {}};
+  Animation<TypeParam> animation(scene);
+  int in_reach = 0;
+  for (int frame = 0; frame < 130; ++frame, animation.move()) {
+    Picture picture;
+    const Tally tally = animation.draw(picture);
+    EXPECT_EQ(tally.faults, 0U);
+    const double z = -4 * 16384 + frame * 1000.25;
+    // 1000 are more than its size and how far it is to the side.
+    if (std::fabs(z) > 32768) {
+      EXPECT_EQ(tally.out_of_reach, 1U) << z;
+    }
+    if (std::fabs(z) < 32767 - 1000) {
+      EXPECT_EQ(tally.out_of_reach, 0U) << z;
+    }
+    if (tally.out_of_reach == 1) {
+      EXPECT_TRUE(picture.polygons.empty());
+      continue;
+    }
+    ++in_reach;
+    const ObjectState state = animation.state(0);
+    for (std::size_t v = 0; v < 8; ++v) {
+      const Triple& vertex = scene.objects[0].mesh.vertices[v];
+      EXPECT_EQ(state.view[v][0], (50 + frame * 3.5 + vertex[0]) * 65536);
+      EXPECT_EQ(state.view[v][1], (60 + vertex[1]) * 65536);
+      EXPECT_EQ(state.view[v][2], (z + vertex[2]) * 65536);
+    }
+  }
+  EXPECT_GT(in_reach, 60);
+}
+
+TYPED_TEST(AnimationOf, WhatFliesPastTheViewerNeverFaults) {
+  for (const double x : {0.0, 35.0, 200.0}) {
+    Scene scene = pipeline::scene(side, {spinning(40, {x, 3, -400})});
+    scene.objects[0].drift = Drift{{0, 0, 3}, {}, {}};
+    Animation<TypeParam> animation(scene);
+    for (int frame = 0; frame < 200; ++frame, animation.move()) {
+      Picture picture;
+      const Tally tally = animation.draw(picture);
+      EXPECT_EQ(tally.faults + tally.out_of_reach, 0U);
+      // Its corners are within 70 of its middle, which is at -400 + 3 * frame.
+      if (frame <= 100) {
+        EXPECT_FALSE(picture.polygons.empty()) << frame;
+      }
+      if (frame >= 160) {
+        EXPECT_TRUE(picture.polygons.empty()) << frame;
+      }
+      for (const ScreenPoint& point : picture.points) {
+        EXPECT_LE(std::max(std::abs(point.x - side / 2), std::abs(point.y - side / 2)), 32001);
+      }
+    }
+  }
+}
+
+TYPED_TEST(AnimationOf, AmbientLightNeedsNoNormals) {
+  Scene scene = pipeline::scene(side, {spinning(40, {0, 0, -400})});
+  ObjectDescription& object = scene.objects[0];
+  object.shading.ambient = true;
+  for (Paint& paint : object.paints) paint = {false, 0, {200, 100, 0}};
+  scene.lights.ambient = {0.5, 0.5, 0.5};
+  Animation<TypeParam> animation(scene);
+  Picture picture;
+  animation.draw(picture);
+  ASSERT_FALSE(picture.polygons.empty());
+  for (const Polygon& polygon : picture.polygons) {
+    EXPECT_EQ(polygon.paint, (Paint{false, 0, {100, 50, 0}}));
+  }
+}
+
+TYPED_TEST(AnimationOf, LightsAreSwitched) {
+  Scene scene = pipeline::scene(side, {pipeline::body(with_normals(cube(40)), {0, 0, -400})});
+  scene.objects[0].shading = {.ambient = true, .diffuse = true};
+  for (Paint& paint : scene.objects[0].paints) paint = {false, 0, {255, 255, 255}};
+  scene.lights.ambient = {0.2, 0.2, 0.2};
+  scene.lights.spots.push_back({.direction = {0, 0, -1}, .intensity = {0.4, 0.4, 0.4}});
+  Animation<TypeParam> animation(scene);
+  const auto red = [&animation] {
+    Picture picture;
+    animation.draw(picture);
+    EXPECT_EQ(picture.polygons.size(), 1U);
+    return static_cast<int>(picture.polygons[0].paint.color.red);
+  };
+  EXPECT_EQ(red(), 153);
+  animation.switch_light(1);
+  EXPECT_EQ(red(), 51);
+  animation.switch_light(0);
+  EXPECT_EQ(red(), 0);
+  animation.switch_light(1);
+  animation.switch_light(2);
+  EXPECT_EQ(red(), 102);
+}
+
+/// A bitmap that always faces the viewer, larger the nearer it is: a small quad for each pixel.
+template <class N>
+class Bitmap final : public Object<N> {
+ public:
+  Bitmap(std::uint32_t index, const Vec3<N>& place) : index_(index), place_(place) {}
+
+  void prepare(const View<N>& view, Tally& tally) override {
+    view_place_ = Arithmetic<N>::apply(view.world_to_view, place_);
+    quads_.clear();
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) add_quad(row, column, view.projection, tally);
+    }
+  }
+  [[nodiscard]] N depth(DepthKey) const override { return view_place_.z; }
+  void draw(const Lighting<N>&, Picture& picture) const override {
+    for (std::size_t i = 0; i < quads_.size(); ++i) {
+      picture.polygons.push_back({index_,
+                                  static_cast<std::uint32_t>(picture.points.size()),
+                                  4,
+                                  {true, static_cast<std::uint8_t>(100 + i), {}}});
+      picture.points.insert(picture.points.end(), quads_[i].begin(), quads_[i].end());
+    }
+  }
+  void move() override { place_.z = place_.z + pipeline::number<N>(100); }
+  [[nodiscard]] ObjectState state() const override { return {}; }
+
+ private:
+  void add_quad(int row, int column, const Projection<N>& projection, Tally& tally) {
+    std::array<ScreenPoint, 4> quad;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int right = column + (i == 1 || i == 2 ? 1 : 0);
+      const int down = row + (i >= 2 ? 1 : 0);
+      const Vec3<N> corner{view_place_.x + pipeline::number<N>(right * 20 - 30),
+                           view_place_.y - pipeline::number<N>(down * 20 - 30), view_place_.z};
+      if (!inside(corner, projection.slope)) return;
+      const auto on_screen = project(corner, projection);
+      if (!on_screen) ++tally.faults;
+      quad[i] = on_screen.value_or(ScreenPoint{});
+    }
+    quads_.push_back(quad);
+  }
+
+  std::uint32_t index_;
+  Vec3<N> place_;
+  Vec3<N> view_place_{};
+  std::vector<std::array<ScreenPoint, 4>> quads_;
+};
+
+TYPED_TEST(AnimationOf, ObjectsOfAnotherKindAreSortedAndDrawn) {
+  using N = TypeParam;
+  Animation<N> animation(pipeline::scene(side, {pipeline::plain_body(cube(10), {0, 0, -510}, 7)}));
+  animation.add(std::make_unique<Bitmap<N>>(1, pipeline::vector<N>({0, 0, -800})));
+  const auto middle = [&animation] {
+    Picture picture;
+    EXPECT_EQ(animation.draw(picture).faults, 0U);
+    EXPECT_EQ(picture.polygons.size(), 10U);
+    return static_cast<int>(pipeline::drawn(picture, side).row(side / 2)[side / 2]);
+  };
+  // The middle pixel of the bitmap is 104. At -800, -700 and -600 it is behind the cube.
+  for (int frame = 0; frame < 3; ++frame, animation.move()) {
+    EXPECT_EQ(middle(), 7);
+    EXPECT_EQ(animation.order().back(), 0U);
+  }
+  for (int frame = 0; frame < 3; ++frame, animation.move()) {
+    EXPECT_EQ(middle(), 104);
+    EXPECT_EQ(animation.order().back(), 1U);
+  }
+}
+
+TYPED_TEST(AnimationOf, AViewerWhoHasTurnedSeesWhatIsThere) {
+  using N = TypeParam;
+  // Turned by a quarter to the left, about y, he looks down -x.
+  Scene scene = pipeline::scene(side, {pipeline::plain_body(cube(10), {-600, 0, 0}, 1),
+                                       pipeline::plain_body(cube(10), {0, 0, -600}, 2)});
+  scene.camera.turn_tenths = {0, 900, 0};
+  scene.camera.position = {-100, 0, 0};
+  Animation<N> animation(scene);
+  Picture picture;
+  animation.draw(picture);
+  for (const Polygon& polygon : picture.polygons) EXPECT_EQ(polygon.object, 0U);
+  EXPECT_FALSE(picture.polygons.empty());
+  EXPECT_NEAR(static_cast<double>(animation.state(0).xform[11]), -500 * 65536, 1e-9);
+}
+
+}  // namespace
+}  // namespace xsharp

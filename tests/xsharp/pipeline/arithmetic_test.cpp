@@ -1,0 +1,121 @@
+/// How constants become numbers, and numbers pixels.
+#include "xsharp/arithmetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "tests/xsharp/pipeline/draws.hpp"
+#include "tests/xsharp/pipeline/types.hpp"
+
+namespace xsharp {
+namespace {
+
+constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+
+/// Toward minus infinity. The built-in division goes toward zero.
+std::int64_t floor_of(std::int64_t n, std::int64_t d) { return n / d - (n % d < 0 ? 1 : 0); }
+
+TEST(RawConstant, PublishedAddsAHalfAndDropsTheFraction) {
+  // (long)(x * 65536.0 + 0.5), by hand: -65536 + 0.5 = -65535.5; 32768.5; -20971520 + 0.5.
+  EXPECT_EQ(raw_constant(-1.0, Conversion::published), -65535);
+  EXPECT_EQ(raw_constant(0.5, Conversion::published), 32768);
+  EXPECT_EQ(raw_constant(-320.0, Conversion::published), -20971519);
+  EXPECT_EQ(raw_constant(-1.0, Conversion::nearest), -65536);
+  EXPECT_EQ(raw_constant(-320.0, Conversion::nearest), -20971520);
+}
+
+TEST(RawConstant, IsTheRationalRuleForEveryNumberOfEighthsOfAUnit) {
+  EXPECT_TRUE(draws::hold(1, std::int64_t{least} * 8 + 8, std::int64_t{most} * 8 - 8,
+                          [](const draws::Integers& eighths) {
+                            const std::int64_t n = eighths[0];
+                            const double value = std::ldexp(static_cast<double>(n), -19);
+                            return raw_constant(value, Conversion::published) == (n + 4) / 8 &&
+                                   raw_constant(value, Conversion::nearest) == floor_of(n + 4, 8);
+                          }));
+}
+
+TEST(RawConstant, PublishedIsUpToOneAndAHalfUnitsTooHigh) {
+  // -1.4 units: -1.4 + 0.5 = -0.9, whose whole part is 0.
+  EXPECT_EQ(raw_constant(std::ldexp(-1.4, -16), Conversion::published), 0);
+  EXPECT_EQ(raw_constant(std::ldexp(-1.6, -16), Conversion::published), -1);
+  EXPECT_EQ(raw_constant(std::ldexp(-1.4, -16), Conversion::nearest), -1);
+}
+
+TEST(RawConstant, WhatIsOutOfRangeIsTheEndOfTheRange) {
+  using limits = std::numeric_limits<double>;
+  for (const Conversion conversion : {Conversion::published, Conversion::nearest}) {
+    for (const double large : {32768.0, 1e9, limits::max(), limits::infinity()}) {
+      EXPECT_EQ(raw_constant(large, conversion), most);
+      EXPECT_EQ(raw_constant(-large - 1, conversion), least);
+    }
+    EXPECT_EQ(raw_constant(limits::quiet_NaN(), conversion), 0);
+    EXPECT_EQ(raw_constant(limits::denorm_min(), conversion), 0);
+    // 2^31 - 1 units is the last that is in range.
+    EXPECT_EQ(raw_constant(32768 - std::ldexp(1, -16), conversion), most);
+    EXPECT_EQ(raw_constant(32768 - std::ldexp(3, -17), conversion), most);
+    EXPECT_EQ(raw_constant(32768 - std::ldexp(2, -16), conversion), most - 1);
+  }
+}
+
+TEST(RawCoordinate, WholeNumbersAreExactUnderBothConversions) {
+  for (const std::int32_t whole : {-32768, -320, -1, 0, 1, 32767}) {
+    EXPECT_EQ(raw_coordinate(whole, Conversion::published), whole * 65536);
+    EXPECT_EQ(raw_coordinate(whole, Conversion::nearest), whole * 65536);
+  }
+  // -0.5 is -32768 units: -32767.5 loses its fraction.
+  EXPECT_EQ(raw_coordinate(-0.5, Conversion::published), -32767);
+  EXPECT_EQ(raw_coordinate(-0.5, Conversion::nearest), -32768);
+  EXPECT_EQ(raw_coordinate(std::numeric_limits<double>::quiet_NaN(), Conversion::published), 0);
+}
+
+template <class N>
+struct ArithmeticOf : testing::Test {};
+TYPED_TEST_SUITE(ArithmeticOf, pipeline::all_types, );
+
+TYPED_TEST(ArithmeticOf, NearestPixelIsNearestHalvesUp) {
+  using N = TypeParam;
+  const auto pixel = [](double x) { return nearest_pixel(pipeline::number<N>(x)); };
+  EXPECT_EQ(pixel(0.5), 1);
+  EXPECT_EQ(pixel(-0.5), 0);
+  EXPECT_EQ(pixel(-1.5), -1);
+  EXPECT_EQ(pixel(2.5 - std::ldexp(1, -16)), 2);
+  EXPECT_EQ(pixel(-0.5 - std::ldexp(1, -16)), -1);
+  EXPECT_TRUE(draws::hold_for_raws(1, [](const draws::Integers& raw) {
+    const auto x = Arithmetic<N>::from_raw(static_cast<std::int32_t>(raw[0]));
+    return nearest_pixel(x) == floor_of(raw[0] + 0x8000, 0x10000);
+  }));
+}
+
+TYPED_TEST(ArithmeticOf, RawsGoThroughUnchanged) {
+  using A = Arithmetic<TypeParam>;
+  EXPECT_TRUE(draws::hold_for_raws(1, [](const draws::Integers& raw) {
+    return A::raw(A::from_raw(static_cast<std::int32_t>(raw[0]))) == raw[0];
+  }));
+  EXPECT_EQ(static_cast<double>(from_whole<TypeParam>(-7)), -7);
+}
+
+TYPED_TEST(ArithmeticOf, AMidpointIsBetween) {
+  using A = Arithmetic<TypeParam>;
+  EXPECT_TRUE(draws::hold_for_raws(2, [](const draws::Integers& raw) {
+    const auto a = A::from_raw(static_cast<std::int32_t>(raw[0]));
+    const auto b = A::from_raw(static_cast<std::int32_t>(raw[1]));
+    const double exact = (static_cast<double>(a) + static_cast<double>(b)) / 2;
+    const auto middle = static_cast<double>(A::midpoint(a, b));
+    return std::fabs(middle - exact) <= pipeline::ulp / 2;
+  }));
+}
+
+TYPED_TEST(ArithmeticOf, DivideByZeroHasNoResult) {
+  using A = Arithmetic<TypeParam>;
+  EXPECT_FALSE(A::divide(from_whole<TypeParam>(1), from_whole<TypeParam>(0)));
+  EXPECT_EQ(A::divide(from_whole<TypeParam>(-6), from_whole<TypeParam>(3)),
+            from_whole<TypeParam>(-2));
+}
+
+}  // namespace
+}  // namespace xsharp

@@ -1,0 +1,160 @@
+/// Depth sorting, against another way to do it.
+#include "xsharp/depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "tests/xsharp/pipeline/draws.hpp"
+#include "tests/xsharp/pipeline/types.hpp"
+
+namespace xsharp {
+namespace {
+
+using draws::Integers;
+using Order = std::vector<std::size_t>;
+
+/// The object list of chapter 53: linked both ways between two sentinels that are never drawn, one
+/// at -32768.0 that nothing is behind, one at the largest depth there is. From the second object
+/// on, each that is farther away than the one before it is taken out and put in behind the nearest
+/// one before it that is not nearer.
+class ObjectList {
+ public:
+  explicit ObjectList(std::size_t objects) : links_(objects + 2) {
+    for (std::size_t node = 0; node < links_.size(); ++node) {
+      links_[node] = {node - 1, node + 1, 0};
+    }
+    links_.front().z = -32768 * 65536;
+    links_.back().z = 0x7FFFFFFF;
+  }
+
+  void sort(const std::vector<std::int32_t>& depths) {
+    for (std::size_t i = 0; i < depths.size(); ++i) links_[i + 1].z = depths[i];
+    std::size_t node = links_[links_[0].next].next;
+    while (node != links_.size() - 1) {
+      const std::size_t following = links_[node].next;
+      std::size_t behind = links_[node].previous;
+      if (links_[behind].z > links_[node].z) {
+        take_out(node);
+        while (links_[behind].z > links_[node].z) behind = links_[behind].previous;
+        put_in(node, behind);
+      }
+      node = following;
+    }
+  }
+
+  /// Objects from 0, from the head to the tail.
+  [[nodiscard]] Order order() const {
+    Order result;
+    for (std::size_t node = links_[0].next; node != links_.size() - 1; node = links_[node].next) {
+      result.push_back(node - 1);
+    }
+    return result;
+  }
+
+ private:
+  struct Link {
+    std::size_t previous = 0;
+    std::size_t next = 0;
+    std::int32_t z = 0;
+  };
+
+  void take_out(std::size_t node) {
+    links_[links_[node].previous].next = links_[node].next;
+    links_[links_[node].next].previous = links_[node].previous;
+  }
+
+  void put_in(std::size_t node, std::size_t behind) {
+    const std::size_t next = links_[behind].next;
+    links_[node].previous = behind;
+    links_[node].next = next;
+    links_[behind].next = node;
+    links_[next].previous = node;
+  }
+
+  std::vector<Link> links_;
+};
+
+Order from_zero(std::size_t count) {
+  Order order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  return order;
+}
+
+template <class N>
+std::vector<N> depths_of(const std::vector<std::int32_t>& raws) {
+  std::vector<N> depths;
+  for (const std::int32_t raw : raws) depths.push_back(Arithmetic<N>::from_raw(raw));
+  return depths;
+}
+
+template <class N>
+void sort_raws(Order& order, const std::vector<std::int32_t>& raws) {
+  const std::vector<N> depths = depths_of<N>(raws);
+  sort_by_depth(order, std::span<const N>(depths));
+}
+
+template <class N>
+struct Depth : testing::Test {};
+TYPED_TEST_SUITE(Depth, pipeline::all_types, );
+
+TYPED_TEST(Depth, TheFarthestComesFirst) {
+  Order order = from_zero(5);
+  sort_raws<TypeParam>(order, {-100, -300, -200, INT32_MAX, INT32_MIN});
+  EXPECT_EQ(order, (Order{4, 1, 2, 0, 3}));
+}
+
+TYPED_TEST(Depth, EqualDepthsKeepTheirPlaces) {
+  Order order{3, 1, 0, 2};
+  sort_raws<TypeParam>(order, {-7, -7, -9, -7});
+  EXPECT_EQ(order, (Order{2, 3, 1, 0}));
+}
+
+TYPED_TEST(Depth, NothingToSort) {
+  Order none;
+  sort_raws<TypeParam>(none, {});
+  EXPECT_TRUE(none.empty());
+  Order one{0};
+  sort_raws<TypeParam>(one, {5});
+  EXPECT_EQ(one, Order{0});
+}
+
+/// Sorts frame after frame of `objects` depths; each order is a permutation, and that of the list.
+template <class N>
+bool is_the_list(const Integers& depths, std::size_t objects) {
+  ObjectList list(objects);
+  Order order = from_zero(objects);
+  for (std::size_t start = 0; start + objects <= depths.size(); start += objects) {
+    std::vector<std::int32_t> frame;
+    for (std::size_t i = 0; i < objects; ++i) {
+      frame.push_back(static_cast<std::int32_t>(depths[start + i]));
+    }
+    sort_raws<N>(order, frame);
+    list.sort(frame);
+    if (order != list.order()) return false;
+    if (!std::is_permutation(order.begin(), order.end(), from_zero(objects).begin())) return false;
+    for (std::size_t i = 1; i < objects; ++i) {
+      if (frame[order[i - 1]] > frame[order[i]]) return false;
+    }
+  }
+  return true;
+}
+
+TYPED_TEST(Depth, IsTheListOfObjectsFrameAfterFrame) {
+  for (const std::size_t objects : {1U, 2U, 3U, 7U, 12U}) {
+    // The first draw has many equal depths.
+    EXPECT_TRUE(draws::hold(84, -4, 4, [=](const Integers& depths) {
+      return is_the_list<TypeParam>(depths, objects);
+    }));
+    EXPECT_TRUE(draws::hold_for_raws(
+        84, [=](const Integers& depths) { return is_the_list<TypeParam>(depths, objects); }));
+  }
+}
+
+}  // namespace
+}  // namespace xsharp

@@ -1,0 +1,58 @@
+/// @file
+/// The number types that every stage is tested with.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <concepts>
+
+#include "fixed/fixed.hpp"
+#include "xsharp/arithmetic.hpp"
+
+namespace pipeline {
+
+using all_types =
+    testing::Types<double, fixed::q16_16, fixed::q16_16_saturating, fixed::q16_16_trapping,
+                   fixed::q16_16_i386, fixed::q16_16_i386_mul_rounded,
+                   fixed::q16_16_i386_div_rounded, fixed::q16_16_i386_unrounded,
+                   fixed::q16_16_i8088, fixed::q16_16_i8088_mul_rounded,
+                   fixed::q16_16_i8088_div_rounded, fixed::q16_16_i8088_unrounded>;
+
+/// Those with a divide of their own, for what takes long.
+using some_types = testing::Types<double, fixed::q16_16, fixed::q16_16_trapping, fixed::q16_16_i386,
+                                  fixed::q16_16_i8088_unrounded>;
+
+/// The unit in the last place of 16.16.
+inline constexpr double ulp = 1.0 / 65536;
+
+/// How far a product may be from the exact one: half a unit where products are rounded, one where
+/// they are not; next to nothing in double.
+template <class N>
+constexpr double product_error() {
+  if constexpr (std::same_as<N, double>) {
+    return 1e-12;
+  } else {
+    using fixed::rounding;
+    const rounding rule = N::rules.multiply;
+    return rule == rounding::half_up || rule == rounding::half_away ? ulp / 2 : ulp;
+  }
+}
+
+template <class N>
+N number(double value) {
+  return xsharp::Arithmetic<N>::constant(value, xsharp::Conversion::nearest);
+}
+
+template <class N>
+xsharp::Vec3<N> vector(const xsharp::Triple& v) {
+  return {number<N>(v[0]), number<N>(v[1]), number<N>(v[2])};
+}
+
+template <class N>
+xsharp::Triple triple(const xsharp::Vec3<N>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+}  // namespace pipeline
