@@ -46,7 +46,9 @@ template <class N>
 Matrix matrix_of(const xsharp::Transform<N>& t) {
   Matrix result{};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = static_cast<double>(t.rows[i][j]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      result[i][j] = static_cast<long double>(static_cast<double>(t.rows[i][j]));
+    }
   }
   return result;
 }

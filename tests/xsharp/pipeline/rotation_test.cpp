@@ -191,7 +191,9 @@ TEST(RotationAfter, IsTheProductOfItsSteps) {
     for (std::int64_t n = 0; n < steps; ++n) exact = pipeline::product(step, exact);
     const auto matrix = rotation_after(tenths, steps);
     pipeline::Matrix found{};
-    for (std::size_t i = 0; i < 9; ++i) found[i / 3][i % 3] = matrix[i / 3][i % 3];
+    for (std::size_t i = 0; i < 9; ++i) {
+      found[i / 3][i % 3] = static_cast<long double>(matrix[i / 3][i % 3]);
+    }
     return distance(found, exact) < 1e-12;
   }));
 }
