@@ -21,8 +21,8 @@ inline constexpr int cpu_count = 4;
 
 /// A number of clocks that is known within bounds, both included.
 struct Range {
-  std::uint32_t min = 0;
-  std::uint32_t max = 0;
+  std::uint64_t min = 0;
+  std::uint64_t max = 0;
 
   constexpr Range& operator+=(Range other) {
     min += other.min;

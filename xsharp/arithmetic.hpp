@@ -40,12 +40,6 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
   return static_cast<std::int32_t>(whole);
 }
 
-/// A coordinate in 16.16: whole numbers are exact (the listings shift them left), others go through
-/// `conversion`.
-inline std::int32_t raw_coordinate(double value, Conversion conversion) {
-  return raw_constant(value, value == std::trunc(value) ? Conversion::nearest : conversion);
-}
-
 /// The pipeline's way into a number type. A specialisation has:
 ///
 ///     static std::int32_t raw(N);               in units of 2^-16, nearest
@@ -53,9 +47,12 @@ inline std::int32_t raw_coordinate(double value, Conversion conversion) {
 ///     static N constant(double, Conversion);    computed in double
 ///     static std::optional<N> divide(N n, N d); nothing for a divide error
 ///     static Turn<N> turn(std::int32_t tenths); from the table of cosines
-///     static N midpoint(N, N);                  between the two, or one of them if they are
-///     neighbours static Vec3<N> apply(const Transform<N>&, const Vec3<N>&); static Transform<N>
-///     concatenate(const Transform<N>& first, const Transform<N>& second);
+///     static N midpoint(N, N);                  between them, or one of two neighbours
+///     static Vec3<N> apply(const Transform<N>&, const Vec3<N>&);
+///     static Transform<N> concatenate(const Transform<N>& first,
+///                                     const Transform<N>& second);
+///
+/// Motion alone needs from_raw, constant and turn.
 template <class N>
 struct Arithmetic;
 
@@ -121,7 +118,8 @@ N from_whole(std::int32_t value) {
   return Arithmetic<N>::from_raw(value * 65536);
 }
 
-/// See raw_coordinate(). In double the coordinate is what it is.
+/// Whole numbers are exact (the listings shift them left), others go through `conversion`. In
+/// double the coordinate is what it is.
 template <Scalar N>
 N coordinate(double value, Conversion conversion) {
   const bool whole = value == std::trunc(value);

@@ -61,7 +61,7 @@ class Motion {
   /// One frame: turns when its delay is over, then moves. @return whether anything changed
   bool advance() {
     bool changed = false;
-    if (due(rotation_count_, spin_.delay)) {
+    if (spin_.tenths != std::array<std::int32_t, 3>{} && due(rotation_count_, spin_.delay)) {
       rotate();
       changed = true;
     }

@@ -21,7 +21,8 @@ struct Tally {
   std::uint64_t out_of_reach = 0;  ///< objects not drawn, too far away for 16.16
 };
 
-/// An object's state for people and files, in units of 2^-16.
+/// An object's state for people and files, in units of 2^-16. Nothing, and a transform of 0, for
+/// one that is out of reach.
 struct ObjectState {
   std::array<std::int32_t, 12> xform{};  ///< object to view, row by row
   std::vector<std::array<std::int32_t, 3>> view;

@@ -56,7 +56,7 @@ class Polyhedron final : public Object<N> {
       vertices_.push_back({coordinate<N>(v[0], style.conversion),
                            coordinate<N>(v[1], style.conversion),
                            coordinate<N>(v[2], style.conversion)});
-      radius_ = std::max(radius_, std::hypot(v[0], v[1], v[2]));
+      radius_ = std::max(radius_, length(v));
     }
     view_.resize(vertices_.size());
     screen_.resize(vertices_.size());
@@ -123,10 +123,10 @@ class Polyhedron final : public Object<N> {
 
   [[nodiscard]] ObjectState state() const override {
     ObjectState state;
+    if (!in_reach_) return state;
     for (std::size_t i = 0; i < 12; ++i) {
       state.xform[i] = Arithmetic<N>::raw(to_view_.rows[i / 4][i % 4]);
     }
-    if (!in_reach_) return state;
     for (const Vec3<N>& v : view_) {
       state.view.push_back(
           {Arithmetic<N>::raw(v.x), Arithmetic<N>::raw(v.y), Arithmetic<N>::raw(v.z)});

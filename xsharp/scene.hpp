@@ -94,7 +94,7 @@ using Intensity = Triple;
 
 struct Spot {
   bool on = true;
-  Triple direction{0, 0, -1};  ///< where the light goes, of any length but 0, in world space
+  Triple direction{0, 0, -1};  ///< where the light goes, in world space; only its direction counts
   Intensity intensity{};
 };
 
@@ -119,6 +119,11 @@ struct ArithmeticChoice {
   bool div_round = true;
 };
 
+/// Whether the rules are those of a build of the listings, with two roundings to choose.
+inline bool is_listing(const ArithmeticChoice& choice) {
+  return choice.target == "i386" || choice.target == "i8088";
+}
+
 struct Scene {
   std::string name;
   std::int32_t width = 320;
@@ -141,5 +146,12 @@ struct Scene {
   Lights lights{};
   std::vector<ObjectDescription> objects;
 };
+
+/// What x over z is multiplied with, and y over z: pixels of a page whose half width is, as
+/// published, a whole number.
+inline double projection_constant(const Scene& scene) {
+  const std::int32_t half_width = scene.width / 2;
+  return scene.projection_ratio * half_width;
+}
 
 }  // namespace xsharp

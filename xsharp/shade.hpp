@@ -43,10 +43,10 @@ Lighting<N> lighting_of(const Lights& lights, Conversion conversion,
   Lighting<N> lighting{lights.ambient_on, numbers(lights.ambient), {}};
   for (const Spot& spot : lights.spots) {
     const auto& d = spot.direction;
-    const double length = std::hypot(d[0], d[1], d[2]);
+    const double size = length(d);
     Triple back{};
     for (std::size_t i = 0; i < 3; ++i) {
-      back[i] = -(turn[i][0] * d[0] + turn[i][1] * d[1] + turn[i][2] * d[2]) / length;
+      back[i] = -(turn[i][0] * d[0] + turn[i][1] * d[1] + turn[i][2] * d[2]) / size;
     }
     const auto to_light = numbers(back);
     lighting.rays.push_back(

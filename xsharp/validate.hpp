@@ -110,8 +110,7 @@ inline void validate_setting(const Scene& scene) {
   demand_range("frames_per_second", scene.frames_per_second, 0.001, 1000.0);
   demand_range("projection_ratio", scene.projection_ratio, -1000.0, -0.01);
   // Beyond this the screen coordinates at the sides of a wide page near the ends of 16.16.
-  demand_range("projection_ratio * width / 2", scene.projection_ratio * scene.width / 2, -16000.0,
-               -0.01);
+  demand_range("projection_ratio * (width / 2)", projection_constant(scene), -16000.0, -0.01);
   demand_range("restore_every", scene.restore_every, 0, INT32_MAX);
   demand_word("arithmetic.by", scene.arithmetic.by, {"type", "model", "double"});
   if (scene.from_scratch && scene.restore_every > 0) {
@@ -119,8 +118,7 @@ inline void validate_setting(const Scene& scene) {
   }
   demand_word("arithmetic.target", scene.arithmetic.target,
               {"i386", "i8088", "standard", "saturating", "trapping"});
-  const bool listing = scene.arithmetic.target == "i386" || scene.arithmetic.target == "i8088";
-  if (scene.arithmetic.by == "model" && !listing) {
+  if (scene.arithmetic.by == "model" && !is_listing(scene.arithmetic)) {
     throw SceneError("arithmetic.by is \"model\", which has no target \"" +
                      scene.arithmetic.target + "\"");
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 
 #include "verify/scenes/dump.hpp"
@@ -34,7 +35,7 @@ struct Drawn {
 
 /// @return the frames compared
 int expect_equal(const std::string& name, xsharp::ArithmeticChoice choice) {
-  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+  const xsharp::Scene scene = xsharp::read_scene(name);
   choice.by = "type";
   Drawn type(scene, choice);
   choice.by = "model";
@@ -67,8 +68,12 @@ TEST_P(Equality, ModelAndTypeDrawTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Equality,
-                         testing::Values("twelve_cubes", "ball_and_cubes", "shaded_ball", "solid"),
-                         [](const auto& scene) { return std::string(scene.param); });
+                         testing::Values(SCENES "/twelve_cubes.json", SCENES "/ball_and_cubes.json",
+                                         SCENES "/shaded_ball.json", SCENES "/solid.json",
+                                         GOLDEN "/../passing_by.json"),
+                         [](const auto& scene) {
+                           return std::filesystem::path(scene.param).stem().string();
+                         });
 
 // Were a variant drawn with another's rules, the tests above would not notice.
 TEST(Variants, EachDrawsDifferently) {

@@ -42,8 +42,7 @@ void expect_golden(const std::string& name, const std::string& by) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
-    const bool listing = choice.target == "i386" || choice.target == "i8088";
-    if (choice.by != by || !listing) continue;
+    if (choice.by != by || !xsharp::is_listing(choice)) continue;
     all += fmt::format("# {} multiply {} divide {}\n", choice.target,
                        choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");
     const auto player = make_player(scene, choice);

@@ -20,8 +20,6 @@ namespace fixproof {
 
 namespace {
 
-constexpr int interrupted_status = 130;
-
 struct Options {
   std::string scene;
   std::uint64_t minutes = 30;
@@ -107,6 +105,7 @@ int run(const Options& options) {
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   scene.restore_every = 0;
   scene.from_scratch = false;
+  if (scene.objects.empty()) throw UsageError(scene.name + " has no objects");
   if (options.object >= scene.objects.size()) {
     throw UsageError(fmt::format("--object {}: {} has objects 0 to {}", options.object, scene.name,
                                  scene.objects.size() - 1));

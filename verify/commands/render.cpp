@@ -33,8 +33,6 @@ namespace fixproof {
 
 namespace {
 
-constexpr int interrupted_status = 130;
-
 struct Options {
   SceneOptions scene;
   std::optional<std::uint64_t> frames;
@@ -48,14 +46,16 @@ struct Options {
 
 void set_size(xsharp::Scene& scene, const std::string& size) {
   const auto refuse = [&size] {
-    throw UsageError(fmt::format("--size {}: want WIDTHxHEIGHT, each from 1 to 4096", size));
+    throw UsageError(
+        fmt::format("--size {}: want WIDTHxHEIGHT, each from 1 to {}", size, xsharp::longest_side));
   };
   const auto cross = size.find('x');
   if (cross == std::string::npos) refuse();
   const auto side = [&](std::string_view text) {
     std::int32_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > 4096)
+    if (error != std::errc{} || end != text.data() + text.size() || value < 1 ||
+        value > xsharp::longest_side)
       refuse();
     return value;
   };
@@ -70,6 +70,11 @@ struct Outputs {
   std::unique_ptr<xsharp::PartFile> dump;
 
   Outputs(const Options& options, double frames_per_second) : folder(options.out) {
+    if (!options.animate.empty() && !options.dump.empty() &&
+        std::filesystem::weakly_canonical(options.animate) ==
+            std::filesystem::weakly_canonical(options.dump)) {
+      throw UsageError("--animate and --dump name the same file");
+    }
     if (!folder.empty()) std::filesystem::create_directories(folder);
     if (!options.animate.empty()) {
       animation = std::make_unique<xsharp::AnimationPng>(options.animate,
@@ -119,6 +124,7 @@ class ClockMeter {
   /// `Listings alone: 123,456 clocks a frame on the 386`; empty where no model ran.
   [[nodiscard]] std::string text() const {
     std::string text;
+    if (counted_ == 0) return text;
     for (const auto& [cpu, least_of_all, most_of_all] : totals_) {
       const std::uint64_t least = least_of_all / counted_;
       const std::uint64_t most = most_of_all / counted_;
@@ -175,14 +181,13 @@ int render(const Options& options) {
       tally.faults += drawn.faults;
       tally.out_of_reach += drawn.out_of_reach;
     } catch (const std::exception& error) {
-      outputs.finish(done);
       throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));
     }
     canvas->show(picture);
     drawing += std::chrono::steady_clock::now() - begin;
     if (meter.wants(done)) meter.count(std::exchange(log, {}));
     outputs.add(*canvas, *player, done);
-    progress.show(done);
+    progress.show(done + 1);
   }
   outputs.finish(done);
 
@@ -191,7 +196,8 @@ int render(const Options& options) {
       "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n", scene.name,
       name_of(scene.arithmetic), grouped(done), grouped(static_cast<std::uint64_t>(count.polygons)),
       grouped(static_cast<std::uint64_t>(count.pixels)), grouped(tally.faults),
-      grouped(static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
+      grouped(done == 0 ? 0
+                        : static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
   std::cout << meter.text();
   if (tally.out_of_reach > 0) {
     std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
@@ -219,7 +225,10 @@ void add_render(CLI::App& app, int& status) {
       ->check(not_empty());
   command->add_option("--dump", options->dump, "transforms, vertices and faces as lines of JSON")
       ->check(not_empty());
-  command->add_flag("--show", options->show, "in a window, until it is closed");
+  CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
+  for (const char* written : {"--frames", "--out", "--animate", "--dump"}) {
+    show->excludes(command->get_option(written));
+  }
   command->footer(
       "Keys of the window: space pauses, s or the right arrow steps, 1 (or a) switches the "
       "ambient\n"

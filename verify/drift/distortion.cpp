@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace fixproof {
 
 namespace {
 
-using Point = std::array<double, 3>;
+using Point = xsharp::Triple;
 
 Point column(const Placement& m, std::size_t j) { return {m[0][j], m[1][j], m[2][j]}; }
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-double length(const Point& p) { return std::sqrt(dot(p, p)); }
 
 Point turned(const Placement& m, const xsharp::Triple& v) {
   Point p{};
@@ -44,27 +39,30 @@ Distortion distortion(const Placement& is, const Placement& should_be, const xsh
   for (std::size_t j = 0; j < 3; ++j) {
     const Point a = column(is, j);
     const Point b = column(is, (j + 1) % 3);
-    d.skew = std::max(d.skew, std::fabs(dot(a, b)) / (length(a) * length(b)));
+    const double lengths = xsharp::length(a) * xsharp::length(b);
+    // An axis that has collapsed has no direction: nothing of a right angle is left.
+    d.skew = std::max(d.skew, lengths == 0 ? 1 : std::fabs(xsharp::dot(a, b)) / lengths);
   }
   d.volume = std::fabs(determinant(is) - 1);
 
-  const double constant = scene.projection_ratio *
-                          (scene.width / 2);  // NOLINT(bugprone-integer-division): as published
+  const double constant = xsharp::projection_constant(scene);
   for (const xsharp::Face& face : mesh.faces) {
     for (std::size_t i = 0; i < face.vertices.size(); ++i) {
       const xsharp::Triple& from = mesh.vertices[face.vertices[i]];
       const xsharp::Triple& to = mesh.vertices[face.vertices[(i + 1) % face.vertices.size()]];
-      const xsharp::Triple edge{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-      d.length = std::max(d.length, std::fabs(length(turned(is, edge)) / length(edge) - 1));
+      const xsharp::Triple edge = xsharp::difference(to, from);
+      const double stretch = xsharp::length(turned(is, edge)) / xsharp::length(edge);
+      d.length = std::max(d.length, std::fabs(stretch - 1));
 
-      const auto on_screen = [constant](const Placement& m, const xsharp::Triple& v) {
-        const Point p = turned(m, v);
-        const double z = std::min(p[2] + m[2][3], -1.0);
-        return std::array{constant * (p[0] + m[0][3]) / z, constant * (p[1] + m[1][3]) / z};
-      };
-      const auto [x, y] = on_screen(is, from);
-      const auto [want_x, want_y] = on_screen(should_be, from);
-      d.pixels = std::max(d.pixels, std::hypot(x - want_x, y - want_y));
+      Point at = turned(is, from);
+      Point wanted = turned(should_be, from);
+      for (std::size_t k = 0; k < 3; ++k) {
+        at.at(k) += is.at(k)[3];
+        wanted.at(k) += should_be.at(k)[3];
+      }
+      if (at[2] > -1 || wanted[2] > -1) continue;
+      d.pixels = std::max(d.pixels, std::hypot(constant * (at[0] / at[2] - wanted[0] / wanted[2]),
+                                               constant * (at[1] / at[2] - wanted[1] / wanted[2])));
     }
   }
   return d;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "verify/scenes/players.hpp"
 #include "xsharp/raster/palette.hpp"
@@ -19,16 +18,24 @@ constexpr int head = 28;
 /// The object alone, before the viewer, large enough to fill most of a cell.
 xsharp::Scene alone(xsharp::Scene scene, std::size_t object) {
   xsharp::ObjectDescription kept = scene.objects.at(object);
-  double radius = 1;
-  for (const xsharp::Triple& v : kept.mesh.vertices) {
-    radius = std::max(radius, std::hypot(v[0], v[1], v[2]));
+  double radius = 0;
+  for (const xsharp::Triple& v : kept.mesh.vertices) radius = std::max(radius, xsharp::length(v));
+  // A body that had half the size would look the same from half as far, but for the rounding of its
+  // vertices: any size will do that leaves room in 16.16.
+  const std::vector<xsharp::Triple> before = kept.mesh.vertices;
+  for (xsharp::Triple& v : kept.mesh.vertices) v = xsharp::scaled(v, 100 / radius);
+  for (const xsharp::Face& face : kept.mesh.faces) {
+    if (!face.normal_end) continue;
+    const std::size_t start = face.vertices[0];
+    // Normals stay of unit length.
+    kept.mesh.vertices[*face.normal_end] = xsharp::sum(
+        kept.mesh.vertices[start], xsharp::difference(before[*face.normal_end], before[start]));
   }
+  scene.projection_ratio = -2;
   scene.camera = {};
   scene.width = scene.height = cell;
-  const double constant = std::fabs(scene.projection_ratio) *
-                          (cell / 2);  // NOLINT(bugprone-integer-division): as the pipeline
   kept.page = {};
-  kept.position = {0, 0, -std::ceil(radius * constant / (0.45 * cell) + radius)};
+  kept.position = {0, 0, -350};
   kept.drift.reset();
   kept.orbit.reset();
   scene.objects = {std::move(kept)};

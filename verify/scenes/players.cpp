@@ -27,7 +27,7 @@ std::vector<ArithmeticChoice> all_arithmetics() {
 
 std::string name_of(const ArithmeticChoice& choice) {
   if (choice.by == "double") return "double";
-  if (choice.target != "i386" && choice.target != "i8088") {
+  if (!xsharp::is_listing(choice)) {
     return fmt::format("{} {}", choice.by, choice.target);
   }
   const auto on = [](bool rounds) { return rounds ? "on" : "off"; };

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "verify/variant.hpp"
 #include "xsharp/player.hpp"
 #include "xsharp/scene.hpp"
 
@@ -17,7 +15,7 @@ namespace fixproof {
 /// builds of the listings, double.
 std::vector<xsharp::ArithmeticChoice> all_arithmetics();
 
-/// As in messages and tables: `type i386 on/off`, `type saturating`, `double`.
+/// `type i386, multiply on, divide off`, `type saturating`, `double`.
 std::string name_of(const xsharp::ArithmeticChoice& choice);
 
 /// @throws UsageError for a choice that all_arithmetics() does not have

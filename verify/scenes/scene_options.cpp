@@ -40,14 +40,15 @@ void SceneOptions::add_to(CLI::App& command) {
 xsharp::Scene SceneOptions::read() const {
   xsharp::Scene scene = xsharp::read_scene(file);
   xsharp::ArithmeticChoice& choice = scene.arithmetic;
-  // Another party begins with the rules that both have.
-  if (by && *by != choice.by) choice = {*by, "i386", true, true};
+  if (by) choice.by = *by;
+  // The model has no other rules than the listings'.
+  if (by == "model" && !target && !xsharp::is_listing(choice))
+    choice = {"model", "i386", true, true};
   if (choice.by == "double" && (target || mul_round || div_round)) {
     throw UsageError("double has no --target and no roundings");
   }
   if (target) choice.target = *target;
-  const bool listing = choice.target == "i386" || choice.target == "i8088";
-  if (!listing && choice.by != "double") {
+  if (choice.by != "double" && !xsharp::is_listing(choice)) {
     if (mul_round || div_round) {
       throw UsageError("--target " + choice.target + " has no roundings to choose");
     }

@@ -24,8 +24,7 @@ class Show {
  public:
   explicit Show(const xsharp::Scene& scene, bool true_color)
       : scene_(scene),
-        window_(fmt::format("{} - {}", scene.name, name_of(scene.arithmetic)), scene.width,
-                scene.height),
+        window_(title(), scene.width, scene.height),
         canvas_(make_canvas(scene, true_color)),
         player_(make_player(scene, scene.arithmetic)) {}
 
@@ -42,13 +41,17 @@ class Show {
         // A machine that is too slow shows every frame, later.
         next = std::max(next + frame_time, clock::now());
       }
-      const auto longest = std::chrono::milliseconds(paused_ ? 20 : 5);
+      constexpr clock::duration longest = std::chrono::milliseconds(5);
       std::this_thread::sleep_for(
-          std::clamp<clock::duration>(next - clock::now(), clock::duration(0), longest));
+          paused_ ? longest : std::clamp(next - clock::now(), clock::duration(0), longest));
     }
   }
 
  private:
+  [[nodiscard]] std::string title() const {
+    return fmt::format("{} - {}", scene_.name, name_of(scene_.arithmetic));
+  }
+
   void press(Key key) {
     switch (key) {
       case Key::quit:
@@ -83,11 +86,12 @@ class Show {
   /// that have gathered since are the point.
   void switch_rounding() {
     xsharp::ArithmeticChoice& choice = scene_.arithmetic;
-    if (choice.target != "i386" && choice.target != "i8088") return;
+    if (choice.by == "double" || !xsharp::is_listing(choice)) return;
     choice.mul_round = !choice.mul_round;
     player_ = make_player(scene_, choice);
-    for (std::uint64_t i = 0; i < moves_; ++i) player_->move();
+    for (std::uint64_t i = 0; i < moves_ && !Interrupt::flag(); ++i) player_->move();
     for (const std::size_t light : switched_) player_->switch_light(light);
+    window_.set_title(title());
   }
 
   void step() {

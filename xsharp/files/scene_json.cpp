@@ -283,8 +283,8 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
   return read;
 }
 
-/// Looks for keys that stand twice. The library's parser would take the last, and its callbacks
-/// take quadratic time for a list of objects.
+/// Looks for keys that stand twice and for depth. The library's parser would take the last, and its
+/// callbacks take quadratic time for a list of objects.
 class TwiceCheck final : public nlohmann::json_sax<Json> {
  public:
   bool key(std::string& name) override {
@@ -293,10 +293,11 @@ class TwiceCheck final : public nlohmann::json_sax<Json> {
   }
   bool start_object(std::size_t /*keys*/) override {
     open_.emplace_back();
-    return true;
+    return deeper();
   }
   bool end_object() override {
     open_.pop_back();
+    --depth_;
     return true;
   }
   bool null() override { return true; }
@@ -306,21 +307,32 @@ class TwiceCheck final : public nlohmann::json_sax<Json> {
   bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
   bool string(std::string& /*value*/) override { return true; }
   bool binary(Json::binary_t& /*value*/) override { return true; }
-  bool start_array(std::size_t /*elements*/) override { return true; }
-  bool end_array() override { return true; }
+  bool start_array(std::size_t /*elements*/) override { return deeper(); }
+  bool end_array() override {
+    --depth_;
+    return true;
+  }
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const Json::exception& /*error*/) override {
     return false;  // the parser says it better
   }
 
  private:
+  /// What is nested deeply is no scene, and would take the stack of whoever shows it.
+  bool deeper() {
+    constexpr int deepest = 16;
+    if (++depth_ > deepest) throw SceneError("nested too deeply");
+    return true;
+  }
+
   std::vector<std::set<std::string>> open_;
+  int depth_ = 0;
 };
 
 /// @throws SceneError for what is not JSON with comments, or has a key twice
 Json parse(std::string_view text) {
   TwiceCheck twice;
-  Json::sax_parse(text, &twice, nlohmann::detail::input_format_t::json, true, true);
+  Json::sax_parse(text, &twice, Json::input_format_t::json, true, true);
   try {
     return Json::parse(text, nullptr, true, true);
   } catch (const Json::exception& error) {

@@ -38,7 +38,7 @@ class Video {
  private:
   /// SDL falls back to a driver that draws into memory, unless it was told which to take.
   static bool nobody_would_see() {
-    return SDL_GetHint(SDL_HINT_VIDEODRIVER) == nullptr &&
+    return SDL_getenv("SDL_VIDEODRIVER") == nullptr &&
            std::string_view(SDL_GetCurrentVideoDriver()) == "offscreen";
   }
 };
@@ -110,6 +110,8 @@ class Window::Implementation {
     if (SDL_SetTextureScaleMode(texture_.get(), SDL_ScaleModeNearest) != 0) fail("scale pages");
   }
 
+  void set_title(const std::string& title) { SDL_SetWindowTitle(window_.get(), title.c_str()); }
+
   void show(std::span<const std::uint32_t> pixels, std::int32_t width, std::int32_t height) {
     if (width != width_ || height != height_) {
       throw std::invalid_argument("a page of " + std::to_string(width) + " x " +
@@ -160,6 +162,8 @@ bool window_available() { return true; }
 Window::Window(const std::string& title, std::int32_t width, std::int32_t height)
     : implementation_(std::make_unique<Implementation>(title, width, height)) {}
 Window::~Window() = default;
+
+void Window::set_title(const std::string& title) { implementation_->set_title(title); }
 
 void Window::show(const Page<std::uint32_t>& page) {
   implementation_->show(page.pixels(), page.width(), page.height());

@@ -43,6 +43,8 @@ class Window {
   void show(const Page<std::uint32_t>& page);
   void show(const Page<std::uint8_t>& page, const Palette& palette);
 
+  void set_title(const std::string& title);
+
   /// What was asked for since the last call, in order. Also keeps the window alive: to be called
   /// many times a second, even while nothing new is shown.
   /// @throws std::runtime_error naming the cause

@@ -15,6 +15,7 @@ Window::Window(const std::string& /*title*/, std::int32_t /*width*/, std::int32_
 Window::~Window() = default;
 
 // Never reached: there is no window.
+void Window::set_title(const std::string& /*title*/) {}
 void Window::show(const Page<std::uint32_t>& /*page*/) {}
 void Window::show(const Page<std::uint8_t>& /*page*/, const Palette& /*palette*/) {}
 std::vector<Key> Window::keys() { return {}; }

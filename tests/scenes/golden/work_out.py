@@ -212,8 +212,23 @@ def frames(scene, rules, count):
         yield frame, bodies, order
 
 
+KNOWN = {"name", "frames_per_second", "conversion", "trigonometry", "depth_key", "palette", "arithmetic",
+         "defaults", "objects", "lights", "restore_every"}
+KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "position", "spin", "drift",
+                    "orbit"}
+
+
+def refuse_unknown(scene):
+    unknown = set(scene) - KNOWN
+    for data in [scene.get("defaults", {})] + scene["objects"]:
+        unknown |= set(data) - KNOWN_OF_OBJECTS
+    if scene.get("conversion", "published") != "published" or unknown:
+        sys.exit("work_out.py: not worked out here: " + (", ".join(sorted(unknown)) or "conversion"))
+
+
 def main():
     scene = json.loads(re.sub(r"^\s*//.*$", "", open(sys.argv[1]).read(), flags=re.M))
+    refuse_unknown(scene)
     if len(sys.argv) > 2:
         target, mul_on, div_on, count = sys.argv[2], sys.argv[3] == "on", sys.argv[4] == "on", sys.argv[5]
         for frame, bodies, order in frames(scene, Rules(target, mul_on, div_on), int(count)):

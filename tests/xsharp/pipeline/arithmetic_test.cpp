@@ -66,13 +66,16 @@ TEST(RawConstant, WhatIsOutOfRangeIsTheEndOfTheRange) {
 
 TEST(RawCoordinate, WholeNumbersAreExactUnderBothConversions) {
   for (const std::int32_t whole : {-32768, -320, -1, 0, 1, 32767}) {
-    EXPECT_EQ(raw_coordinate(whole, Conversion::published), whole * 65536);
-    EXPECT_EQ(raw_coordinate(whole, Conversion::nearest), whole * 65536);
+    EXPECT_EQ(coordinate<fixed::q16_16>(whole, Conversion::published).raw(), whole * 65536);
+    EXPECT_EQ(coordinate<fixed::q16_16>(whole, Conversion::nearest).raw(), whole * 65536);
   }
   // -0.5 is -32768 units: -32767.5 loses its fraction.
-  EXPECT_EQ(raw_coordinate(-0.5, Conversion::published), -32767);
-  EXPECT_EQ(raw_coordinate(-0.5, Conversion::nearest), -32768);
-  EXPECT_EQ(raw_coordinate(std::numeric_limits<double>::quiet_NaN(), Conversion::published), 0);
+  EXPECT_EQ(coordinate<fixed::q16_16>(-0.5, Conversion::published).raw(), -32767);
+  EXPECT_EQ(coordinate<fixed::q16_16>(-0.5, Conversion::nearest).raw(), -32768);
+  EXPECT_EQ(
+      coordinate<fixed::q16_16>(std::numeric_limits<double>::quiet_NaN(), Conversion::published)
+          .raw(),
+      0);
 }
 
 template <class N>

@@ -133,6 +133,8 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
   const std::vector<std::pair<std::string, std::string>> table{
       {"[]", "must be an object {…}, not []"},
       {"{}", "must have the key \"objects\""},
+      {"{\"objects\": " + std::string(500'000, '['), "nested too deeply"},
+      {"{\"name\": " + std::string(500'000, '['), "nested too deeply"},
       {R"({"objects": {}})", "objects: must be a list, not {}"},
       {R"({"objects": [3]})", "objects[0]: must be an object {…}, not 3"},
       {R"({"objects": [], "objects": []})", "the key \"objects\" stands twice in one object"},
@@ -208,7 +210,7 @@ TEST(SceneJson, SaysWhereItIsNotJson) {
   EXPECT_EQ(said("").substr(0, 22), "not JSON: parse error ");
   EXPECT_EQ(said(R"({"objects": [], "width": 1e999})").substr(0, 25), "not JSON: number overflow");
   EXPECT_EQ(said("// all of it\n{\"objects\": /* none */ []}"), "accepted");
-  EXPECT_EQ(said(std::string(100000, '[')).substr(0, 9), "not JSON:");
+  EXPECT_EQ(said("[[[[[[[[[[").substr(0, 9), "not JSON:");
 }
 
 TEST(SceneJson, ASmallTextMakesNoHugeScene) {
