@@ -20,8 +20,9 @@ int main(int argc, char** argv) {
   app.name("fixproof");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", FIXPROOF_VERSION);
-  // A reader that goes away is an error that is reported, not a silent end.
+  // A reader that goes away or a limit on files is an error that is reported, not a silent end.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   // Commands that read a line at a time need a buffer of their own; none mixes the two libraries.
   std::ios::sync_with_stdio(false);
   int status = 0;

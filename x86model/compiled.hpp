@@ -92,18 +92,29 @@ template <const Program& program, std::size_t entry, std::size_t first, class M,
   return (pass_over<program, entry, first + I>(m, target, outcome) && ...);
 }
 
+/// A block in a function of its own. Inlined into one another, the blocks of a long program would
+/// take compilers minutes.
+template <const Program& program, std::size_t entry, std::size_t first, std::size_t count, class M>
+[[gnu::noinline]] bool pass_over_long_block(M& m, std::size_t& target, Outcome& outcome) {
+  return pass_over_block<program, entry, first>(m, target, outcome,
+                                                std::make_index_sequence<count>{});
+}
+
 /// One pass from `first` to the routine's end, in blocks: compilers limit how long a fold may be.
 template <const Program& program, std::size_t entry, std::size_t first, class M>
 [[gnu::always_inline]] inline bool pass(M& m, std::size_t& target, Outcome& outcome) {
   constexpr std::size_t end = end_of_routine(program, entry);
-  constexpr std::size_t block = 128;
-  if constexpr (first + block >= end) {
+  constexpr std::size_t whole = 128;
+  constexpr std::size_t block = 32;
+  if constexpr (end - entry <= whole) {
     return pass_over_block<program, entry, first>(m, target, outcome,
                                                   std::make_index_sequence<end - first>{});
+  } else if constexpr (first < end) {
+    constexpr std::size_t count = first + block < end ? block : end - first;
+    return pass_over_long_block<program, entry, first, count>(m, target, outcome) &&
+           pass<program, entry, first + count>(m, target, outcome);
   } else {
-    return pass_over_block<program, entry, first>(m, target, outcome,
-                                                  std::make_index_sequence<block>{}) &&
-           pass<program, entry, first + block>(m, target, outcome);
+    return true;
   }
 }
 

@@ -10,19 +10,20 @@ namespace x86model {
 
 namespace {
 
-using enum Mnemonic;
-
 /// What each instruction may be mistaken for, with the same operands.
-constexpr auto mistakes = std::to_array<std::pair<Mnemonic, Mnemonic>>({
-    {mov, add},   {push, pop},  {pop, push},  {add, adc},  {add, sub},   {add, and_}, {adc, add},
-    {adc, sbb},   {sub, sbb},   {sub, add},   {sub, cmp},  {sbb, sub},   {sbb, adc},  {cmp, sub},
-    {cmp, add},   {cmp, and_},  {neg, inc},   {neg, dec},  {inc, dec},   {inc, neg},  {dec, inc},
-    {dec, neg},   {mul, imul},  {mul, div},   {imul, mul}, {imul, idiv}, {div, idiv}, {div, mul},
-    {idiv, div},  {idiv, imul}, {and_, xor_}, {and_, add}, {xor_, and_}, {xor_, add}, {shl, shr},
-    {shl, rol},   {shr, sar},   {shr, shl},   {sar, shr},  {sar, shl},   {rol, shl},  {rol, shr},
-    {shld, shrd}, {shrd, shld}, {js, jns},    {jns, js},   {jz, js},     {jz, jns},   {ja, jg},
-    {jg, ja},     {jg, jns},
-});
+constexpr auto mistakes = [] {
+  using enum Mnemonic;
+  return std::to_array<std::pair<Mnemonic, Mnemonic>>({
+      {mov, add},   {push, pop},  {pop, push},  {add, adc},  {add, sub},   {add, and_}, {adc, add},
+      {adc, sbb},   {sub, sbb},   {sub, add},   {sub, cmp},  {sbb, sub},   {sbb, adc},  {cmp, sub},
+      {cmp, add},   {cmp, and_},  {neg, inc},   {neg, dec},  {inc, dec},   {inc, neg},  {dec, inc},
+      {dec, neg},   {mul, imul},  {mul, div},   {imul, mul}, {imul, idiv}, {div, idiv}, {div, mul},
+      {idiv, div},  {idiv, imul}, {and_, xor_}, {and_, add}, {xor_, and_}, {xor_, add}, {shl, shr},
+      {shl, rol},   {shr, sar},   {shr, shl},   {sar, shr},  {sar, shl},   {rol, shl},  {rol, shr},
+      {shld, shrd}, {shrd, shld}, {js, jns},    {jns, js},   {jz, js},     {jz, jns},   {ja, jg},
+      {jg, ja},     {jg, jns},
+  });
+}();
 
 Register next(Register r) {
   switch (r) {
@@ -171,9 +172,9 @@ class Workshop {
 
   void jumps(std::size_t at) {
     const Instruction& i = sound_.code.at(at);
-    if (i.mnemonic == call || i.mnemonic == ret) return;
+    if (i.mnemonic == Mnemonic::call || i.mnemonic == Mnemonic::ret) return;
     Instruction by = i;
-    by.mnemonic = jmp;
+    by.mnemonic = Mnemonic::jmp;
     replace(at, by);
     for (std::size_t to = 0; to < sound_.size; ++to) {
       const Instruction& target = sound_.code.at(to);

@@ -50,6 +50,8 @@ class Motion {
     }
     if (orbit_) {
       orbit_angle_ = orbit_->start_tenths;
+      orbit_tilt_ = Arithmetic<N>::turn(orbit_->tilt_tenths);
+      orbit_radius_ = coordinate<N>(orbit_->radius, style.conversion);
       put_on_orbit();
     }
   }
@@ -129,11 +131,9 @@ class Motion {
 
   void put_on_orbit() {
     const Turn<N> around = Arithmetic<N>::turn(orbit_angle_);
-    const Turn<N> tilt = Arithmetic<N>::turn(orbit_->tilt_tenths);
-    const N radius = coordinate<N>(orbit_->radius, style_.conversion);
-    const N across = radius * around.cos;
-    const N along = radius * around.sin;
-    const std::array<N, 3> offset{across, -(along * tilt.sin), along * tilt.cos};
+    const N across = orbit_radius_ * around.cos;
+    const N along = orbit_radius_ * around.sin;
+    const std::array<N, 3> offset{across, -(along * orbit_tilt_.sin), along * orbit_tilt_.cos};
     for (std::size_t i = 0; i < 3; ++i) {
       place(i) = coordinate<N>(orbit_->about[i], style_.conversion) + offset[i];
     }
@@ -149,6 +149,8 @@ class Motion {
   std::array<std::int32_t, 3> page_;
   std::array<Turn<N>, 3> turns_{};
   std::array<N, 3> step_{};
+  Turn<N> orbit_tilt_{};
+  N orbit_radius_{};
   std::int32_t rotation_count_ = 1;
   std::int32_t move_count_ = 1;
   std::int32_t orbit_angle_ = 0;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -145,6 +146,7 @@ struct Scene {
   Camera camera{};
   Lights lights{};
   std::vector<ObjectDescription> objects;
+  std::vector<std::filesystem::path> files{};  ///< it was read from
 };
 
 /// What x over z is multiplied with, and y over z: pixels of a page whose half width is, as

@@ -21,6 +21,8 @@ inline constexpr std::size_t most_objects = 256;
 inline constexpr std::size_t most_faces_in_scene = 65536;
 inline constexpr std::size_t most_spots = 16;
 inline constexpr std::int32_t longest_side = 4096;
+/// Half of it, a whole number, is what is projected with.
+inline constexpr std::int32_t narrowest = 2;
 /// Of a position in its page, in each component: so far, and half a page of body, stay in 16.16.
 inline constexpr double farthest_position = 16384;
 inline constexpr std::int32_t farthest_page = 1000000;
@@ -105,7 +107,7 @@ inline void validate_lights(const Lights& lights) {
 
 /// The scene without its objects.
 inline void validate_setting(const Scene& scene) {
-  demand_range("width", scene.width, 1, longest_side);
+  demand_range("width", scene.width, narrowest, longest_side);
   demand_range("height", scene.height, 1, longest_side);
   demand_range("frames_per_second", scene.frames_per_second, 0.001, 1000.0);
   demand_range("projection_ratio", scene.projection_ratio, -1000.0, -0.01);

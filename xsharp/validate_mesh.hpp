@@ -172,7 +172,8 @@ class MeshExamination {
       behind = std::min(behind, distance);
     }
     if (before <= tolerance_) return;
-    if (behind >= -tolerance_) refuse_face(" is wound counterclockwise seen from outside");
+    if (behind >= -tolerance_)
+      refuse_face(" faces into the body: its vertices run the wrong way round");
     refuse_face(": the body is not convex: vertex ", worst, " is ", before, " before the face");
   }
 

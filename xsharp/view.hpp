@@ -23,33 +23,32 @@ struct View {
   Projection<N> projection{};
 };
 
-/// World to view: moved to the camera's place, then turned the other way about.
-template <Scalar N>
-View<N> view_of(const Scene& scene) {
-  const auto& tenths = scene.camera.turn_tenths;
-  const auto turned = rotation_after(tenths, 1);
-  View<N> view{identity<N>(), scene.camera.page, projection_of<N>(scene)};
-  const auto& position = scene.camera.position;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double moved = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      // The inverse of a rotation is its transpose.
-      view.world_to_view.rows[i][j] = coordinate<N>(turned[j][i], Conversion::nearest);
-      moved -= turned[j][i] * position[j];
-    }
-    view.world_to_view.rows[i][3] = coordinate<N>(moved, Conversion::nearest);
-  }
-  return view;
-}
-
 /// The matrix of world to view in double, for directions and for measuring.
 inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
   const auto turned = rotation_after(camera.turn_tenths, 1);
+  // The inverse of a rotation is its transpose.
   std::array<std::array<double, 3>, 3> inverse{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) inverse[i][j] = turned[j][i];
   }
   return inverse;
+}
+
+/// World to view: moved to the camera's place, then turned the other way about.
+template <Scalar N>
+View<N> view_of(const Scene& scene) {
+  const auto turn = turn_to_view(scene.camera);
+  View<N> view{identity<N>(), scene.camera.page, projection_of<N>(scene)};
+  const auto& position = scene.camera.position;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double moved = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      view.world_to_view.rows[i][j] = coordinate<N>(turn[i][j], Conversion::nearest);
+      moved -= turn[i][j] * position[j];
+    }
+    view.world_to_view.rows[i][3] = coordinate<N>(moved, Conversion::nearest);
+  }
+  return view;
 }
 
 }  // namespace xsharp

@@ -13,7 +13,7 @@ namespace {
 using namespace std::string_literals;
 
 constexpr std::string_view good = "00018000 00028000\n";
-constexpr std::string_view answer = "0003c000\n";
+constexpr std::string_view answered = "0003c000\n";
 
 /// Exactly one line on stderr.
 void expect_one_line(const std::string& err) {
@@ -25,7 +25,7 @@ void expect_one_line(const std::string& err) {
 void expect_refused(const std::string& bad, std::string_view arguments = "eval mul") {
   const auto run = cli::fixproof(arguments, fmt::format("{0}{0}{1}\n{0}", good, bad));
   EXPECT_EQ(run.status, 2) << bad;
-  EXPECT_EQ(run.out, fmt::format("{0}{0}", answer)) << bad;
+  EXPECT_EQ(run.out, fmt::format("{0}{0}", answered)) << bad;
   EXPECT_EQ(run.err.rfind("fixproof: line 3: ", 0), 0) << run.err;
   expect_one_line(run.err);
   EXPECT_LT(run.err.size(), 200);
@@ -33,14 +33,14 @@ void expect_refused(const std::string& bad, std::string_view arguments = "eval m
 
 TEST(EvalInput, PassesOverBlankLinesAndComments) {
   const auto run = cli::fixproof("eval mul", fmt::format("\n# {0}{0}\n   \n\t\n#\n{0}", good));
-  EXPECT_EQ(run.out, fmt::format("{0}{0}", answer));
+  EXPECT_EQ(run.out, fmt::format("{0}{0}", answered));
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
 }
 
 TEST(EvalInput, PassedOverLinesCount) {
   const auto run = cli::fixproof("eval mul", fmt::format("\n# comment\n{}wrong\n", good));
-  EXPECT_EQ(run.out, answer);
+  EXPECT_EQ(run.out, answered);
   EXPECT_EQ(run.err.rfind("fixproof: line 4: ", 0), 0) << run.err;
 }
 
@@ -53,7 +53,7 @@ TEST(EvalInput, NothingIsNothing) {
 
 TEST(EvalInput, TheLastLineNeedsNoNewline) {
   const auto run = cli::fixproof("eval mul", good.substr(0, good.size() - 1));
-  EXPECT_EQ(run.out, answer);
+  EXPECT_EQ(run.out, answered);
   EXPECT_EQ(run.status, 0);
 }
 
@@ -106,7 +106,7 @@ TEST(EvalInput, RefusesOtherSpacing) {
 
 TEST(EvalInput, TakesLinesOfEitherKind) {
   const auto run = cli::fixproof("eval mul", "\r\n# c\r\n00018000 00028000\r\n00018000 00028000");
-  EXPECT_EQ(run.out, fmt::format("{0}{0}", answer));
+  EXPECT_EQ(run.out, fmt::format("{0}{0}", answered));
   EXPECT_EQ(run.err, "");
   expect_refused("00018000\r 00028000");
   expect_refused("00018000 00028000\r\r");

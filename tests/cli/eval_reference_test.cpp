@@ -17,9 +17,9 @@
 namespace {
 
 /// Operation, target, rounding, party.
-using Form = std::tuple<const char*, const char*, const char*, const char*>;
+using RoutineForm = std::tuple<const char*, const char*, const char*, const char*>;
 
-class EvalReference : public testing::TestWithParam<Form> {};
+class EvalReference : public testing::TestWithParam<RoutineForm> {};
 
 TEST_P(EvalReference, SixHundredThousandLinesAgree) {
   const auto& [operation, target, round, party] = GetParam();

@@ -16,13 +16,13 @@
 namespace {
 
 /// A mnemonic and the kinds of its operands: w, d, i (immediate), 1 (a shift by one), l (label).
-struct Form {
+struct InstructionForm {
   const char* name;
   const char* operands;
 };
 
 /// Read off the printed listings for the 8088.
-constexpr auto forms_8088 = std::to_array<Form>(
+constexpr auto forms_8088 = std::to_array<InstructionForm>(
     {{"mov", "ww"}, {"push", "w"}, {"add", "ww"}, {"add", "wi"}, {"adc", "ww"}, {"adc", "wi"},
      {"sub", "ww"}, {"sub", "wi"}, {"sbb", "wi"}, {"cmp", "ww"}, {"cmp", "wi"}, {"neg", "w"},
      {"inc", "w"},  {"dec", "w"},  {"mul", "w"},  {"div", "w"},  {"and", "ww"}, {"xor", "wi"},
@@ -30,28 +30,28 @@ constexpr auto forms_8088 = std::to_array<Form>(
      {"ja", "l"},   {"jg", "l"}});
 
 /// What the listings for the 386 use besides.
-constexpr auto more_forms_386 = std::to_array<Form>({{"mov", "dd"},
-                                                     {"add", "dd"},
-                                                     {"add", "di"},
-                                                     {"adc", "di"},
-                                                     {"sub", "dd"},
-                                                     {"cmp", "dd"},
-                                                     {"neg", "d"},
-                                                     {"dec", "d"},
-                                                     {"imul", "d"},
-                                                     {"div", "d"},
-                                                     {"idiv", "d"},
-                                                     {"and", "dd"},
-                                                     {"shl", "wi"},
-                                                     {"shr", "di"},
-                                                     {"shr", "d1"},
-                                                     {"sar", "di"},
-                                                     {"rol", "di"},
-                                                     {"shld", "ddi"},
-                                                     {"shrd", "ddi"}});
+constexpr auto more_forms_386 = std::to_array<InstructionForm>({{"mov", "dd"},
+                                                                {"add", "dd"},
+                                                                {"add", "di"},
+                                                                {"adc", "di"},
+                                                                {"sub", "dd"},
+                                                                {"cmp", "dd"},
+                                                                {"neg", "d"},
+                                                                {"dec", "d"},
+                                                                {"imul", "d"},
+                                                                {"div", "d"},
+                                                                {"idiv", "d"},
+                                                                {"and", "dd"},
+                                                                {"shl", "wi"},
+                                                                {"shr", "di"},
+                                                                {"shr", "d1"},
+                                                                {"sar", "di"},
+                                                                {"rol", "di"},
+                                                                {"shld", "ddi"},
+                                                                {"shrd", "ddi"}});
 
-std::vector<Form> forms_of(bool is_386) {
-  std::vector<Form> forms(forms_8088.begin(), forms_8088.end());
+std::vector<InstructionForm> forms_of(bool is_386) {
+  std::vector<InstructionForm> forms(forms_8088.begin(), forms_8088.end());
   if (is_386) forms.insert(forms.end(), more_forms_386.begin(), more_forms_386.end());
   return forms;
 }
@@ -106,7 +106,7 @@ class Questions {
   explicit Questions(bool is_386) : is_386_(is_386) {}
 
   /// A random instruction of the form in a random state, and what Intel says becomes of it.
-  Question ask(const Form& form) {
+  Question ask(const InstructionForm& form) {
     const std::string_view kinds = form.operands;
     const std::string_view name = form.name;
     const int bits = kinds.front() == 'd' ? 32 : 16;
@@ -206,7 +206,7 @@ TEST_P(StepForms, DoWhatIntelDefines) {
   Questions questions(is_386());
   std::vector<Question> asked;
   std::string lines;
-  for (const Form& form : forms_of(is_386())) {
+  for (const InstructionForm& form : forms_of(is_386())) {
     int faults = 0;
     for (int i = 0; i < cases_of_each; ++i) {
       asked.push_back(questions.ask(form));
@@ -274,9 +274,9 @@ TEST_P(StepForms, NoOthersAreModelled) {
     for (const std::string_view shape : shapes) {
       if (!makes_sense(name, shape)) continue;
       lines += fmt::format("{} | {}\n", sample(name, shape), State{}.text());
-      const bool modelled = std::any_of(forms.begin(), forms.end(), [&](const Form& form) {
-        return form.name == name && form.operands == shape;
-      });
+      const bool modelled = std::any_of(
+          forms.begin(), forms.end(),
+          [&](const InstructionForm& form) { return form.name == name && form.operands == shape; });
       // All registers are 0: what divides, divides by zero.
       const char* answer = name.ends_with("div") ? "DE" : "modelled";
       expected.emplace_back(modelled ? answer : "unmodelled");

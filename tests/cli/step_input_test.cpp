@@ -20,7 +20,7 @@ std::string line(std::string_view instruction, std::string_view more = "") {
 }
 std::string good(std::string_view more = "") { return line("mov ax, bx", more); }
 
-const std::string& answer() {
+const std::string& first_answer() {
   static const std::string text = fmt::format("{} undef=-", registers);
   return text;
 }
@@ -30,7 +30,7 @@ void expect_refused(const std::string& bad, std::string_view part, std::string_v
   const auto run = cli::fixproof(fmt::format("step --cpu {}", cpu),
                                  fmt::format("{}\n{}\n{}\n", good(), bad, good()));
   EXPECT_EQ(run.status, 2) << bad;
-  EXPECT_EQ(run.out, answer() + '\n') << bad;
+  EXPECT_EQ(run.out, first_answer() + '\n') << bad;
   EXPECT_EQ(run.err.rfind("fixproof: line 2: ", 0), 0) << run.err;
   EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
@@ -43,7 +43,7 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 
 TEST(StepInput, PassesOverBlankLinesAndComments) {
   const auto run = cli::fixproof("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good()));
-  EXPECT_EQ(run.out, fmt::format("{0}\n{0}\n", answer()));
+  EXPECT_EQ(run.out, fmt::format("{0}\n{0}\n", first_answer()));
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
 }
@@ -51,7 +51,7 @@ TEST(StepInput, PassesOverBlankLinesAndComments) {
 TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
   cli::Process process(cli::command("step --cpu 8088"));
   process.write(good("\n"));
-  ASSERT_EQ(process.read_line(), answer());
+  ASSERT_EQ(process.read_line(), first_answer());
   process.write(line("hlt") + '\n');
   ASSERT_EQ(process.read_line(), "unmodelled");
   EXPECT_EQ(process.finish().status, 0);

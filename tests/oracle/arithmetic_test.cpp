@@ -18,7 +18,7 @@ constexpr Word kMost = 0x7fffffff;
 constexpr Word kLeast = 0x80000000;
 
 /// The results expected of the four rules.
-struct ByRule {
+struct ProductsByRule {
   Word half_up;
   Word half_away;
   Word floor;
@@ -29,7 +29,7 @@ struct ByRule {
   }
 };
 
-void expect_mul(Word a, Word b, const ByRule& expected) {
+void expect_mul(Word a, Word b, const ProductsByRule& expected) {
   for (const Rounding rule : test::kRoundings) {
     EXPECT_EQ(mul(a, b, rule, 16), expected.of(rule))
         << std::hex << a << " * " << b << ", rule " << static_cast<int>(rule);

@@ -13,14 +13,14 @@ namespace {
 constexpr std::optional<Word> kFault = std::nullopt;
 
 /// The results expected of the four rules.
-struct ByRule {
+struct QuotientsByRule {
   std::optional<Word> i386_rounded;
   std::optional<Word> i386_unrounded;
   std::optional<Word> i8088_rounded;
   std::optional<Word> i8088_unrounded;
 };
 
-void expect_div(Word n, Word d, const ByRule& expected, int fraction_bits = 16) {
+void expect_div(Word n, Word d, const QuotientsByRule& expected, int fraction_bits = 16) {
   const std::array results{expected.i386_rounded, expected.i386_unrounded, expected.i8088_rounded,
                            expected.i8088_unrounded};
   for (const DivideRule rule : test::kDivideRules) {

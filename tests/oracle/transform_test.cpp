@@ -30,8 +30,8 @@ TEST(OracleXformVec, TakesTheMatrixRowByRow) {
 }
 
 TEST(OracleXformVec, RoundsEveryProductOnItsOwn) {
-  constexpr Word kHalf = 0x8000;
-  const Transform m{kHalf, kHalf, kHalf, 5, kHalf, kHalf, 0, 5, kHalf, 0, 0, 5};
+  constexpr Word half = 0x8000;
+  const Transform m{half, half, half, 5, half, half, 0, 5, half, 0, 0, 5};
   const Vector one{1, 1, 1};
   EXPECT_EQ(xform_vec(m, one, Rounding::half_up, 16), (Vector{8, 7, 6}));
   EXPECT_EQ(xform_vec(m, one, Rounding::half_away, 16), (Vector{8, 7, 6}));
@@ -65,8 +65,8 @@ TEST(OracleConcat, AddsTheFirstTranslationWhereItIsTold) {
 }
 
 TEST(OracleConcat, RoundsEveryProductOnItsOwn) {
-  constexpr Word kMinusHalf = 0xffff8000;
-  const Transform first{kMinusHalf, kMinusHalf, kMinusHalf, 9, 0, 0, 0, 0, 0, 0, 0, 0};
+  constexpr Word minus_half = 0xffff8000;
+  const Transform first{minus_half, minus_half, minus_half, 9, 0, 0, 0, 0, 0, 0, 0, 0};
   const Transform second{1, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1};
   const auto row = [&](Rounding rule) {
     const Transform product = concat(first, second, rule, TranslationColumn::fourth, 16);

@@ -13,7 +13,7 @@
 namespace fixproof {
 namespace {
 
-constexpr int frames = 600;
+constexpr int frames_compared = 600;
 
 /// A scene under one arithmetic, drawn.
 struct Drawn {
@@ -41,7 +41,7 @@ int expect_equal(const std::string& name, xsharp::ArithmeticChoice choice) {
   choice.by = "model";
   Drawn model(scene, choice);
   int compared = 0;
-  for (int frame = 0; frame < frames; ++frame) {
+  for (int frame = 0; frame < frames_compared; ++frame) {
     type.draw(frame);
     model.draw(frame);
     const auto number = static_cast<std::uint64_t>(frame);
@@ -62,7 +62,7 @@ TEST_P(Equality, ModelAndTypeDrawTheSame) {
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != "model") continue;
     ++variants;
-    EXPECT_EQ(expect_equal(GetParam(), choice), frames);
+    EXPECT_EQ(expect_equal(GetParam(), choice), frames_compared);
   }
   EXPECT_EQ(variants, 8);
 }

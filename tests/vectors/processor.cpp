@@ -67,7 +67,6 @@ namespace vectors {
 
 namespace {
 
-constexpr std::uint32_t six_flags = 0x8D5;
 constexpr std::uint32_t always_set = 0x202;  // bit 1, and IF as every program has it
 
 // NOLINTNEXTLINE(*-avoid-non-const-global-variables): all that a signal handler may write

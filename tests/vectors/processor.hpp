@@ -18,6 +18,9 @@ struct Registers {
   friend bool operator==(const Registers&, const Registers&) = default;
 };
 
+/// CF, PF, AF, ZF, SF and OF.
+inline constexpr std::uint32_t six_flags = 0x8D5;
+
 /// Whether there is such a processor.
 bool has_processor();
 

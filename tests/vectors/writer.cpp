@@ -12,7 +12,6 @@ namespace vectors {
 namespace {
 
 constexpr std::uint32_t df = 0x400;
-constexpr std::uint32_t six_flags = 0x8D5;
 constexpr std::array<std::string_view, 8> names{"ax", "cx", "dx", "bx", "sp", "bp", "si", "di"};
 
 /// The encoding for a 64-bit processor: 66h means the other size there, and INC and DEC of a

@@ -15,12 +15,12 @@ namespace fixproof {
 
 namespace {
 
-struct Options {
+struct DosOptions {
   ProgramOptions program;
   std::string file;
 };
 
-void write(const Options& options) {
+void write(const DosOptions& options) {
   const ProgramKey key = options.program.choose();
   if (const std::string absence = machine_code_absence(); !absence.empty()) {
     throw UsageError(fmt::format("no program for DOS: {}", absence));
@@ -38,7 +38,7 @@ void write(const Options& options) {
 }  // namespace
 
 void add_dos(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DosOptions>();
   CLI::App* command = app.add_subcommand("dos", "write a DOS program that calls a routine");
   options->program.add_to(*command);
   command->add_option("-o,--output", options->file, "the file; by default standard output")

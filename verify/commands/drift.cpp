@@ -11,6 +11,7 @@
 #include "verify/drift/strip.hpp"
 #include "verify/file.hpp"
 #include "verify/frame_progress.hpp"
+#include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
@@ -20,7 +21,7 @@ namespace fixproof {
 
 namespace {
 
-struct Options {
+struct DriftOptions {
   std::string scene;
   std::uint64_t minutes = 30;
   std::int32_t restore_every = 60;
@@ -68,7 +69,7 @@ void print(const std::vector<DriftCase>& cases, const std::vector<DriftResult>& 
   }
 }
 
-std::string strip_of(const xsharp::Scene& scene, const Options& options) {
+std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
   std::vector<StripRow> rows;
   const auto add = [&](std::string name, auto change) {
     rows.push_back({std::move(name), scene});
@@ -101,7 +102,7 @@ std::string strip_of(const xsharp::Scene& scene, const Options& options) {
   return drift_strip(rows, options.object, frames, labels);
 }
 
-int run(const Options& options) {
+int run(const DriftOptions& options) {
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   scene.restore_every = 0;
   scene.from_scratch = false;
@@ -128,17 +129,19 @@ int run(const Options& options) {
       "where "
       "a vertex should be;\nthen the first frame at which a vertex is 1 pixel off, an edge 2 % and "
       "10 % wrong.\n\n",
-      scene.name, grouped(frames),
+      printable(scene.name), grouped(frames),
       duration(static_cast<double>(frames) / static_cast<double>(slow)), slow,
       duration(static_cast<double>(frames) / static_cast<double>(fast)), fast);
   print(cases, results);
   if (frames < wanted) {
-    std::cout << fmt::format("\nSTOPPED after {} of {} frames\n", grouped(frames), grouped(wanted));
+    std::cout << fmt::format("\nSTOPPED after {} of {} frames{}\n", grouped(frames),
+                             grouped(wanted), options.strip.empty() ? "" : "; no strip is drawn");
     return interrupted_status;
   }
   if (!options.strip.empty()) {
     replace_file(options.strip, strip_of(scene, options));
-    std::cout << fmt::format("\n{}: {}\n", options.strip, scene.objects[options.object].name);
+    std::cout << fmt::format("\n{}: {}\n", options.strip,
+                             printable(scene.objects[options.object].name));
   }
   return 0;
 }
@@ -146,7 +149,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_drift(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DriftOptions>();
   CLI::App* command =
       app.add_subcommand("drift", "measure how long turning objects keep their shape");
   command->add_option("scene", options->scene, "a scene, such as scenes/twelve_cubes.json")

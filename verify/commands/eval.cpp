@@ -15,7 +15,7 @@ namespace fixproof {
 
 namespace {
 
-struct Options {
+struct EvalOptions {
   std::string operation;
   std::string by = "model";
   VariantOptions variant;
@@ -33,7 +33,7 @@ void append_answer(std::string& output, Ending ending, std::span<const std::uint
   }
 }
 
-int run(const Options& options) {
+int run(const EvalOptions& options) {
   const Operation operation = routine_named(options.operation);
   const Variant variant = options.variant.choose(operation);
   const Party& party = party_named(options.by);
@@ -57,7 +57,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_eval(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvalOptions>();
   CLI::App* command =
       app.add_subcommand("eval", "answer one case a line, read from standard input");
   command->add_option("operation", options->operation, "mul, div, cossin, xformvec or concat")

@@ -15,12 +15,12 @@ namespace fixproof {
 
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> files;
   std::string report;
 };
 
-int run(const Options& options) {
+int run(const MergeOptions& options) {
   std::vector<NamedReport> parts;
   for (const std::string& file : options.files) parts.push_back({file, read_report(file)});
   const Report sum = merged(parts);
@@ -36,7 +36,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_merge(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   CLI::App* command = app.add_subcommand("merge", "add the reports of shards of one verification");
   command->add_option("reports", options->files, "files written by verify --report")->required();
   command->add_option("--report", options->report, "write the sum to this file, as verify does")

@@ -23,7 +23,7 @@ namespace fixproof {
 
 namespace {
 
-struct Options {
+struct MutateOptions {
   Selection selection;
   SolverOptions solver{.seconds = 20};
   std::uint64_t seed = 1994;
@@ -58,7 +58,7 @@ void show(std::size_t done, std::size_t all, double seconds) {
   fmt::print(stderr, "\r{} of {} mutants, about {} left\x1b[K", done, all, duration(left));
 }
 
-void judge_all(std::vector<Trial>& trials, const Options& options, const Solver& solver) {
+void judge_all(std::vector<Trial>& trials, const MutateOptions& options, const Solver& solver) {
   const auto begin = std::chrono::steady_clock::now();
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
@@ -169,7 +169,7 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
   return left > 0 ? interrupted_status : 0;
 }
 
-int run(const Options& options) {
+int run(const MutateOptions& options) {
   std::vector<Trial> trials = trials_of(options.selection);
   const auto begin = std::chrono::steady_clock::now();
   {
@@ -188,7 +188,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_mutate(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MutateOptions>();
   CLI::App* command =
       app.add_subcommand("mutate", "measure what level 1 would catch, by planting mistakes");
   command->add_option("operations", options->selection.operations,

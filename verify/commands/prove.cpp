@@ -23,7 +23,7 @@ namespace fixproof {
 
 namespace {
 
-struct Options {
+struct ProveOptions {
   Selection selection;
   SolverOptions solver{.seconds = 60};
   std::string directory;
@@ -48,7 +48,7 @@ void print_line(std::string_view name, std::string_view result, double seconds) 
   std::cout << fmt::format("{:<40}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
 }
 
-std::string_view name_of(Standing standing) {
+std::string_view word_for(Standing standing) {
   switch (standing) {
     case Standing::proven:
       return "proven";
@@ -96,11 +96,12 @@ void prove_lemma(const Lemma& lemma, int seconds, const Solver& solver, Tally& t
   const Standing standing = answer.verdict == Verdict::unsatisfiable ? Standing::proven
                             : answer.verdict == Verdict::satisfiable ? Standing::disproven
                                                                      : Standing::open;
-  print_line(fmt::format("lemma {}", lemma.name), name_of(standing), answer.seconds);
+  print_line(fmt::format("lemma {}", lemma.name), word_for(standing), answer.seconds);
   tally.add(standing, answer.seconds);
 }
 
-void prove_routine(const Variant& v, const Options& options, const Solver& solver, Tally& tally) {
+void prove_routine(const Variant& v, const ProveOptions& options, const Solver& solver,
+                   Tally& tally) {
   x86model::Program program = program_of(v);
   std::string which;
   if (options.mutant != 0) {
@@ -112,7 +113,7 @@ void prove_routine(const Variant& v, const Options& options, const Solver& solve
   const Proof proof = prove(v, program, solver, options.solver.seconds);
   print_line(fmt::format("{}, {} question{}", name_of(v), proof.questions,
                          proof.questions == 1 ? "" : "s"),
-             name_of(proof.standing), proof.seconds);
+             word_for(proof.standing), proof.seconds);
   tally.add(proof.standing, proof.seconds);
   if (proof.standing != Standing::disproven) return;
   const int bits = 2 * v.fraction_bits;
@@ -122,7 +123,7 @@ void prove_routine(const Variant& v, const Options& options, const Solver& solve
 }
 
 /// Proves all of it, or as much as there is time for until somebody stops it.
-Tally prove_all(const std::vector<Variant>& variants, const Options& options) {
+Tally prove_all(const std::vector<Variant>& variants, const ProveOptions& options) {
   const Interrupt interrupt;
   const Solver solver(options.solver.name);
   std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(),
@@ -152,7 +153,7 @@ int summarize(const Tally& tally, std::size_t goals) {
   return tally.open > 0 ? 2 : 0;
 }
 
-int run(const Options& options) {
+int run(const ProveOptions& options) {
   const std::vector<Variant> variants = chosen_routines(options.selection);
   if (options.mutant != 0 && !options.directory.empty()) {
     throw UsageError("--mutant excludes --write");
@@ -170,7 +171,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_prove(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProveOptions>();
   CLI::App* command =
       app.add_subcommand("prove", "prove the routines for all operands, with an SMT solver");
   command->add_option("operations", options->selection.operations,

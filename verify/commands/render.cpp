@@ -4,7 +4,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,89 +13,56 @@
 
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
-#include "verify/file.hpp"
 #include "verify/frame_progress.hpp"
+#include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/scenes/canvas.hpp"
-#include "verify/scenes/dump.hpp"
 #include "verify/scenes/frame_clocks.hpp"
+#include "verify/scenes/outputs.hpp"
 #include "verify/scenes/players.hpp"
 #include "verify/scenes/scene_options.hpp"
 #include "verify/scenes/show.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
-#include "xsharp/files/animation_png.hpp"
-#include "xsharp/files/part_file.hpp"
 #include "xsharp/validate.hpp"
 
 namespace fixproof {
 
 namespace {
 
-struct Options {
+struct RenderOptions {
   SceneOptions scene;
   std::optional<std::uint64_t> frames;
   std::string size;
   bool true_color = false;
-  std::string out;
-  std::string animate;
-  std::string dump;
+  OutputNames outputs;
   bool show = false;
 };
 
 void set_size(xsharp::Scene& scene, const std::string& size) {
   const auto refuse = [&size] {
-    throw UsageError(
-        fmt::format("--size {}: want WIDTHxHEIGHT, each from 1 to {}", size, xsharp::longest_side));
+    throw UsageError(fmt::format("--size {}: want WIDTHxHEIGHT, from {}x1 to {}x{}", size,
+                                 xsharp::narrowest, xsharp::longest_side, xsharp::longest_side));
   };
   const auto cross = size.find('x');
   if (cross == std::string::npos) refuse();
-  const auto side = [&](std::string_view text) {
+  const auto side = [&](std::string_view text, std::int32_t least) {
     std::int32_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < 1 ||
-        value > xsharp::longest_side)
+    if (error != std::errc{} || end != text.data() + text.size() || value < least ||
+        value > xsharp::longest_side) {
       refuse();
+    }
     return value;
   };
-  scene.width = side(std::string_view(size).substr(0, cross));
-  scene.height = side(std::string_view(size).substr(cross + 1));
+  scene.width = side(std::string_view(size).substr(0, cross), xsharp::narrowest);
+  scene.height = side(std::string_view(size).substr(cross + 1), 1);
+  try {
+    xsharp::validate(scene);
+  } catch (const xsharp::SceneError& error) {
+    throw UsageError(fmt::format("--size {}: {}", size, error.what()));
+  }
 }
-
-/// Where frames go.
-struct Outputs {
-  std::string folder;
-  std::unique_ptr<xsharp::AnimationPng> animation;
-  std::unique_ptr<xsharp::PartFile> dump;
-
-  Outputs(const Options& options, double frames_per_second) : folder(options.out) {
-    if (!options.animate.empty() && !options.dump.empty() &&
-        std::filesystem::weakly_canonical(options.animate) ==
-            std::filesystem::weakly_canonical(options.dump)) {
-      throw UsageError("--animate and --dump name the same file");
-    }
-    if (!folder.empty()) std::filesystem::create_directories(folder);
-    if (!options.animate.empty()) {
-      animation = std::make_unique<xsharp::AnimationPng>(options.animate,
-                                                         xsharp::frame_time(frames_per_second));
-    }
-    if (!options.dump.empty()) dump = std::make_unique<xsharp::PartFile>(options.dump);
-  }
-
-  void add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {
-    if (animation || !folder.empty()) {
-      const std::string png = canvas.png();
-      if (!folder.empty()) replace_file(fmt::format("{}/frame_{:06}.png", folder, frame), png);
-      if (animation) animation->add(png);
-    }
-    if (dump) dump->append(dump_frame(player, frame));
-  }
-
-  void finish(std::uint64_t frames) {
-    if (animation && frames > 0) animation->finish();
-    if (dump) dump->finish();
-  }
-};
 
 /// Clocks of the listings in a frame, on the processors that people would ask about.
 class ClockMeter {
@@ -149,19 +115,16 @@ class ClockMeter {
   std::uint64_t counted_ = 0;
 };
 
-int render(const Options& options) {
+int render(const RenderOptions& options) {
   xsharp::Scene scene = options.scene.read();
-  if (!options.size.empty()) {
-    set_size(scene, options.size);
-    xsharp::validate(scene);
-  }
+  if (!options.size.empty()) set_size(scene, options.size);
   if (options.show) return show_scene(scene, options.true_color);
 
   const std::uint64_t frames = options.frames.value_or(
       std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
   const auto player = make_player(scene, scene.arithmetic);
   const auto canvas = make_canvas(scene, options.true_color);
-  Outputs outputs(options, scene.frames_per_second);
+  Outputs outputs(options.outputs, scene.files, scene.frames_per_second);
 
   xsharp::Picture picture;
   xsharp::Tally tally;
@@ -193,8 +156,9 @@ int render(const Options& options) {
 
   const xsharp::DrawingCount count = canvas->count();
   std::cout << fmt::format(
-      "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n", scene.name,
-      name_of(scene.arithmetic), grouped(done), grouped(static_cast<std::uint64_t>(count.polygons)),
+      "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n",
+      printable(scene.name), name_of(scene.arithmetic), grouped(done),
+      grouped(static_cast<std::uint64_t>(count.polygons)),
       grouped(static_cast<std::uint64_t>(count.pixels)), grouped(tally.faults),
       grouped(done == 0 ? 0
                         : static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
@@ -202,6 +166,9 @@ int render(const Options& options) {
   if (tally.out_of_reach > 0) {
     std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
                              grouped(tally.out_of_reach));
+  }
+  if (const std::string older = outputs.older_frame(done); !older.empty()) {
+    std::cout << fmt::format("{} and what follows it are an earlier run's\n", older);
   }
   if (done == frames) return 0;
   std::cout << fmt::format("STOPPED after {} of {} frames; what is written is complete\n",
@@ -212,18 +179,21 @@ int render(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "draw a scene");
   options->scene.add_to(*command);
   command->add_option("--frames", options->frames, "how many; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
   command->add_flag("--true-color", options->true_color, "24 bits a pixel instead of the palette");
-  command->add_option("--out", options->out, "a folder for a PNG of every frame")
+  command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")
       ->check(not_empty());
-  command->add_option("--animate", options->animate, "an animated PNG, as browsers play it")
+  command
+      ->add_option("--animate", options->outputs.animation, "an animated PNG, as browsers play it")
       ->check(not_empty());
-  command->add_option("--dump", options->dump, "transforms, vertices and faces as lines of JSON")
+  command
+      ->add_option("--dump", options->outputs.dump,
+                   "transforms, vertices and faces as lines of JSON")
       ->check(not_empty());
   CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
   for (const char* written : {"--frames", "--out", "--animate", "--dump"}) {

@@ -23,7 +23,7 @@ namespace {
 
 namespace x86 = x86model;
 
-struct Options {
+struct TraceOptions {
   ProgramOptions program;
   std::vector<std::string> words;
   std::size_t mutant = 0;  ///< 0: none
@@ -128,7 +128,7 @@ void trace(const Traced& traced) {
   if (!lost.empty()) fmt::print("breaks down: does not keep {}\n", lost);
 }
 
-int run(const Options& options) {
+int run(const TraceOptions& options) {
   Traced traced;
   traced.key = options.program.choose();
   const ProgramKey& key = traced.key;
@@ -172,7 +172,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_trace(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TraceOptions>();
   CLI::App* command =
       app.add_subcommand("trace", "show what each instruction of a routine changes");
   options->program.add_to(*command);

@@ -26,7 +26,7 @@ namespace {
 /// A kill -9 loses little more than this.
 constexpr std::chrono::milliseconds checkpoint_every{500};
 
-struct Options {
+struct VerifyOptions {
   Selection selection;
   std::uint64_t seed = 1994;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -38,7 +38,7 @@ struct Options {
 };
 
 /// Compares one case in every row. @return the exit status
-int compare_case(const Options& options, std::span<const Row> rows) {
+int compare_case(const VerifyOptions& options, std::span<const Row> rows) {
   if (options.selection.operations.size() != 1) throw UsageError("--case needs one operation");
   int status = 0;
   for (const Row& row : rows) {
@@ -60,7 +60,7 @@ int compare_case(const Options& options, std::span<const Row> rows) {
 }
 
 /// The state to begin with: nothing done, or what the file to resume from holds.
-Report begin(const Options& options, std::vector<Row> rows) {
+Report begin(const VerifyOptions& options, std::vector<Row> rows) {
   Report fresh(Plan(options.selection.level, options.seed, std::move(rows)),
                parse_shard(options.shard), options.max_reports);
   if (options.resume.empty() || !std::filesystem::exists(options.resume)) return fresh;
@@ -78,7 +78,7 @@ Report begin(const Options& options, std::vector<Row> rows) {
   return kept;
 }
 
-void print_heading(const Options& options, const Report& report) {
+void print_heading(const VerifyOptions& options, const Report& report) {
   const auto counted = [](std::size_t count, std::string_view thing) {
     return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
   };
@@ -103,7 +103,7 @@ void print_heading(const Options& options, const Report& report) {
 }
 
 /// Runs what is left, showing progress and keeping the state for --resume.
-void run_rest(const Options& options, Report& report) {
+void run_rest(const VerifyOptions& options, Report& report) {
   const auto parties = chosen_parties(options.selection);
   Progress progress;
   auto kept = std::chrono::steady_clock::now();
@@ -123,7 +123,7 @@ void run_rest(const Options& options, Report& report) {
       {.threads = options.threads, .stop = &Interrupt::flag(), .observe = observe});
 }
 
-std::string how_to_go_on(const Options& options) {
+std::string how_to_go_on(const VerifyOptions& options) {
   if (!options.resume.empty()) {
     return fmt::format("Stopped. The same command goes on from {}.\n", options.resume);
   }
@@ -133,7 +133,7 @@ std::string how_to_go_on(const Options& options) {
   return "Stopped. Nothing is kept: with --resume FILE a run can be stopped and go on.\n";
 }
 
-int verify(const Options& options) {
+int verify(const VerifyOptions& options) {
   const auto parties = chosen_parties(options.selection);
   auto rows = chosen_rows(options.selection, parties);
   if (!options.words.empty()) return compare_case(options, rows);
@@ -171,7 +171,7 @@ int verify(const Options& options) {
   return report.complete() ? 0 : interrupted_status;
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(CLI::App& command, VerifyOptions& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
                      "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64 (all)");
@@ -220,7 +220,7 @@ void add_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command =
       app.add_subcommand("verify", "compare the parties with one another, case by case");
   add_options(*command, *options);
@@ -232,7 +232,8 @@ void add_verify(CLI::App& app, int& status) {
       "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
       "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
       "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
-      "Options that name a rule leave out the rows that follow another. A party that is named has "
+      "VerifyOptions that name a rule leave out the rows that follow another. A party that is "
+      "named has "
       "to\n"
       "be there and to answer every row, or nothing is run: what is not compared as asked is no\n"
       "success.\n\n"

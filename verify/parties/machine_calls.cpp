@@ -4,7 +4,7 @@ namespace fixproof {
 
 namespace {
 
-Ending ending_of(CallEnding ending) {
+Ending ending_after(CallEnding ending) {
   switch (ending) {
     case CallEnding::returned:
       return Ending::value;
@@ -33,7 +33,7 @@ void MachineCalls::enter(std::size_t i, SegmentMachine& m) {
 
 void MachineCalls::leave(std::size_t i, const SegmentMachine& m, CallEnding ending) {
   Ending& said = batch_.endings[i];
-  said = ending_of(ending);
+  said = ending_after(ending);
   if (said != Ending::value) return;
   if (!kept_for_caller(entered_, m.registers)) said = Ending::broken;
   frame_.leave(m, batch_.out.subspan(i * out_, out_));

@@ -9,10 +9,14 @@ namespace fixproof {
 
 namespace {
 
+static_assert(static_cast<int>(Operation::mul) == static_cast<int>(x86model::Routine::mul) &&
+              static_cast<int>(Operation::concat) == static_cast<int>(x86model::Routine::concat));
+
 template <x86model::Routine routine>
 void add(x86model::Range& sum, const OperandLog& log, const xsharp::ArithmeticChoice& choice,
          x86model::Cpu cpu) {
-  const auto operation = static_cast<Operation>(routine);
+  // OperandLog counts operations, of which the routines come first.
+  constexpr auto operation = static_cast<Operation>(routine);
   const x86model::Program program =
       program_of({.operation = operation,
                   .target = choice.target == "i8088" ? Target::i8088 : Target::i386,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verify/variant.hpp"
+#include "x86model/routine.hpp"
 
 namespace fixproof {
 
@@ -18,7 +19,7 @@ bool call_model(const Variant& variant, std::span<const std::uint32_t> in,
                 std::span<std::uint32_t> out);
 
 /// The operands of calls, operation by operation, one case after the other.
-using OperandLog = std::array<std::vector<std::uint32_t>, 5>;
+using OperandLog = std::array<std::vector<std::uint32_t>, x86model::routine_count>;
 
 /// While it lives, the operands of this thread's calls of call_model() are added to a log. The
 /// pipeline's numbers are values and know no log: this is the one place where they meet.

@@ -21,14 +21,16 @@ void SceneOptions::add_to(CLI::App& command) {
                   "rules of i386 or i8088; for the type also standard, saturating, trapping")
       ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
   const auto on_off = [&command](const char* name, const char* what, auto set) {
-    command
+    return command
         .add_option_function<std::string>(
             name, [set](const std::string& text) { set(text == "on"); }, what)
         ->check(CLI::IsMember({"on", "off"}));
   };
-  on_off("--round", "both roundings: on or off", [this](bool on) { mul_round = div_round = on; });
-  on_off("--mul-round", "rounding of multiplies: on or off", [this](bool on) { mul_round = on; });
-  on_off("--div-round", "rounding of divides: on or off", [this](bool on) { div_round = on; });
+  on_off("--round", "both roundings: on or off", [this](bool on) { mul_round = div_round = on; })
+      ->excludes(on_off("--mul-round", "rounding of multiplies: on or off",
+                        [this](bool on) { mul_round = on; }))
+      ->excludes(on_off("--div-round", "rounding of divides: on or off",
+                        [this](bool on) { div_round = on; }));
   command
       .add_option("--reortho", restore_every,
                   "restore orthogonality after every so many rotations of an object; 0: never")

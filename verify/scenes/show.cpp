@@ -123,7 +123,7 @@ int show_scene(const xsharp::Scene& scene, bool true_color) {
   if (!xsharp::window_available()) throw UsageError("--show: built without SDL2");
   const Interrupt interrupt;
   Show(scene, true_color).play();
-  return 0;
+  return Interrupt::flag() ? interrupted_status : 0;
 }
 
 }  // namespace fixproof

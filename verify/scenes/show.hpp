@@ -7,7 +7,7 @@
 namespace fixproof {
 
 /// Plays the scene at its own speed until the window is closed or a signal comes.
-/// @return the exit status
+/// @return the exit status: 0, or interrupted_status after a signal
 /// @throws UsageError where there can be no window
 int show_scene(const xsharp::Scene& scene, bool true_color);
 

@@ -26,22 +26,51 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-/// The library takes whatever is no number for 0, so places are looked at beforehand.
-void check_places(std::string_view text) {
+template <class Number>
+bool is_number(std::string_view word, Number& value) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+bool is_place(std::string_view word) {
+  double value = 0;
+  return is_number(word, value) && std::isfinite(value);
+}
+
+/// 7, 7/1, 7//3 or 7/1/3: indices of a place, a texture and a normal.
+bool is_corner(std::string_view word) {
+  for (int part = 0; part < 3; ++part) {
+    const std::string_view index = word.substr(0, word.find('/'));
+    int value = 0;
+    const bool left_out = part == 1 && index.empty() && word.starts_with('/');
+    if (!left_out && (!is_number(index, value) || value == 0)) return false;
+    if (index.size() == word.size()) return true;
+    word.remove_prefix(index.size() + 1);
+  }
+  return false;
+}
+
+/// The library takes whatever is no number for 0, so places and faces are looked at beforehand.
+void check_numbers(std::string_view text) {
   std::size_t number = 0;
   while (!text.empty()) {
     std::string_view line = text.substr(0, text.find_first_of("\r\n"));
     text.remove_prefix(line.size());
     text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
     ++number;
-    if (next_word(line) != "v") continue;
-    for (int component = 0; component < 3; ++component) {
-      const std::string_view word = next_word(line);
-      double value = 0;
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
-        throw SceneError(detail::text_of("line ", number, ": a vertex needs three numbers, not \"",
-                                         word.substr(0, 40), '"'));
+    const auto refuse = [number](std::string_view wants, std::string_view word) {
+      throw SceneError(
+          detail::text_of("line ", number, ": ", wants, ", not \"", word.substr(0, 40), '"'));
+    };
+    const std::string_view kind = next_word(line);
+    if (kind == "v") {
+      for (int component = 0; component < 3; ++component) {
+        const std::string_view word = next_word(line);
+        if (!is_place(word)) refuse("a vertex needs three numbers", word);
+      }
+    } else if (kind == "f") {
+      for (auto word = next_word(line); !word.empty(); word = next_word(line)) {
+        if (!is_corner(word)) refuse("a face needs numbers of vertices", word);
       }
     }
   }
@@ -84,7 +113,7 @@ void add_face(Mesh& mesh, std::span<const tinyobj::index_t> corners) {
 }  // namespace
 
 Mesh parse_obj(const std::string& text) {
-  check_places(text);
+  check_numbers(text);
   Mesh mesh;
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = [](void* to, double x, double y, double z, double /*w*/) {

@@ -22,24 +22,31 @@ namespace {
   fail(path, std::generic_category().message(error));
 }
 
+}  // namespace
+
 std::string behind_links(const std::string& path) {
   std::error_code error;
-  const auto target = std::filesystem::weakly_canonical(path, error);
+  const auto target =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
   return error ? path : target.string();
 }
 
-}  // namespace
-
-PartFile::PartFile(const std::string& path)
-    : path_(path), target_(behind_links(path)), part_(target_ + ".part") {
+PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(path)) {
   std::error_code error;
   const auto status = std::filesystem::status(target_, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     fail(path_, "not a regular file");
   }
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
-  descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail(path_, errno);
+  // Always a new file: what is there already may be another run's, or lead elsewhere.
+  constexpr int most_tries = 100;
+  for (int number = 1; descriptor_ < 0; ++number) {
+    part_ = target_;
+    if (number > 1) part_.append(".").append(std::to_string(number));
+    part_.append(".part");
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+    descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && (errno != EEXIST || number == most_tries)) fail(path_, errno);
+  }
 }
 
 PartFile::~PartFile() {

@@ -8,8 +8,12 @@
 
 namespace xsharp {
 
-/// Written beside its place, with `.part` added to the name; finish() puts it there. Removed if
-/// that does not happen. Errors name the file and the reason.
+/// The file that writing to `path` would change: a link itself survives.
+std::string behind_links(const std::string& path);
+
+/// Written beside its place, as a new file with `.part` (or `.2.part` and so on, if that is taken)
+/// added to the name; finish() puts it there. Removed if that does not happen. Errors name the file
+/// and the reason.
 class PartFile {
  public:
   /// @throws std::runtime_error if it cannot be written there, or if what is there is no regular
@@ -35,7 +39,7 @@ class PartFile {
 
  private:
   std::string path_;    ///< as it was asked for
-  std::string target_;  ///< behind links: a link itself survives
+  std::string target_;  ///< see behind_links()
   std::string part_;
   int descriptor_ = -1;
 };

@@ -21,9 +21,29 @@ namespace {
 
 using Json = JsonNode::Json;
 
-std::array<std::int32_t, 3> three_whole(const JsonNode& node) {
+std::array<std::int32_t, 3> three_whole(const JsonNode& node, std::int32_t least,
+                                        std::int32_t most) {
   const auto numbers = node.list_of(3);
-  return {numbers[0].whole(), numbers[1].whole(), numbers[2].whole()};
+  return {numbers[0].whole(least, most), numbers[1].whole(least, most),
+          numbers[2].whole(least, most)};
+}
+
+/// An argument of CosSin, a 16-bit number.
+std::int32_t tenths(const JsonNode& node) { return node.whole(INT16_MIN, INT16_MAX); }
+
+std::array<std::int32_t, 3> three_tenths(const JsonNode& node) {
+  return three_whole(node, INT16_MIN, INT16_MAX);
+}
+
+std::array<std::int32_t, 3> page(const JsonNode& node) {
+  return three_whole(node, -farthest_page, farthest_page);
+}
+
+/// Of a body about its origin.
+double size(const JsonNode& node) {
+  const double value = node.number();
+  if (value <= 0) node.refuse(detail::text_of("must be above 0, not ", value));
+  return value;
 }
 
 std::uint8_t byte(const JsonNode& node) { return static_cast<std::uint8_t>(node.whole(0, 255)); }
@@ -50,13 +70,13 @@ Paint paint(const JsonNode& node) {
 
 Delay delay(const JsonNode& node) {
   const auto counts = node.list_of(2);
-  return {counts[0].whole(), counts[1].whole()};
+  return {counts[0].whole(1), counts[1].whole(1)};
 }
 
 Spin spin(const JsonNode& node) {
   Spin read;
   node.require("tenths");
-  node.object({{"tenths", [&](const JsonNode& value) { read.tenths = three_whole(value); }},
+  node.object({{"tenths", [&](const JsonNode& value) { read.tenths = three_tenths(value); }},
                {"delay", [&](const JsonNode& value) { read.delay = delay(value); }}});
   return read;
 }
@@ -75,9 +95,9 @@ Orbit orbit(const JsonNode& node) {
   node.require("radius");
   node.object({{"about", [&](const JsonNode& value) { read.about = value.triple(); }},
                {"radius", [&](const JsonNode& value) { read.radius = value.number(); }},
-               {"start_tenths", [&](const JsonNode& value) { read.start_tenths = value.whole(); }},
-               {"step_tenths", [&](const JsonNode& value) { read.step_tenths = value.whole(); }},
-               {"tilt_tenths", [&](const JsonNode& value) { read.tilt_tenths = value.whole(); }}});
+               {"start_tenths", [&](const JsonNode& value) { read.start_tenths = tenths(value); }},
+               {"step_tenths", [&](const JsonNode& value) { read.step_tenths = tenths(value); }},
+               {"tilt_tenths", [&](const JsonNode& value) { read.tilt_tenths = tenths(value); }}});
   return read;
 }
 
@@ -111,9 +131,9 @@ Lights lights(const JsonNode& node) {
 Camera camera(const JsonNode& node) {
   Camera read;
   node.object(
-      {{"page", [&](const JsonNode& value) { read.page = three_whole(value); }},
+      {{"page", [&](const JsonNode& value) { read.page = page(value); }},
        {"position", [&](const JsonNode& value) { read.position = value.triple(); }},
-       {"turn_tenths", [&](const JsonNode& value) { read.turn_tenths = three_whole(value); }}});
+       {"turn_tenths", [&](const JsonNode& value) { read.turn_tenths = three_tenths(value); }}});
   return read;
 }
 
@@ -132,35 +152,42 @@ struct Shape {
   std::optional<std::size_t> faces_around{};
 };
 
-Shape shape(const JsonNode& node, const std::filesystem::path& folder) {
+/// Where the files that the text names are, and which it has named.
+struct Files {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> read{};
+};
+
+Shape shape(const JsonNode& node, Files& files) {
   std::vector<Shape> read;
-  node.object(
-      {{"cube",
-        [&](const JsonNode& value) {
-          value.require("half_edge");
-          value.object({{"half_edge", [&](const JsonNode& half_edge) {
-                           read.push_back({cube(half_edge.number())});
-                         }}});
-        }},
-       {"obj",
-        [&](const JsonNode& value) {
-          const std::filesystem::path file = folder / value.text();
-          try {
-            read.push_back({read_obj(file)});
-          } catch (const SceneError& error) {
-            value.refuse(error.what());
-          }
-        }},
-       {"ball", [&](const JsonNode& value) {
-          double radius = 0;
-          std::int32_t bands = 0;
-          value.require("radius");
-          value.require("bands");
-          value.object(
-              {{"radius", [&](const JsonNode& number) { radius = number.number(); }},
-               {"bands", [&](const JsonNode& number) { bands = number.whole(2, most_bands); }}});
-          read.push_back({ball(radius, bands), static_cast<std::size_t>(2 * bands)});
-        }}});
+  node.object({{"cube",
+                [&](const JsonNode& value) {
+                  value.require("half_edge");
+                  value.object({{"half_edge", [&](const JsonNode& half_edge) {
+                                   read.push_back({cube(size(half_edge))});
+                                 }}});
+                }},
+               {"obj",
+                [&](const JsonNode& value) {
+                  const std::filesystem::path file = files.folder / value.text();
+                  try {
+                    read.push_back({read_obj(file)});
+                    files.read.push_back(file);
+                  } catch (const SceneError& error) {
+                    value.refuse(error.what());
+                  }
+                }},
+               {"ball", [&](const JsonNode& value) {
+                  double radius = 0;
+                  std::int32_t bands = 0;
+                  value.require("radius");
+                  value.require("bands");
+                  value.object({{"radius", [&](const JsonNode& number) { radius = size(number); }},
+                                {"bands", [&](const JsonNode& number) {
+                                   bands = number.whole(2, most_bands);
+                                 }}});
+                  read.push_back({ball(radius, bands), static_cast<std::size_t>(2 * bands)});
+                }}});
   if (read.size() != 1) node.refuse("must have one key: cube, ball or obj");
   return std::move(read[0]);
 }
@@ -178,7 +205,7 @@ struct Draft {
   Paints paints;
 };
 
-void read_draft(const JsonNode& node, const std::filesystem::path& folder, Draft& draft) {
+void read_draft(const JsonNode& node, Files& files, Draft& draft) {
   ObjectDescription& object = draft.object;
   if (node.has("paint") + node.has("paints") + node.has("checks") > 1) {
     node.refuse("must have one of paint, paints and checks");
@@ -189,12 +216,12 @@ void read_draft(const JsonNode& node, const std::filesystem::path& folder, Draft
   };
   node.object(
       {{"name", [&](const JsonNode& value) { object.name = value.text(); }},
-       {"shape", [&](const JsonNode& value) { draft.shape = shape(value, folder); }},
+       {"shape", [&](const JsonNode& value) { draft.shape = shape(value, files); }},
        {"paint", [&](const JsonNode& value) { paints(Paints::Kind::all, {value}); }},
        {"paints", [&](const JsonNode& value) { paints(Paints::Kind::each, value.list()); }},
        {"checks", [&](const JsonNode& value) { paints(Paints::Kind::checks, value.list_of(2)); }},
        {"shading", [&](const JsonNode& value) { object.shading = shading(value); }},
-       {"page", [&](const JsonNode& value) { object.page = three_whole(value); }},
+       {"page", [&](const JsonNode& value) { object.page = page(value); }},
        {"position", [&](const JsonNode& value) { object.position = value.triple(); }},
        {"spin", [&](const JsonNode& value) { object.spin = spin(value); }},
        {"drift", [&](const JsonNode& value) { object.drift = drift(value); }},
@@ -229,13 +256,14 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
 
 Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
   Scene read;
+  Files files{folder};
   Draft defaults;
   std::vector<ObjectDescription>& objects = read.objects;
   node.require("objects");
   node.object(
       {{"name", [&](const JsonNode& value) { read.name = value.text(); }},
-       {"width", [&](const JsonNode& value) { read.width = value.whole(); }},
-       {"height", [&](const JsonNode& value) { read.height = value.whole(); }},
+       {"width", [&](const JsonNode& value) { read.width = value.whole(narrowest, longest_side); }},
+       {"height", [&](const JsonNode& value) { read.height = value.whole(1, longest_side); }},
        {"frames_per_second",
         [&](const JsonNode& value) { read.frames_per_second = value.number(); }},
        {"projection_ratio", [&](const JsonNode& value) { read.projection_ratio = value.number(); }},
@@ -262,17 +290,17 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
         }},
        {"background", [&](const JsonNode& value) { read.background = byte(value); }},
        {"arithmetic", [&](const JsonNode& value) { read.arithmetic = arithmetic(value); }},
-       {"restore_every", [&](const JsonNode& value) { read.restore_every = value.whole(); }},
+       {"restore_every", [&](const JsonNode& value) { read.restore_every = value.whole(0); }},
        {"from_scratch", [&](const JsonNode& value) { read.from_scratch = value.flag(); }},
        {"camera", [&](const JsonNode& value) { read.camera = camera(value); }},
        {"lights", [&](const JsonNode& value) { read.lights = lights(value); }},
-       {"defaults", [&](const JsonNode& value) { read_draft(value, folder, defaults); }},
+       {"defaults", [&](const JsonNode& value) { read_draft(value, files, defaults); }},
        {"objects", [&](const JsonNode& value) {
           std::size_t faces = 0;
           for (const JsonNode& element : value.list()) {
             Draft draft = defaults;
             draft.object.name = "object " + std::to_string(objects.size());
-            read_draft(element, folder, draft);
+            read_draft(element, files, draft);
             objects.push_back(finished(element, std::move(draft)));
             // validate() says so too, but a small text can make a scene that does not fit in
             // memory.
@@ -280,6 +308,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
             if (objects.size() > most_objects || faces > most_faces_in_scene) break;
           }
         }}});
+  read.files = std::move(files.read);
   return read;
 }
 
@@ -355,8 +384,10 @@ Scene parse_scene(std::string_view text, const std::string& name,
 
 Scene read_scene(const std::filesystem::path& file) {
   try {
-    return parse_scene(read_text(file, std::size_t{1} << 20U), file.stem().string(),
-                       file.parent_path());
+    Scene read = parse_scene(read_text(file, std::size_t{1} << 20U), file.stem().string(),
+                             file.parent_path());
+    read.files.push_back(file);
+    return read;
   } catch (const SceneError& error) {
     throw SceneError(file.string() + ": " + error.what());
   }

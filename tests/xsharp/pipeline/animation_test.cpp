@@ -22,7 +22,7 @@ namespace {
 using draws::Integers;
 using Page3 = std::array<std::int32_t, 3>;
 
-constexpr std::int32_t side = 200;
+constexpr std::int32_t frame_side = 200;
 
 /// A cube that turns about all axes.
 ObjectDescription spinning(double half_edge, const Triple& position) {
@@ -54,7 +54,7 @@ Scene moved_to(const Page3& page) {
       pipeline::body(ball(50, 4), {16300, 0, -16200}), spinning(25, {})};
   objects[2].drift = Drift{{40.5, 0, -60.25}, {}, {}};
   objects[3].orbit = Orbit{{0, 0, -800}, 200, 0, 35, 150};
-  Scene scene = pipeline::scene(side, std::move(objects));
+  Scene scene = pipeline::scene(frame_side, std::move(objects));
   scene.camera.position = {-5.5, 12, 40};
   scene.camera.turn_tenths = {20, -30, 100};
   scene.camera.page = page;
@@ -88,7 +88,7 @@ TYPED_TEST(AnimationOf, APlaceIsTheSameFromTheNextPage) {
   using N = TypeParam;
   // 384.5 is 16384 - 15999.5; and the viewer sees it from a page of his own.
   const auto state = [](const Page3& object_page, const Triple& position, const Page3& camera) {
-    Scene scene = pipeline::scene(side, {spinning(30, position)});
+    Scene scene = pipeline::scene(frame_side, {spinning(30, position)});
     scene.objects[0].page = object_page;
     scene.camera.page = camera;
     Animation<N> animation(scene);
@@ -113,7 +113,8 @@ TYPED_TEST(AnimationOf, APlaceIsTheSameFromTheNextPage) {
 }
 
 TYPED_TEST(AnimationOf, WhatIsOutOfReachIsCountedAndNotDrawn) {
-  Scene scene = pipeline::scene(side, {spinning(40, {0, 0, -600}), spinning(40, {0, 0, -700})});
+  Scene scene =
+      pipeline::scene(frame_side, {spinning(40, {0, 0, -600}), spinning(40, {0, 0, -700})});
   for (const Page3& page : {Page3{2, 0, 0}, {0, 0, -2}, {0, -3, 0}, {0, 0, 1000000}}) {
     scene.objects[1].page = page;
     Animation<TypeParam> animation(scene);
@@ -131,7 +132,7 @@ TYPED_TEST(AnimationOf, WhatIsOutOfReachIsCountedAndNotDrawn) {
 /// An object that comes from far away, past the viewer and away again is either out of reach or in
 /// its place to the unit: its matrix is the identity, so nothing is rounded.
 TYPED_TEST(AnimationOf, AnObjectIsOutOfReachOrInItsPlace) {
-  Scene scene = pipeline::scene(side, {pipeline::body(cube(100), {50, 60, 0})});
+  Scene scene = pipeline::scene(frame_side, {pipeline::body(cube(100), {50, 60, 0})});
   // One frame has the middle at -32753.25, in 16.16, and some corners out of it.
   scene.objects[0].page = {0, 0, -4};
   scene.objects[0].drift = Drift{{0.875, 0, 250.25}, {}, {}};
@@ -167,7 +168,7 @@ TYPED_TEST(AnimationOf, AnObjectIsOutOfReachOrInItsPlace) {
 
 TYPED_TEST(AnimationOf, WhatFliesPastTheViewerNeverFaults) {
   for (const double x : {0.0, 35.0, 200.0}) {
-    Scene scene = pipeline::scene(side, {spinning(40, {x, 3, -400})});
+    Scene scene = pipeline::scene(frame_side, {spinning(40, {x, 3, -400})});
     scene.objects[0].drift = Drift{{0, 0, 3}, {}, {}};
     Animation<TypeParam> animation(scene);
     for (int frame = 0; frame < 200; ++frame, animation.move()) {
@@ -182,14 +183,15 @@ TYPED_TEST(AnimationOf, WhatFliesPastTheViewerNeverFaults) {
         EXPECT_TRUE(picture.polygons.empty()) << frame;
       }
       for (const ScreenPoint& point : picture.points) {
-        EXPECT_LE(std::max(std::abs(point.x - side / 2), std::abs(point.y - side / 2)), 32001);
+        EXPECT_LE(std::max(std::abs(point.x - frame_side / 2), std::abs(point.y - frame_side / 2)),
+                  32001);
       }
     }
   }
 }
 
 TYPED_TEST(AnimationOf, AmbientLightNeedsNoNormals) {
-  Scene scene = pipeline::scene(side, {spinning(40, {0, 0, -400})});
+  Scene scene = pipeline::scene(frame_side, {spinning(40, {0, 0, -400})});
   ObjectDescription& object = scene.objects[0];
   object.shading.ambient = true;
   for (Paint& paint : object.paints) paint = {false, 0, {200, 100, 0}};
@@ -204,7 +206,7 @@ TYPED_TEST(AnimationOf, AmbientLightNeedsNoNormals) {
 }
 
 TYPED_TEST(AnimationOf, LightsAreSwitched) {
-  Scene scene = pipeline::scene(side, {pipeline::body(with_normals(cube(40)), {0, 0, -400})});
+  Scene scene = pipeline::scene(frame_side, {pipeline::body(with_normals(cube(40)), {0, 0, -400})});
   scene.objects[0].shading = {.ambient = true, .diffuse = true};
   for (Paint& paint : scene.objects[0].paints) paint = {false, 0, {255, 255, 255}};
   scene.lights.ambient = {0.2, 0.2, 0.2};
@@ -276,13 +278,15 @@ class Bitmap final : public Object<N> {
 
 TYPED_TEST(AnimationOf, ObjectsOfAnotherKindAreSortedAndDrawn) {
   using N = TypeParam;
-  Animation<N> animation(pipeline::scene(side, {pipeline::plain_body(cube(10), {0, 0, -510}, 7)}));
+  Animation<N> animation(
+      pipeline::scene(frame_side, {pipeline::plain_body(cube(10), {0, 0, -510}, 7)}));
   animation.add(std::make_unique<Bitmap<N>>(1, pipeline::vector<N>({0, 0, -800})));
   const auto middle = [&animation] {
     Picture picture;
     EXPECT_EQ(animation.draw(picture).faults, 0U);
     EXPECT_EQ(picture.polygons.size(), 10U);
-    return static_cast<int>(pipeline::drawn(picture, side).row(side / 2)[side / 2]);
+    return static_cast<int>(
+        pipeline::drawn(picture, frame_side).row(frame_side / 2)[frame_side / 2]);
   };
   // The middle pixel of the bitmap is 104. At -800, -700 and -600 it is behind the cube.
   for (int frame = 0; frame < 3; ++frame, animation.move()) {
@@ -298,8 +302,8 @@ TYPED_TEST(AnimationOf, ObjectsOfAnotherKindAreSortedAndDrawn) {
 TYPED_TEST(AnimationOf, AViewerWhoHasTurnedSeesWhatIsThere) {
   using N = TypeParam;
   // Turned by a quarter to the left, about y, he looks down -x.
-  Scene scene = pipeline::scene(side, {pipeline::plain_body(cube(10), {-600, 0, 0}, 1),
-                                       pipeline::plain_body(cube(10), {0, 0, -600}, 2)});
+  Scene scene = pipeline::scene(frame_side, {pipeline::plain_body(cube(10), {-600, 0, 0}, 1),
+                                             pipeline::plain_body(cube(10), {0, 0, -600}, 2)});
   scene.camera.turn_tenths = {0, 900, 0};
   scene.camera.position = {-100, 0, 0};
   Animation<N> animation(scene);

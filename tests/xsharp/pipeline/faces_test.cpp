@@ -121,7 +121,7 @@ std::array<std::int32_t, 3> angles(const Integers& drawn) {
           static_cast<std::int32_t>(drawn[2])};
 }
 
-constexpr std::int32_t side = 256;
+constexpr std::int32_t page_side = 256;
 
 TYPED_TEST(Faces, ShowWhoseNormalPointsToTheViewerAndTileTheSilhouette) {
   using N = TypeParam;
@@ -132,15 +132,15 @@ TYPED_TEST(Faces, ShowWhoseNormalPointsToTheViewerAndTileTheSilhouette) {
     for (const double sine : sines) {
       if (std::fabs(sine) < 0.06) return true;
     }
-    const Turned<N> turned(cube, angles(drawn), side);
+    const Turned<N> turned(cube, angles(drawn), page_side);
     std::vector<std::size_t> expected;
     for (std::size_t face = 0; face < sines.size(); ++face) {
       if (sines[face] > 0) expected.push_back(face);
     }
-    const pipeline::Mask times = pipeline::times_covered(turned.picture, side);
+    const pipeline::Mask times = pipeline::times_covered(turned.picture, page_side);
     const std::ptrdiff_t once = pipeline::pixels(times, 1);
     return turned.animation.state(0).visible == expected && once > 5000 &&
-           once + pipeline::pixels(times, 0) == side * side;
+           once + pipeline::pixels(times, 0) == page_side * page_side;
   }));
 }
 
@@ -150,9 +150,9 @@ TYPED_TEST(Faces, AWallCloseByHasNoHoles) {
   // the walls of the volume cut every edge that the walls before have made.
   const ObjectDescription wall = pipeline::plain_body(xsharp::cube(4000), {0, 0, -4020}, 1);
   EXPECT_TRUE(draws::hold(3, -20, 20, [&](const Integers& drawn) {
-    const Turned<N> turned(wall, angles(drawn), side);
+    const Turned<N> turned(wall, angles(drawn), page_side);
     return turned.tally.out_of_reach == 0 && turned.tally.faults == 0 &&
-           pipeline::pixels(pipeline::drawn(turned.picture, side), 1) == side * side;
+           pipeline::pixels(pipeline::drawn(turned.picture, page_side), 1) == page_side * page_side;
   }));
 }
 

@@ -54,9 +54,10 @@ TYPED_TEST(MotionOf, DelaysCountDownFromTheFirstThenFromTheBase) {
   EXPECT_EQ(frames_of_change<TypeParam>(spinning, 9), (std::vector{1, 5, 9}));
 
   ObjectDescription drifting;
-  drifting.spin.delay.first = 1000;
   drifting.drift = Drift{{1, 0, 0}, {}, {.first = 2, .base = 3}};
   EXPECT_EQ(frames_of_change<TypeParam>(drifting, 9), (std::vector{2, 5, 8}));
+
+  EXPECT_EQ(frames_of_change<TypeParam>(ObjectDescription{}, 9), std::vector<int>{});
 }
 
 TYPED_TEST(MotionOf, BeyondStopZItMovesInZNoMore) {

@@ -22,8 +22,8 @@ struct Box {
   Triple most;
 };
 
-constexpr std::int32_t side = 128;
-constexpr double half = side / 2;
+constexpr std::int32_t screen_side = 128;
+constexpr double half = screen_side / 2;
 
 /// How far along the ray, in units of the distance of the screen, it enters the box; more than any
 /// distance if it does not. Between two planes for each axis.
@@ -46,7 +46,7 @@ double entry(const Box& box, const Triple& ray) {
 /// What the ray through this point of the page meets first: 1 or 2, 0 if nothing. The plane of
 /// projection is as far as the page is wide.
 std::uint8_t seen(const std::array<Box, 2>& boxes, double x, double y) {
-  const Triple ray{(x - half) / side, (half - y) / side, -1};
+  const Triple ray{(x - half) / screen_side, (half - y) / screen_side, -1};
   const double one = entry(boxes[0], ray);
   const double two = entry(boxes[1], ray);
   if (one == std::numeric_limits<double>::max() && two == one) return 0;
@@ -57,8 +57,8 @@ std::uint8_t seen(const std::array<Box, 2>& boxes, double x, double y) {
 /// side, do not count.
 int wrong_pixels(const pipeline::Mask& page, const std::array<Box, 2>& boxes) {
   int wrong = 0;
-  for (std::int32_t y = 0; y < side; ++y) {
-    for (std::int32_t x = 0; x < side; ++x) {
+  for (std::int32_t y = 0; y < screen_side; ++y) {
+    for (std::int32_t x = 0; x < screen_side; ++x) {
       const std::uint8_t here = seen(boxes, x, y);
       bool edge = false;
       for (const double dx : {-1.0, 1.0}) {
@@ -72,7 +72,7 @@ int wrong_pixels(const pipeline::Mask& page, const std::array<Box, 2>& boxes) {
 
 template <class N>
 int wrong_pixels(const std::array<Box, 2>& boxes, DepthKey key, bool swapped = false) {
-  Scene scene = pipeline::scene(side, {});
+  Scene scene = pipeline::scene(screen_side, {});
   scene.depth_key = key;
   for (std::size_t i = 0; i < 2; ++i) {
     const Box& box = boxes[i];
@@ -84,7 +84,7 @@ int wrong_pixels(const std::array<Box, 2>& boxes, DepthKey key, bool swapped = f
   Animation<N> animation(scene);
   Picture picture;
   animation.draw(picture);
-  return wrong_pixels(pipeline::drawn(picture, side), boxes);
+  return wrong_pixels(pipeline::drawn(picture, screen_side), boxes);
 }
 
 /// A wall to the right that runs away from the viewer, from 10 to 110.

@@ -1,7 +1,9 @@
 #include "xsharp/files/part_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -15,13 +17,36 @@ namespace {
 std::string refusal(const std::string& path) {
   try {
     PartFile file(path);
-    file.append("x");
+    file.append("xyz");
     file.finish();
   } catch (const std::runtime_error& error) {
     return error.what();
   }
   return "accepted";
 }
+
+/// While this lives, no file of this process can grow longer.
+class LongestFile {
+ public:
+  explicit LongestFile(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    signal_ = ::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~LongestFile() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, signal_);
+  }
+  LongestFile(const LongestFile&) = delete;
+  LongestFile(LongestFile&&) = delete;
+  LongestFile& operator=(const LongestFile&) = delete;
+  LongestFile& operator=(LongestFile&&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_)(int) = nullptr;
+};
 
 TEST(PartFile, AppearsWhenItIsFinished) {
   const ScratchFolder folder;
@@ -75,13 +100,26 @@ TEST(PartFile, LeavesNothingBehindIfItsPlaceIsTaken) {
   EXPECT_EQ(folder.files(), 1);
 }
 
-TEST(PartFile, AFullDiskIsAFailure) {
-  // /dev/full takes no byte; the file beside is made a link to it.
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+TEST(PartFile, TouchesNoOtherPartOfTheSameFile) {
   const ScratchFolder folder;
-  std::filesystem::create_symlink("/dev/full", folder.path("a.part"));
-  EXPECT_EQ(refusal(folder.path("a")),
-            "cannot write " + folder.path("a") + ": No space left on device");
+  folder.write("other", "kept");
+  std::filesystem::create_symlink(folder.path("other"), folder.path("a.part"));
+  PartFile first(folder.path("a"));
+  PartFile second(folder.path("a"));
+  first.append("first");
+  second.append("second");
+  first.finish();
+  EXPECT_EQ(folder.read("a"), "first");
+  second.finish();
+  EXPECT_EQ(folder.read("a"), "second");
+  EXPECT_EQ(folder.read("other"), "kept");
+  EXPECT_EQ(folder.files(), 3);
+}
+
+TEST(PartFile, TooLongForTheDiskIsAFailure) {
+  const ScratchFolder folder;
+  const LongestFile limit(2);
+  EXPECT_EQ(refusal(folder.path("a")), "cannot write " + folder.path("a") + ": File too large");
   EXPECT_EQ(folder.files(), 0);
 }
 

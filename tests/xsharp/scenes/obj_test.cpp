@@ -40,38 +40,43 @@ TEST(Obj, KeepsPolygonsWhole) {
   EXPECT_EQ(mesh.faces[0].vertices, (std::vector<std::size_t>{0, 3, 2, 1}));
 }
 
-std::string said(const std::string& text) {
+std::string said_of_obj(const std::string& text) {
   return refusal([&] { parse_obj(text); });
 }
 
 TEST(Obj, SaysWhatIsWrong) {
   const std::string places = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(said(""), "there are no faces");
-  EXPECT_EQ(said(places), "there are no faces");
-  EXPECT_EQ(said("v 0 0 0\r\nv 1 2\r\n"), "line 2: a vertex needs three numbers, not \"\"");
-  EXPECT_EQ(said("v 0 0 x1"), "line 1: a vertex needs three numbers, not \"x1\"");
-  EXPECT_EQ(said("\n\nv 0 nan 0"), "line 3: a vertex needs three numbers, not \"nan\"");
-  EXPECT_EQ(said("v inf 0 0"), "line 1: a vertex needs three numbers, not \"inf\"");
-  EXPECT_EQ(said("v 0 0 1e999"), "line 1: a vertex needs three numbers, not \"1e999\"");
-  EXPECT_EQ(said("v 0 0 0\nv 0 0e999 0"), "vertex 2 is not finite");
-  EXPECT_EQ(said(places + "f 1 2"), "face 0 has 2 vertices, must have 3 to 16");
-  EXPECT_EQ(said(places + "f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2"),
+  EXPECT_EQ(said_of_obj(""), "there are no faces");
+  EXPECT_EQ(said_of_obj(places), "there are no faces");
+  EXPECT_EQ(said_of_obj("v 0 0 0\r\nv 1 2\r\n"), "line 2: a vertex needs three numbers, not \"\"");
+  EXPECT_EQ(said_of_obj("v 0 0 x1"), "line 1: a vertex needs three numbers, not \"x1\"");
+  EXPECT_EQ(said_of_obj("\n\nv 0 nan 0"), "line 3: a vertex needs three numbers, not \"nan\"");
+  EXPECT_EQ(said_of_obj("v inf 0 0"), "line 1: a vertex needs three numbers, not \"inf\"");
+  EXPECT_EQ(said_of_obj("v 0 0 1e999"), "line 1: a vertex needs three numbers, not \"1e999\"");
+  EXPECT_EQ(said_of_obj("v 0 0 0\nv 0 0e999 0"), "vertex 2 is not finite");
+  EXPECT_EQ(said_of_obj(places + "f 1 2"), "face 0 has 2 vertices, must have 3 to 16");
+  EXPECT_EQ(said_of_obj(places + "f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2"),
             "face 0 has 17 vertices, must have 3 to 16");
-  EXPECT_EQ(said(places + "f 1 2 3\nf 1 2 4"), "face 1 has vertex 4 of 3 so far");
-  EXPECT_EQ(said(places + "f 1 2 0"), "face 0 has vertex 0 of 3 so far");
-  EXPECT_EQ(said(places + "f 1 2 -4"), "face 0 has vertex -4 of 3 so far");
-  EXPECT_EQ(said(places + "f 1 2 a"), "face 0 has vertex 0 of 3 so far");
+  EXPECT_EQ(said_of_obj(places + "f 1 2 3\nf 1 2 4"), "face 1 has vertex 4 of 3 so far");
+  EXPECT_EQ(said_of_obj(places + "f 1 2 0"), "line 4: a face needs numbers of vertices, not \"0\"");
+  EXPECT_EQ(said_of_obj(places + "f 1 2 -4"), "face 0 has vertex -4 of 3 so far");
+  EXPECT_EQ(said_of_obj(places + "f 1/2 2//1 3/-1/2"), "accepted");
+  for (const std::string word : {"a", "3.7", "3x", "99999999999", "3/", "3/x", "3//", "3/1/", "/1",
+                                 "3/1/1/1", "+3", "\\", "#"}) {
+    EXPECT_EQ(said_of_obj(places + "f 1 2 3 " + word),
+              "line 4: a face needs numbers of vertices, not \"" + word + '"');
+  }
 }
 
 TEST(Obj, StopsAtTheLimits) {
   std::string text;
   for (int i = 0; i < 8192; ++i) text += "v 0 0 0\n";
-  EXPECT_EQ(said(text + "f 1 2 3"), "accepted");
-  EXPECT_EQ(said(text + "v 0 0 0\nf 1 2 3"), "more than 8192 vertices");
+  EXPECT_EQ(said_of_obj(text + "f 1 2 3"), "accepted");
+  EXPECT_EQ(said_of_obj(text + "v 0 0 0\nf 1 2 3"), "more than 8192 vertices");
   text = "v 0 0 0\n";
   for (int i = 0; i < 4096; ++i) text += "f 1 1 1\n";
-  EXPECT_EQ(said(text), "accepted");
-  EXPECT_EQ(said(text + "f 1 1 1"), "more than 4096 faces");
+  EXPECT_EQ(said_of_obj(text), "accepted");
+  EXPECT_EQ(said_of_obj(text + "f 1 1 1"), "more than 4096 faces");
 }
 
 TEST(Obj, NamesTheFile) {

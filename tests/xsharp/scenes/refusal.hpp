@@ -1,11 +1,15 @@
-/// What a refused scene says.
+/// What a refused scene says, and numbers that no scene may have.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "xsharp/scene_error.hpp"
 
 namespace xsharp_test {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The message of the SceneError that `act` throws; "accepted" if it throws none.
 template <class Act>

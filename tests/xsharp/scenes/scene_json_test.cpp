@@ -26,7 +26,7 @@ std::string contents(const std::filesystem::path& file) {
 }
 
 Scene parsed(const std::string& text) { return parse_scene(text, "s", root / "scenes"); }
-std::string said(const std::string& text) {
+std::string said_of_scene(const std::string& text) {
   return xsharp_test::refusal([&] { parsed(text); });
 }
 /// A scene of one cube with these keys.
@@ -141,11 +141,11 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [], "camera": {"poistion": [0, 0, 0]}})",
        "camera: no key \"poistion\" is known here, only page, position, turn_tenths"},
       {R"({"objects": [], "width": "wide"})",
-       "width: must be a whole number from -2147483648 to 2147483647, not \"wide\""},
+       "width: must be a whole number from 2 to 4096, not \"wide\""},
       {R"({"objects": [], "width": 320.0})",
-       "width: must be a whole number from -2147483648 to 2147483647, not 320.0"},
+       "width: must be a whole number from 2 to 4096, not 320.0"},
       {R"({"objects": [], "width": 18446744073709551615})",
-       "width: must be a whole number from -2147483648 to 2147483647, not 18446744073709551615"},
+       "width: must be a whole number from 2 to 4096, not 18446744073709551615"},
       {R"({"objects": [], "background": 256})",
        "background: must be a whole number from 0 to 255, not 256"},
       {R"({"objects": [], "palette": "cga"})",
@@ -161,7 +161,20 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [], "lights": {"spots": [{"direction": [0, 0, 1]}]}})",
        "lights.spots[0]: must have the key \"intensity\""},
       {R"({"objects": [], "name": 5})", "name: must be a text, not 5"},
-      {R"({"objects": [], "width": 0})", "scene 's': width is 0, must be from 1 to 4096"},
+      {R"({"objects": [], "width": 1})", "width: must be a whole number from 2 to 4096, not 1"},
+      {R"({"objects": [], "height": 0})", "height: must be a whole number from 1 to 4096, not 0"},
+      {R"({"objects": [], "camera": {"page": [0, 1000001, 0]}})",
+       "camera.page[1]: must be a whole number from -1000000 to 1000000, not 1000001"},
+      {R"({"objects": [], "camera": {"turn_tenths": [0, 0, 32768]}})",
+       "camera.turn_tenths[2]: must be a whole number from -32768 to 32767, not 32768"},
+      {R"({"objects": [{"shape": {"cube": {"half_edge": 0}}}]})",
+       "objects[0].shape.cube.half_edge: must be above 0, not 0"},
+      {R"({"objects": [{"shape": {"ball": {"radius": -2.5, "bands": 2}}}]})",
+       "objects[0].shape.ball.radius: must be above 0, not -2.5"},
+      {cube_with(R"("paint": 1, "spin": {"tenths": [1, 1, 1], "delay": [1, 0]})"),
+       "objects[0].spin.delay[1]: must be a whole number from 1 to 2147483647, not 0"},
+      {R"({"objects": [], "frames_per_second": 0})",
+       "scene 's': frames_per_second is 0, must be from 0.001 to 1000"},
       {R"({"objects": [{"paint": 1}]})", "objects[0]: must have the key \"shape\""},
       {R"({"objects": [{"shape": {}, "paint": 1}]})",
        "objects[0].shape: must have one key: cube, ball or obj"},
@@ -199,26 +212,28 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        "scene 's': object 'object 0': face 0 answers to light, so its paint must be a colour"},
       {R"({"objects": [], "name": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
           "width": [1111111111, 2222222222, 3333333333, 4444444444]})",
-       "width: must be a whole number from -2147483648 to 2147483647, not "
+       "width: must be a whole number from 2 to 4096, not "
        "[1111111111,2222222222,3333333333,444..."},
   };
-  for (const auto& [text, message] : table) EXPECT_EQ(said(text), message) << text;
+  for (const auto& [text, message] : table) EXPECT_EQ(said_of_scene(text), message) << text;
 }
 
 TEST(SceneJson, SaysWhereItIsNotJson) {
-  EXPECT_EQ(said("{\n  \"objects\": [}").substr(0, 38), "not JSON: parse error at line 2, colum");
-  EXPECT_EQ(said("").substr(0, 22), "not JSON: parse error ");
-  EXPECT_EQ(said(R"({"objects": [], "width": 1e999})").substr(0, 25), "not JSON: number overflow");
-  EXPECT_EQ(said("// all of it\n{\"objects\": /* none */ []}"), "accepted");
-  EXPECT_EQ(said("[[[[[[[[[[").substr(0, 9), "not JSON:");
+  EXPECT_EQ(said_of_scene("{\n  \"objects\": [}").substr(0, 38),
+            "not JSON: parse error at line 2, colum");
+  EXPECT_EQ(said_of_scene("").substr(0, 22), "not JSON: parse error ");
+  EXPECT_EQ(said_of_scene(R"({"objects": [], "width": 1e999})").substr(0, 25),
+            "not JSON: number overflow");
+  EXPECT_EQ(said_of_scene("// all of it\n{\"objects\": /* none */ []}"), "accepted");
+  EXPECT_EQ(said_of_scene("[[[[[[[[[[").substr(0, 9), "not JSON:");
 }
 
 TEST(SceneJson, ASmallTextMakesNoHugeScene) {
   std::string objects = "{}";
   for (int i = 0; i < 100000; ++i) objects += ",{}";
   const auto many = [&](const std::string& shape) {
-    return said(R"({"defaults": {"paint": 1, "shape": )" + shape + "}, \"objects\": [" + objects +
-                "]}");
+    return said_of_scene(R"({"defaults": {"paint": 1, "shape": )" + shape + "}, \"objects\": [" +
+                         objects + "]}");
   };
   EXPECT_EQ(many(R"({"cube": {"half_edge": 1}})"), "scene 's': 257 objects, more than 256");
   EXPECT_EQ(many(R"({"ball": {"radius": 99, "bands": 45}})"),
@@ -227,9 +242,10 @@ TEST(SceneJson, ASmallTextMakesNoHugeScene) {
 
 TEST(SceneJson, NamesTheFile) {
   const auto file = std::filesystem::path(testing::TempDir()) / "xsharp_scene_test.json";
-  std::ofstream(file) << R"({"objects": [], "width": 0})";
+  std::ofstream(file) << R"({"objects": [], "projection_ratio": 0})";
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }),
-            file.string() + ": scene 'xsharp_scene_test': width is 0, must be from 1 to 4096");
+            file.string() +
+                ": scene 'xsharp_scene_test': projection_ratio is 0, must be from -1000 to -0.01");
   std::ofstream(file) << std::string((1U << 20U) + 1, ' ');
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }), file.string() + ": longer than 1 MiB");
   std::filesystem::remove(file);
@@ -239,7 +255,7 @@ TEST(SceneJson, OutlivesAnyBytes) {
   std::vector<std::string> texts;
   for (const char* name : {"ball_and_cubes.json", "shaded_ball.json", "solid.json"}) {
     texts.push_back(contents(root / "scenes" / name));
-    ASSERT_EQ(said(texts.back()), "accepted");
+    ASSERT_EQ(said_of_scene(texts.back()), "accepted");
   }
   ASSERT_TRUE(rc::check([&] {
     std::string text = *rc::gen::elementOf(texts);
@@ -249,7 +265,7 @@ TEST(SceneJson, OutlivesAnyBytes) {
           {{1, rc::gen::arbitrary<char>()},
            {3, rc::gen::element('0', '9', '-', '.', 'e', ',', ' ', '"', '[', ']', '{', '}')}});
     }
-    RC_CLASSIFY(said(text) == "accepted");
+    RC_CLASSIFY(said_of_scene(text) == "accepted");
   }));
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,8 @@
 namespace {
 
 using namespace xsharp;
+using xsharp_test::infinity;
+using xsharp_test::nan;
 
 std::string said(const Mesh& mesh) {
   return xsharp_test::refusal([&] { validate_mesh(mesh); });
@@ -55,9 +56,6 @@ struct BadMesh {
   std::string message;
   std::function<void(Mesh&)> spoil;
 };
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What becomes of the cube of half edge 15.
 const std::vector<BadMesh>& bad_meshes() {
@@ -109,9 +107,9 @@ const std::vector<BadMesh>& bad_meshes() {
          m.vertices.push_back({15, 0, -15});
          m.faces[0].vertices = {8, 3, 2, 0, 1};
        }},
-      {"face 0 is wound counterclockwise seen from outside",
+      {"face 0 faces into the body: its vertices run the wrong way round",
        [](Mesh& m) { std::ranges::reverse(m.faces[0].vertices); }},
-      {"face 4 is wound counterclockwise seen from outside",
+      {"face 4 faces into the body: its vertices run the wrong way round",
        [](Mesh& m) { std::ranges::reverse(m.faces[4].vertices); }},
       // A second cube beside the first.
       {"face 0: the body is not convex: vertex 8 is 60 before the face",

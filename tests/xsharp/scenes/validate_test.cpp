@@ -14,6 +14,8 @@
 namespace {
 
 using namespace xsharp;
+using xsharp_test::infinity;
+using xsharp_test::nan;
 
 /// A cube and a shaded ball.
 Scene good_scene() {
@@ -44,14 +46,12 @@ struct BadScene {
   std::function<void(Scene&)> spoil;
 };
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
 
 const std::vector<BadScene>& bad_settings() {
   static const std::vector<BadScene> table{
-      {"width is 0, must be from 1 to 4096", [](Scene& s) { s.width = 0; }},
-      {"width is 4097, must be from 1 to 4096", [](Scene& s) { s.width = 4097; }},
+      {"width is 1, must be from 2 to 4096", [](Scene& s) { s.width = 1; }},
+      {"width is 4097, must be from 2 to 4096", [](Scene& s) { s.width = 4097; }},
       {"height is -2147483648, must be from 1 to 4096", [](Scene& s) { s.height = least; }},
       {"frames_per_second is 0, must be from 0.001 to 1000",
        [](Scene& s) { s.frames_per_second = 0; }},
@@ -99,7 +99,7 @@ const std::vector<BadScene>& bad_settings() {
 
 const std::vector<BadScene>& bad_objects() {
   static const std::vector<BadScene> table{
-      {"'cube': face 0 is wound counterclockwise seen from outside",
+      {"'cube': face 0 faces into the body: its vertices run the wrong way round",
        [](Scene& s) {
          s.objects[0].mesh.faces[0].vertices = {0, 2, 3, 1};
        }},

@@ -1,0 +1,104 @@
+#include "verify/scenes/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "verify/file.hpp"
+#include "verify/scenes/dump.hpp"
+#include "verify/usage_error.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file and what it is for, for messages.
+using Use = std::pair<std::string, fs::path>;
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  // Two hard links have two names.
+  std::error_code error;
+  return xsharp::behind_links(a) == xsharp::behind_links(b) || fs::equivalent(a, b, error);
+}
+
+/// Whether `file` is what a frame could be called in `folder`.
+bool is_frame_of(const fs::path& folder, const fs::path& file) {
+  const fs::path real = xsharp::behind_links(file);
+  return same_file(folder, real.parent_path()) && real.filename().string().starts_with("frame_") &&
+         real.extension() == ".png";
+}
+
+void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& inputs) {
+  std::vector<Use> outputs;
+  if (!names.animation.empty()) outputs.emplace_back("--animate", names.animation);
+  if (!names.dump.empty()) outputs.emplace_back("--dump", names.dump);
+  std::vector<Use> others;
+  for (const fs::path& input : inputs) others.emplace_back("the scene", input);
+  for (const auto& [option, file] : outputs) {
+    for (const auto& [other, other_file] : others) {
+      if (same_file(file, other_file)) {
+        throw UsageError(
+            fmt::format("{} {}: is a file of {}, name another", option, file.string(), other));
+      }
+    }
+    others.emplace_back(option, file);
+  }
+  if (names.folder.empty()) return;
+  for (const auto& [other, file] : others) {
+    if (is_frame_of(names.folder, file)) {
+      throw UsageError(fmt::format("--out {}: a frame could replace {}, a file of {}", names.folder,
+                                   file.string(), other));
+    }
+  }
+}
+
+}  // namespace
+
+Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
+                 double frames_per_second)
+    : folder_(names.folder) {
+  refuse_clashes(names, inputs);
+  if (!folder_.empty()) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error || !fs::is_directory(folder_)) {
+      throw UsageError(fmt::format("--out {}: cannot be made a folder: {}", folder_,
+                                   error ? error.message() : "a file has that name"));
+    }
+    check_replaceable(frame_file(0));
+  }
+  if (!names.animation.empty()) {
+    animation_ = std::make_unique<xsharp::AnimationPng>(names.animation,
+                                                        xsharp::frame_time(frames_per_second));
+  }
+  if (!names.dump.empty()) dump_ = std::make_unique<xsharp::PartFile>(names.dump);
+}
+
+void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {
+  if (animation_ || !folder_.empty()) {
+    const std::string png = canvas.png();
+    if (!folder_.empty()) replace_file(frame_file(frame), png);
+    if (animation_) animation_->add(png);
+  }
+  if (dump_) dump_->append(dump_frame(player, frame));
+}
+
+void Outputs::finish(std::uint64_t frames) {
+  if (animation_ && frames > 0) animation_->finish();
+  if (dump_) dump_->finish();
+}
+
+std::string Outputs::older_frame(std::uint64_t frames) const {
+  if (folder_.empty() || !fs::exists(frame_file(frames))) return "";
+  return frame_file(frames);
+}
+
+std::string Outputs::frame_file(std::uint64_t frame) const {
+  return fmt::format("{}/frame_{:06}.png", folder_, frame);
+}
+
+}  // namespace fixproof

@@ -1,0 +1,51 @@
+/// @file
+/// The files that frames are drawn into.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "verify/scenes/canvas.hpp"
+#include "xsharp/files/animation_png.hpp"
+#include "xsharp/files/part_file.hpp"
+#include "xsharp/player.hpp"
+
+namespace fixproof {
+
+/// Where frames are to go; an empty name is none.
+struct OutputNames {
+  std::string folder;     ///< for a PNG of every frame
+  std::string animation;  ///< an animated PNG
+  std::string dump;       ///< dump_frame() of every frame
+};
+
+/// Files for frames. None is there, or changed, before it is complete.
+class Outputs {
+ public:
+  /// @param inputs files that must not be written
+  /// @throws UsageError if two of all these are one file
+  /// @throws std::runtime_error naming what cannot be written
+  Outputs(const OutputNames& names, const std::vector<std::filesystem::path>& inputs,
+          double frames_per_second);
+
+  /// Frames come in order, from 0.
+  void add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame);
+
+  void finish(std::uint64_t frames);
+
+  /// The first picture of an earlier, longer run that is still in the folder; empty if there is
+  /// none.
+  [[nodiscard]] std::string older_frame(std::uint64_t frames) const;
+
+ private:
+  [[nodiscard]] std::string frame_file(std::uint64_t frame) const;
+
+  std::string folder_;
+  std::unique_ptr<xsharp::AnimationPng> animation_;
+  std::unique_ptr<xsharp::PartFile> dump_;
+};
+
+}  // namespace fixproof
