@@ -5,19 +5,15 @@
 #include <chrono>
 #include <cstdint>
 
+#include "verify/terminal_line.hpp"
+
 namespace fixproof {
 
-/// One line on a terminal, drawn a few times a second and erased at the end. If stderr is no
-/// terminal nothing is written.
+/// Drawn a few times a second.
 class FrameProgress {
  public:
   /// @param all at least 1
-  explicit FrameProgress(std::uint64_t all);
-  ~FrameProgress();
-  FrameProgress(const FrameProgress&) = delete;
-  FrameProgress& operator=(const FrameProgress&) = delete;
-  FrameProgress(FrameProgress&&) = delete;
-  FrameProgress& operator=(FrameProgress&&) = delete;
+  explicit FrameProgress(std::uint64_t all) : all_(all) {}
 
   void show(std::uint64_t done);
 
@@ -25,8 +21,7 @@ class FrameProgress {
   using clock = std::chrono::steady_clock;
 
   std::uint64_t all_;
-  bool terminal_;
-  bool drawn_ = false;
+  TerminalLine line_;
   clock::time_point begin_ = clock::now();
   clock::time_point last_ = begin_;
 };
