@@ -12,8 +12,8 @@ void FrameProgress::show(std::uint64_t done) {
   last_ = now;
   const std::chrono::duration<double> passed = now - begin_;
   const double left = passed.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
-  line_.show(fmt::format("{:3} %, {} of {} frames, about {} left", done * 100 / all_, grouped(done),
-                         grouped(all_), duration(left)));
+  line_.show(fmt::format("{:3} %, {} of {} {}, about {} left", done * 100 / all_, grouped(done),
+                         grouped(all_), what_, duration(left)));
 }
 
 }  // namespace fixproof

@@ -11,6 +11,7 @@
 
 namespace fixproof {
 
+/// How far a verification is, and the row at work.
 class Progress {
  public:
   void show(const Report& report);
