@@ -26,7 +26,7 @@ namespace {
 
 struct MutateOptions {
   Selection selection;
-  SolverOptions solver{.seconds = 20};
+  SolverOptions solver{.seconds = 60};
   std::uint64_t seed = 1994;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool verbose = false;
