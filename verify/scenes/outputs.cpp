@@ -58,6 +58,15 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
 
 }  // namespace
 
+void refuse_input(const std::string& option, const std::string& file,
+                  const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    if (same_file(file, input)) {
+      throw UsageError(fmt::format("{} {}: is a file of the scene, name another", option, file));
+    }
+  }
+}
+
 Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
                  double frames_per_second)
     : folder_(names.folder) {

@@ -22,6 +22,11 @@ struct OutputNames {
   std::string dump;       ///< dump_frame() of every frame
 };
 
+/// @param option the option that names `file`
+/// @throws UsageError if `file`, which is to be written, is one of `inputs`
+void refuse_input(const std::string& option, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs);
+
 /// Files for frames. None is there, or changed, before it is complete.
 class Outputs {
  public:
