@@ -6,7 +6,7 @@ namespace fixproof {
 
 void sort_by_cost(std::vector<Tried>& tried) {
   std::ranges::stable_sort(tried, [](const Tried& a, const Tried& b) {
-    const double difference = a.cost.middle() - b.cost.middle();
+    const double difference = a.cost.ranked - b.cost.ranked;
     return difference < 0 || (difference == 0 && a.error.pixels < b.error.pixels);
   });
 }

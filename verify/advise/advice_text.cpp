@@ -30,19 +30,19 @@ std::string after(std::uint64_t frame) {
   return duration(static_cast<double>(frame) / static_cast<double>(advised_rate));
 }
 
-/// How much dearer `other` is, as `3.1 %`.
-std::string dearer(const Cost& other, const Cost& than) {
-  return fmt::format("{:.1f} %", 100 * (other.middle() - than.middle()) / than.middle());
+/// A share as `3.1 %`, small ones as `0.04 %`.
+std::string percent_text(double share) {
+  return fmt::format("{:.{}f} %", 100 * share, share < 0.01 ? 2 : 1);
 }
 
 }  // namespace
 
 std::string table_of(const AdviceReport& report) {
-  std::string text = fmt::format("{:>11}{:>11}{:>10}  {:<7}{:<16}\n", "least", "most", "pixels",
-                                 "budget", "over after");
+  std::string text = fmt::format("{:>11}{:>11}{:>10}  {:<7}{:<15}{}\n", "least", "most", "pixels",
+                                 "budget", "over after", "variant");
   for (const Tried& tried : report.tried) {
     const auto& over = tried.error.over;
-    text += fmt::format("{:>11}{:>11}{:>10.3f}  {:<7}{:<16}{}\n", whole(tried.cost.least),
+    text += fmt::format("{:>11}{:>11}{:>10.3f}  {:<7}{:<15}{}\n", whole(tried.cost.least),
                         whole(tried.cost.most), tried.error.pixels, over ? "over" : "in",
                         over ? after(*over) : "", name_of(tried.choice));
   }
@@ -62,13 +62,16 @@ std::string sentences_of(const AdviceReport& report) {
   std::string text = fmt::format("Take {}: {}, at most {:.3f} pixels off.\n", name_of(take.choice),
                                  cost_text(report, take.cost), take.error.pixels);
   if (report.drift_pixels) {
-    text += fmt::format("Its motion alone, which drift measures, is at most {:.3f} pixels off.\n",
-                        *report.drift_pixels);
+    text += fmt::format(
+        "Its motion alone, as drift measures it over all these frames, is at most {:.3f} pixels "
+        "off.\n",
+        *report.drift_pixels);
   }
   if (advice.runner_up) {
     const Tried next = at(*advice.runner_up);
-    text += fmt::format("Runner-up: {}, {} dearer, at most {:.3f} pixels off.\n",
-                        name_of(next.choice), dearer(next.cost, take.cost), next.error.pixels);
+    text +=
+        fmt::format("Runner-up: {}, {} dearer, at most {:.3f} pixels off.\n", name_of(next.choice),
+                    percent_text(next.cost.ranked / take.cost.ranked - 1), next.error.pixels);
   } else {
     text += "No other stays within the budget.\n";
   }
@@ -77,8 +80,7 @@ std::string sentences_of(const AdviceReport& report) {
   text += fmt::format(
       "The next cheaper, {}, saves {} and costs accuracy: {:.3f} pixels off at worst, over the "
       "budget after {}.\n",
-      name_of(cheaper.choice),
-      fmt::format("{:.1f} %", 100 * (1 - cheaper.cost.middle() / take.cost.middle())),
+      name_of(cheaper.choice), percent_text(1 - cheaper.cost.ranked / take.cost.ranked),
       cheaper.error.pixels, after(cheaper.error.over.value_or(0)));
   return text;
 }

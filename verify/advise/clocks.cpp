@@ -56,6 +56,8 @@ class FromAngles {
   std::vector<Turned> objects_;
 };
 
+Cost between(double least, double most) { return {least, most, (least + most) / 2}; }
+
 /// The clocks of the sampled frames, as counted.
 Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto player = make_player(scene, scene.arithmetic);
@@ -80,13 +82,13 @@ Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
     }
   }
   constexpr double frames = ClockSample::places * ClockSample::in_a_row;
-  return {static_cast<double>(sum.min) / frames, static_cast<double>(sum.max) / frames};
+  return between(static_cast<double>(sum.min) / frames, static_cast<double>(sum.max) / frames);
 }
 
 /// Of the motions between always and never restoring.
 Cost shared_out(const Cost& never, const Cost& always, double rotations) {
-  return {never.least + (always.least - never.least) / rotations,
-          never.most + (always.most - never.most) / rotations};
+  return between(never.least + (always.least - never.least) / rotations,
+                 never.most + (always.most - never.most) / rotations);
 }
 
 /// Counts each scene once.

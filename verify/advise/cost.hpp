@@ -13,13 +13,11 @@
 
 namespace fixproof {
 
-/// Of a frame, in clocks or in nanoseconds; two numbers where the tables of clocks give a range.
+/// Of a frame, in clocks or in nanoseconds.
 struct Cost {
   double least = 0;
   double most = 0;
-
-  /// What choices are ranked by.
-  [[nodiscard]] double middle() const { return (least + most) / 2; }
+  double ranked = 0;  ///< what choices are ranked by
 };
 
 /// The frames that are looked at for clocks: so many in a row, so that delays of 2, 3 and 4 frames
@@ -30,7 +28,8 @@ struct ClockSample {
   static constexpr std::uint64_t apart = 720;
 };
 
-/// Clocks of the listings alone, not of the C around them, as the mean of a sample of frames.
+/// Clocks of the listings alone, not of the C around them, as the mean of a sample of frames. Two
+/// numbers where the tables of clocks give a range, whose middle ranks.
 ///
 /// Restoring is counted after every rotation and shared out among the frames between two. From
 /// scratch, an orientation is made in double, for which there is no table of clocks: it is counted
@@ -42,7 +41,7 @@ std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Cho
                                  x86model::Cpu cpu, const std::atomic<bool>& stop);
 
 /// Nanoseconds of this processor for moving, transforming, projecting, hiding and sorting by the
-/// type: the least and the median of several rounds, which take the choices in turn.
+/// type: the least, which ranks, and the median of several rounds, which take the choices in turn.
 /// @return fewer than there are choices when `stop` ended the run
 std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
                                       const std::atomic<bool>& stop);

@@ -44,7 +44,7 @@ std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<cons
   std::vector<Cost> costs;
   for (std::vector<double>& of_choice : times) {
     std::ranges::sort(of_choice);
-    costs.push_back({of_choice.front(), of_choice[of_choice.size() / 2]});
+    costs.push_back({of_choice.front(), of_choice[of_choice.size() / 2], of_choice.front()});
   }
   return costs;
 }

@@ -38,7 +38,7 @@ int run_profile(const ProfileOptions& options) {
   }
   const std::uint64_t frames = options.frames.value_or(
       std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
-  const auto player = make_player(scene, scene.arithmetic);
+  std::unique_ptr<xsharp::Player> player;
   Profiler profiler(scene, scene.arithmetic);
   xsharp::Picture picture;
   const Interrupt interrupt;
@@ -48,7 +48,12 @@ int run_profile(const ProfileOptions& options) {
     OperandLog log;
     {
       const Recording recording(log);
-      if (done > 0) player->move();
+      if (player) {
+        player->move();
+      } else {
+        // Sines of steps are looked up here: they count for the first frame.
+        player = make_player(scene, scene.arithmetic);
+      }
       player->draw(picture);
     }
     profiler.add(log, *player);

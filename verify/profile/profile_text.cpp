@@ -34,7 +34,8 @@ std::string calls_text(const SceneProfile& profile) {
                         static_cast<double>(r.calls) / frames, grouped(r.most_in_frame),
                         grouped(r.faults), grouped(r.instructions));
   }
-  return text + "Least, mean and most: calls in a frame.\n";
+  return text +
+         "Least, mean and most: calls in a frame; the first one has what is looked up once.\n";
 }
 
 std::string range_row(Operation operation, std::string_view name, const ValueRange& range,
