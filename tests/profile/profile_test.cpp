@@ -89,6 +89,10 @@ TEST(Profile, OfACubeWorkedByHand) {
 
   const RoutineProfile& mul = routine(profile, Operation::mul);
   EXPECT_EQ(mul.calls, 16U);
+  // Nine instructions without a jump, from PUSH BP to RET.
+  EXPECT_EQ(mul.instructions, 16U * 9);
+  EXPECT_EQ(std::ranges::count(mul.executed, true), 9);
+  EXPECT_EQ(mul.executed.size(), 9U);
   expect_range(mul.operands.at(0), -7282, 7282, 14);
   // Published, -320 is a unit too large.
   expect_range(mul.operands.at(1), -320 * one + 1, -320 * one + 1, 26);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "oracle/unbounded.hpp"
@@ -65,6 +66,46 @@ TEST(Wraps, AtTheEndsOfTheRange) {
   EXPECT_FALSE(product_wraps(0x7FFFFFFF, 0x00010000));
   EXPECT_TRUE(product_wraps(0x7FFFFFFF, 0x00010001));
   EXPECT_FALSE(product_wraps(0, 0x80000000));
+}
+
+// 2351 * 4513 * 13264529 is 2^47 - 1, which truncates to the greatest word and rounds to 2^31.
+// -2^15 * 641 * 6700417 is -2^47 - 2^15: a half below the least word.
+TEST(Wraps, WhereRoundingDecides) {
+  const std::array<Word, 2> above{2351 * 4513, 13264529};
+  const std::array<Word, 2> below{0U - 32768 * 641, 6700417};
+  const auto mul = [](Target target, bool rounds) {
+    return Variant{.target = target, .mul_round = rounds};
+  };
+  for (const Target target : {Target::i386, Target::i8088}) {
+    EXPECT_TRUE(wraps(mul(target, true), above));
+    EXPECT_FALSE(wraps(mul(target, false), above));
+  }
+  EXPECT_FALSE(wraps(mul(Target::i386, true), below));    // halves up
+  EXPECT_TRUE(wraps(mul(Target::i386, false), below));    // down
+  EXPECT_TRUE(wraps(mul(Target::i8088, true), below));    // halves away from zero
+  EXPECT_FALSE(wraps(mul(Target::i8088, false), below));  // toward zero
+}
+
+// 20000 and 20000, by identity matrices: the sum of the translations alone is out of range.
+TEST(Wraps, WhereTheTranslationDecides) {
+  constexpr Word unit = 65536;
+  std::array<Word, 24> concat{};
+  for (const std::size_t i : {0U, 5U, 10U, 12U, 17U, 22U}) concat.at(i) = unit;
+  const Variant concatenation{.operation = Operation::concat};
+  const Variant transform{.operation = Operation::xformvec};
+  for (std::size_t row = 0; row < 3; ++row) {
+    auto in = concat;
+    in.at(4 * row + 3) = 20000 * unit;
+    EXPECT_FALSE(wraps(concatenation, in));
+    in.at(12 + 4 * row + 3) = 20000 * unit;
+    EXPECT_TRUE(wraps(concatenation, in));
+    // The same place as a vector.
+    std::array<Word, 15> vector{};
+    std::copy_n(in.begin(), 12, vector.begin());
+    EXPECT_FALSE(wraps(transform, vector));
+    vector.at(12 + row) = 20000 * unit;
+    EXPECT_TRUE(wraps(transform, vector));
+  }
 }
 
 /// The rule by which a build rounds products.

@@ -22,16 +22,12 @@ std::int64_t exact_product(const Variant& variant, std::uint32_t a, std::uint32_
   return exact < 0 ? -((half - exact) >> 16) : (exact + half) >> 16;
 }
 
-/// The magnitude of the quotient, rounded; its divisor has what the listing looks at.
+/// Truncated: no quotient of two words is so near the ends of the range that rounding decides.
 bool quotient_wraps(const Variant& variant, std::uint32_t n, std::uint32_t d) {
-  const std::int64_t dividend = value_of(n) < 0 ? -value_of(n) : value_of(n);
-  const std::int64_t divisor = value_of(d) < 0 ? -value_of(d) : value_of(d);
-  const bool i8088 = variant.target == Target::i8088;
-  const std::int64_t over = i8088 ? dividend : dividend << 16;
-  const std::int64_t under = i8088 ? divisor >> 16 : divisor;
-  const std::int64_t magnitude = (over + (variant.div_round ? under / 2 : 0)) / under;
-  const bool negative = (value_of(n) < 0) != (value_of(d) < 0);
-  return !fits(negative ? -magnitude : magnitude);
+  // The 8088 listing has the whole part of the divisor's magnitude.
+  const std::int64_t unit = variant.target == Target::i8088 ? std::int64_t{1} << 16 : 1;
+  const std::int64_t divisor = value_of(d) / unit * unit;
+  return !fits(value_of(n) * 65536 / divisor);
 }
 
 /// Row `i` of a transform times a column.
