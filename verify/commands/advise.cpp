@@ -76,7 +76,9 @@ std::string heading(const AdviceReport& report) {
   if (report.cpu) {
     text += fmt::format(
         "Least and most: clocks of the listings alone on the {}, mean of {} frames of the first "
-        "minute.\nFrom scratch is counted as a CosSin and a rotation for each axis that turns.\n",
+        "minute.\nFrom scratch, made in double, is counted as a CosSin and a rotation for each "
+        "axis that "
+        "turns.\n",
         x86model::name_of(*report.cpu), ClockSample::in_a_row * ClockSample::places);
   } else {
     text +=
