@@ -123,29 +123,57 @@ struct Part {
   std::size_t divide = 0;
 };
 
+/// One run for all choices that differ in their divide alone.
+struct SharedRuns {
+  std::vector<std::unique_ptr<ScreenRun>> runs;
+  std::vector<Part> parts;  ///< of each choice
+};
+
+SharedRuns shared_runs(const Scene& scene, std::span<const Choice> choices) {
+  SharedRuns shared;
+  std::vector<Choice> motions;
+  for (const Choice& choice : choices) {
+    Choice motion = choice;
+    motion.div_round = true;
+    const auto known = std::ranges::find(motions, motion);
+    shared.parts.push_back(
+        {static_cast<std::size_t>(known - motions.begin()), choice.div_round ? 0U : 1U});
+    if (known != motions.end()) continue;
+    motions.push_back(motion);
+    shared.runs.push_back(screen_run(scene, motion));
+  }
+  return shared;
+}
+
+void note_error(ScreenError& error, double pixels, std::uint64_t frame, std::size_t object,
+                double budget) {
+  if (pixels > error.pixels) {
+    error.pixels = pixels;
+    error.frame = frame;
+    error.object = object;
+  }
+  if (!error.over && pixels > budget) error.over = frame;
+}
+
 }  // namespace
 
 std::vector<ScreenError> screen_errors(const Scene& scene, std::span<const Choice> choices,
                                        double budget, std::uint64_t& frames,
                                        const std::atomic<bool>& stop,
                                        const std::function<void(std::uint64_t)>& frame_done) {
-  std::vector<Choice> motions;
-  std::vector<std::unique_ptr<ScreenRun>> runs;
-  std::vector<Part> parts;
-  for (const Choice& choice : choices) {
-    Choice motion = choice;
-    motion.div_round = true;
-    const auto known = std::ranges::find(motions, motion);
-    parts.push_back(
-        {static_cast<std::size_t>(known - motions.begin()), choice.div_round ? 0U : 1U});
-    if (known != motions.end()) continue;
-    motions.push_back(motion);
-    runs.push_back(screen_run(scene, motion));
-  }
-
+  const SharedRuns shared = shared_runs(scene, choices);
+  const auto& runs = shared.runs;
+  const auto& parts = shared.parts;
   ExactRun exact(scene);
   std::vector<ScreenError> errors(choices.size());
   std::vector<OfBothDivides> worst(runs.size());
+  const auto compare = [&](std::uint64_t frame, std::size_t object) {
+    const ExactPlaces& places = exact.places(object);
+    for (std::size_t i = 0; i < worst.size(); ++i) worst[i] = runs[i]->worst(object, places);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      note_error(errors[i], std::sqrt(worst[parts[i].run][parts[i].divide]), frame, object, budget);
+    }
+  };
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     if (stop) {
       frames = frame;
@@ -154,21 +182,9 @@ std::vector<ScreenError> screen_errors(const Scene& scene, std::span<const Choic
     for (std::size_t object = 0; object < scene.objects.size(); ++object) {
       if (frame > 0) {
         for (const auto& run : runs) run->advance(object);
-        // What stands still is as wrong as it was.
-        if (!exact.advance(object)) continue;
       }
-      const ExactPlaces& places = exact.places(object);
-      for (std::size_t i = 0; i < runs.size(); ++i) worst[i] = runs[i]->worst(object, places);
-      for (std::size_t i = 0; i < choices.size(); ++i) {
-        const double pixels = std::sqrt(worst[parts[i].run][parts[i].divide]);
-        ScreenError& error = errors[i];
-        if (pixels > error.pixels) {
-          error.pixels = pixels;
-          error.frame = frame;
-          error.object = object;
-        }
-        if (!error.over && pixels > budget) error.over = frame;
-      }
+      // What stands still is as wrong as it was.
+      if (frame == 0 || exact.advance(object)) compare(frame, object);
     }
     frame_done(frame + 1);
   }
