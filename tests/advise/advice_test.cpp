@@ -55,6 +55,17 @@ TEST(Advice, IsNoneWhereNoneFits) {
   EXPECT_NE(sentences_of(report).find("0.750 pixels off"), std::string::npos);
 }
 
+// Only drift has those.
+TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
+  AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
+  const auto names_them = [&report](double pixels) {
+    report.drift_pixels = pixels;
+    return sentences_of(report).find("corners that are clipped") != std::string::npos;
+  };
+  EXPECT_FALSE(names_them(0.5));
+  EXPECT_TRUE(names_them(0.75));
+}
+
 RC_GTEST_PROP(Advice, IsNeverDearerForALargerBudget, ()) {
   std::vector<Tried> all;
   for (const auto& [clocks, pixels] :

@@ -64,8 +64,10 @@ std::string sentences_of(const AdviceReport& report) {
   if (report.drift_pixels) {
     text += fmt::format(
         "Its motion alone, as drift measures it over all these frames, is at most {:.3f} pixels "
-        "off.\n",
-        *report.drift_pixels);
+        "off{}.\n",
+        *report.drift_pixels,
+        // Such corners alone can be farther off than the budget.
+        *report.drift_pixels > report.budget ? ", corners that are clipped among them" : "");
   }
   if (advice.runner_up) {
     const Tried next = at(*advice.runner_up);
