@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
+#include <optional>  // std::hash
 
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
@@ -77,6 +77,7 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   static constexpr number signaling_NaN() noexcept { return number(); }
 };
 
+/// Equal numbers have equal hashes: that of the stored integer.
 template <int FractionBits, fixed::policy P>
 struct std::hash<fixed::number<FractionBits, P>> {
   std::size_t operator()(fixed::number<FractionBits, P> x) const noexcept {

@@ -39,13 +39,18 @@ enum class divide_fault {
 /// `multiply` also rounds mul_add, dot, lerp, and what becomes a number: from binary floating
 /// point, from text, from a number with more fraction bits. Quotients follow `divide`; sqrt, sin
 /// and cos are always nearest; conversions to float and to integers say their own rounding.
+///
+///     constexpr policy to_floor{.multiply = rounding::floor, .divide = rounding::floor};
+///     using floored = number<16, to_floor>;
+///     static_assert((floored(-1) / floored(3)).raw() == -21846);  // -21845.33
 struct policy {
-  rounding multiply = rounding::half_up;
-  rounding divide = rounding::half_up;
-  overflow range = overflow::wrap;
-  divisor_width divisor = divisor_width::full;
-  divide_fault fault = divide_fault::none;
+  rounding multiply = rounding::half_up;        ///< Of products, and see above.
+  rounding divide = rounding::half_up;          ///< Of quotients.
+  overflow range = overflow::wrap;              ///< What becomes of results out of range.
+  divisor_width divisor = divisor_width::full;  ///< How much of a divisor counts.
+  divide_fault fault = divide_fault::none;      ///< Which divides are errors.
 
+  /// Whether all rules are the same.
   friend constexpr bool operator==(const policy&, const policy&) = default;
 };
 
@@ -58,9 +63,9 @@ struct policy {
 /// say what the code does, not what the printed switches are set to.
 namespace policies {
 
-inline constexpr policy wrapping{};
-inline constexpr policy saturating{.range = overflow::saturate};
-inline constexpr policy trapping{.range = overflow::trap};
+inline constexpr policy wrapping{};                               ///< That of q16_16 and q8_8.
+inline constexpr policy saturating{.range = overflow::saturate};  ///< To the end of the range.
+inline constexpr policy trapping{.range = overflow::trap};        ///< Throws.
 
 /// IMUL, and DIV on magnitudes: only a quotient beyond 32 unsigned bits faults.
 inline constexpr policy i386{.multiply = rounding::half_up,
