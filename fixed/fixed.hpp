@@ -17,9 +17,9 @@
 ///
 /// Under -ffreestanding this is the part that needs no library at run time: all but text and
 /// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). Of
-/// the standard library it then includes <array>, <bit>, <cfloat>, <compare>, <concepts>,
-/// <cstddef>, <cstdint>, <limits>, <optional>, <type_traits> and <utility>. What would throw
-/// executes a trap instruction, and integers do all the work: no floating-point register is
+/// the standard library it then includes `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`,
+/// `<cstddef>`, `<cstdint>`, `<limits>`, `<optional>`, `<type_traits>` and `<utility>`. What would
+/// throw executes a trap instruction, and integers do all the work: no floating-point register is
 /// touched, unless a number is made of float or double or becomes one.
 ///
 /// Translation units of one program may differ in optimisation and in floating-point flags, but not

@@ -233,9 +233,12 @@ constexpr std::optional<number<FractionBits, P>> try_divide(number<FractionBits,
   return number<FractionBits, P>::from_raw(detail::total_divide<FractionBits, P>(n.raw(), d.raw()));
 }
 
-/// 16.16: nearest, halves up; wraps. What is not said otherwise in the names below is so too; their
-/// policies are in fixed::policies.
+/// 16.16: every operation to nearest, halves up; wraps.
 using q16_16 = number<16>;
+/// \name 16.16 by other rules: those that fixed::policies has by the same name
+/// \{
+
+/// 16.16 by the policy of that name.
 using q16_16_saturating = number<16, policies::saturating>;
 using q16_16_trapping = number<16, policies::trapping>;
 using q16_16_i386 = number<16, policies::i386>;
@@ -246,9 +249,14 @@ using q16_16_i8088 = number<16, policies::i8088>;
 using q16_16_i8088_mul_rounded = number<16, policies::i8088_mul_rounded>;
 using q16_16_i8088_div_rounded = number<16, policies::i8088_div_rounded>;
 using q16_16_i8088_unrounded = number<16, policies::i8088_unrounded>;
+/// \}
 
-/// 8.8 by the same rules.
+/// 8.8 by the rules of q16_16.
 using q8_8 = number<8>;
+/// \name 8.8 by other rules: those that fixed::policies has by the same name
+/// \{
+
+/// 8.8 by the policy of that name.
 using q8_8_saturating = number<8, policies::saturating>;
 using q8_8_trapping = number<8, policies::trapping>;
 using q8_8_i386 = number<8, policies::i386>;
@@ -259,5 +267,6 @@ using q8_8_i8088 = number<8, policies::i8088>;
 using q8_8_i8088_mul_rounded = number<8, policies::i8088_mul_rounded>;
 using q8_8_i8088_div_rounded = number<8, policies::i8088_div_rounded>;
 using q8_8_i8088_unrounded = number<8, policies::i8088_unrounded>;
+/// \}
 
 }  // namespace fixed

@@ -71,30 +71,36 @@ inline constexpr policy trapping{.range = overflow::trap};        ///< Throws.
 inline constexpr policy i386{.multiply = rounding::half_up,
                              .divide = rounding::half_away,
                              .fault = divide_fault::unsigned_quotient};
+/// The same, with only the divide rounded.
 inline constexpr policy i386_div_rounded{.multiply = rounding::floor,
                                          .divide = rounding::half_away,
                                          .fault = divide_fault::unsigned_quotient};
-/// IMUL, and IDIV: a quotient beyond 32 signed bits faults.
+/// IMUL, and IDIV: a quotient beyond 32 signed bits faults. Only the multiply is rounded.
 inline constexpr policy i386_mul_rounded{.multiply = rounding::half_up,
                                          .divide = rounding::truncate,
                                          .fault = divide_fault::signed_quotient};
+/// The same, without rounding.
 inline constexpr policy i386_unrounded{.multiply = rounding::floor,
                                        .divide = rounding::truncate,
                                        .fault = divide_fault::signed_quotient};
 
-/// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction.
+/// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction, and only
+/// a divisor of which nothing is left faults.
 inline constexpr policy i8088{.multiply = rounding::half_away,
                               .divide = rounding::half_away,
                               .divisor = divisor_width::whole_part,
                               .fault = divide_fault::zero_divisor};
+/// The same, with only the multiply rounded.
 inline constexpr policy i8088_mul_rounded{.multiply = rounding::half_away,
                                           .divide = rounding::truncate,
                                           .divisor = divisor_width::whole_part,
                                           .fault = divide_fault::zero_divisor};
+/// The same, with only the divide rounded.
 inline constexpr policy i8088_div_rounded{.multiply = rounding::truncate,
                                           .divide = rounding::half_away,
                                           .divisor = divisor_width::whole_part,
                                           .fault = divide_fault::zero_divisor};
+/// The same, without rounding.
 inline constexpr policy i8088_unrounded{.multiply = rounding::truncate,
                                         .divide = rounding::truncate,
                                         .divisor = divisor_width::whole_part,

@@ -1,5 +1,5 @@
 /// \file
-/// Exact decimal text, in the manner of <charconv>, and streams.
+/// Exact decimal text, in the manner of `<charconv>`, and streams.
 #pragma once
 
 #include <algorithm>
