@@ -30,7 +30,9 @@ def type_name(value_type, fraction_bits):
     alias = re.fullmatch(r"(?:const |volatile )*(?:fixed::)?(q(?:16_16|8_8)\w*)", str(value_type))
     if alias:
         return alias[1]
-    rules = re.findall(r"\(fixed::\w+\)(\d)", str(value_type.strip_typedefs()))
+    # "fixed::number<16, fixed::policy{(fixed::rounding)1, ...}>" of g++, "{1, ...}" of clang.
+    policy = str(value_type.strip_typedefs()).partition("{")[2]
+    rules = re.findall(r"(?:^|, )(?:\(fixed::\w+\))?(\d)", policy)
     suffix = SUFFIXES.get(tuple(map(int, rules)), "")
     return f"q{fraction_bits}_{fraction_bits}{suffix}"
 

@@ -12,4 +12,18 @@ auto deduced = fixed::q16_16_i8088(1.5) + fixed::q16_16_i8088();
 fixed::number<16, fixed::policy{.range = fixed::overflow::saturate}> spelt(0);
 fixed::q16_16 pair[] = {fixed::q16_16(1), fixed::q16_16(-1)};
 
+// Types without an alias in sight: the printer knows the presets by their rules.
+template <class Number>
+using bare = decltype(Number() + Number());
+struct one_of_each {
+  bare<fixed::q16_16_trapping> trapping{1};
+  bare<fixed::q16_16_i386> i386{1};
+  bare<fixed::q16_16_i386_mul_rounded> i386_m{1};
+  bare<fixed::q16_16_i386_div_rounded> i386_d{1};
+  bare<fixed::q16_16_i386_unrounded> i386_u{1};
+  bare<fixed::q16_16_i8088_mul_rounded> i8088_m{1};
+  bare<fixed::q16_16_i8088_div_rounded> i8088_d{1};
+  bare<fixed::q16_16_i8088_unrounded> i8088_u{1};
+} presets;
+
 int main() {}
