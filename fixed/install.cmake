@@ -5,6 +5,9 @@ include(GNUInstallDirs)
 
 install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fixed
   FILES_MATCHING PATTERN "*.hpp")
+if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/../LICENSE)  # not where only this folder was copied
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/../LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/fixproof)
+endif()
 
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/fixproof)
 install(TARGETS fixproof_fixed EXPORT fixproof INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
