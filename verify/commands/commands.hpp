@@ -19,5 +19,6 @@ void add_mutate(CLI::App& app, int& status);
 void add_dos(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
 void add_drift(CLI::App& app, int& status);
+void add_measure(CLI::App& app, int& status);
 
 }  // namespace fixproof

@@ -1,0 +1,129 @@
+#include "verify/measure/accuracy_run.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "oracle/unbounded.hpp"
+#include "verify/measure/scene_operands.hpp"
+#include "verify/streams.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using oracle::Integer;
+
+/// Random words of a stream; which operation they are said to be of only chooses other ones.
+std::vector<std::uint32_t> words_of_stream(Stream stream, std::uint64_t seed, std::size_t words) {
+  std::vector<std::uint32_t> all(words + words % 2);
+  make_cases(stream, {.operation = Operation::mul}, seed, 0, all);
+  all.resize(words);
+  return all;
+}
+
+/// What the kind's uniform operands are, made of words that are all as likely.
+std::uint32_t confined(OperandKind kind, std::uint32_t word) {
+  const auto signed_bits = [word](int bits) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(word) >> (32 - bits));
+  };
+  switch (kind) {
+    case OperandKind::factors:
+      return signed_bits(24);
+    case OperandKind::terms:
+      return signed_bits(23);
+    case OperandKind::radicand:
+      return word >> 1U;
+    default:
+      return word;
+  }
+}
+
+/// Whether a word can hold the exact result, rounded to either side of it.
+bool fits(const ExactResult& exact) {
+  static const Integer limit = Integer(1) << 31;
+  return exact.numerator >= -limit * exact.denominator &&
+         exact.numerator <= (limit - 1) * exact.denominator;
+}
+
+void add(AccuracyRow& row, CaseWords in, const ExactResult& exact) {
+  const auto result = row.subject.answer(in);
+  if (!result) {
+    ++row.faults;
+    return;
+  }
+  const Integer off = static_cast<std::int32_t>(*result) * exact.denominator - exact.numerator;
+  row.errors.add(static_cast<double>(off) / static_cast<double>(exact.denominator),
+                 2 * abs(off) <= exact.denominator);
+}
+
+}  // namespace
+
+std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std::uint64_t seed,
+                                        std::uint64_t cases) {
+  if (operation.kind == OperandKind::angle) {
+    std::vector<std::uint32_t> angles(3600);
+    std::iota(angles.begin(), angles.end(), 0U);
+    return {{"every angle", std::move(angles)}};
+  }
+  OperandSet uniform{"uniform", words_of_stream(Stream::uniform, seed, cases * operation.words)};
+  for (std::uint32_t& word : uniform.words) word = confined(operation.kind, word);
+  OperandSet scaled{"log-uniform", words_of_stream(Stream::scaled, seed, cases * operation.words)};
+  if (operation.kind == OperandKind::radicand) {
+    // A root's operand has no sign: the magnitude in its place.
+    for (std::uint32_t& word : scaled.words) {
+      if (static_cast<std::int32_t>(word) < 0) word = ~word;
+    }
+  }
+  return {std::move(uniform), std::move(scaled)};
+}
+
+OperandSet scene_operands(const MeasuredOperation& operation, const std::string& scene,
+                          const OperandLog& log, std::uint64_t cases) {
+  std::vector<std::uint32_t> all;
+  switch (operation.kind) {
+    case OperandKind::factors:
+      all = products_of(log);
+      break;
+    case OperandKind::terms:
+      all = dots_of(log);
+      break;
+    case OperandKind::quotients:
+      all = log.at(static_cast<std::size_t>(Operation::div));
+      break;
+    case OperandKind::angle:
+      for (const std::uint32_t word : log.at(static_cast<std::size_t>(Operation::cossin))) {
+        // 16 bits with a sign.
+        all.push_back(static_cast<std::uint32_t>(static_cast<std::int16_t>(word)));
+      }
+      break;
+    case OperandKind::radicand:
+    case OperandKind::radians:
+      break;
+  }
+  const std::size_t recorded = all.size() / operation.words;
+  const std::size_t step = std::max<std::size_t>(1, (recorded + cases - 1) / cases);
+  OperandSet set{scene, {}};
+  for (std::size_t i = 0; i < recorded; i += step) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * operation.words);
+    set.words.insert(set.words.end(), first, first + static_cast<std::ptrdiff_t>(operation.words));
+  }
+  return set;
+}
+
+std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,
+                                        const std::atomic<bool>& stop) {
+  std::vector<AccuracyRow> rows;
+  for (const Subject& subject : operation.subjects) {
+    rows.push_back({operation.name, subject, set.name, {}, 0, 0});
+  }
+  const CaseWords words = set.words;
+  for (std::size_t i = 0; i + operation.words <= words.size() && !stop; i += operation.words) {
+    const CaseWords in = words.subspan(i, operation.words);
+    const auto exact = operation.exact(in);
+    const bool counts = exact && fits(*exact);
+    for (AccuracyRow& row : rows) counts ? add(row, in, *exact) : void(++row.beyond);
+  }
+  return rows;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,24 @@
+/// @file
+/// What `fixproof measure` can measure. Each function prints its tables, writes the file that was
+/// asked for, and returns the exit status.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fixproof {
+
+/// What was asked, whatever is measured.
+struct MeasureRequest {
+  std::vector<std::string> scenes;     ///< files whose operands are recorded
+  std::uint64_t seed = 1994;           ///< of random operands
+  std::optional<std::uint64_t> cases;  ///< random cases of one kind; by default as many as serve
+  std::string json;                    ///< a file for the same figures; empty for none
+};
+
+int measure_accuracy(const MeasureRequest& request);
+int measure_clocks(const MeasureRequest& request);
+
+}  // namespace fixproof

@@ -1,0 +1,31 @@
+#include "verify/measure/provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+namespace fixproof {
+
+std::string compiler_name() {
+#if defined(__clang__)
+  return fmt::format("clang++ {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#else
+  return "an unknown compiler";
+#endif
+}
+
+std::string made_by(std::uint64_t seed) {
+  return fmt::format("seed {}, {}", seed, compiler_name());
+}
+
+nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& command) {
+  return {{"command", command},
+          {"seed", seed},
+          {"compiler", compiler_name()},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+}
+
+}  // namespace fixproof
