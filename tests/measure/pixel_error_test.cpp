@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/measure/never.hpp"
+
 namespace {
 
 using namespace fixproof;
-
-const std::atomic<bool> never{false};
 
 const PixelErrors& named(const std::vector<PixelErrors>& all, std::string_view name) {
   for (const PixelErrors& e : all) {

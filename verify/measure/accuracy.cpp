@@ -35,6 +35,12 @@ std::string units(double x, bool with_sign = false) {
   return with_sign ? fmt::format("{:+.4f}", x) : fmt::format("{:.4f}", x);
 }
 
+/// Toward zero: what stays below 1 is not to be shown as 1.
+std::string largest(double x) {
+  if (x >= 1000) return fmt::format("{:.2e}", x);
+  return fmt::format("{:.5f}", std::floor(x * 1e5) / 1e5);
+}
+
 /// One character for a bucket, the fullest the tallest; a space for an empty one.
 std::string sparkline(const ErrorHistogram& histogram) {
   static constexpr std::array heights{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
@@ -61,7 +67,7 @@ void print(const AccuracyRow& row) {
   }
   std::cout << fmt::format("  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>11}  {:>6} |{}|\n",
                            row.subject.name, grouped(e.cases()), grouped(row.beyond),
-                           grouped(row.faults), units(e.max()), units(e.mean(), true),
+                           grouped(row.faults), largest(e.max()), units(e.mean(), true),
                            units(e.root_mean_square()), share(e.correct()),
                            fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
 }
@@ -138,13 +144,13 @@ class AccuracyRun {
     if (scenes_.empty()) {
       std::cout << "Without a SCENE there are no operands of a scene.\n";
     }
+    std::cout << fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>11}  {:>6}\n", "",
+                             "cases", "left out", "#DE", "max", "mean", "rms", "correct", "span");
     std::string heading;
     for (const AccuracyRow& row : rows_) {
       const std::string here = fmt::format("{}, {}", row.operation, printable(row.operands));
       if (here != heading) {
-        std::cout << fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>11}  {:>6}\n", here,
-                                 "cases", "left out", "#DE", "max", "mean", "rms", "correct",
-                                 "span");
+        std::cout << '\n' << here << '\n';
       }
       heading = here;
       print(row);

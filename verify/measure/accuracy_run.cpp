@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "oracle/unbounded.hpp"
+#include "verify/draw.hpp"
 #include "verify/measure/scene_operands.hpp"
 #include "verify/streams.hpp"
 
@@ -21,16 +22,18 @@ std::vector<std::uint32_t> words_of_stream(Stream stream, std::uint64_t seed, st
   return all;
 }
 
+/// The upper bits of a word as a number of that many bits with a sign.
+std::uint32_t signed_bits(std::uint32_t word, int bits) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(word) >> (32 - bits));
+}
+
 /// What the kind's uniform operands are, made of words that are all as likely.
 std::uint32_t confined(OperandKind kind, std::uint32_t word) {
-  const auto signed_bits = [word](int bits) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(word) >> (32 - bits));
-  };
   switch (kind) {
     case OperandKind::factors:
-      return signed_bits(24);
+      return signed_bits(word, 24);
     case OperandKind::terms:
-      return signed_bits(23);
+      return signed_bits(word, 23);
     case OperandKind::radicand:
       return word >> 1U;
     default:
@@ -67,6 +70,12 @@ std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std:
   }
   OperandSet uniform{"uniform", words_of_stream(Stream::uniform, seed, cases * operation.words)};
   for (std::uint32_t& word : uniform.words) word = confined(operation.kind, word);
+  std::vector<OperandSet> sets{uniform};
+  if (operation.kind == OperandKind::quotients) {
+    // Random words are nearly all large: smaller ones make other quotients.
+    sets.push_back({"uniform to 2048", std::move(uniform.words)});
+    for (std::uint32_t& word : sets.back().words) word = signed_bits(word, 28);
+  }
   OperandSet scaled{"log-uniform", words_of_stream(Stream::scaled, seed, cases * operation.words)};
   if (operation.kind == OperandKind::radicand) {
     // A root's operand has no sign: the magnitude in its place.
@@ -74,7 +83,8 @@ std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std:
       if (static_cast<std::int32_t>(word) < 0) word = ~word;
     }
   }
-  return {std::move(uniform), std::move(scaled)};
+  sets.push_back(std::move(scaled));
+  return sets;
 }
 
 OperandSet scene_operands(const MeasuredOperation& operation, const std::string& scene,
@@ -100,12 +110,16 @@ OperandSet scene_operands(const MeasuredOperation& operation, const std::string&
     case OperandKind::radians:
       break;
   }
-  const std::size_t recorded = all.size() / operation.words;
-  const std::size_t step = std::max<std::size_t>(1, (recorded + cases - 1) / cases);
+  const std::uint64_t recorded = all.size() / operation.words;
+  const std::uint64_t kept = std::min(recorded, cases);
   OperandSet set{scene, {}};
-  for (std::size_t i = 0; i < recorded; i += step) {
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * operation.words);
-    set.words.insert(set.words.end(), first, first + static_cast<std::ptrdiff_t>(operation.words));
+  for (std::uint64_t i = 0; i < kept; ++i) {
+    // One of each stretch: at equal steps a scene's own rhythm could show.
+    const std::uint64_t begin = i * recorded / kept;
+    Draw draw(0, i);
+    const std::uint64_t chosen = begin + draw.below((i + 1) * recorded / kept - begin);
+    const CaseWords words = CaseWords(all).subspan(chosen * operation.words, operation.words);
+    set.words.insert(set.words.end(), words.begin(), words.end());
   }
   return set;
 }

@@ -132,8 +132,8 @@ std::vector<MeasuredOperation> measured_operations() {
       {"cos", angle, 1, exact_cosine, by_none(cosine)},
       {"sin", angle, 1, exact_sine, by_none(sine)},
       {"sin of radians", radians, 1, exact_sine_of_radians, {}},
-      {"dot, products rounded", terms, 6, exact_dot, by_product(rounded_products)},
-      {"dot, rounded once", terms, 6, exact_dot, by_product(rounded_sum)},
+      {"dot of rounded products", terms, 6, exact_dot, by_product(rounded_products)},
+      {"dot rounded once", terms, 6, exact_dot, by_product(rounded_sum)},
   };
   for (MeasuredOperation& operation : all) {
     if (auto library = libfixmath_subject(operation.name)) {

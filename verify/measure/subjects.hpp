@@ -34,7 +34,7 @@ struct Subject {
 enum class OperandKind {
   factors,    ///< uniform: 24 bits, so that the product fits
   terms,      ///< pairs of a sum of products; uniform: 23 bits, so that the sum fits
-  quotients,  ///< uniform: every word as likely
+  quotients,  ///< uniform: every word as likely; and 28 bits, to 2048
   radicand,   ///< uniform: every word that is not negative as likely
   angle,      ///< every tenth of a degree of a turn, nothing else
   radians,    ///< uniform: every word as likely
