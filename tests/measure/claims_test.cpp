@@ -22,6 +22,19 @@ TEST(Claims, AVerdictNeedsAllOfARange) {
   EXPECT_EQ(judge({1, 9}, allowed), Verdict::open);
 }
 
+TEST(Claims, FiguresThatAreOpenDecideNothing) {
+  const auto of = [](const std::vector<Verdict>& verdicts) {
+    Claim claim;
+    for (const Verdict v : verdicts) claim.figures.push_back({"", {}, v});
+    return verdict_on(claim);
+  };
+  using enum Verdict;
+  EXPECT_EQ(of({open, open}), open);
+  EXPECT_EQ(of({open, holds, holds}), holds);
+  EXPECT_EQ(of({does_not_hold, open}), does_not_hold);
+  EXPECT_EQ(of({holds, does_not_hold, holds}), in_part);
+}
+
 TEST(Spread, MeansAreOfTypicalCallsAlone) {
   Spread s;
   s.add({10, 12});

@@ -34,7 +34,7 @@ void add_measure(CLI::App& app, int& status) {
   command->add_option("--json", options->request.json, "a file for the same figures, as JSON")
       ->check(not_empty());
   command->footer(
-      "--accuracy sets results against exact integers; by default 200,000 operands of one kind.\n"
+      "--accuracy sets results against exact integers; by default 500,000 operands of one kind.\n"
       "--clocks counts by Intel's tables, and judges what the chapters say about speed.\n\n"
       "Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.\n\n"
       "Examples:\n"

@@ -26,7 +26,7 @@ namespace {
 
 using AccuracyJson = nlohmann::ordered_json;
 
-constexpr std::uint64_t default_accuracy_cases = 200'000;
+constexpr std::uint64_t default_accuracy_cases = 500'000;
 /// Points of an octave of distance for every operand of the other measurements.
 constexpr std::uint64_t points_share = 10;
 
@@ -108,7 +108,7 @@ class AccuracyRun {
         cases_(request.cases.value_or(default_accuracy_cases)),
         operations_(measured_operations()),
         all_(request.scenes.size() + operations_.size() + 1),
-        progress_(std::in_place, all_) {}
+        progress_(std::in_place, all_, "parts") {}
 
   /// @return false where it was stopped before its time
   bool run() {

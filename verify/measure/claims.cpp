@@ -22,12 +22,16 @@ enum class Build : std::size_t { i386_on, i386_off, i8088_on, i8088_off };
 constexpr Bounds about(double figure) { return {figure / 1.25, figure * 1.25}; }
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The one whose frames a second are published.
-constexpr std::string_view published_scene = "shaded ball";
+/// Scenes whose frames a second are published.
+constexpr std::string_view cubes = "twelve cubes";
+constexpr std::string_view ball = "shaded ball";
+/// Of the twelve cubes on a 386 of 20 MHz.
+constexpr double published_frames = 15;
 
 /// Megahertz of the machines that are compared.
 constexpr double pc = 4.77;
 constexpr double at = 8;
+constexpr double early_386 = 20;
 constexpr double fast_486 = 33;
 
 /// Clocks of the listings in a frame of a scene.
@@ -75,11 +79,13 @@ Claim switch_to_8088(const std::vector<RecordedScene>& scenes) {
 }
 
 Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
-  Claim claim{"Rounding costs little.",
-              "listings that round over those that do not, a frame; at most 10 % more",
-              "% more",
-              {-unlimited, 10},
-              {}};
+  Claim claim{
+      "Rounding costs little.",
+      "listings that round over those that do not, a frame; at most 10 % more. And the same "
+      "clocks\nas a share of the published frame of the cubes, a 15th of a second of 20 MHz",
+      "%",
+      {-unlimited, 10},
+      {}};
   for (const RecordedScene& scene : scenes) {
     const auto compare = [&](Build on, Build off, Cpu cpu, const char* code) {
       add(claim, fmt::format("{}, {} listings on a {}", scene.name, code, name_of(cpu)),
@@ -89,6 +95,11 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
     compare(Build::i386_on, Build::i386_off, Cpu::i486, "386");
     compare(Build::i8088_on, Build::i8088_off, Cpu::i8088, "8088");
     compare(Build::i8088_on, Build::i8088_off, Cpu::i286, "8088");
+    if (scene.name != cubes) continue;
+    const Bounds on = clocks_a_frame(scene, Build::i386_on, Cpu::i386);
+    const Bounds off = clocks_a_frame(scene, Build::i386_off, Cpu::i386);
+    const double share = 100 * (on.max - off.max) / (early_386 * 1e6 / published_frames);
+    add(claim, fmt::format("{}, of the whole frame on a 386", scene.name), {share, share});
   }
   return claim;
 }
@@ -147,8 +158,8 @@ Claim machines(const std::vector<RecordedScene>& scenes, std::string text, std::
 }
 
 /// A necessary condition: the listings alone have to fit into the frame.
-Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string text, double wanted,
-                      const Machine& m) {
+Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string_view wanted_scene,
+                      std::string text, double wanted, const Machine& m) {
   Claim claim{
       std::move(text),
       fmt::format("what the listings would allow if nothing had to be drawn; at least {}", wanted),
@@ -156,7 +167,7 @@ Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string text
       {wanted, unlimited},
       {}};
   for (const RecordedScene& scene : scenes) {
-    if (scene.name != published_scene) continue;
+    if (scene.name != wanted_scene) continue;
     add(claim, scene.name,
         ratio({1, 1}, seconds(clocks_a_frame(scene, m.build, m.cpu), m.megahertz)));
   }
@@ -171,8 +182,18 @@ Verdict judge(const Bounds& measured, const Bounds& allowed) {
   return Verdict::open;
 }
 
+Verdict verdict_on(const Claim& claim) {
+  Verdict all = Verdict::open;
+  for (const ClaimFigure& f : claim.figures) {
+    if (f.verdict == Verdict::open || f.verdict == all) continue;
+    if (all != Verdict::open) return Verdict::in_part;
+    all = f.verdict;
+  }
+  return all;
+}
+
 std::string name_of(Verdict verdict) {
-  static constexpr std::array names{"holds", "does not hold", "open"};
+  static constexpr std::array names{"holds", "does not hold", "open", "holds in part"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
@@ -195,10 +216,13 @@ std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes) {
                "frame; 8 to 12.5.\nPublished for whole animations, of which the 486 has cycles to "
                "spare",
                10, at_8088, native_486),
-      frames_a_second(scenes, "The AT animates the shaded ball about 6 times a second.", 6,
+      frames_a_second(scenes, ball, "The AT animates the shaded ball about 6 times a second.", 6,
                       at_8088),
-      frames_a_second(scenes, "The 486 animates it 60 times a second, with cycles to spare.", 60,
-                      native_486),
+      frames_a_second(scenes, cubes,
+                      "A 386 at 20 MHz animates the twelve cubes about 15 times a second.",
+                      published_frames, {Cpu::i386, early_386, Build::i386_on}),
+      frames_a_second(scenes, ball, "The 486 animates it 60 times a second, with cycles to spare.",
+                      60, native_486),
       machines(scenes, "A PC is perhaps 40 times slower than a 486 at 33 MHz.",
                "8088 listings, rounded, at 4.77 MHz over the same on the 486, seconds a frame; 32 "
                "to 50",

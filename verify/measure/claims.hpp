@@ -16,7 +16,7 @@ struct Bounds {
   double max = 0;
 };
 
-enum class Verdict { holds, does_not_hold, open };
+enum class Verdict { holds, does_not_hold, open, in_part };
 
 /// `holds` where all of `measured` is allowed, `does_not_hold` where none is, `open` where the
 /// tables' ranges leave both possible.
@@ -49,6 +49,10 @@ std::vector<xsharp::ArithmeticChoice> recorded_builds();
 
 /// Every claim with its figures for these scenes.
 std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes);
+
+/// Of a claim as a whole: that of its figures, those left aside that are open; `in_part` where they
+/// disagree.
+Verdict verdict_on(const Claim& claim);
 
 std::string name_of(Verdict verdict);
 

@@ -86,12 +86,14 @@ ClockJson json_of(const Claim& claim) {
   return {{"claim", claim.text},
           {"means", claim.means},
           {"unit", claim.unit},
+          {"verdict", name_of(verdict_on(claim))},
           {"allowed", json_of(claim.allowed)},
           {"figures", std::move(figures)}};
 }
 
 void print(const Claim& claim) {
-  std::cout << fmt::format("\n{}\n({})\n", claim.text, claim.means);
+  std::cout << fmt::format("\n{}\n=> {}\n({})\n", claim.text, name_of(verdict_on(claim)),
+                           claim.means);
   for (const ClaimFigure& f : claim.figures) {
     std::cout << fmt::format("  {:<44}{:>15} {:<16} {}\n", printable(f.where),
                              between(f.measured.min, f.measured.max, 2), claim.unit,
@@ -111,7 +113,7 @@ class ClockRun {
       : request_(request),
         variants_(timed_variants()),
         all_(request.scenes.size() * recorded_builds().size() + variants_.size()),
-        progress_(std::in_place, all_) {}
+        progress_(std::in_place, all_, "parts") {}
 
   /// @return false where it was stopped before its time
   bool run() {
