@@ -111,6 +111,13 @@ void check_replaceable(const std::string& path) {
   const xsharp::PartFile unfinished(path);
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  // Two hard links have two names.
+  std::error_code error;
+  return xsharp::behind_links(a) == xsharp::behind_links(b) ||
+         std::filesystem::equivalent(a, b, error);
+}
+
 std::string read_file(const std::string& path) { return File(path, O_RDONLY).read(); }
 
 }  // namespace fixproof

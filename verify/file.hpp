@@ -16,6 +16,9 @@ void replace_file(const std::string& path, std::string_view contents);
 /// @throws std::runtime_error naming the file and the reason
 void check_replaceable(const std::string& path);
 
+/// Whether writing to one would change the other, by whatever links and names.
+bool same_file(const std::string& a, const std::string& b);
+
 /// The contents of a file of at most 256 MiB: what has no end, like a device, is refused there.
 /// @throws std::runtime_error naming the file and the reason
 std::string read_file(const std::string& path);

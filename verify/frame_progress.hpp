@@ -1,23 +1,22 @@
 /// @file
-/// The line that shows how many frames are done.
+/// The line that shows how many frames, or other things of equal work, are done.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <string_view>
+
+#include "verify/terminal_line.hpp"
 
 namespace fixproof {
 
-/// One line on a terminal, drawn a few times a second and erased at the end. If stderr is no
-/// terminal nothing is written.
+/// How many of them are done and about how long the others will take, drawn a few times a second.
 class FrameProgress {
  public:
-  /// @param all at least 1
-  explicit FrameProgress(std::uint64_t all);
-  ~FrameProgress();
-  FrameProgress(const FrameProgress&) = delete;
-  FrameProgress& operator=(const FrameProgress&) = delete;
-  FrameProgress(FrameProgress&&) = delete;
-  FrameProgress& operator=(FrameProgress&&) = delete;
+  /// @param all  at least 1
+  /// @param what they are, in the plural
+  explicit FrameProgress(std::uint64_t all, std::string_view what = "frames")
+      : all_(all), what_(what) {}
 
   void show(std::uint64_t done);
 
@@ -25,8 +24,8 @@ class FrameProgress {
   using clock = std::chrono::steady_clock;
 
   std::uint64_t all_;
-  bool terminal_;
-  bool drawn_ = false;
+  std::string_view what_;
+  TerminalLine line_;
   clock::time_point begin_ = clock::now();
   clock::time_point last_ = begin_;
 };

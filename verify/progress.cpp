@@ -1,10 +1,8 @@
 #include "verify/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "verify/text.hpp"
 
@@ -37,19 +35,12 @@ std::string progress_text(const Report& report, std::uint64_t fresh, double seco
   return text + ": " + row_at_work(report);
 }
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-Progress::~Progress() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
-}
-
 void Progress::show(const Report& report) {
-  if (!terminal_) return;
+  if (!line_.is_seen()) return;
   const std::uint64_t done = report.chunks_done();
-  if (!drawn_) before_ = done;
+  if (!line_.is_drawn()) before_ = done;
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-  fmt::print(stderr, "\r{}\x1b[K", progress_text(report, done - before_, passed.count()));
-  drawn_ = true;
+  line_.show(progress_text(report, done - before_, passed.count()));
 }
 
 }  // namespace fixproof

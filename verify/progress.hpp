@@ -7,25 +7,17 @@
 #include <string>
 
 #include "verify/report.hpp"
+#include "verify/terminal_line.hpp"
 
 namespace fixproof {
 
-/// One line on a terminal, drawn again and again and erased at the end. If stderr is no terminal
-/// nothing is written.
+/// How far a verification is, and the row at work.
 class Progress {
  public:
-  Progress();
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress(Progress&&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  Progress& operator=(Progress&&) = delete;
-
   void show(const Report& report);
 
  private:
-  bool terminal_;
-  bool drawn_ = false;
+  TerminalLine line_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   /// Chunks that were done when this run began: they say nothing about its speed.
   std::uint64_t before_ = 0;

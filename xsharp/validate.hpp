@@ -13,6 +13,7 @@
 
 #include "xsharp/scene.hpp"
 #include "xsharp/scene_error.hpp"
+#include "xsharp/text_of.hpp"
 #include "xsharp/validate_mesh.hpp"
 
 namespace xsharp {

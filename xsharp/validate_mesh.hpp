@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "xsharp/mesh.hpp"
 #include "xsharp/scene_error.hpp"
+#include "xsharp/text_of.hpp"
 
 namespace xsharp {
 
@@ -21,14 +21,6 @@ inline constexpr std::size_t most_vertices = 8192;
 inline constexpr double farthest_vertex = 8192;
 
 namespace detail {
-
-/// The words in one text; numbers with up to six digits.
-template <class... Words>
-std::string text_of(const Words&... words) {
-  std::ostringstream text;
-  (text << ... << words);
-  return text.str();
-}
 
 /// One body under examination; every check throws SceneError, without the name of the body.
 class MeshExamination {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 #include <string_view>
 
@@ -114,10 +115,14 @@ TEST(Usage, NumbersAreDecimal) {
 
 TEST(Usage, HelpIsNoError) {
   for (const std::string_view arguments :
-       {"--help", "eval --help", "step --help", "trace --help", "list --help", "--version"}) {
+       {"--help", "verify --help", "merge --help", "eval --help", "step --help", "trace --help",
+        "list --help", "prove --help", "mutate --help", "dos --help", "render --help",
+        "drift --help", "--version"}) {
     const auto run = cli::fixproof(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_NE(run.out, "") << arguments;
+    // No name of the program's own text.
+    EXPECT_FALSE(std::regex_search(run.out, std::regex("[A-Z][a-z]+Options"))) << arguments;
     EXPECT_EQ(run.err, "") << arguments;
   }
 }

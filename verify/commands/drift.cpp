@@ -13,6 +13,7 @@
 #include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/scenes/outputs.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 #include "xsharp/files/scene_json.hpp"
@@ -111,7 +112,10 @@ int run(const DriftOptions& options) {
     throw UsageError(fmt::format("--object {}: {} has objects 0 to {}", options.object, scene.name,
                                  scene.objects.size() - 1));
   }
-  if (!options.strip.empty()) check_replaceable(options.strip);
+  if (!options.strip.empty()) {
+    refuse_inputs("--strip", options.strip, scene.files);
+    check_replaceable(options.strip);
+  }
 
   const auto cases = cases_of(options.restore_every);
   std::uint64_t frames = options.minutes * 60 * fast;

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <iostream>
@@ -12,6 +12,7 @@
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/commands/solver_options.hpp"
+#include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/mutation/kill.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 struct MutateOptions {
   Selection selection;
-  SolverOptions solver{.seconds = 20};
+  SolverOptions solver{.seconds = 60};
   std::uint64_t seed = 1994;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool verbose = false;
@@ -51,15 +52,8 @@ std::vector<Trial> trials_of(const Selection& selection) {
   return trials;
 }
 
-/// Shows how far it has come, where somebody looks.
-void show(std::size_t done, std::size_t all, double seconds) {
-  if (::isatty(STDERR_FILENO) != 1) return;
-  const double left = seconds / static_cast<double>(done) * static_cast<double>(all - done);
-  fmt::print(stderr, "\r{} of {} mutants, about {} left\x1b[K", done, all, duration(left));
-}
-
 void judge_all(std::vector<Trial>& trials, const MutateOptions& options, const Solver& solver) {
-  const auto begin = std::chrono::steady_clock::now();
+  FrameProgress progress(std::max<std::size_t>(1, trials.size()), "mutants");
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::size_t done = 0;
@@ -72,8 +66,7 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options, const S
                                 options.solver.seconds);
         const std::lock_guard lock(mutex);
         trial.done = true;
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-        show(++done, trials.size(), passed.count());
+        progress.show(++done);
       }
     } catch (const Stopped&) {
       // Ends the solver, and the threads one after the other: that trial is not judged.
@@ -87,7 +80,6 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options, const S
     std::vector<std::jthread> threads;
     for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
   }
-  if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -19,12 +19,6 @@ namespace fs = std::filesystem;
 /// A file and what it is for, for messages.
 using Use = std::pair<std::string, fs::path>;
 
-bool same_file(const fs::path& a, const fs::path& b) {
-  // Two hard links have two names.
-  std::error_code error;
-  return xsharp::behind_links(a) == xsharp::behind_links(b) || fs::equivalent(a, b, error);
-}
-
 /// Whether `file` is what a frame could be called in `folder`.
 bool is_frame_of(const fs::path& folder, const fs::path& file) {
   const fs::path real = xsharp::behind_links(file);
@@ -32,22 +26,24 @@ bool is_frame_of(const fs::path& folder, const fs::path& file) {
          real.extension() == ".png";
 }
 
+[[noreturn]] void refuse_use(std::string_view option, const fs::path& file, std::string_view use) {
+  throw UsageError(fmt::format("{} {}: is a file of {}, name another", option, file.string(), use));
+}
+
 void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& inputs) {
   std::vector<Use> outputs;
   if (!names.animation.empty()) outputs.emplace_back("--animate", names.animation);
   if (!names.dump.empty()) outputs.emplace_back("--dump", names.dump);
   std::vector<Use> others;
-  for (const fs::path& input : inputs) others.emplace_back("the scene", input);
   for (const auto& [option, file] : outputs) {
+    refuse_inputs(option, file, inputs);
     for (const auto& [other, other_file] : others) {
-      if (same_file(file, other_file)) {
-        throw UsageError(
-            fmt::format("{} {}: is a file of {}, name another", option, file.string(), other));
-      }
+      if (same_file(file, other_file)) refuse_use(option, file, other);
     }
     others.emplace_back(option, file);
   }
   if (names.folder.empty()) return;
+  for (const fs::path& input : inputs) others.emplace_back("the scene", input);
   for (const auto& [other, file] : others) {
     if (is_frame_of(names.folder, file)) {
       throw UsageError(fmt::format("--out {}: a frame could replace {}, a file of {}", names.folder,
@@ -57,6 +53,13 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
 }
 
 }  // namespace
+
+void refuse_inputs(std::string_view option, const fs::path& file,
+                   const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    if (same_file(file, input)) refuse_use(option, file, "the scene");
+  }
+}
 
 Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
                  double frames_per_second)
@@ -81,14 +84,20 @@ Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
 void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {
   if (animation_ || !folder_.empty()) {
     const std::string png = canvas.png();
-    if (!folder_.empty()) replace_file(frame_file(frame), png);
+    if (!folder_.empty()) {
+      const std::string file = frame_file(frame);
+      // What a link of that name leads to is not a frame.
+      if (fs::is_symlink(file)) fs::remove(file);
+      replace_file(file, png);
+    }
     if (animation_) animation_->add(png);
   }
   if (dump_) dump_->append(dump_frame(player, frame));
 }
 
 void Outputs::finish(std::uint64_t frames) {
-  if (animation_ && frames > 0) animation_->finish();
+  if (frames == 0) return;
+  if (animation_) animation_->finish();
   if (dump_) dump_->finish();
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verify/scenes/canvas.hpp"
@@ -22,11 +23,15 @@ struct OutputNames {
   std::string dump;       ///< dump_frame() of every frame
 };
 
+/// @throws UsageError if `file`, which `option` says is to be written, is one of `inputs`
+void refuse_inputs(std::string_view option, const std::filesystem::path& file,
+                   const std::vector<std::filesystem::path>& inputs);
+
 /// Files for frames. None is there, or changed, before it is complete.
 class Outputs {
  public:
   /// @param inputs files that must not be written
-  /// @throws UsageError if two of all these are one file
+  /// @throws UsageError if an output is another output or an input, or the folder cannot be made
   /// @throws std::runtime_error naming what cannot be written
   Outputs(const OutputNames& names, const std::vector<std::filesystem::path>& inputs,
           double frames_per_second);
@@ -34,6 +39,7 @@ class Outputs {
   /// Frames come in order, from 0.
   void add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame);
 
+  /// Without frames, what was there before stays.
   void finish(std::uint64_t frames);
 
   /// The first picture of an earlier, longer run that is still in the folder; empty if there is

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "xsharp/files/read_text.hpp"
+#include "xsharp/text_of.hpp"
 #include "xsharp/validate_mesh.hpp"
 
 namespace xsharp {

@@ -14,6 +14,7 @@
 #include "xsharp/files/obj.hpp"
 #include "xsharp/files/read_text.hpp"
 #include "xsharp/shapes.hpp"
+#include "xsharp/text_of.hpp"
 #include "xsharp/validate.hpp"
 
 namespace xsharp {
