@@ -140,6 +140,12 @@ TEST(Accuracy, ReferencesThatAreNoRatios) {
   EXPECT_EQ(value(oracle::scaled_cos(-900, 40)), 0);
   EXPECT_NEAR(value(oracle::scaled_cos(1350, 40)), -std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(value(oracle::scaled_sin_of_radians(0x10000, 40)), 0.84147098480789650, 1e-15);
+  for (int tenths = -3600; tenths <= 3600; ++tenths) {
+    const long double radians = tenths * (3.14159265358979323846L / 1800);
+    ASSERT_NEAR(value(oracle::scaled_cos(tenths, 40)), static_cast<double>(std::cos(radians)),
+                1e-15)
+        << tenths;
+  }
   EXPECT_THROW(oracle::scaled_sqrt(0xFFFFFFFF, 40), std::domain_error);
 }
 
