@@ -60,12 +60,16 @@ TEST(ErrorHistogram, WidensUntilEveryErrorHasAPlace) {
 }
 
 TEST(ErrorHistogram, TheOrderOfErrorsDoesNotMatter) {
-  ErrorHistogram forward;
-  ErrorHistogram backward;
-  for (int i = -40; i <= 40; ++i) forward.add(i / 16.0);
-  for (int i = 40; i >= -40; --i) backward.add(i / 16.0);
-  EXPECT_EQ(forward.span(), backward.span());
-  EXPECT_EQ(forward.counts(), backward.counts());
+  ErrorHistogram outward;
+  ErrorHistogram inward;
+  const auto add_both = [](ErrorHistogram& h, int i) {
+    h.add(i / 32.0);
+    h.add(-i / 32.0);
+  };
+  for (int i = 0; i <= 80; ++i) add_both(outward, i);
+  for (int i = 80; i >= 0; --i) add_both(inward, i);
+  EXPECT_EQ(outward.span(), inward.span());
+  EXPECT_EQ(outward.counts(), inward.counts());
 }
 
 }  // namespace

@@ -72,7 +72,9 @@ TEST(StepClocks, LinesWithoutAStateStayAsTheyAre) {
 }
 
 TEST(StepClocks, IsNotForFiles) {
-  EXPECT_EQ(cli::fixproof("step --clocks 286 --singlestep some.json").status, 2);
+  const auto run = cli::fixproof("step --clocks 286 --singlestep some.json");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("--clocks"), std::string::npos) << run.err;
   EXPECT_EQ(cli::fixproof("step --clocks 186").status, 2);
 }
 

@@ -88,7 +88,9 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
       {}};
   for (const RecordedScene& scene : scenes) {
     const auto compare = [&](Build on, Build off, Cpu cpu, const char* code) {
-      add(claim, fmt::format("{}, {} listings on a {}", scene.name, code, name_of(cpu)),
+      add(claim,
+          fmt::format("{}, {} listings on {} {}", scene.name, code, cpu == Cpu::i8088 ? "an" : "a",
+                      name_of(cpu)),
           surplus(clocks_a_frame(scene, on, cpu), clocks_a_frame(scene, off, cpu)));
     };
     compare(Build::i386_on, Build::i386_off, Cpu::i386, "386");
