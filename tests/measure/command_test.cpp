@@ -15,7 +15,8 @@ TEST(MeasureCommand, WantsOneThingToMeasure) {
   for (const char* arguments :
        {"measure", "measure --accuracy --clocks", "measure --accuracy --cases 0",
         "measure --accuracy --seed -1", "measure --clocks no/such/scene.json",
-        "measure --accuracy --json /no/such/folder/file"}) {
+        "measure --accuracy --json /no/such/folder/file",
+        "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
     const auto run = cli::fixproof(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.out, "") << arguments;

@@ -18,7 +18,6 @@
 #include "verify/measure/provenance.hpp"
 #include "verify/measure/scene_operands.hpp"
 #include "verify/text.hpp"
-#include "xsharp/files/scene_json.hpp"
 
 namespace fixproof {
 
@@ -112,8 +111,7 @@ class AccuracyRun {
 
   /// @return false where it was stopped before its time
   bool run() {
-    for (const std::string& file : request_.scenes) {
-      const xsharp::Scene scene = xsharp::read_scene(file);
+    for (const xsharp::Scene& scene : read_scenes(request_)) {
       scenes_.push_back(scene.name);
       logs_.push_back(record_scene(scene, listing_choice("i386", true), stop_).log);
       done();
@@ -228,7 +226,6 @@ class AccuracyRun {
 }  // namespace
 
 int measure_accuracy(const MeasureRequest& request) {
-  if (!request.json.empty()) check_replaceable(request.json);
   AccuracyRun run(request);
   if (!run.run()) {
     std::cout << run.how_far();

@@ -14,7 +14,6 @@
 #include "verify/measure/measure.hpp"
 #include "verify/measure/provenance.hpp"
 #include "verify/text.hpp"
-#include "xsharp/files/scene_json.hpp"
 
 namespace fixproof {
 
@@ -117,7 +116,7 @@ class ClockRun {
 
   /// @return false where it was stopped before its time
   bool run() {
-    for (const std::string& file : request_.scenes) record(xsharp::read_scene(file));
+    for (const xsharp::Scene& scene : read_scenes(request_)) record(scene);
     for (const Variant& variant : variants_) {
       CallClocks row = no_calls(variant);
       const std::uint64_t cases = request_.cases.value_or(default_cases);
@@ -213,7 +212,6 @@ class ClockRun {
 }  // namespace
 
 int measure_clocks(const MeasureRequest& request) {
-  if (!request.json.empty()) check_replaceable(request.json);
   ClockRun run(request);
   if (!run.run()) {
     std::cout << run.how_far();

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "xsharp/scene.hpp"
+
 namespace fixproof {
 
 /// What was asked, whatever is measured.
@@ -17,6 +19,12 @@ struct MeasureRequest {
   std::optional<std::uint64_t> cases;  ///< random cases of one kind; by default as many as serve
   std::string json;                    ///< a file for the same figures; empty for none
 };
+
+/// The scenes that were asked for. Before anything long begins it is known that the file can be
+/// written, and is none of theirs.
+/// @throws xsharp::SceneError for a scene that is refused, UsageError for such a file,
+///         std::runtime_error for one that cannot be written
+std::vector<xsharp::Scene> read_scenes(const MeasureRequest& request);
 
 int measure_accuracy(const MeasureRequest& request);
 int measure_clocks(const MeasureRequest& request);
