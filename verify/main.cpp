@@ -38,6 +38,8 @@ int main(int argc, char** argv) {
   fixproof::add_render(app, status);
   fixproof::add_drift(app, status);
   fixproof::add_measure(app, status);
+  fixproof::add_profile(app, status);
+  fixproof::add_advise(app, status);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

@@ -1,10 +1,13 @@
 #include "x86model/forms.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <tuple>
 #include <vector>
 
 #include "x86model/execute.hpp"
+#include "x86model/text.hpp"
 
 namespace x86model {
 
@@ -37,14 +40,21 @@ Form form_of(const Instruction& i) {
           form_of(third, false)};
 }
 
-std::vector<Form> forms_of(Target target) {
-  std::vector<Form> forms;
+/// The instructions of the listings for one processor.
+std::vector<Instruction> instructions_of(Target target) {
+  std::vector<Instruction> instructions;
   for (int r = 0; r < routine_count; ++r) {
     const Listing& rows = listing(static_cast<Routine>(r), target);
     for (std::size_t i = 0; i < rows.size; ++i) {
-      if (rows.rows.at(i).directive == Directive::none) forms.push_back(form_of(rows.rows.at(i)));
+      if (rows.rows.at(i).directive == Directive::none) instructions.push_back(rows.rows.at(i));
     }
   }
+  return instructions;
+}
+
+std::vector<Form> forms_of(Target target) {
+  std::vector<Form> forms;
+  for (const Instruction& i : instructions_of(target)) forms.push_back(form_of(i));
   return forms;
 }
 
@@ -59,6 +69,25 @@ bool is_modelled(const Instruction& instruction, Target processor) {
   static const std::vector<Form> i386 = forms_of(Target::i386);
   const Form form = form_of(instruction);
   return contains(i8088, form) || (processor == Target::i386 && contains(i386, form));
+}
+
+std::string form_text(const Instruction& instruction) {
+  static constexpr std::array<const char*, 6> names{"", "r/m16", "r/m32", "imm", "1", "label"};
+  const auto [mnemonic, first, second, third] = form_of(instruction);
+  std::string text(name_of(mnemonic));
+  const char* between = " ";
+  for (const OperandForm form : {first, second, third}) {
+    if (form == OperandForm::none) break;
+    text.append(between).append(names.at(static_cast<std::size_t>(form)));
+    between = ", ";
+  }
+  return text;
+}
+
+std::vector<std::string> form_texts(Target target) {
+  std::set<std::string> texts;
+  for (const Instruction& i : instructions_of(target)) texts.insert(form_text(i));
+  return {texts.begin(), texts.end()};
 }
 
 }  // namespace x86model

@@ -2,6 +2,9 @@
 /// Which instructions are modelled: those whose form some routine uses.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "x86model/routine.hpp"
 
 namespace x86model {
@@ -10,5 +13,11 @@ namespace x86model {
 /// operands of the same kinds and sizes. A register and a place in memory are one kind, as in
 /// Intel's r/m; a shift by one is a form of its own. The 386 has the 8088's forms too.
 bool is_modelled(const Instruction& instruction, Target processor);
+
+/// The form of an instruction in Intel's terms: `imul r/m32`, `shr r/m32, 1`, `jns label`.
+std::string form_text(const Instruction& instruction);
+
+/// The forms of the listings for one processor, under any build. Sorted, each once.
+std::vector<std::string> form_texts(Target target);
 
 }  // namespace x86model

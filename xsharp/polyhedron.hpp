@@ -14,6 +14,7 @@
 #include "xsharp/clip.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/object.hpp"
+#include "xsharp/reach.hpp"
 
 namespace xsharp {
 
@@ -70,13 +71,13 @@ class Polyhedron final : public Object<N> {
     prepared_ = true;
     visible_.clear();
     corners_.clear();
-    Transform<N> to_world = motion_.to_world();
-    in_reach_ = reaches(view, to_world);
-    if (!in_reach_) {
+    const auto to_world = within_reach(motion_, view, radius_);
+    in_reach_ = to_world.has_value();
+    if (!to_world) {
       ++tally.out_of_reach;
       return;
     }
-    to_view_ = Arithmetic<N>::concatenate(view.world_to_view, to_world);
+    to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world);
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       view_[i] = Arithmetic<N>::apply(to_view_, vertices_[i]);
       screen_[i] = project_inside(view_[i], view.projection, tally);
@@ -142,33 +143,6 @@ class Polyhedron final : public Object<N> {
     std::size_t face = 0;
     std::uint32_t corners = 0;
   };
-
-  /// Moves `to_world` from the object's page to the view's. @return false where some vertex could
-  /// come out of 16.16 in view space: the object is too far away to be drawn.
-  bool reaches(const View<N>& view, Transform<N>& to_world) const {
-    double distance = 0;
-    double stretch = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int64_t pages = std::int64_t{motion_.page()[i]} - view.page[i];
-      const double place =
-          static_cast<double>(to_world.rows[i][3]) + static_cast<double>(pages) * page_size;
-      if (std::fabs(place) >= 2.0 * page_size) return false;
-      // In steps that are each in range, and exact.
-      for (std::int64_t page = 0; page != pages; page += pages < 0 ? -1 : 1) {
-        const N step = from_whole<N>(page_size);
-        to_world.rows[i][3] = pages < 0 ? to_world.rows[i][3] - step : to_world.rows[i][3] + step;
-      }
-      distance += place * place;
-      for (std::size_t j = 0; j < 3; ++j) {
-        stretch += std::pow(static_cast<double>(to_world.rows[i][j]), 2);
-      }
-    }
-    double viewer = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      viewer += std::pow(static_cast<double>(view.world_to_view.rows[i][3]), 2);
-    }
-    return std::sqrt(distance) + std::sqrt(viewer) + std::sqrt(stretch) * radius_ < 32767;
-  }
 
   static std::optional<ScreenPoint> project_inside(const Vec3<N>& point,
                                                    const Projection<N>& projection, Tally& tally) {

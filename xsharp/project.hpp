@@ -40,15 +40,31 @@ Projection<N> projection_of(const Scene& scene) {
   return p;
 }
 
-/// Where a point of view space is on the screen; nothing where the divide faults, which it does not
-/// for what clip() leaves.
+/// A place on the screen before it is brought to pixels: from the middle of the page, y up.
 template <Scalar N>
-std::optional<ScreenPoint> project(const Vec3<N>& view, const Projection<N>& projection) {
+struct Projected {
+  N x{};
+  N y{};
+};
+
+/// Where a point of view space is seen; nothing where the divide faults, which it does not for what
+/// clip() leaves.
+template <Scalar N>
+std::optional<Projected<N>> project_unrounded(const Vec3<N>& view,
+                                              const Projection<N>& projection) {
   const auto x = Arithmetic<N>::divide(view.x, view.z);
   const auto y = Arithmetic<N>::divide(view.y, view.z);
   if (!x || !y) return std::nullopt;
-  return ScreenPoint{nearest_pixel(*x * projection.constant) + projection.center_x,
-                     -nearest_pixel(*y * projection.constant) + projection.center_y};
+  return Projected<N>{*x * projection.constant, *y * projection.constant};
+}
+
+/// The same in pixels of the page.
+template <Scalar N>
+std::optional<ScreenPoint> project(const Vec3<N>& view, const Projection<N>& projection) {
+  const auto place = project_unrounded(view, projection);
+  if (!place) return std::nullopt;
+  return ScreenPoint{nearest_pixel(place->x) + projection.center_x,
+                     -nearest_pixel(place->y) + projection.center_y};
 }
 
 }  // namespace xsharp

@@ -1,0 +1,172 @@
+// How far corners are off: by hand, by the pipeline's own pixels, and by drift.
+#include "verify/advise/screen_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "fixed/fixed.hpp"
+#include "verify/advise/screen_corners.hpp"
+#include "verify/drift/run.hpp"
+#include "verify/scenes/players.hpp"
+#include "xsharp/files/scene_json.hpp"
+#include "xsharp/shapes.hpp"
+
+namespace fixproof {
+namespace {
+
+xsharp::Scene still_cube(double half_edge, double z) {
+  xsharp::Scene scene;
+  scene.conversion = xsharp::Conversion::nearest;
+  xsharp::ObjectDescription cube;
+  cube.mesh = xsharp::cube(half_edge);
+  cube.paints.resize(cube.mesh.faces.size(), {true, 1, {}});
+  cube.position = {0, 0, z};
+  scene.objects.push_back(cube);
+  return scene;
+}
+
+ScreenError error_of(const xsharp::Scene& scene, const Choice& choice, std::uint64_t frames,
+                     double budget = 0.5) {
+  const std::atomic<bool> stop = false;
+  return screen_errors(scene, std::vector{choice}, budget, frames, stop, [](std::uint64_t) {})
+      .at(0);
+}
+
+// Corners at z = -8.5 and -9.5, which the 8088 divide takes for -8 and -9: 320 * 0.5 / 8.5 becomes
+// 320 * 0.5 / 8 in x and in y.
+TEST(ScreenError, OfTheDivisorsFraction) {
+  const double expected = 160.0 * (1 / 8.0 - 1 / 8.5) * std::sqrt(2);
+  // A quotient that is a unit off is 320 units off on the screen.
+  const double units = 2 * 320.0 / 65536;
+  const auto off = [](Target target) {
+    return error_of(still_cube(0.5, -9), {.target = target}, 1).pixels;
+  };
+  EXPECT_NEAR(off(Target::i8088), expected, units);
+  EXPECT_LT(off(Target::i386), units);
+}
+
+// Corners at x, y = 1 and z = -9, -11: 65536 / 9 and / 11 are 7281.78 and 5957.82 units.
+TEST(ScreenError, OfTheQuotientsRounding) {
+  const double unit = std::sqrt(2) * 320 / 65536;
+  // Beside it, the rounding of the last product: half a unit in x and in y, or a whole one.
+  const double product = 2.0 / 65536;
+  const auto off = [](bool div_round) {
+    return error_of(still_cube(1, -10), {.div_round = div_round}, 1).pixels;
+  };
+  EXPECT_NEAR(off(true), (1 - 7.0 / 9) * unit, product);
+  EXPECT_NEAR(off(false), 9.0 / 11 * unit, product);
+}
+
+TEST(ScreenError, IsThatOfTheWorstFrameAndObject) {
+  xsharp::Scene scene = still_cube(0.5, -9);
+  scene.objects.push_back(scene.objects[0]);
+  scene.objects[1].position = {0, 0, -11.5};
+  scene.objects[1].drift = xsharp::Drift{.step = {0, 0, 1.25}};
+  const Choice choice{.target = Target::i8088};
+  // After five frames at -5.25: corners at -4.75, taken for -4.
+  const double expected = 160.0 * (1 / 4.0 - 1 / 4.75) * std::sqrt(2);
+  const ScreenError error = error_of(scene, choice, 6, 5);
+  EXPECT_NEAR(error.pixels, expected, 0.05);
+  EXPECT_EQ(error.frame, 5U);
+  EXPECT_EQ(error.object, 1U);
+  EXPECT_EQ(error.over, 5U);
+  EXPECT_EQ(error_of(scene, choice, 6, 1).over, 0U);
+  EXPECT_FALSE(error_of(scene, choice, 6, 10).over);
+}
+
+TEST(ScreenError, SharedMotionsChangeNothing) {
+  const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
+  const auto choices = choices_on({});
+  std::uint64_t frames = 30;
+  const std::atomic<bool> stop = false;
+  const auto together = screen_errors(scene, choices, 0.5, frames, stop, [](std::uint64_t) {});
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    EXPECT_EQ(together[i].pixels, error_of(scene, choices[i], 30).pixels) << name_of(choices[i]);
+  }
+}
+
+TEST(ScreenError, StopsWhenAsked) {
+  const std::atomic<bool> stop = true;
+  std::uint64_t frames = 1000;
+  screen_errors(still_cube(1, -9), choices_on({}), 0.5, frames, stop, [](std::uint64_t) {});
+  EXPECT_EQ(frames, 0U);
+}
+
+// The places that are measured are those that are drawn: to the pixel, for every corner.
+template <class N>
+int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& choice) {
+  xsharp::Scene scene = xsharp::read_scene(file);
+  scene.restore_every = 10;
+  const auto player = make_player(scene, choice);
+  const auto view = xsharp::view_of<N>(scene);
+  const xsharp::RotationStyle style{scene.trigonometry, scene.conversion, false, 10};
+  std::vector<ScreenCorners<N>> objects;
+  for (const auto& object : scene.objects) objects.emplace_back(object, style);
+  int compared = 0;
+  xsharp::Picture picture;
+  for (int frame = 0; frame < 240; ++frame) {
+    if (frame > 0) player->move();
+    player->draw(picture);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (frame > 0) objects[i].advance();
+      const xsharp::ObjectState state = player->state(i);
+      // Ends of normals are drawn nowhere.
+      std::map<std::size_t, bool> corners;
+      for (const auto& face : scene.objects[i].mesh.faces) {
+        for (const std::size_t v : face.vertices) corners[v] = true;
+      }
+      const auto& seen = objects[i].view(view);
+      if (seen.size() != (state.view.empty() ? 0 : corners.size())) return -1;
+      auto corner = corners.begin();
+      for (const auto& place : seen) {
+        const auto& drawn = state.screen.at((corner++)->first);
+        if (drawn.has_value() != xsharp::inside(place, view.projection.slope)) return -1;
+        if (!drawn) continue;
+        const auto at = screen_place(place, view.projection);
+        if (!at) return -1;
+        const xsharp::ScreenPoint pixel{
+            static_cast<std::int32_t>(std::floor((*at)[0] + 0.5)) + view.projection.center_x,
+            -static_cast<std::int32_t>(std::floor((*at)[1] + 0.5)) + view.projection.center_y};
+        if (pixel != *drawn) return -1;
+        ++compared;
+      }
+    }
+  }
+  return compared;
+}
+
+TEST(ScreenCorners, AreWhatIsDrawn) {
+  using namespace fixed;
+  for (const char* file : {SCENES "/ball_and_cubes.json", SCENES "/shaded_ball.json", PASSING_BY}) {
+    EXPECT_GT(compare_with_drawn<q16_16_i386>(file, {"type", "i386", true, true}), 1000) << file;
+    EXPECT_GT(compare_with_drawn<q16_16_i386_unrounded>(file, {"type", "i386", false, false}), 1000)
+        << file;
+    EXPECT_GT(compare_with_drawn<q16_16_i8088_mul_rounded>(file, {"type", "i8088", true, false}),
+              1000)
+        << file;
+  }
+}
+
+// Drift measures the motion alone. What the 386's transform and divide add is small: 3 products, a
+// quotient and its product are off by a unit each at most, and a unit of the quotient is 320.
+TEST(ScreenError, IsBorneOutByDrift) {
+  const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
+  for (const bool mul_round : {true, false}) {
+    for (const Turning& turning : {Turning{}, Turning{false, 60}, Turning{true, 0}}) {
+      std::uint64_t frames = 2000;
+      const std::atomic<bool> stop = false;
+      const DriftCase drift{.multiply = mul_round ? Multiply::i386_on : Multiply::i386_off,
+                            .restore_every = turning.restore_every,
+                            .from_scratch = turning.from_scratch};
+      const double motion =
+          run_drift(scene, {drift}, frames, stop, [](std::uint64_t) {}).at(0).worst.pixels;
+      const Choice choice{.mul_round = mul_round, .turning = turning};
+      EXPECT_NEAR(error_of(scene, choice, 2000).pixels, motion, 0.02) << name_of(choice);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fixproof

@@ -1,0 +1,37 @@
+/// @file
+/// Which choice to take.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "verify/advise/choice.hpp"
+#include "verify/advise/cost.hpp"
+#include "verify/advise/screen_error.hpp"
+
+namespace fixproof {
+
+/// A choice, what it costs and how far off it is.
+struct Tried {
+  Choice choice{};
+  Cost cost{};
+  ScreenError error{};
+};
+
+/// Cheapest first; of two that cost the same, the one that is less far off.
+void sort_by_cost(std::vector<Tried>& tried);
+
+/// Places in what was tried, sorted by cost.
+struct Advice {
+  std::optional<std::size_t> take;          ///< the cheapest within the budget
+  std::optional<std::size_t> runner_up;     ///< the next within the budget
+  std::optional<std::size_t> next_cheaper;  ///< the dearest that is cheaper; all those are over
+  std::size_t nearest = 0;                  ///< the one that is least far off
+};
+
+/// @param tried at least one, sorted by cost
+Advice advise(std::span<const Tried> tried, double budget);
+
+}  // namespace fixproof

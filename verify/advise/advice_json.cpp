@@ -1,0 +1,55 @@
+#include <nlohmann/json.hpp>
+
+#include "verify/advise/advice_text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using AdviceJson = nlohmann::ordered_json;
+
+AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
+  const Choice& choice = tried.choice;
+  AdviceJson json;
+  json["name"] = name_of(choice);
+  json["target"] = name_of(choice.target);
+  json["mul_round"] = choice.mul_round;
+  json["div_round"] = choice.div_round;
+  json["from_scratch"] = choice.turning.from_scratch;
+  json["restore_every"] = choice.turning.restore_every;
+  json["cost_least"] = tried.cost.least;
+  json["cost_most"] = tried.cost.most;
+  json["worst_pixels"] = tried.error.pixels;
+  json["worst_frame"] = tried.error.frame;
+  json["worst_object"] = tried.error.object;
+  json["first_frame_over"] = nullptr;
+  if (tried.error.over) json["first_frame_over"] = *tried.error.over;
+  json["within_budget"] = tried.error.pixels <= report.budget;
+  return json;
+}
+
+AdviceJson place(const std::optional<std::size_t>& index) {
+  return index ? AdviceJson(*index) : AdviceJson();
+}
+
+}  // namespace
+
+std::string json_of(const AdviceReport& report) {
+  const Advice advice = advise(report.tried, report.budget);
+  AdviceJson json;
+  json["scene"] = report.scene;
+  json["frames"] = report.frames;
+  json["frames_per_second"] = advised_rate;
+  json["budget_pixels"] = report.budget;
+  json["cpu"] = report.cpu ? AdviceJson(x86model::name_of(*report.cpu)) : AdviceJson();
+  json["cost_unit"] = report.cpu ? "clocks a frame" : "ns a frame";
+  json["variants"] = AdviceJson::array();
+  for (const Tried& tried : report.tried) json["variants"].push_back(json_of(tried, report));
+  json["take"] = place(advice.take);
+  json["runner_up"] = place(advice.runner_up);
+  json["next_cheaper"] = place(advice.next_cheaper);
+  json["drift_pixels"] = report.drift_pixels ? AdviceJson(*report.drift_pixels) : AdviceJson();
+  return json.dump(1) + '\n';
+}
+
+}  // namespace fixproof

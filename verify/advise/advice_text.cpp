@@ -1,0 +1,90 @@
+#include "verify/advise/advice_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "verify/hex.hpp"
+#include "verify/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+std::string whole(double number) {
+  return grouped(static_cast<std::uint64_t>(std::lround(number)));
+}
+
+std::string unit_of(const AdviceReport& report) {
+  return report.cpu ? "clocks a frame" : "ns a frame";
+}
+
+std::string cost_text(const AdviceReport& report, const Cost& cost) {
+  const std::string least = whole(cost.least);
+  const std::string most = whole(cost.most);
+  return fmt::format("{} {}", least == most ? least : fmt::format("{} to {}", least, most),
+                     unit_of(report));
+}
+
+std::string after(std::uint64_t frame) {
+  return duration(static_cast<double>(frame) / static_cast<double>(advised_rate));
+}
+
+/// A share as `3.1 %`, small ones as `0.04 %`.
+std::string percent_text(double share) {
+  return fmt::format("{:.{}f} %", 100 * share, share < 0.01 ? 2 : 1);
+}
+
+}  // namespace
+
+std::string table_of(const AdviceReport& report) {
+  std::string text = fmt::format("{:>11}{:>11}{:>10}  {:<7}{:<15}{}\n", "least", "most", "pixels",
+                                 "budget", "over after", "variant");
+  for (const Tried& tried : report.tried) {
+    const auto& over = tried.error.over;
+    text += fmt::format("{:>11}{:>11}{:>10.3f}  {:<7}{:<15}{}\n", whole(tried.cost.least),
+                        whole(tried.cost.most), tried.error.pixels, over ? "over" : "in",
+                        over ? after(*over) : "", name_of(tried.choice));
+  }
+  return text;
+}
+
+std::string sentences_of(const AdviceReport& report) {
+  const Advice advice = advise(report.tried, report.budget);
+  const auto at = [&](std::size_t i) { return report.tried.at(i); };
+  if (!advice.take) {
+    const Tried nearest = at(advice.nearest);
+    return fmt::format("None stays within {} pixels. The nearest is {}: {:.3f} pixels off, {}.\n",
+                       report.budget, name_of(nearest.choice), nearest.error.pixels,
+                       cost_text(report, nearest.cost));
+  }
+  const Tried take = at(*advice.take);
+  std::string text = fmt::format("Take {}: {}, at most {:.3f} pixels off.\n", name_of(take.choice),
+                                 cost_text(report, take.cost), take.error.pixels);
+  if (report.drift_pixels) {
+    text += fmt::format(
+        "Its motion alone, as drift measures it over all these frames, is at most {:.3f} pixels "
+        "off{}.\n",
+        *report.drift_pixels,
+        // Such corners alone can be farther off than the budget.
+        *report.drift_pixels > report.budget ? ", corners that are clipped among them" : "");
+  }
+  if (advice.runner_up) {
+    const Tried next = at(*advice.runner_up);
+    text +=
+        fmt::format("Runner-up: {}, {} dearer, at most {:.3f} pixels off.\n", name_of(next.choice),
+                    percent_text(next.cost.ranked / take.cost.ranked - 1), next.error.pixels);
+  } else {
+    text += "No other stays within the budget.\n";
+  }
+  if (!advice.next_cheaper) return text + "Nothing that was tried is cheaper.\n";
+  const Tried cheaper = at(*advice.next_cheaper);
+  text += fmt::format(
+      "The next cheaper, {}, saves {} and costs accuracy: {:.3f} pixels off at worst, over the "
+      "budget after {}.\n",
+      name_of(cheaper.choice), percent_text(1 - cheaper.cost.ranked / take.cost.ranked),
+      cheaper.error.pixels, after(cheaper.error.over.value_or(0)));
+  return text;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,135 @@
+// Clocks a frame, from the calls of the model.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "verify/advise/cost.hpp"
+#include "verify/scenes/frame_clocks.hpp"
+#include "verify/scenes/model_number.hpp"
+#include "verify/scenes/players.hpp"
+#include "xsharp/motion.hpp"
+#include "xsharp/rotation.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// What FIXED.ASM would be called for, were orientations made from angles.
+class FromAngles {
+ public:
+  explicit FromAngles(const xsharp::Scene& scene) {
+    for (xsharp::ObjectDescription object : scene.objects) {
+      // Then advance() tells rotations alone.
+      object.drift.reset();
+      object.orbit.reset();
+      objects_.push_back({object.spin.tenths, xsharp::Motion<double>(object, {})});
+    }
+  }
+
+  void advance(bool counts) {
+    for (Turned& object : objects_) {
+      if (!object.motion.advance()) continue;
+      ++object.rotations;
+      if (counts) make_matrix(object);
+    }
+  }
+
+ private:
+  struct Turned {
+    std::array<std::int32_t, 3> tenths{};
+    xsharp::Motion<double> motion;
+    std::int64_t rotations = 0;
+  };
+
+  /// Operands of builds differ by units: one build stands for all.
+  static void make_matrix(const Turned& object) {
+    using N = ModelNumber<Target::i386, true, true>;
+    auto matrix = xsharp::identity<N>();
+    for (const xsharp::Axis axis : {xsharp::Axis::x, xsharp::Axis::y, xsharp::Axis::z}) {
+      const std::int32_t step = object.tenths.at(static_cast<std::size_t>(axis));
+      if (step == 0) continue;
+      const auto angle = static_cast<std::int32_t>(step * object.rotations % 3600);
+      xsharp::append_rotation(matrix, axis, xsharp::Arithmetic<N>::turn(angle));
+    }
+  }
+
+  std::vector<Turned> objects_;
+};
+
+Cost between(double least, double most) { return {least, most, (least + most) / 2}; }
+
+/// The clocks of the sampled frames, as counted.
+Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
+  const auto player = make_player(scene, scene.arithmetic);
+  std::optional<FromAngles> angles;
+  if (scene.from_scratch) angles.emplace(scene);
+  xsharp::Picture picture;
+  x86model::Range sum;
+  for (std::uint64_t place = 0; place < ClockSample::places; ++place) {
+    // Afterwards nothing is left to prepare but what moves.
+    player->draw(picture);
+    for (std::uint64_t i = 0; i < ClockSample::apart; ++i) {
+      const bool counts = i < ClockSample::in_a_row;
+      OperandLog log;
+      {
+        std::optional<Recording> recording;
+        if (counts) recording.emplace(log);
+        player->move();
+        if (angles) angles->advance(counts);
+        if (counts) player->draw(picture);
+      }
+      if (counts) sum += clocks_of(log, scene.arithmetic, cpu);
+    }
+  }
+  constexpr double frames = ClockSample::places * ClockSample::in_a_row;
+  return between(static_cast<double>(sum.min) / frames, static_cast<double>(sum.max) / frames);
+}
+
+/// Of the motions between always and never restoring.
+Cost shared_out(const Cost& never, const Cost& always, double rotations) {
+  return between(never.least + (always.least - never.least) / rotations,
+                 never.most + (always.most - never.most) / rotations);
+}
+
+/// Counts each scene once.
+class ClockMemory {
+ public:
+  ClockMemory(const xsharp::Scene& scene, x86model::Cpu cpu) : scene_(scene), cpu_(cpu) {}
+
+  Cost of(Choice choice) {
+    const std::int32_t every = choice.turning.restore_every;
+    if (every <= 1) return counted(choice);
+    choice.turning.restore_every = 0;
+    const Cost never = counted(choice);
+    choice.turning.restore_every = 1;
+    return shared_out(never, counted(choice), every);
+  }
+
+ private:
+  Cost counted(const Choice& choice) {
+    for (const auto& [known, cost] : counted_) {
+      if (known == choice) return cost;
+    }
+    counted_.emplace_back(choice, sampled_clocks(scene_with(scene_, choice, "model"), cpu_));
+    return counted_.back().second;
+  }
+
+  const xsharp::Scene& scene_;
+  x86model::Cpu cpu_;
+  std::vector<std::pair<Choice, Cost>> counted_;
+};
+
+}  // namespace
+
+std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                 x86model::Cpu cpu, const std::atomic<bool>& stop) {
+  ClockMemory memory(scene, cpu);
+  std::vector<Cost> costs;
+  for (const Choice& choice : choices) {
+    if (stop) break;
+    costs.push_back(memory.of(choice));
+  }
+  return costs;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,49 @@
+/// @file
+/// What a frame costs under each choice.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "verify/advise/choice.hpp"
+#include "x86model/clocks.hpp"
+#include "xsharp/scene.hpp"
+
+namespace fixproof {
+
+/// Of a frame, in clocks or in nanoseconds.
+struct Cost {
+  double least = 0;
+  double most = 0;
+  double ranked = 0;  ///< what choices are ranked by
+};
+
+/// The frames that are looked at for clocks: so many in a row, so that delays of 2, 3 and 4 frames
+/// have their share, at so many places of the first minute.
+struct ClockSample {
+  static constexpr std::uint64_t in_a_row = 12;
+  static constexpr std::uint64_t places = 5;
+  static constexpr std::uint64_t apart = 720;
+};
+
+/// Clocks of the listings alone, not of the C around them, as the mean of a sample of frames. Two
+/// numbers where the tables of clocks give a range, whose middle ranks.
+///
+/// Restoring is counted after every rotation and shared out among the frames between two. From
+/// scratch, an orientation is made in double, for which there is no table of clocks: it is counted
+/// as what FIXED.ASM would need for it, one CosSin and the twelve products of a rotation for each
+/// axis that turns.
+///
+/// @return fewer than there are choices when `stop` ended the run
+std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                 x86model::Cpu cpu, const std::atomic<bool>& stop);
+
+/// Nanoseconds of this processor for moving, transforming, projecting, hiding and sorting by the
+/// type: the least, which ranks, and the median of several rounds, which take the choices in turn.
+/// @return fewer than there are choices when `stop` ended the run
+std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                      const std::atomic<bool>& stop);
+
+}  // namespace fixproof

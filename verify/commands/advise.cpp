@@ -1,0 +1,182 @@
+// fixproof advise: the cheapest way to draw a scene that stays accurate enough.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "verify/advise/advice_text.hpp"
+#include "verify/arguments.hpp"
+#include "verify/commands/commands.hpp"
+#include "verify/drift/run.hpp"
+#include "verify/file.hpp"
+#include "verify/frame_progress.hpp"
+#include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/scenes/outputs.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
+#include "xsharp/files/scene_json.hpp"
+
+namespace fixproof {
+
+namespace {
+
+struct AdviseOptions {
+  std::string scene;
+  std::string budget;
+  std::uint64_t minutes = 30;
+  x86model::Cpu cpu = x86model::Cpu::i386;
+  bool host = false;
+  std::string json;
+};
+
+constexpr double most_pixels = 10'000;
+
+/// @throws UsageError for what is no number of pixels
+double pixels_of(std::string_view text) {
+  std::string_view number = text;
+  if (number.ends_with("px")) number.remove_suffix(2);
+  double pixels = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), pixels);
+  // Also where it is no number that compares.
+  if (error != std::errc{} || end != number.data() + number.size() ||
+      !(pixels > 0 && pixels <= most_pixels)) {
+    throw UsageError(fmt::format("--budget {}: want pixels above 0, to {:.0f}, as 0.5 or 0.5px",
+                                 quoted(text), most_pixels));
+  }
+  return pixels;
+}
+
+/// The worst of the choice's motion, as drift has it.
+double drift_of(const xsharp::Scene& scene, const Choice& choice, std::uint64_t& frames) {
+  using enum Multiply;
+  const DriftCase motion{.multiply = choice.target == Target::i386
+                                         ? (choice.mul_round ? i386_on : i386_off)
+                                         : (choice.mul_round ? i8088_on : i8088_off),
+                         .restore_every = choice.turning.restore_every,
+                         .from_scratch = choice.turning.from_scratch};
+  FrameProgress progress(frames);
+  return run_drift(scene, {motion}, frames, Interrupt::flag(),
+                   [&](std::uint64_t done) { progress.show(done); })
+      .at(0)
+      .worst.pixels;
+}
+
+std::string heading(const AdviceReport& report) {
+  std::string text = fmt::format(
+      "{}: {} frames, {} at {} frames a second; budget {} pixels.\n"
+      "Pixels: the worst of any corner, from where it is in double worked out from scratch, before "
+      "it is\nrounded to a whole pixel.\n",
+      printable(report.scene), grouped(report.frames),
+      duration(static_cast<double>(report.frames) / static_cast<double>(advised_rate)),
+      advised_rate, report.budget);
+  if (report.cpu) {
+    text += fmt::format(
+        "Least and most: clocks of the listings alone on the {}, mean of {} frames of the first "
+        "minute.\nFrom scratch, made in double, is counted as a CosSin and a rotation for each "
+        "axis that "
+        "turns.\n",
+        x86model::name_of(*report.cpu), ClockSample::in_a_row * ClockSample::places);
+  } else {
+    text +=
+        "Least and most: nanoseconds a frame by the type on this processor, least and median of "
+        "the rounds.\n";
+  }
+  return text + '\n';
+}
+
+int stopped(std::uint64_t frames, std::uint64_t wanted, const AdviseOptions& options) {
+  std::cout << fmt::format("STOPPED after {} of {} frames: no advice{}\n", grouped(frames),
+                           grouped(wanted), options.json.empty() ? "" : "; no JSON is written");
+  return interrupted_status;
+}
+
+int advise_on(const AdviseOptions& options) {
+  const double budget = pixels_of(options.budget);
+  const xsharp::Scene scene = xsharp::read_scene(options.scene);
+  if (scene.objects.empty()) throw UsageError(scene.name + " has no objects");
+  if (!options.json.empty()) {
+    refuse_inputs("--json", options.json, scene.files);
+    check_replaceable(options.json);
+  }
+
+  AdviceReport report{.scene = scene.name, .budget = budget};
+  if (!options.host) report.cpu = options.cpu;
+  const auto choices = choices_on(report.cpu);
+  const std::uint64_t wanted = options.minutes * 60 * advised_rate;
+  report.frames = wanted;
+
+  const Interrupt interrupt;
+  const std::atomic<bool>& stop = Interrupt::flag();
+  const auto costs = report.cpu ? clocks_a_frame(scene, choices, *report.cpu, stop)
+                                : nanoseconds_a_frame(scene, choices, stop);
+  if (costs.size() < choices.size()) return stopped(0, wanted, options);
+  std::vector<ScreenError> errors;
+  {
+    FrameProgress progress(wanted);
+    errors = screen_errors(scene, choices, budget, report.frames, stop,
+                           [&](std::uint64_t done) { progress.show(done); });
+  }
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    report.tried.push_back({choices[i], costs[i], errors[i]});
+  }
+  sort_by_cost(report.tried);
+  std::cout << heading(report) << table_of(report) << '\n';
+  if (report.frames < wanted) return stopped(report.frames, wanted, options);
+
+  const Advice advice = advise(report.tried, budget);
+  if (advice.take) {
+    std::uint64_t frames = wanted;
+    report.drift_pixels = drift_of(scene, report.tried[*advice.take].choice, frames);
+    if (frames < wanted) return stopped(frames, wanted, options);
+  }
+  std::cout << sentences_of(report);
+  if (!options.json.empty()) replace_file(options.json, json_of(report));
+  return advice.take ? 0 : 1;
+}
+
+}  // namespace
+
+void add_advise(CLI::App& app, int& status) {
+  auto options = std::make_shared<AdviseOptions>();
+  CLI::App* command =
+      app.add_subcommand("advise", "find the cheapest way to draw a scene accurately enough");
+  command->add_option("scene", options->scene, "a scene, such as scenes/twelve_cubes.json")
+      ->required()
+      ->check(not_empty());
+  command
+      ->add_option("--budget", options->budget,
+                   "how far a corner may be from where it should be, in pixels, as 0.5px")
+      ->required()
+      ->check(not_empty());
+  command->add_option("--minutes", options->minutes, "how long, at 60 frames a second")
+      ->transform(whole_number(1, 10'000))
+      ->capture_default_str();
+  static const std::map<std::string, x86model::Cpu> cpus{{"8088", x86model::Cpu::i8088},
+                                                         {"286", x86model::Cpu::i286},
+                                                         {"386", x86model::Cpu::i386},
+                                                         {"486", x86model::Cpu::i486}};
+  command
+      ->add_option_function<std::string>(
+          "--cpu", [options](const std::string& name) { options->cpu = cpus.at(name); },
+          "whose clocks count: 8088, 286, 386 or 486 (386)")
+      ->check(CLI::IsMember({"8088", "286", "386", "486"}));
+  command->add_flag("--host", options->host, "count nanoseconds of this processor instead")
+      ->excludes(command->get_option("--cpu"));
+  command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
+  command->footer(
+      "Tries the code of both processors where both run, with multiplies and divides rounded or\n"
+      "not, orientations made from scratch, or by appending rotations and restoring orthogonality\n"
+      "never or after every 600, 60, 10 or 1 rotations.\n\n"
+      "Exit status: 0 one stays within the budget, 1 none does, 2 bad usage or a scene that is\n"
+      "refused, 130 stopped before the end.\n\n"
+      "Examples:\n"
+      "  fixproof advise scenes/twelve_cubes.json --budget 0.5px\n"
+      "  fixproof advise scenes/shaded_ball.json --budget 2px --minutes 5 --cpu 8088");
+  command->callback([options, &status] { status = advise_on(*options); });
+}
+
+}  // namespace fixproof

@@ -1,0 +1,17 @@
+/// @file
+/// A profile as people and as programs read it.
+#pragma once
+
+#include <string>
+
+#include "verify/profile/profile.hpp"
+
+namespace fixproof {
+
+/// Calls, ranges, how near overflow, faults and the near plane came, and what was never needed.
+std::string text_of(const SceneProfile& profile);
+
+/// @param scene the name of the scene
+std::string json_of(const SceneProfile& profile, const std::string& scene);
+
+}  // namespace fixproof
