@@ -130,9 +130,8 @@ void print_host(const MeasureRequest& request, const std::vector<HostOperation>&
       "is an\noperand of the next; the least and the median of {} rounds, in which all are timed "
       "in "
       "turn. The\nspread is the third quartile less the first, by the median. Operands come again "
-      "and again: what\nbranches, a processor may have learnt. Errors in units of the last place "
-      "of "
-      "16.16, of {} results or\nmore, each held to the rounding that its maker states; correct is "
+      "and again: a\nprocessor may have learnt what branches. Errors in units of the last place of "
+      "16.16, of {}\nresults or more, each held to the rounding that its maker states; correct is "
       "one within half a unit.\n{}",
       made_by(request.seed), compiler_flags(), processor_name(), grouped(request.rounds),
       grouped(operations.front().operands.words.size() / operations.front().words),

@@ -175,8 +175,8 @@ std::vector<HostOperation> host_operations(std::uint64_t seed, std::size_t block
   all.push_back(host_operation(
       {"div",
        "uniform to 2048, divisors from 1.0",
-       "each quotient divides the next numerator; numerators of 15,000 to 30,000 come twice, so "
-       "that quotients stay near 100 and 200",
+       "each quotient divides the next numerator; these come in equal pairs, and quotients stay "
+       "near 100 to 200",
        2,
        1,
        exact_of("div"),
