@@ -99,27 +99,30 @@ Judgement root_in(const HostCase& c) {
   return judged(r >= 0 && std::fabs(residual) <= 2 * r * half_a_step<F>(r));
 }
 
+/// Where double's own errors are judged.
+inline long double wide(double x) { return static_cast<long double>(x); }
+
 /// The angle in radians, up to 6.3, is rounded twice, then the cosine once.
 template <std::floating_point F>
 Judgement cosine_in(const HostCase& c) {
-  const auto tenths = static_cast<long double>(c.operands[0]);
-  const long double exact = std::cos(tenths * (std::numbers::pi_v<long double> / 1800)) * 65536;
+  constexpr long double radians = std::numbers::pi_v<long double> / 1800;
+  const long double exact = std::cos(wide(c.operands[0]) * radians) * 65536;
   constexpr auto tolerance = 16 * static_cast<long double>(std::numeric_limits<F>::epsilon());
-  return judged(std::fabs(c.result - exact) <= tolerance * 65536);
+  return judged(std::fabs(wide(c.result) - exact) <= tolerance * 65536);
 }
 
 /// Each term is rounded four times at most, as a product and in three sums, by half an epsilon.
 template <std::floating_point F>
 Judgement coordinate_in(const HostCase& c) {
-  long double exact = c.operands[3];
+  long double exact = wide(c.operands[3]);
   long double magnitude = std::fabs(exact);
   for (std::size_t k = 0; k < 3; ++k) {
-    const long double product = static_cast<long double>(c.operands[k]) * c.operands[4 + k] / 65536;
+    const long double product = wide(c.operands[k]) * wide(c.operands[4 + k]) / 65536;
     exact += product;
     magnitude += std::fabs(product);
   }
   constexpr auto share = 2.01L * static_cast<long double>(std::numeric_limits<F>::epsilon());
-  return judged(std::fabs(c.result - exact) <= share * magnitude);
+  return judged(std::fabs(wide(c.result) - exact) <= share * magnitude);
 }
 
 }  // namespace fixproof
