@@ -54,8 +54,9 @@ struct policy {
 /// `wrapping`, `saturating` and `trapping` round every operation to nearest, halves up.
 ///
 /// The others are the eight builds of FIXED.ASM (Abrash, Graphics Programming Black Book, chapter
-/// 54): the processor, then what is rounded. Without a suffix, multiply and divide are; the names
-/// say what the code does, not what the printed switches are set to.
+/// 54): the processor, then what is rounded: multiply and divide, one of them, or neither; the
+/// names say what the code does, not what the printed switches are set to. None is `i386` alone,
+/// which compilers for that processor define as a macro.
 namespace policies {
 
 inline constexpr policy wrapping{};
@@ -63,9 +64,9 @@ inline constexpr policy saturating{.range = overflow::saturate};
 inline constexpr policy trapping{.range = overflow::trap};
 
 /// IMUL, and DIV on magnitudes: only a quotient beyond 32 unsigned bits faults.
-inline constexpr policy i386{.multiply = rounding::half_up,
-                             .divide = rounding::half_away,
-                             .fault = divide_fault::unsigned_quotient};
+inline constexpr policy i386_rounded{.multiply = rounding::half_up,
+                                     .divide = rounding::half_away,
+                                     .fault = divide_fault::unsigned_quotient};
 inline constexpr policy i386_div_rounded{.multiply = rounding::floor,
                                          .divide = rounding::half_away,
                                          .fault = divide_fault::unsigned_quotient};
@@ -78,10 +79,10 @@ inline constexpr policy i386_unrounded{.multiply = rounding::floor,
                                        .fault = divide_fault::signed_quotient};
 
 /// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction.
-inline constexpr policy i8088{.multiply = rounding::half_away,
-                              .divide = rounding::half_away,
-                              .divisor = divisor_width::whole_part,
-                              .fault = divide_fault::zero_divisor};
+inline constexpr policy i8088_rounded{.multiply = rounding::half_away,
+                                      .divide = rounding::half_away,
+                                      .divisor = divisor_width::whole_part,
+                                      .fault = divide_fault::zero_divisor};
 inline constexpr policy i8088_mul_rounded{.multiply = rounding::half_away,
                                           .divide = rounding::truncate,
                                           .divisor = divisor_width::whole_part,
