@@ -238,14 +238,14 @@ using q16_16 = number<16>;
 /// \name 16.16 by other rules: those that fixed::policies has by the same name
 /// \{
 
-/// 16.16 by the policy of that name.
+/// 16.16 by the policy of that name; i386 and i8088 alone stand for i386_rounded, i8088_rounded.
 using q16_16_saturating = number<16, policies::saturating>;
 using q16_16_trapping = number<16, policies::trapping>;
-using q16_16_i386 = number<16, policies::i386>;
+using q16_16_i386 = number<16, policies::i386_rounded>;
 using q16_16_i386_mul_rounded = number<16, policies::i386_mul_rounded>;
 using q16_16_i386_div_rounded = number<16, policies::i386_div_rounded>;
 using q16_16_i386_unrounded = number<16, policies::i386_unrounded>;
-using q16_16_i8088 = number<16, policies::i8088>;
+using q16_16_i8088 = number<16, policies::i8088_rounded>;
 using q16_16_i8088_mul_rounded = number<16, policies::i8088_mul_rounded>;
 using q16_16_i8088_div_rounded = number<16, policies::i8088_div_rounded>;
 using q16_16_i8088_unrounded = number<16, policies::i8088_unrounded>;
@@ -256,14 +256,14 @@ using q8_8 = number<8>;
 /// \name 8.8 by other rules: those that fixed::policies has by the same name
 /// \{
 
-/// 8.8 by the policy of that name.
+/// 8.8 by the policy of that name; i386 and i8088 alone stand for i386_rounded, i8088_rounded.
 using q8_8_saturating = number<8, policies::saturating>;
 using q8_8_trapping = number<8, policies::trapping>;
-using q8_8_i386 = number<8, policies::i386>;
+using q8_8_i386 = number<8, policies::i386_rounded>;
 using q8_8_i386_mul_rounded = number<8, policies::i386_mul_rounded>;
 using q8_8_i386_div_rounded = number<8, policies::i386_div_rounded>;
 using q8_8_i386_unrounded = number<8, policies::i386_unrounded>;
-using q8_8_i8088 = number<8, policies::i8088>;
+using q8_8_i8088 = number<8, policies::i8088_rounded>;
 using q8_8_i8088_mul_rounded = number<8, policies::i8088_mul_rounded>;
 using q8_8_i8088_div_rounded = number<8, policies::i8088_div_rounded>;
 using q8_8_i8088_unrounded = number<8, policies::i8088_unrounded>;

@@ -59,8 +59,9 @@ struct policy {
 /// `wrapping`, `saturating` and `trapping` round every operation to nearest, halves up.
 ///
 /// The others are the eight builds of FIXED.ASM (Abrash, Graphics Programming Black Book, chapter
-/// 54): the processor, then what is rounded. Without a suffix, multiply and divide are; the names
-/// say what the code does, not what the printed switches are set to.
+/// 54): the processor, then what is rounded: multiply and divide, one of them, or neither; the
+/// names say what the code does, not what the printed switches are set to. None is `i386` alone,
+/// which compilers for that processor define as a macro.
 namespace policies {
 
 inline constexpr policy wrapping{};                               ///< That of q16_16 and q8_8.
@@ -68,9 +69,9 @@ inline constexpr policy saturating{.range = overflow::saturate};  ///< To the en
 inline constexpr policy trapping{.range = overflow::trap};        ///< Throws.
 
 /// IMUL, and DIV on magnitudes: only a quotient beyond 32 unsigned bits faults.
-inline constexpr policy i386{.multiply = rounding::half_up,
-                             .divide = rounding::half_away,
-                             .fault = divide_fault::unsigned_quotient};
+inline constexpr policy i386_rounded{.multiply = rounding::half_up,
+                                     .divide = rounding::half_away,
+                                     .fault = divide_fault::unsigned_quotient};
 /// The same, with only the divide rounded.
 inline constexpr policy i386_div_rounded{.multiply = rounding::floor,
                                          .divide = rounding::half_away,
@@ -86,10 +87,10 @@ inline constexpr policy i386_unrounded{.multiply = rounding::floor,
 
 /// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction, and only
 /// a divisor of which nothing is left faults.
-inline constexpr policy i8088{.multiply = rounding::half_away,
-                              .divide = rounding::half_away,
-                              .divisor = divisor_width::whole_part,
-                              .fault = divide_fault::zero_divisor};
+inline constexpr policy i8088_rounded{.multiply = rounding::half_away,
+                                      .divide = rounding::half_away,
+                                      .divisor = divisor_width::whole_part,
+                                      .fault = divide_fault::zero_divisor};
 /// The same, with only the multiply rounded.
 inline constexpr policy i8088_mul_rounded{.multiply = rounding::half_away,
                                           .divide = rounding::truncate,

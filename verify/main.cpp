@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   fixproof::add_dos(app, status);
   fixproof::add_render(app, status);
   fixproof::add_drift(app, status);
+  fixproof::add_measure(app, status);
   fixproof::add_profile(app, status);
   fixproof::add_advise(app, status);
   try {

@@ -225,7 +225,8 @@ Shard shard_in(const Json& json) {
 }
 
 Report report_in(const Json& json) {
-  if (!json.is_object() || json.value("format", "") != format_name) refuse("no report of fixproof");
+  const auto format = json.is_object() ? json.find("format") : json.end();
+  if (format == json.end() || *format != std::string(format_name)) refuse("no report of fixproof");
   if (const int version = json.at("version").get<int>(); version != format_version) {
     refuse(fmt::format("a report of version {}; this is version {}", version, format_version));
   }

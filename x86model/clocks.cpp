@@ -175,11 +175,13 @@ Cell multiply(Cpu cpu, const Execution& e) {
   return is_dword(e) ? Cell{13, 42} : Cell{13, 26};
 }
 
-/// IDIV by a dword in memory.
+/// IDIV by a dword.
 Cell signed_divide(Cpu cpu, const Execution& e) {
-  if (!is_dword(e) || !operand_is(e, Operand::Kind::memory)) return absent;
+  if (!is_dword(e)) return absent;
+  const bool by_memory = operand_is(e, Operand::Kind::memory);
   // The 386's manual gives memory no time of its own, 43 for both; its data sheet does.
-  return cpu == Cpu::i386 ? 46 : 44;
+  if (cpu == Cpu::i386) return by_memory ? 46 : 43;
+  return by_memory ? 44 : 43;
 }
 
 /// DIV by a register, or the above.

@@ -48,7 +48,7 @@ struct Execution {
 };
 
 /// @return nothing where `cpu` has no such instruction, or no routine that it can run uses this
-/// form.
+/// form (a register and a place in memory are one form).
 std::optional<Range> clocks(Cpu cpu, const Execution& execution);
 
 /// "8088", "286", "386" or "486".

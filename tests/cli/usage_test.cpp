@@ -117,7 +117,7 @@ TEST(Usage, HelpIsNoError) {
   for (const std::string_view arguments :
        {"--help", "verify --help", "merge --help", "eval --help", "step --help", "trace --help",
         "list --help", "prove --help", "mutate --help", "dos --help", "render --help",
-        "drift --help", "--version"}) {
+        "drift --help", "measure --help", "--version"}) {
     const auto run = cli::fixproof(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_NE(run.out, "") << arguments;

@@ -1,6 +1,6 @@
 /// \file
-/// What the tests expect: exact fractions in 128-bit integers, rounded by the words of the rule,
-/// and the operands worth trying. Shares nothing with fixed/ but the names of the rules.
+/// What the tests expect: exact fractions in integers of 128 bits, rounded by the words of the
+/// rule, and the operands worth trying. Shares nothing with fixed/ but the names of the rules.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,17 @@
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/text.hpp"
+#ifndef __SIZEOF_INT128__
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
 
 namespace exact {
 
+#ifdef __SIZEOF_INT128__
 __extension__ using integer = __int128;
+#else
+using integer = boost::multiprecision::int128_t;
+#endif
 
 /// numerator / denominator, the denominator positive.
 struct fraction {
@@ -51,6 +58,13 @@ inline integer round(fraction x, fixed::rounding rule) {
       return to_low < to_high ? low : low + 1;
   }
   return 0;
+}
+
+/// x modulo 2^64. Boost's conversion, of a machine without 128-bit integers, would saturate.
+inline std::int64_t low_word(integer x) {
+  const integer count = integer{1} << 64;
+  const integer rest = x % count;
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(rest < 0 ? rest + count : rest));
 }
 
 /// What a policy makes of an exact result: a stored integer, or an exception.

@@ -55,4 +55,10 @@ bool holds_for_lists(int fraction_bits,
   return fraction_bits == Wide::fraction_bits ? lists_hold<Wide>(check) : lists_hold<Narrow>(check);
 }
 
+bool holds_for_parts(const std::function<bool(bool, std::uint16_t, std::uint64_t)>& check) {
+  return rc::check([&](bool negative, std::uint16_t whole, std::uint64_t fraction) {
+    RC_ASSERT(check(negative, whole, fraction));
+  });
+}
+
 }  // namespace property

@@ -1,4 +1,4 @@
-/// The two-word sum against 128-bit integers of the compiler.
+/// The two-word sum against integers of 128 bits.
 #include "fixed/detail/wide_sum.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(WideSum, IsThe128BitSum) {
       ASSERT_EQ(sum.negative(), expected < 0);
       for (const int bits : {1, 8, 16, 63}) {
         const exact::integer shifted = expected >> bits;
-        ASSERT_EQ(sum.low_shifted_right(bits), static_cast<std::int64_t>(shifted));
+        ASSERT_EQ(sum.low_shifted_right(bits), exact::low_word(shifted));
         const exact::integer clamped = shifted < lowest    ? lowest
                                        : shifted > highest ? highest
                                                            : shifted;

@@ -208,7 +208,7 @@ TEST(Clocks, OtherForms) {
 TEST(Clocks, FormsThatNoListingHasHaveNoEntry) {
   for (const Cpu cpu : cpus) {
     EXPECT_EQ(clocks(cpu, {imul(bx)}), std::nullopt);
-    EXPECT_EQ(clocks(cpu, {idiv(ebx)}), std::nullopt);
+    EXPECT_EQ(clocks(cpu, {idiv(bx)}), std::nullopt);
     EXPECT_EQ(clocks(cpu, {div(word[bp + 4])}), std::nullopt);
     EXPECT_EQ(clocks(cpu, {add(word[bp + 4], ax)}), std::nullopt);
   }
@@ -228,6 +228,7 @@ TEST(Clocks, OtherFormsOfThe386) {
   expect({shl(bx, 2)}, on_386(3, 2, 2));
   expect({neg(eax)}, on_386(2, 1, 2));
   expect({idiv(dword[bp + 8])}, on_386(46, 44, 45));
+  expect({idiv(ebx)}, on_386(43, 43, 44));
 }
 
 std::optional<Range> mul_on_8088(std::uint32_t ax_before, std::uint32_t operand) {

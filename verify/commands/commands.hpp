@@ -19,6 +19,7 @@ void add_mutate(CLI::App& app, int& status);
 void add_dos(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
 void add_drift(CLI::App& app, int& status);
+void add_measure(CLI::App& app, int& status);
 void add_profile(CLI::App& app, int& status);
 void add_advise(CLI::App& app, int& status);
 

@@ -12,6 +12,7 @@
 #include "verify/commands/shown.hpp"
 #include "verify/commands/singlestep.hpp"
 #include "verify/hex.hpp"
+#include "verify/measure/step_clocks.hpp"
 #include "verify/step_machine.hpp"
 #include "verify/usage_error.hpp"
 #include "x86model/forms.hpp"
@@ -110,9 +111,21 @@ void append_state(std::string& output, const State& state) {
   if (!any) output += '-';
 }
 
+void append_clocks(std::string& output, const std::optional<x86::Range>& clocks) {
+  output += " clocks=";
+  if (!clocks) {
+    output += '-';
+  } else if (clocks->min == clocks->max) {
+    output += fmt::format("{}", clocks->min);
+  } else {
+    output += fmt::format("{}-{}", clocks->min, clocks->max);
+  }
+}
+
 /// Answers one line; counts it where the instruction is not modelled.
-void answer(std::string_view line, x86::Target cpu, std::string& output,
-            std::uint64_t& unmodelled) {
+/// @param timed the processor whose clocks are appended, if any
+void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> timed,
+            std::string& output, std::uint64_t& unmodelled) {
   const auto bar = line.find('|');
   if (bar == std::string_view::npos) throw UsageError("no '|' between instruction and registers");
   std::optional<x86::Instruction> instruction;
@@ -130,6 +143,8 @@ void answer(std::string_view line, x86::Target cpu, std::string& output,
   const x86::Mnemonic op = instruction->mnemonic;
   // CALL and RET need code and a stack; a jump, not taken, changes nothing.
   if (op == x86::Mnemonic::call || op == x86::Mnemonic::ret) return without_answer();
+  std::optional<x86::Range> clocks;
+  if (timed) clocks = step_clocks(*timed, *instruction, state.machine);
   if (!x86::is_control_flow(op)) {
     const x86::Outcome outcome = x86::execute_any(*instruction, state.machine);
     if (outcome == x86::Outcome::divide_error) {
@@ -139,12 +154,13 @@ void answer(std::string_view line, x86::Target cpu, std::string& output,
     if (outcome != x86::Outcome::proceeds) return without_answer();
   }
   append_state(output, state);
+  if (timed) append_clocks(output, clocks);
 }
 
-int run(x86::Target cpu) {
+int run(x86::Target cpu, std::optional<x86::Cpu> timed) {
   std::uint64_t unmodelled = 0;
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
-    answer(line, cpu, output, unmodelled);
+    answer(line, cpu, timed, output, unmodelled);
   });
   if (unmodelled > 0) {
     fmt::print(stderr, "fixproof step: {} line{} unmodelled\n", unmodelled,
@@ -159,16 +175,27 @@ void add_step(CLI::App& app, int& status) {
   static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
                                                              {"386", x86::Target::i386}};
   auto cpu = std::make_shared<std::string>("386");
+  static const std::map<std::string, x86::Cpu> timed_processors{{"8088", x86::Cpu::i8088},
+                                                                {"286", x86::Cpu::i286},
+                                                                {"386", x86::Cpu::i386},
+                                                                {"486", x86::Cpu::i486}};
+  auto timed = std::make_shared<std::string>();
   auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       app.add_subcommand("step", "execute one instruction a line, or judge the model by files");
   command->add_option("--cpu", *cpu, "8088 or 386")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();
+  CLI::Option* clocks =
+      command
+          ->add_option("--clocks", *timed,
+                       "append what the instruction takes on an 8088, 286, 386 or 486")
+          ->check(CLI::IsMember(&timed_processors));
   command
       ->add_option("--singlestep", *files,
                    "judge cases of these files in place of lines: JSON, plain or gzip")
-      ->check(not_empty());
+      ->check(not_empty())
+      ->excludes(clocks);
   command->footer(
       "A line is an instruction and all registers; the answer is the state after it, then the "
       "flags\n"
@@ -177,6 +204,10 @@ void add_step(CLI::App& app, int& status) {
       "one that reads memory. With --cpu 386 a register may be given as eax= with 8 digits and "
       "comes\n"
       "back so. Jumps are not taken.\n\n"
+      "--clocks appends clocks=N, or clocks=MIN-MAX where Intel's tables leave a range, to every\n"
+      "state; clocks=- where that processor does not have the instruction. A jump is not taken, "
+      "but\n"
+      "JMP, whose time depends on what it leads to.\n\n"
       "Example:\n"
       "  echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe "
       "fl=0001' |\n"
@@ -190,9 +221,15 @@ void add_step(CLI::App& app, int& status) {
       "is damaged, or has no case that could be run: what verified nothing is no success.\n\n"
       "Example:\n"
       "  fixproof step --cpu 8088 --singlestep v2/01.json.gz v2/F7.6.json.gz");
-  command->callback([cpu, files, &status] {
+  command->callback([cpu, timed, files, &status] {
     const x86::Target target = processors.at(*cpu);
-    status = files->empty() ? run(target) : judge_files(*files, target);
+    if (!files->empty()) {
+      status = judge_files(*files, target);
+      return;
+    }
+    std::optional<x86::Cpu> timed_cpu;
+    if (!timed->empty()) timed_cpu = timed_processors.at(*timed);
+    status = run(target, timed_cpu);
   });
 }
 

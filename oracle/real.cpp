@@ -1,0 +1,63 @@
+#include "oracle/real.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <stdexcept>
+
+#include "oracle/unbounded.hpp"
+
+namespace oracle {
+namespace {
+
+/// 166 bits: 16 of the fraction, 60 digits and 15 whole bits of an angle leave more than enough.
+using Decimal50 = boost::multiprecision::cpp_bin_float_50;
+
+void require_digits(int digits) {
+  if (digits < 0 || digits > 60) throw std::invalid_argument("digits must be 0 ... 60");
+}
+
+Integer scaled(const Decimal50& value, int digits) {
+  return Integer(floor(ldexp(value, 16 + digits)));
+}
+
+}  // namespace
+
+Integer scaled_sqrt(Word x, int digits) {
+  require_digits(digits);
+  const Integer value = ulps(x, 16);
+  if (value < 0) throw std::domain_error("the square root of a negative number");
+  return boost::multiprecision::sqrt(value << (16 + 2 * digits));
+}
+
+Integer scaled_cos(std::int32_t angle_tenths, int digits) {
+  require_digits(digits);
+  // The five whole and half cosines (Niven) come out of the series a little off: they are known.
+  const int turned = (angle_tenths % 3600 + 3600) % 3600;
+  const Integer unit = Integer(1) << (16 + digits);
+  switch (turned) {
+    case 0:
+      return unit;
+    case 600:
+    case 3000:
+      return unit / 2;
+    case 900:
+    case 2700:
+      return 0;
+    case 1200:
+    case 2400:
+      return -unit / 2;
+    case 1800:
+      return -unit;
+    default:
+      break;
+  }
+  static const Decimal50 pi = acos(Decimal50(-1));
+  return scaled(cos(pi * turned / 1800), digits);
+}
+
+Integer scaled_sin_of_radians(Word angle, int digits) {
+  require_digits(digits);
+  const Decimal50 radians = ldexp(Decimal50(ulps(angle, 16)), -16);
+  return scaled(sin(radians), digits);
+}
+
+}  // namespace oracle

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "oracle/integer.hpp"
+#include "oracle/rule.hpp"
+
+/// Results that are no ratios, to as many binary digits as are asked: with them errors far below
+/// one ulp can be told. Each is in ulps of 16.16 times 2^digits, rounded down; `digits` is 0
+/// ... 60.
+namespace oracle {
+
+/// The square root of a word that is not negative; std::domain_error for another.
+[[nodiscard]] Integer scaled_sqrt(Word x, int digits);
+
+/// The cosine of an angle in tenths of a degree.
+[[nodiscard]] Integer scaled_cos(std::int32_t angle_tenths, int digits);
+
+/// The sine of an angle in radians, itself a 16.16 word.
+[[nodiscard]] Integer scaled_sin_of_radians(Word angle, int digits);
+
+}  // namespace oracle

@@ -1,0 +1,219 @@
+// What is known of each rounding, found by the measurement.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "fixed/fixed.hpp"
+#include "oracle/real.hpp"
+#include "tests/measure/never.hpp"
+#include "verify/measure/accuracy_run.hpp"
+
+namespace {
+
+using namespace fixproof;
+
+MeasuredOperation operation_named_here(std::string_view name) {
+  for (MeasuredOperation& o : measured_operations()) {
+    if (o.name == name) return std::move(o);
+  }
+  throw std::invalid_argument("no such operation");
+}
+
+/// The errors of one subject over uniform operands, or over one set of words.
+AccuracyRow row_of_set(std::string_view operation, std::string_view subject,
+                       const OperandSet& set) {
+  for (AccuracyRow& row : measure_errors(operation_named_here(operation), set, never)) {
+    if (row.subject.name == subject) return std::move(row);
+  }
+  throw std::invalid_argument("no such subject");
+}
+AccuracyRow uniform(std::string_view operation, std::string_view subject) {
+  return row_of_set(operation, subject,
+                    random_operands(operation_named_here(operation), 7, 20'000).front());
+}
+
+// 1 unit times 8000h units is half a unit: up to 1, off by +1/2; -1 times the same up to 0.
+TEST(Accuracy, ErrorsOfTwoTies) {
+  const OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
+  const auto up = row_of_set("mul", "q16_16", ties).errors;
+  EXPECT_EQ(up.cases(), 2U);
+  EXPECT_EQ(up.mean(), 0.5);
+  EXPECT_EQ(up.correct(), 1) << "of two that are as near, either";
+  const auto away = row_of_set("mul", "q16_16_i8088", ties).errors;
+  EXPECT_EQ(away.mean(), 0);
+  EXPECT_EQ(away.max(), 0.5);
+  const auto down = row_of_set("mul", "q16_16_i386_unrounded", ties).errors;
+  EXPECT_EQ(down.mean(), -0.5);
+}
+
+// 3 units times 4000h units is 3/4 of a unit.
+TEST(Accuracy, TruncationIsNotTheNearest) {
+  const OperandSet one{"one", {3, 0x4000}};
+  const auto down = row_of_set("mul", "q16_16_i8088_unrounded", one).errors;
+  EXPECT_EQ(down.mean(), -0.75);
+  EXPECT_EQ(down.correct(), 0);
+  EXPECT_EQ(row_of_set("mul", "q16_16", one).errors.mean(), 0.25);
+}
+
+TEST(Accuracy, WhatDoesNotFitIsLeftOut) {
+  // 32767 times 2; 1 by 0; the most negative word by -1.0 and by 1.0, which fits.
+  const OperandSet products{"", {0x7FFF0000, 0x00020000}};
+  EXPECT_EQ(row_of_set("mul", "q16_16", products).beyond, 1U);
+  const OperandSet quotients{"", {1, 0, 0x80000000, 0xFFFF0000, 0x80000000, 0x00010000}};
+  const AccuracyRow row = row_of_set("div", "q16_16", quotients);
+  EXPECT_EQ(row.beyond, 2U);
+  EXPECT_EQ(row.errors.cases(), 1U);
+  EXPECT_EQ(row.errors.max(), 0);
+}
+
+// 1.0 by 1.5: the 8088 divides by 1, and is off by a third. By 0.5 it faults.
+TEST(Accuracy, The8088DividesByTheWholePart) {
+  const OperandSet set{"", {0x00010000, 0x00018000, 0x00010000, 0x00008000}};
+  const AccuracyRow row = row_of_set("div", "q16_16_i8088", set);
+  EXPECT_EQ(row.faults, 1U);
+  EXPECT_DOUBLE_EQ(row.errors.max(), 65536.0 / 3);
+}
+
+TEST(Accuracy, ARoundedProductIsHalfAUnitOffAtMostAndHasNoBias) {
+  for (const char* subject : {"q16_16", "q16_16_i8088"}) {
+    const auto errors = uniform("mul", subject).errors;
+    EXPECT_EQ(errors.cases(), 20'000U);
+    EXPECT_LE(errors.max(), 0.5);
+    EXPECT_GT(errors.max(), 0.49);
+    // Errors are all as likely: 1 / sqrt(12), and a mean within five of its deviations.
+    EXPECT_NEAR(errors.root_mean_square(), std::sqrt(1.0 / 12), 0.01);
+    EXPECT_NEAR(errors.mean(), 0, 5 * 0.289 / std::sqrt(20'000));
+    EXPECT_EQ(errors.correct(), 1);
+  }
+}
+
+TEST(Accuracy, AProductTowardMinusInfinityIsHalfAUnitLowOnTheWhole) {
+  const auto errors = uniform("mul", "q16_16_i386_unrounded").errors;
+  EXPECT_LT(errors.max(), 1);
+  EXPECT_NEAR(errors.mean(), -0.5, 5 * 0.289 / std::sqrt(20'000));
+  EXPECT_NEAR(errors.correct(), 0.5, 0.02);
+}
+
+TEST(Accuracy, AProductTowardZeroHasNoBias) {
+  const auto errors = uniform("mul", "q16_16_i8088_unrounded").errors;
+  EXPECT_LT(errors.max(), 1);
+  EXPECT_GT(errors.max(), 0.99);
+  EXPECT_NEAR(errors.mean(), 0, 5 * 0.577 / std::sqrt(20'000));
+  EXPECT_NEAR(errors.root_mean_square(), std::sqrt(1.0 / 3), 0.01);
+}
+
+TEST(Accuracy, DividesOfTheTypeAreRoundedOnce) {
+  EXPECT_LE(uniform("div", "q16_16").errors.max(), 0.5);
+  EXPECT_LE(uniform("div", "q16_16_i386").errors.max(), 0.5);
+  EXPECT_LT(uniform("div", "q16_16_i386_unrounded").errors.max(), 1);
+}
+
+TEST(Accuracy, RootsAndCosinesAreTheNearest) {
+  for (const char* operation : {"sqrt", "cos", "sin"}) {
+    const auto errors = uniform(operation, "q16_16").errors;
+    EXPECT_GT(errors.cases(), 3000U);
+    EXPECT_LE(errors.max(), 0.5) << operation;
+    EXPECT_EQ(errors.correct(), 1) << operation;
+  }
+}
+
+TEST(Accuracy, ThreeRoundedProductsAreThreeTimesAsFarOffAtMost) {
+  const auto thrice = uniform("dot of rounded products", "q16_16").errors;
+  EXPECT_LE(thrice.max(), 1.5);
+  EXPECT_GT(thrice.max(), 1.2);
+  EXPECT_NEAR(thrice.root_mean_square(), std::sqrt(3.0 / 12), 0.01);
+  const auto once = uniform("dot rounded once", "q16_16").errors;
+  EXPECT_LE(once.max(), 0.5);
+  EXPECT_EQ(once.correct(), 1);
+  EXPECT_NEAR(uniform("dot of rounded products", "q16_16_i386_unrounded").errors.mean(), -1.5,
+              0.02);
+}
+
+// sqrt(2) = 1.41421356237309504..., cos(60 degrees) = 1/2, sin(1) = 0.84147098480789650...
+TEST(Accuracy, ReferencesThatAreNoRatios) {
+  const auto value = [](const oracle::Integer& scaled) {
+    return std::ldexp(static_cast<double>(scaled), -16 - 40);
+  };
+  EXPECT_NEAR(value(oracle::scaled_sqrt(0x20000, 40)), 1.41421356237309504, 1e-15);
+  EXPECT_EQ(value(oracle::scaled_cos(600, 40)), 0.5);
+  EXPECT_EQ(value(oracle::scaled_cos(-900, 40)), 0);
+  EXPECT_NEAR(value(oracle::scaled_cos(1350, 40)), -std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(value(oracle::scaled_sin_of_radians(0x10000, 40)), 0.84147098480789650, 1e-15);
+  for (int tenths = -3600; tenths <= 3600; ++tenths) {
+    const long double radians = tenths * (3.14159265358979323846L / 1800);
+    ASSERT_NEAR(value(oracle::scaled_cos(tenths, 40)), static_cast<double>(std::cos(radians)),
+                1e-15)
+        << tenths;
+  }
+  EXPECT_THROW(static_cast<void>(oracle::scaled_sqrt(0xFFFFFFFF, 40)), std::domain_error);
+}
+
+// Words of 24 bits are exact in float, and their products in double. In float, products of 2^29
+// units and more are multiples of 64.
+TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
+  const auto of_double = uniform("mul", "double").errors;
+  EXPECT_EQ(of_double.max(), 0);
+  EXPECT_EQ(of_double.correct(), 1);
+  const auto of_float = uniform("mul", "float").errors;
+  EXPECT_GT(of_float.max(), 16);
+  EXPECT_LE(of_float.max(), 32);
+  EXPECT_EQ(row_of_set("div", "double", {"", {0x10000, 0x20000}}).errors.max(), 0);
+  // A unit by 3.0: a third of a unit, which double has to 2^-54.
+  EXPECT_LT(row_of_set("div", "double", {"", {1, 0x30000}}).errors.max(), 1e-16);
+  EXPECT_LE(uniform("cos", "double").errors.max(), 1e-9);
+  // Roots to 2^23.5 units, by half a unit, of operands that are off by 2^-24 of themselves.
+  EXPECT_LE(uniform("sqrt", "float").errors.max(), 0.86);
+}
+
+TEST(Accuracy, FreeTypeRoundsHalvesAwayFromZero) {
+  if (!has_freetype()) GTEST_SKIP() << "FreeType is not installed";
+  const OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
+  EXPECT_EQ(row_of_set("mul", "FreeType", ties).errors.mean(), 0);
+  EXPECT_EQ(row_of_set("mul", "FreeType", ties).errors.max(), 0.5);
+  EXPECT_EQ(uniform("div", "FreeType").errors.correct(), 1);
+}
+
+template <class One, class Other>
+void expect_same_products_and_quotients(bool quotients) {
+  const OperandSet set = random_operands(operation_named_here("div"), 7, 2'000).front();
+  for (std::size_t i = 0; i + 2 <= set.words.size(); i += 2) {
+    // Small enough for every product, and large enough a divisor for every quotient, to fit.
+    const auto a = static_cast<std::int32_t>(set.words[i]) >> 8;
+    const auto b = static_cast<std::int32_t>(set.words[i + 1]) >> 8 | 0x20000;
+    ASSERT_EQ((One::from_raw(a) * One::from_raw(b)).raw(),
+              (Other::from_raw(a) * Other::from_raw(b)).raw());
+    if (!quotients) continue;
+    ASSERT_EQ((One::from_raw(a) / One::from_raw(b)).raw(),
+              (Other::from_raw(a) / Other::from_raw(b)).raw());
+  }
+}
+
+TEST(Accuracy, PresetsThatAreSaidToBeAlikeAre) {
+  using namespace fixed;
+  expect_same_products_and_quotients<q16_16, q16_16_saturating>(true);
+  expect_same_products_and_quotients<q16_16, q16_16_trapping>(true);
+  expect_same_products_and_quotients<q16_16, q16_16_i386>(false);
+  expect_same_products_and_quotients<q16_16, q16_16_i386_mul_rounded>(false);
+  expect_same_products_and_quotients<q16_16_i386_unrounded, q16_16_i386_div_rounded>(false);
+  expect_same_products_and_quotients<q16_16_i8088, q16_16_i8088_mul_rounded>(false);
+  expect_same_products_and_quotients<q16_16_i8088_unrounded, q16_16_i8088_div_rounded>(false);
+}
+
+// Its long division begins with an estimate that leaves out a unit of the remainder at most; with
+// the smallest divisor for which it does so, 2^20, that is 1/16 of a unit of the quotient.
+TEST(Accuracy, LibfixmathDivideIsMoreThanHalfAUnitOffInOneCaseOfAThousand) {
+  if (!has_libfixmath()) GTEST_SKIP() << "libfixmath is not installed";
+  const auto sets = random_operands(operation_named_here("div"), 7, 200'000);
+  ASSERT_EQ(sets.at(1).name, "uniform to 2048");
+  const auto errors = row_of_set("div", "libfixmath", sets.at(1)).errors;
+  EXPECT_NEAR(1 - errors.correct(), 0.001, 0.0005);
+  EXPECT_GT(errors.max(), 0.5);
+  EXPECT_LT(errors.max(), 0.5625);
+  // 13668.44558... by 16.00575... is 55965922.5624 units, and comes out as ...922.
+  const auto worst = row_of_set("div", "libfixmath", {"", {0x35647212, 0x00100179}}).errors;
+  EXPECT_NEAR(worst.max(), 0.562366, 1e-6);
+  EXPECT_EQ(worst.correct(), 0);
+}
+
+}  // namespace

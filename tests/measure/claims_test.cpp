@@ -1,0 +1,149 @@
+// Verdicts, and counts of whole calls that are worked by hand from Intel's tables.
+#include "verify/measure/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/measure/never.hpp"
+#include "verify/measure/call_clocks.hpp"
+
+namespace {
+
+using namespace fixproof;
+using x86model::Cpu;
+
+TEST(Claims, AVerdictNeedsAllOfARange) {
+  const Bounds allowed{2, 3};
+  EXPECT_EQ(judge({2, 3}, allowed), Verdict::holds);
+  EXPECT_EQ(judge({2.5, 2.5}, allowed), Verdict::holds);
+  EXPECT_EQ(judge({1, 1.9}, allowed), Verdict::does_not_hold);
+  EXPECT_EQ(judge({3.1, 9}, allowed), Verdict::does_not_hold);
+  EXPECT_EQ(judge({1, 2}, allowed), Verdict::open);
+  EXPECT_EQ(judge({2.9, 3.1}, allowed), Verdict::open);
+  EXPECT_EQ(judge({1, 9}, allowed), Verdict::open);
+}
+
+TEST(Claims, FiguresThatAreOpenDecideNothing) {
+  const auto of = [](const std::vector<Verdict>& verdicts) {
+    Claim claim;
+    for (const Verdict v : verdicts) claim.figures.push_back({"", {}, v});
+    return verdict_on(claim);
+  };
+  using enum Verdict;
+  EXPECT_EQ(of({open, open}), open);
+  EXPECT_EQ(of({open, holds, holds}), holds);
+  EXPECT_EQ(of({does_not_hold, open}), does_not_hold);
+  EXPECT_EQ(of({holds, does_not_hold, holds}), in_part);
+}
+
+TEST(Spread, MeansAreOfTypicalCallsAlone) {
+  Spread s;
+  s.add({10, 12});
+  s.add({20, 20});
+  s.bound({5, 40});
+  EXPECT_EQ(s.least(), 5U);
+  EXPECT_EQ(s.most(), 40U);
+  EXPECT_EQ(s.calls(), 2U);
+  EXPECT_EQ(s.mean_min(), 15);
+  EXPECT_EQ(s.mean_max(), 16);
+}
+
+const ProcessorClocks& on(const CallClocks& clocks, Cpu cpu) {
+  for (const ProcessorClocks& p : clocks.processors) {
+    if (p.cpu == cpu) return p;
+  }
+  throw std::invalid_argument("not on this processor");
+}
+
+// FixedMul on a 386: PUSH 2, MOV 2, MOV from memory 4, IMUL by memory 9 + the bits of the
+// multiplier, ADD 2, ADC 2, SHR 3, POP 4, RET 10 and 3 for ADD SP,8. Three times 2^16 has 18 bits,
+// 1.0 is 2^16: 32 + 27 and 32 + 25.
+TEST(CallClocks, FixedMulOnA386) {
+  CallClocks clocks = no_calls({.operation = Operation::mul, .target = Target::i386});
+  add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true, never);
+  EXPECT_EQ(clocks.processors.size(), 2U);
+  EXPECT_EQ(clocks.instructions.least(), 9U);
+  EXPECT_EQ(clocks.instructions.most(), 9U);
+  const Spread& counted = on(clocks, Cpu::i386).clocks;
+  EXPECT_EQ(counted.least(), 57U);
+  EXPECT_EQ(counted.most(), 59U);
+  EXPECT_EQ(counted.mean_min(), 58);
+  EXPECT_EQ(counted.mean_max(), 58);
+  EXPECT_EQ(on(clocks, Cpu::i486).clocks.least(), 26U);
+  EXPECT_EQ(on(clocks, Cpu::i486).clocks.most(), 63U);
+}
+
+// Of the 8088's FixedMul of 1.0 by 1.0, the sum of the 39 rows of the listing; MUL takes 117 and a
+// clock for each one in AX and for DX = 0: 119, 118, 119 and 118.
+TEST(CallClocks, FixedMulOnAn8088) {
+  constexpr std::uint64_t pushes = 5 * 15;
+  constexpr std::uint64_t pops = 5 * 12;
+  constexpr std::uint64_t loads = 4 * 21;
+  constexpr std::uint64_t moves = 7 * 2;
+  constexpr std::uint64_t between_registers = 8 * 3;
+  constexpr std::uint64_t with_constants = 2 * 4;
+  constexpr std::uint64_t jumps = 3 * 16;
+  constexpr std::uint64_t multiplies = 119 + 118 + 119 + 118;
+  constexpr std::uint64_t ret = 20;
+  CallClocks clocks = no_calls({.operation = Operation::mul, .target = Target::i8088});
+  add_calls(clocks, std::array{0x00010000U, 0x00010000U}, true, never);
+  EXPECT_EQ(clocks.instructions.least(), 39U);
+  EXPECT_EQ(on(clocks, Cpu::i8088).clocks.least(), pushes + pops + loads + moves +
+                                                       between_registers + with_constants + jumps +
+                                                       multiplies + ret);
+}
+
+/// A scene of one frame whose only work is 1.0 times 1.0, in each build.
+RecordedScene one_product() {
+  RecordedScene scene{"one product", {}};
+  for (const auto& choice : recorded_builds()) {
+    SceneOperands operands{.choice = choice, .frames = 1};
+    operands.log.at(static_cast<std::size_t>(Operation::mul)) = {0x00010000, 0x00010000};
+    scene.builds.push_back(operands);
+  }
+  return scene;
+}
+
+const Claim& claim_about(const std::vector<Claim>& claims, std::string_view words) {
+  for (const Claim& c : claims) {
+    if (c.text.find(words) != std::string::npos) return c;
+  }
+  throw std::invalid_argument("no such claim");
+}
+
+// The 39 rows of the 8088's FixedMul for 1.0 by 1.0 take 155 clocks on a 386 and 220 on a 286; the
+// 386's takes 32 + 25 on a 386, 26 to 63 on a 486.
+TEST(Claims, FiguresOfOneProduct) {
+  const auto claims = judge_claims({one_product()});
+  const Claim& slower = claim_about(claims, "2.5 times");
+  ASSERT_EQ(slower.figures.size(), 2U);
+  EXPECT_DOUBLE_EQ(slower.figures[0].measured.min, 155.0 / 57);
+  EXPECT_DOUBLE_EQ(slower.figures[0].measured.max, 155.0 / 57);
+  EXPECT_EQ(slower.figures[0].verdict, Verdict::holds);
+  const Claim& at = claim_about(claims, "8 MHz AT is about 10");
+  ASSERT_EQ(at.figures.size(), 1U);
+  EXPECT_DOUBLE_EQ(at.figures[0].measured.min, 220.0 / 8 / (63.0 / 33));
+  EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (26.0 / 33));
+  EXPECT_EQ(at.figures[0].verdict, Verdict::does_not_hold);
+  // Unrounded, ADD and ADC are left out on a 386: 4 clocks of 57.
+  const Claim& rounding = claim_about(claims, "Rounding");
+  EXPECT_DOUBLE_EQ(rounding.figures.at(0).measured.min, 100 * (57.0 / 53 - 1));
+  EXPECT_EQ(rounding.figures.at(0).verdict, Verdict::holds);
+  // There is no divide whose time could be compared.
+  EXPECT_EQ(claim_about(claims, "native").figures.size(), 1U);
+}
+
+TEST(CallClocks, ADivideErrorIsCountedAsThatAlone) {
+  CallClocks clocks = no_calls({.operation = Operation::div, .target = Target::i386});
+  add_calls(clocks, std::array{0x00010000U, 0U}, true, never);
+  EXPECT_EQ(clocks.faults, 1U);
+  EXPECT_EQ(clocks.instructions.calls(), 0U);
+}
+
+TEST(CallClocks, EveryBuildIsTimedOnce) {
+  const auto variants = timed_variants();
+  // mul, div, xformvec and concat on two targets under two roundings, CosSin on two targets, and
+  // chapter 52's three.
+  EXPECT_EQ(variants.size(), 4U * 4 + 2 + 3);
+}
+
+}  // namespace

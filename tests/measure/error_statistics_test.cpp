@@ -1,0 +1,75 @@
+// Statistics of a few errors, worked by hand.
+#include "verify/measure/error_statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using fixproof::ErrorHistogram;
+using fixproof::ErrorStatistics;
+
+TEST(ErrorStatistics, OfNothingAreZero) {
+  const ErrorStatistics none;
+  EXPECT_EQ(none.cases(), 0U);
+  EXPECT_EQ(none.mean(), 0);
+  EXPECT_EQ(none.root_mean_square(), 0);
+  EXPECT_EQ(none.correct(), 0);
+}
+
+// -1, 0.5, 0.25 and 0.25: sum 0, squares 1 + 1/4 + 1/16 + 1/16 = 11/8.
+TEST(ErrorStatistics, OfFourErrors) {
+  ErrorStatistics four;
+  four.add(-1, false);
+  four.add(0.5, true);
+  four.add(0.25, true);
+  four.add(0.25, true);
+  EXPECT_EQ(four.cases(), 4U);
+  EXPECT_EQ(four.max(), 1);
+  EXPECT_EQ(four.mean(), 0);
+  EXPECT_DOUBLE_EQ(four.root_mean_square(), std::sqrt(11.0 / 32));
+  EXPECT_EQ(four.correct(), 0.75);
+}
+
+TEST(ErrorStatistics, TheBiasKeepsItsSign) {
+  ErrorStatistics two;
+  two.add(-0.5, true);
+  two.add(-0.25, true);
+  EXPECT_EQ(two.mean(), -0.375);
+  EXPECT_EQ(two.max(), 0.5);
+}
+
+/// The counts of buckets 0 ... 15.
+using Counts = std::array<std::uint64_t, ErrorHistogram::buckets>;
+
+// Buckets are 1/16 wide as long as no error is above 1/2.
+TEST(ErrorHistogram, ABorderBelongsToTheBucketNearerZero) {
+  ErrorHistogram h;
+  for (const double error : {0.0, 1.0 / 16, 1.1 / 16, 0.5, -0.01, -1.0 / 16, -0.5}) h.add(error);
+  EXPECT_EQ(h.span(), 0.5);
+  EXPECT_EQ(h.counts(), (Counts{1, 0, 0, 0, 0, 0, 0, 2, 2, 1, 0, 0, 0, 0, 0, 1}));
+}
+
+// 3 needs a span of 4: buckets 1/2 wide. 0.5 and -0.5 stay beside zero; 0.51 and 3 do not.
+TEST(ErrorHistogram, WidensUntilEveryErrorHasAPlace) {
+  ErrorHistogram h;
+  for (const double error : {0.5, -0.5, 0.25, 3.0, 0.51}) h.add(error);
+  EXPECT_EQ(h.span(), 4);
+  EXPECT_EQ(h.counts(), (Counts{0, 0, 0, 0, 0, 0, 0, 1, 2, 1, 0, 0, 0, 1, 0, 0}));
+}
+
+TEST(ErrorHistogram, TheOrderOfErrorsDoesNotMatter) {
+  ErrorHistogram outward;
+  ErrorHistogram inward;
+  const auto add_both = [](ErrorHistogram& h, int i) {
+    h.add(i / 32.0);
+    h.add(-i / 32.0);
+  };
+  for (int i = 0; i <= 80; ++i) add_both(outward, i);
+  for (int i = 80; i >= 0; --i) add_both(inward, i);
+  EXPECT_EQ(outward.span(), inward.span());
+  EXPECT_EQ(outward.counts(), inward.counts());
+}
+
+}  // namespace

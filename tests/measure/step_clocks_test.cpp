@@ -1,0 +1,81 @@
+// `fixproof step --clocks`: each figure from Intel's tables, multiplies and divides by hand.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+/// What follows the state of `instruction` with these AX, BX and DX.
+std::string clocks_of(std::string_view cpu, std::string_view clocks, std::string_view instruction,
+                      std::string_view ax_bx_dx = "ax=0001 bx=0002 dx=0000") {
+  const auto run =
+      cli::fixproof(fmt::format("step --cpu {} --clocks {}", cpu, clocks),
+                    fmt::format("{} | {} cx=0000 si=0000 di=0000 bp=0000 sp=fffe fl=0000\n",
+                                instruction, ax_bx_dx));
+  EXPECT_EQ(run.status, 0) << run.err;
+  const auto at = run.out.find(" clocks=");
+  return at == std::string::npos ? run.out : run.out.substr(at + 8, run.out.size() - at - 9);
+}
+
+/// On 8088, 286, 386 and 486.
+using Four = std::array<std::string_view, 4>;
+
+void expect_clocks(std::string_view instruction, const Four& expected) {
+  constexpr Four cpus{"8088", "286", "386", "486"};
+  for (std::size_t i = 0; i < cpus.size(); ++i) {
+    EXPECT_EQ(clocks_of("386", cpus.at(i), instruction), expected.at(i))
+        << instruction << " on " << cpus.at(i);
+  }
+}
+
+TEST(StepClocks, RegistersAndImmediates) {
+  expect_clocks("adc bx, dx", {"3", "2", "2", "1"});
+  expect_clocks("add ax, 0x8000", {"4", "3", "2", "1"});
+  expect_clocks("mov ax, bx", {"2", "2", "2", "1"});
+  expect_clocks("inc bx", {"2", "2", "2", "1"});
+  expect_clocks("neg bx", {"3", "2", "2", "1"});
+  expect_clocks("shl bx, 1", {"2", "2", "3", "3"});
+}
+
+TEST(StepClocks, AJumpIsNotTakenButForJmp) {
+  expect_clocks("jz .There", {"4", "3", "3", "1"});
+  // 7 and what it leads to: 1 to 4 bytes on a 286, 1 to 5 components on a 386.
+  expect_clocks("jmp .There", {"15", "8-11", "8-12", "3"});
+}
+
+TEST(StepClocks, MultipliesAndDivides) {
+  // One in AX, and DX becomes 0. A 386 stops at the multiplier's highest bit, but not before 3.
+  expect_clocks("mul bx", {"119", "21", "9", "13-26"});
+  // 0000 0001h by 2: no step subtracts.
+  expect_clocks("div bx", {"144", "22", "22", "24"});
+  // 16 ones; FFFFh times FFFFh leaves DX.
+  EXPECT_EQ(clocks_of("8088", "8088", "mul bx", "ax=ffff bx=ffff dx=0000"), "133");
+  // Every step subtracts: 17 + 15 * 9 + 10.
+  EXPECT_EQ(clocks_of("8088", "8088", "div bx", "ax=ffff bx=0001 dx=0000"), "162");
+  EXPECT_EQ(clocks_of("386", "386", "mul bx", "ax=0001 bx=8000 dx=0000"), "21");
+}
+
+TEST(StepClocks, WhatOnlyThe386Has) {
+  expect_clocks("imul ebx", {"-", "-", "9", "13-43"});
+  expect_clocks("idiv ebx", {"-", "-", "43", "43-44"});
+  expect_clocks("div ebx", {"-", "-", "38", "40-41"});
+  expect_clocks("shld edx, eax, 16", {"-", "-", "3", "2-3"});
+}
+
+TEST(StepClocks, LinesWithoutAStateStayAsTheyAre) {
+  EXPECT_EQ(clocks_of("8088", "8088", "div bx", "ax=0001 bx=0000 dx=0000"), "DE\n");
+  EXPECT_EQ(clocks_of("8088", "8088", "ret"), "unmodelled\n");
+}
+
+TEST(StepClocks, IsNotForFiles) {
+  const auto run = cli::fixproof("step --clocks 286 --singlestep some.json");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("--clocks"), std::string::npos) << run.err;
+  EXPECT_EQ(cli::fixproof("step --clocks 186").status, 2);
+}
+
+}  // namespace

@@ -1,0 +1,180 @@
+// One word for all that the type computes: the same on every machine, or somewhere a bit differs.
+//     digest [OPERATIONS]
+// Operands are drawn from a counter: every machine draws the same, in the same order.
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+
+#include "fixed/fixed.hpp"
+
+namespace {
+
+/// SplitMix64 (Steele, Lea, Flood 2014): a counter in, a word that looks random out.
+constexpr std::uint64_t mix(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
+class Digest {
+ public:
+  void add(std::uint64_t word) { state_ = std::rotl(state_ ^ word, 23) * 0x9fb21c651e98df25U; }
+  template <int F, fixed::policy P>
+  void add(fixed::number<F, P> x) {
+    add(static_cast<std::uint64_t>(static_cast<std::int64_t>(x.raw())));
+  }
+  void add(std::string_view text) {
+    for (const char c : text) add(static_cast<unsigned char>(c));
+  }
+  [[nodiscard]] std::uint64_t value() const { return mix(state_); }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+/// Operands of one case: of every magnitude, one in eight at an edge of the range.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t number) : state_(mix(number)) {}
+  std::uint64_t word() { return state_ = mix(state_); }
+  template <class Number>
+  Number number() {
+    using raw = typename Number::raw_type;
+    static constexpr std::array edges{raw{0},
+                                      raw{1},
+                                      raw{-1},
+                                      std::numeric_limits<raw>::min(),
+                                      std::numeric_limits<raw>::max(),
+                                      static_cast<raw>(raw{1} << Number::fraction_bits),
+                                      static_cast<raw>(raw{1} << (Number::fraction_bits - 1)),
+                                      static_cast<raw>(-(raw{1} << (Number::fraction_bits - 1)))};
+    const std::uint64_t w = word();
+    if ((w & 7U) == 0) return Number::from_raw(edges.at((w >> 3U) & 7U));
+    const auto narrower = (w >> 8U) % std::numeric_limits<raw>::digits;
+    return Number::from_raw(static_cast<raw>(static_cast<raw>(w >> 32U) >> narrower));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Every operation of the type, told apart by its place. A trapping type takes part where it does
+/// not throw: what it throws is for the tests.
+constexpr std::uint64_t operations = 16;
+
+template <class N>
+void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
+  using namespace fixed;
+  const N a = draw.number<N>();
+  const N b = draw.number<N>();
+  const N c = draw.number<N>();
+  const auto returning = [&](auto f) {
+    if constexpr (N::never_throws) f();
+  };
+  switch (operation) {
+    case 0:
+      return returning([&] { digest.add(a * b); });
+    case 1: {
+      const auto quotient = try_divide(a, b);
+      quotient ? digest.add(*quotient) : digest.add("none");
+      return;
+    }
+    case 2:
+      return returning([&] {
+        digest.add(a + b);
+        digest.add(a - b);
+        digest.add(-a);
+      });
+    case 3:
+      return returning([&] { digest.add(mul_add(a, b, c)); });
+    case 4:
+      return returning([&] { digest.add(dot(std::array{a, b, c}, std::array{c, a, b})); });
+    case 5:
+      return returning([&] { digest.add(lerp(a, b, c)); });
+    case 6:
+      return returning([&] { digest.add(sqrt(a)); });
+    case 7: {
+      const auto [cosine, sine] = sin_cos<N>(static_cast<std::int32_t>(draw.word()));
+      digest.add(cosine);
+      digest.add(sine);
+      return;
+    }
+    case 8:
+      return returning([&] {
+        digest.add(floor(a));
+        digest.add(ceil(a));
+        digest.add(round(a));
+        digest.add(trunc(a));
+        digest.add(abs(a));
+      });
+    case 9:
+      digest.add((a < b ? 1U : 0U) | (a == b ? 2U : 0U));
+      digest.add(min(a, c));
+      digest.add(max(b, c));
+      return;
+    case 10:
+      return returning([&] { digest.add(N(std::bit_cast<double>(draw.word()))); });
+    case 11:
+      return returning(
+          [&] { digest.add(N(std::bit_cast<float>(static_cast<std::uint32_t>(draw.word())))); });
+    case 12:
+      // Near the range, where rounding decides.
+      return returning([&] {
+        digest.add(N(std::bit_cast<double>((draw.word() >> 12U) | (0x3e0ULL << 52U) |
+                                           (draw.word() % 48U) << 52U)));
+      });
+    case 13:
+      digest.add(std::bit_cast<std::uint64_t>(static_cast<double>(a)));
+      digest.add(std::bit_cast<std::uint32_t>(static_cast<float>(b)));
+      digest.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(c)));
+      return;
+    case 14: {
+      std::array<char, max_chars<N>> text{};
+      const auto [end, error] = to_chars(text.data(), text.data() + text.size(), a);
+      digest.add(std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
+      N back;
+      from_chars(text.data(), end, back);
+      digest.add(back);
+      return;
+    }
+    default:
+      return returning([&] {
+        digest.add(N(number<24 - N::fraction_bits>::from_raw(
+            static_cast<typename number<24 - N::fraction_bits>::raw_type>(draw.word()))));
+      });
+  }
+}
+
+/// One operation after the other, under one type after the other.
+template <class... Numbers>
+std::uint64_t digest_of(std::uint64_t count) {
+  using Function = void (*)(std::uint64_t, Draws&, Digest&);
+  constexpr std::array<Function, sizeof...(Numbers)> types{compute<Numbers>...};
+  Digest digest;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Draws draw(i);
+    types.at(i / operations % types.size())(i % operations, draw, digest);
+  }
+  return digest.value();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace fixed;
+  const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
+  const std::uint64_t value =
+      digest_of<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386, q16_16_i386_mul_rounded,
+                q16_16_i386_div_rounded, q16_16_i386_unrounded, q16_16_i8088,
+                q16_16_i8088_mul_rounded, q16_16_i8088_div_rounded, q16_16_i8088_unrounded, q8_8,
+                q8_8_saturating, q8_8_trapping, q8_8_i386, q8_8_i386_mul_rounded,
+                q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088, q8_8_i8088_mul_rounded,
+                q8_8_i8088_div_rounded, q8_8_i8088_unrounded>(count);
+  std::cout << count << " operations: " << std::hex << value << '\n';
+}

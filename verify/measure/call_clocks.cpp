@@ -1,0 +1,115 @@
+#include "verify/measure/call_clocks.hpp"
+
+#include <array>
+
+#include "verify/parties/interpreter.hpp"
+#include "verify/plan.hpp"
+#include "x86model/count_clocks.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+
+/// Counts on several processors at once.
+class Counters {
+ public:
+  Counters(std::span<const x86::Instruction> code, std::span<const x86::Cpu> cpus) {
+    for (const x86::Cpu cpu : cpus) each_.emplace_back(code, cpu);
+  }
+  template <class M>
+  void before(std::size_t position, const M& m) {
+    for (auto& counter : each_) counter.before(position, m);
+  }
+  template <class M>
+  void operator()(std::size_t position, const M& after) {
+    for (auto& counter : each_) counter(position, after);
+  }
+  [[nodiscard]] x86::Range total(std::size_t i) const { return each_.at(i).total(); }
+
+ private:
+  std::vector<x86::ClockCounter> each_;
+};
+
+template <x86::Routine routine>
+void add(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
+         const std::atomic<bool>& stop) {
+  const x86::Program program = program_of(clocks.variant);
+  constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
+  std::array<std::uint32_t, most_words_out> results{};
+  const auto out = std::span(results).first(static_cast<std::size_t>(x86::arity(routine).out));
+  const Counters none(program.instructions(), processors_of(clocks.variant));
+  const auto note = [typical](Spread& spread, x86::Range r) {
+    typical ? spread.add(r) : spread.bound(r);
+  };
+  for (std::size_t i = 0; i + in <= words.size() && !stop; i += in) {
+    Counters counters = none;
+    const x86::Ending ending =
+        x86::call<routine, 16>(program.instructions(), words.subspan(i, in), out, counters);
+    if (ending.outcome != x86::Outcome::returned) {
+      ++clocks.faults;
+      continue;
+    }
+    note(clocks.instructions, {ending.steps, ending.steps});
+    for (std::size_t c = 0; c < clocks.processors.size(); ++c) {
+      note(clocks.processors[c].clocks, counters.total(c));
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const x86::Cpu> processors_of(const Variant& variant) {
+  static constexpr std::array all{x86::Cpu::i8088, x86::Cpu::i286, x86::Cpu::i386, x86::Cpu::i486};
+  const std::span<const x86::Cpu> cpus = all;
+  return variant.target == Target::i8088 ? cpus : cpus.last(2);
+}
+
+std::vector<Variant> timed_variants() {
+  std::vector<Variant> timed;
+  for (const Variant& v : all_variants()) {
+    const bool second_of_two = v.operation == Operation::cossin && !v.mul_round;
+    if (v.target != Target::standard && !second_of_two) timed.push_back(v);
+  }
+  return timed;
+}
+
+CallClocks no_calls(const Variant& variant) {
+  CallClocks clocks{.variant = variant};
+  for (const x86::Cpu cpu : processors_of(variant)) clocks.processors.push_back({.cpu = cpu});
+  return clocks;
+}
+
+void add_calls(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
+               const std::atomic<bool>& stop) {
+  using enum x86::Routine;
+  switch (clocks.variant.operation) {
+    case Operation::mul:
+      return add<mul>(clocks, words, typical, stop);
+    case Operation::div:
+      return add<div>(clocks, words, typical, stop);
+    case Operation::cossin:
+      return add<cossin>(clocks, words, typical, stop);
+    case Operation::xformvec:
+      return add<xformvec>(clocks, words, typical, stop);
+    default:
+      return add<concat>(clocks, words, typical, stop);
+  }
+}
+
+void add_cases(CallClocks& clocks, std::uint64_t seed, std::uint64_t cases, bool typical,
+               const std::atomic<bool>& stop) {
+  // A plan has jobs for rows that two parties answer; here nobody is asked.
+  const Plan plan(1, seed, {{clocks.variant, {"one", "another"}}});
+  std::vector<std::uint32_t> words;
+  for (const Job& job : plan.jobs()) {
+    const bool whole = size_of(job.stream, clocks.variant).has_value();
+    const std::uint64_t count = whole ? job.cases : std::min(cases, job.cases);
+    words.resize(count * words_in(clocks.variant.operation));
+    make_cases(job.stream, clocks.variant, seed, 0, words);
+    add_calls(clocks, words, typical, stop);
+  }
+}
+
+}  // namespace fixproof

@@ -1,0 +1,225 @@
+// fixproof measure --clocks.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "verify/file.hpp"
+#include "verify/frame_progress.hpp"
+#include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/measure/call_clocks.hpp"
+#include "verify/measure/claims.hpp"
+#include "verify/measure/measure.hpp"
+#include "verify/measure/provenance.hpp"
+#include "verify/text.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using ClockJson = nlohmann::ordered_json;
+
+constexpr std::uint64_t default_cases = 1000;
+/// A transform takes up to 36 products.
+constexpr std::uint64_t transforms_share = 10;
+
+/// A count or a mean of counts; two numbers where Intel's tables leave a range.
+std::string between(double min, double max, int decimals) {
+  const auto text = [decimals](double x) {
+    return decimals == 0 ? grouped(static_cast<std::uint64_t>(x))
+                         : fmt::format("{:.{}f}", x, decimals);
+  };
+  return min == max ? text(min) : fmt::format("{}-{}", text(min), text(max));
+}
+
+void print(const CallClocks& row) {
+  for (const ProcessorClocks& on : row.processors) {
+    const bool has_switch = row.variant.operation != Operation::cossin;
+    const auto mean = [](const Spread& s) {
+      return s.calls() == 0 ? "-" : between(s.mean_min(), s.mean_max(), 1);
+    };
+    std::cout << fmt::format(
+        "{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}\n",
+        name_of(row.variant.operation),
+        fmt::format("{}{}", name_of(row.variant.target), row.variant.chapter_52 ? " ch52" : ""),
+        !has_switch           ? "-"
+        : rounds(row.variant) ? "on"
+                              : "off",
+        x86model::name_of(on.cpu), grouped(row.instructions.least()), mean(row.instructions),
+        grouped(row.instructions.most()), grouped(on.clocks.least()), mean(on.clocks),
+        grouped(on.clocks.most()));
+  }
+}
+
+ClockJson json_of(const Spread& s) {
+  ClockJson json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
+  if (s.calls() > 0) json["mean"] = {{"min", s.mean_min()}, {"max", s.mean_max()}};
+  return json;
+}
+
+ClockJson json_of(const CallClocks& row) {
+  ClockJson processors = ClockJson::array();
+  for (const ProcessorClocks& on : row.processors) {
+    processors.push_back({{"cpu", x86model::name_of(on.cpu)}, {"clocks", json_of(on.clocks)}});
+  }
+  return {{"routine", name_of(row.variant.operation)},
+          {"target", name_of(row.variant.target)},
+          {"chapter", row.variant.chapter_52 ? 52 : 54},
+          {"rounds", rounds(row.variant)},
+          {"instructions", json_of(row.instructions)},
+          {"processors", std::move(processors)},
+          {"faults", row.faults}};
+}
+
+/// Infinite bounds become null: JSON has no number for them.
+ClockJson json_of(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
+
+ClockJson json_of(const Claim& claim) {
+  ClockJson figures = ClockJson::array();
+  for (const ClaimFigure& f : claim.figures) {
+    figures.push_back(
+        {{"where", f.where}, {"measured", json_of(f.measured)}, {"verdict", name_of(f.verdict)}});
+  }
+  return {{"claim", claim.text},
+          {"means", claim.means},
+          {"unit", claim.unit},
+          {"verdict", name_of(verdict_on(claim))},
+          {"allowed", json_of(claim.allowed)},
+          {"figures", std::move(figures)}};
+}
+
+void print(const Claim& claim) {
+  std::cout << fmt::format("\n{}\n=> {}\n({})\n", claim.text, name_of(verdict_on(claim)),
+                           claim.means);
+  for (const ClaimFigure& f : claim.figures) {
+    std::cout << fmt::format("  {:<44}{:>15} {:<16} {}\n", printable(f.where),
+                             between(f.measured.min, f.measured.max, 2), claim.unit,
+                             name_of(f.verdict));
+  }
+}
+
+/// The log of the build that a variant stands for.
+const OperandLog& log_of(const RecordedScene& scene, const Variant& variant) {
+  const std::size_t target = variant.target == Target::i386 ? 0 : 2;
+  return scene.builds.at(target + (rounds(variant) ? 0 : 1)).log;
+}
+
+class ClockRun {
+ public:
+  explicit ClockRun(const MeasureRequest& request)
+      : request_(request),
+        variants_(timed_variants()),
+        all_(request.scenes.size() * recorded_builds().size() + variants_.size()),
+        progress_(std::in_place, all_, "parts") {}
+
+  /// @return false where it was stopped before its time
+  bool run() {
+    for (const xsharp::Scene& scene : read_scenes(request_)) record(scene);
+    for (const Variant& variant : variants_) {
+      CallClocks row = no_calls(variant);
+      const std::uint64_t cases = request_.cases.value_or(default_cases);
+      const bool transforms = words_in(variant.operation) > 2;
+      add_cases(row, request_.seed, transforms ? cases / transforms_share + 1 : cases,
+                scenes_.empty(), stop_);
+      for (const RecordedScene& scene : scenes_) {
+        add_calls(row, log_of(scene, variant).at(static_cast<std::size_t>(variant.operation)), true,
+                  stop_);
+      }
+      if (stop_) return false;
+      rows_.push_back(std::move(row));
+      done();
+    }
+    if (!scenes_.empty()) claims_ = judge_claims(scenes_);
+    progress_.reset();
+    return !stop_;
+  }
+
+  void print_all() const {
+    std::cout << made_by(request_.seed) << "\n\n";
+    if (scenes_.empty()) {
+      std::cout
+          << "Means are over the cases of level 1: without a SCENE there are no operands of a "
+             "scene,\nand no claim is judged.\n";
+    } else {
+      std::cout << "Means are over the operands of";
+      for (const RecordedScene& scene : scenes_) {
+        std::cout << fmt::format("{} {}", &scene == scenes_.data() ? "" : ",",
+                                 printable(scene.name));
+      }
+      std::cout << fmt::format(", {} frames of each.\n", recorded_frames);
+    }
+    std::cout
+        << "Least and most are those seen in these and in cases of level 1. Two numbers: "
+           "Intel's tables give\na range. The caller's PUSHes and CALL are not counted; calls "
+           "that end in #DE are left out.\n\n";
+    std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>22}  {:>30}\n", "", "", "", "",
+                             "instructions", "clocks");
+    std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}\n",
+                             "routine", "target", "rounding", "cpu", "least", "mean", "most",
+                             "least", "mean", "most");
+    for (const CallClocks& row : rows_) print(row);
+    if (!claims_.empty()) {
+      std::cout << "\nWhat is published, and what the listings alone show. \"About\" allows a "
+                   "quarter more or less;\nopen: the ranges of Intel's tables leave both "
+                   "possible.\n";
+    }
+    for (const Claim& claim : claims_) print(claim);
+  }
+
+  void write_json() const {
+    ClockJson json{{"made", made_by_json(request_.seed, "measure --clocks")}};
+    json["scenes"] = ClockJson::array();
+    for (const RecordedScene& scene : scenes_) json["scenes"].push_back(scene.name);
+    json["clocks"] = ClockJson::array();
+    for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
+    json["claims"] = ClockJson::array();
+    for (const Claim& claim : claims_) json["claims"].push_back(json_of(claim));
+    replace_file(request_.json, json.dump(1) + '\n');
+  }
+
+  [[nodiscard]] std::string how_far() const {
+    return fmt::format("STOPPED after {} of {} parts{}\n", done_, all_,
+                       request_.json.empty() ? "" : "; " + request_.json + " is not written");
+  }
+
+ private:
+  void record(const xsharp::Scene& scene) {
+    RecordedScene recorded{scene.name, {}};
+    for (const auto& choice : recorded_builds()) {
+      if (stop_) return;
+      recorded.builds.push_back(record_scene(scene, choice, stop_));
+      done();
+    }
+    scenes_.push_back(std::move(recorded));
+  }
+
+  void done() { progress_->show(++done_); }
+
+  const MeasureRequest& request_;
+  const Interrupt interrupt_;
+  const std::atomic<bool>& stop_ = Interrupt::flag();
+  std::vector<Variant> variants_;
+  std::uint64_t all_;
+  std::optional<FrameProgress> progress_;  ///< until all is done
+  std::uint64_t done_ = 0;
+  std::vector<RecordedScene> scenes_;
+  std::vector<CallClocks> rows_;
+  std::vector<Claim> claims_;
+};
+
+}  // namespace
+
+int measure_clocks(const MeasureRequest& request) {
+  ClockRun run(request);
+  if (!run.run()) {
+    std::cout << run.how_far();
+    return interrupted_status;
+  }
+  run.print_all();
+  if (!request.json.empty()) run.write_json();
+  return 0;
+}
+
+}  // namespace fixproof
