@@ -14,13 +14,27 @@
 ///
 /// Policies other than the default are in fixed/policy.hpp, their types at the end of
 /// fixed/number.hpp.
+///
+/// Under -ffreestanding this is the part that needs no library at run time: all but text and
+/// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). Of
+/// the standard library it then includes `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`,
+/// `<cstddef>`, `<cstdint>`, `<limits>`, `<optional>`, `<type_traits>` and `<utility>`. What would
+/// throw executes a trap instruction, and integers do all the work: no floating-point register is
+/// touched, unless a number is made of float or double or becomes one.
+///
+/// Translation units of one program may differ in optimisation and in floating-point flags, but not
+/// in whether there are exceptions: the inline functions that throw would then be two.
 #pragma once
 
-#include "fixed/error.hpp"
-#include "fixed/format.hpp"
 #include "fixed/limits.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
-#include "fixed/text.hpp"
 #include "fixed/trig.hpp"
+#include "fixed/version.hpp"
+
+#if __STDC_HOSTED__
+#include "fixed/error.hpp"
+#include "fixed/format.hpp"
+#include "fixed/text.hpp"
+#endif

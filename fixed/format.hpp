@@ -10,10 +10,12 @@
 #define FIXED_FORMAT_HPP
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <version>
 
 #include "fixed/detail/decimal.hpp"
+#include "fixed/detail/throw.hpp"
 #include "fixed/number.hpp"
 
 #if defined(__cpp_lib_format)
@@ -36,10 +38,12 @@ class text_formatter {
     if (it != end && is_align(*it)) align_ = *it++;
     for (; it != end && *it >= '0' && *it <= '9'; ++it) {
       width_ = width_ * 10 + static_cast<std::size_t>(*it - '0');
-      if (width_ > max_width) throw Error("the width of a fixed-point number is too large");
+      if (width_ > max_width) {
+        throw_error<Error>("the width of a fixed-point number is too large");
+      }
     }
     if (it != end && *it != '}') {
-      throw Error("the format of a fixed-point number is [[fill]align][width]");
+      throw_error<Error>("the format of a fixed-point number is [[fill]align][width]");
     }
     return it;
   }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
+#include <optional>  // std::hash
 
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
@@ -28,6 +28,10 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   }
 
  public:
+  /// \name What kind of number it is
+  /// \{
+
+  /// As the standard names it.
   static constexpr bool is_specialized = true;
   static constexpr bool is_signed = true;
   static constexpr bool is_integer = false;
@@ -45,25 +49,36 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   static constexpr bool has_signaling_NaN = false;
   static constexpr std::float_denorm_style has_denorm = std::denorm_absent;
   static constexpr bool has_denorm_loss = false;
+  /// \}
 
   /// Of products and quotients; round_indeterminate if they are rounded in different directions.
   static constexpr std::float_round_style round_style = style();
 
+  /// Of the stored integer.
   static constexpr int radix = 2;
+  /// Binary digits without the sign: 31 in 16.16, 15 in 8.8.
   static constexpr int digits = raw_limits::digits;
   /// 4 decimal digits before the point and 4 after it survive in 16.16; 2 and 2 in 8.8.
   static constexpr int digits10 = FractionBits == 16 ? 4 + 4 : 2 + 2;
   /// 5 decimal digits before the point and 5 after it tell all numbers apart in 16.16; 3 and 3 in
   /// 8.8.
   static constexpr int max_digits10 = FractionBits == 16 ? 5 + 5 : 3 + 3;
+  /// 2^(min_exponent - 1) is the least power of two that is a number.
   static constexpr int min_exponent = 1 - FractionBits;
+  /// 2^(max_exponent - 1) is the greatest power of two that is a number.
   static constexpr int max_exponent = FractionBits - 1;
+  /// 10^min_exponent10 is the least power of ten in range: 0.0001 in 16.16, 0.01 in 8.8.
   static constexpr int min_exponent10 = FractionBits == 16 ? -4 : -2;
+  /// 10^max_exponent10 is the greatest power of ten in range: 10000 in 16.16, 100 in 8.8.
   static constexpr int max_exponent10 = FractionBits == 16 ? 4 : 2;
 
+  /// The smallest positive number, one unit of the last place.
   static constexpr number min() noexcept { return number::from_raw(1); }
+  /// The highest number: 32767 + 65535/65536 in 16.16.
   static constexpr number max() noexcept { return number::from_raw(raw_limits::max()); }
+  /// The lowest number: -32768 in 16.16.
   static constexpr number lowest() noexcept { return number::from_raw(raw_limits::min()); }
+  /// The step to the next number, one unit of the last place.
   static constexpr number epsilon() noexcept { return number::from_raw(1); }
   /// In units of the last place: 1/2 if everything is rounded to nearest, else 1.
   static constexpr number round_error() noexcept {
@@ -72,13 +87,18 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   }
   /// There are no denormal numbers: min().
   static constexpr number denorm_min() noexcept { return min(); }
+  /// There is none: 0.
   static constexpr number infinity() noexcept { return number(); }
+  /// There is none: 0.
   static constexpr number quiet_NaN() noexcept { return number(); }
+  /// There is none: 0.
   static constexpr number signaling_NaN() noexcept { return number(); }
 };
 
+/// Equal numbers have equal hashes: that of the stored integer.
 template <int FractionBits, fixed::policy P>
 struct std::hash<fixed::number<FractionBits, P>> {
+  /// The hash of x.raw().
   std::size_t operator()(fixed::number<FractionBits, P> x) const noexcept {
     return std::hash<typename fixed::number<FractionBits, P>::raw_type>{}(x.raw());
   }

@@ -3,11 +3,12 @@
 /// rounded once.
 #pragma once
 
+#include <array>  // std::data, std::size
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
-#include <string>
+#include <type_traits>
+#include <utility>
 
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -18,6 +19,9 @@
 namespace fixed {
 
 /// x rounded to an integer by rule R. Never out of range.
+///
+///     static_assert(to_integer<rounding::half_up>(q16_16(-1.5)) == -1);
+///     static_assert(to_integer<rounding::half_away>(q16_16(-1.5)) == -2);
 template <rounding R, int F, policy P>
 constexpr std::int32_t to_integer(number<F, P> x) noexcept {
   return static_cast<std::int32_t>(detail::shift_right<R>(std::int64_t{x.raw()}, F));
@@ -52,7 +56,8 @@ constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws)
       units, [&] { detail::raise_overflow<F>("ceil", x.raw()); }));
 }
 
-/// The nearest whole number; halves go away from zero if the policy's products do, up otherwise.
+/// The nearest whole number, out of range above the highest one, by the policy; halves go away from
+/// zero if the policy's products do, up otherwise.
 template <int F, policy P>
 constexpr number<F, P> round(number<F, P> x) noexcept(number<F, P>::never_throws) {
   constexpr rounding rule =
@@ -74,11 +79,13 @@ constexpr number<F, P> abs(number<F, P> x) noexcept(number<F, P>::never_throws) 
       raw < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
 }
 
+/// The lesser.
 template <int F, policy P>
 constexpr number<F, P> min(number<F, P> a, number<F, P> b) noexcept {
   return b < a ? b : a;
 }
 
+/// The greater.
 template <int F, policy P>
 constexpr number<F, P> max(number<F, P> a, number<F, P> b) noexcept {
   return a < b ? b : a;
@@ -86,6 +93,8 @@ constexpr number<F, P> max(number<F, P> a, number<F, P> b) noexcept {
 
 /// The number nearest to the square root, under every policy; there are no ties. The root of a
 /// negative number is 0; under overflow::trap it throws domain_error.
+///
+///     static_assert(sqrt(q16_16(2)).raw() == 92682 && sqrt(q16_16(-1)) == q16_16());  // 92681.9
 template <int F, policy P>
 constexpr number<F, P> sqrt(number<F, P> x) noexcept(number<F, P>::never_throws) {
   if (x.raw() < 0) {
@@ -98,7 +107,9 @@ constexpr number<F, P> sqrt(number<F, P> x) noexcept(number<F, P>::never_throws)
       detail::nearest_sqrt(std::int64_t{x.raw()} * (std::int64_t{1} << F))));
 }
 
-/// a * b + c, rounded once, as a product.
+/// a * b + c, rounded once, as a product; out of range by the policy.
+///
+///     static_assert(mul_add(q16_16(200), q16_16(200), q16_16(-30000)) == q16_16(10000));
 template <int F, policy P>
 constexpr number<F, P> mul_add(number<F, P> a, number<F, P> b,
                                number<F, P> c) noexcept(number<F, P>::never_throws) {
@@ -109,7 +120,10 @@ constexpr number<F, P> mul_add(number<F, P> a, number<F, P> b,
       [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));
 }
 
-/// a + (b - a) * t, rounded once, as a product: a at t = 0, b at t = 1, and beyond them outside.
+/// a + (b - a) * t, rounded once, as a product: a at t = 0, b at t = 1, and beyond them outside;
+/// out of range by the policy.
+///
+///     static_assert(lerp(q16_16(-32768), q16_16(32767), q16_16(0.5)) == q16_16(-0.5));
 template <int F, policy P>
 constexpr number<F, P> lerp(number<F, P> a, number<F, P> b,
                             number<F, P> t) noexcept(number<F, P>::never_throws) {
@@ -130,28 +144,38 @@ inline constexpr bool is_number = false;
 template <int F, policy P>
 inline constexpr bool is_number<number<F, P>> = true;
 
-/// An array, vector, span or the like of numbers.
+/// The element of what has std::data().
 template <class Range>
-concept number_range = std::ranges::contiguous_range<Range> && std::ranges::sized_range<Range> &&
-    is_number<std::ranges::range_value_t<Range>>;
+using element_t = std::remove_cvref_t<decltype(*std::data(std::declval<const Range&>()))>;
+
+/// An array, vector, span or the like of numbers. Not in the terms of <ranges>, which takes long to
+/// read and is not there in every freestanding library.
+template <class Range>
+concept number_range = is_number<element_t<Range>> && requires(const Range& range) {
+  std::size(range);
+};
 
 }  // namespace detail
 
 /// The sum of a[i] * b[i], exact until it is rounded once, as a product. Where one is longer, its
-/// rest does not count. An empty sum is 0.
+/// rest does not count. An empty sum is 0. Out of range, in the end only, by the policy.
+///
+///     constexpr q16_16 a[]{q16_16(300), q16_16(300)};
+///     constexpr q16_16 b[]{q16_16(300), q16_16(-299)};
+///     static_assert(dot(a, b) == q16_16(300));
 template <detail::number_range A, detail::number_range B>
-requires std::same_as<std::ranges::range_value_t<A>, std::ranges::range_value_t<B>>
-constexpr auto dot(const A& a, const B& b) noexcept(std::ranges::range_value_t<A>::never_throws) {
-  using result = std::ranges::range_value_t<A>;
+requires std::same_as<detail::element_t<A>, detail::element_t<B>>
+constexpr detail::element_t<A> dot(const A& a,
+                                   const B& b) noexcept(detail::element_t<A>::never_throws) {
+  using result = detail::element_t<A>;
   using raw = typename result::raw_type;
   constexpr policy rules = result::rules;
   constexpr int bits = result::fraction_bits;
   constexpr std::int64_t unit = std::int64_t{1} << bits;
 
-  const auto* x = std::ranges::data(a);
-  const auto* y = std::ranges::data(b);
-  const auto terms = static_cast<std::size_t>(
-      std::ranges::size(a) < std::ranges::size(b) ? std::ranges::size(a) : std::ranges::size(b));
+  const auto* x = std::data(a);
+  const auto* y = std::data(b);
+  const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
   const auto product = [x, y](std::size_t i) { return std::int64_t{x[i].raw()} * y[i].raw(); };
 
   if constexpr (rules.range == overflow::wrap && detail::rounds_by_floor<rules.multiply>) {
@@ -168,7 +192,7 @@ constexpr auto dot(const A& a, const B& b) noexcept(std::ranges::range_value_t<A
     } else {
       return result::from_raw(
           detail::narrow<rules.range, raw>(sum.clamped_shifted_right(bits), [terms] {
-            detail::raise<overflow_error>("overflow", "dot of " + std::to_string(terms) + " terms");
+            detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms});
           }));
     }
   }

@@ -39,13 +39,18 @@ enum class divide_fault {
 /// `multiply` also rounds mul_add, dot, lerp, and what becomes a number: from binary floating
 /// point, from text, from a number with more fraction bits. Quotients follow `divide`; sqrt, sin
 /// and cos are always nearest; conversions to float and to integers say their own rounding.
+///
+///     constexpr policy to_floor{.multiply = rounding::floor, .divide = rounding::floor};
+///     using floored = number<16, to_floor>;
+///     static_assert((floored(-1) / floored(3)).raw() == -21846);  // -21845.33
 struct policy {
-  rounding multiply = rounding::half_up;
-  rounding divide = rounding::half_up;
-  overflow range = overflow::wrap;
-  divisor_width divisor = divisor_width::full;
-  divide_fault fault = divide_fault::none;
+  rounding multiply = rounding::half_up;        ///< Of products, and see above.
+  rounding divide = rounding::half_up;          ///< Of quotients.
+  overflow range = overflow::wrap;              ///< What becomes of results out of range.
+  divisor_width divisor = divisor_width::full;  ///< How much of a divisor counts.
+  divide_fault fault = divide_fault::none;      ///< Which divides are errors.
 
+  /// Whether all rules are the same.
   friend constexpr bool operator==(const policy&, const policy&) = default;
 };
 
@@ -59,38 +64,44 @@ struct policy {
 /// which compilers for that processor define as a macro.
 namespace policies {
 
-inline constexpr policy wrapping{};
-inline constexpr policy saturating{.range = overflow::saturate};
-inline constexpr policy trapping{.range = overflow::trap};
+inline constexpr policy wrapping{};                               ///< That of q16_16 and q8_8.
+inline constexpr policy saturating{.range = overflow::saturate};  ///< To the end of the range.
+inline constexpr policy trapping{.range = overflow::trap};        ///< Throws.
 
 /// IMUL, and DIV on magnitudes: only a quotient beyond 32 unsigned bits faults.
 inline constexpr policy i386_rounded{.multiply = rounding::half_up,
                                      .divide = rounding::half_away,
                                      .fault = divide_fault::unsigned_quotient};
+/// The same, with only the divide rounded.
 inline constexpr policy i386_div_rounded{.multiply = rounding::floor,
                                          .divide = rounding::half_away,
                                          .fault = divide_fault::unsigned_quotient};
-/// IMUL, and IDIV: a quotient beyond 32 signed bits faults.
+/// IMUL, and IDIV: a quotient beyond 32 signed bits faults. Only the multiply is rounded.
 inline constexpr policy i386_mul_rounded{.multiply = rounding::half_up,
                                          .divide = rounding::truncate,
                                          .fault = divide_fault::signed_quotient};
+/// The same, without rounding.
 inline constexpr policy i386_unrounded{.multiply = rounding::floor,
                                        .divide = rounding::truncate,
                                        .fault = divide_fault::signed_quotient};
 
-/// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction.
+/// MUL and DIV on magnitudes, 16 bits at a time; the divide drops the divisor's fraction, and only
+/// a divisor of which nothing is left faults.
 inline constexpr policy i8088_rounded{.multiply = rounding::half_away,
                                       .divide = rounding::half_away,
                                       .divisor = divisor_width::whole_part,
                                       .fault = divide_fault::zero_divisor};
+/// The same, with only the multiply rounded.
 inline constexpr policy i8088_mul_rounded{.multiply = rounding::half_away,
                                           .divide = rounding::truncate,
                                           .divisor = divisor_width::whole_part,
                                           .fault = divide_fault::zero_divisor};
+/// The same, with only the divide rounded.
 inline constexpr policy i8088_div_rounded{.multiply = rounding::truncate,
                                           .divide = rounding::half_away,
                                           .divisor = divisor_width::whole_part,
                                           .fault = divide_fault::zero_divisor};
+/// The same, without rounding.
 inline constexpr policy i8088_unrounded{.multiply = rounding::truncate,
                                         .divide = rounding::truncate,
                                         .divisor = divisor_width::whole_part,

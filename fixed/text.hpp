@@ -1,5 +1,5 @@
 /// \file
-/// Exact decimal text, in the manner of <charconv>, and streams.
+/// Exact decimal text, in the manner of `<charconv>`, and streams.
 #pragma once
 
 #include <algorithm>
@@ -25,6 +25,10 @@ inline constexpr std::size_t max_chars = detail::max_decimal_chars<Number::fract
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
 /// \return the end of the text; or {last, errc::value_too_large}, with nothing written, if it does
 ///         not fit
+///
+///     std::array<char, max_chars<q16_16>> text{};
+///     const auto written = to_chars(text.data(), text.data() + text.size(), q16_16(-0.5));
+///     const std::string_view half(text.data(), written.ptr);  // "-0.5"
 template <int F, policy P>
 constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> value) noexcept {
   std::array<char, detail::max_decimal_chars<F>> text{};
@@ -39,6 +43,13 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> va
 /// \return the end of that prefix. errc::invalid_argument, with `first`, if there is none;
 ///         errc::result_out_of_range if the rounded value is out of range, whatever the policy. The
 ///         value then stays as it was.
+///
+///     static_assert([] {
+///       constexpr std::string_view text = "0.1 and more";
+///       q16_16 x;
+///       return from_chars(text.data(), text.data() + text.size(), x).ptr == text.data() + 3 &&
+///              x.raw() == 6554;
+///     }());
 template <int F, policy P>
 constexpr std::from_chars_result from_chars(const char* first, const char* last,
                                             number<F, P>& value) noexcept {

@@ -11,11 +11,13 @@
 
 namespace fixed {
 
+/// What sin_cos() returns.
 template <class Number>
 struct cos_sin {
-  Number cos;
-  Number sin;
+  Number cos;  ///< The cosine.
+  Number sin;  ///< The sine.
 
+  /// Whether both are equal.
   friend constexpr bool operator==(const cos_sin&, const cos_sin&) = default;
 };
 
@@ -23,6 +25,8 @@ struct cos_sin {
 /// of any integer type: whole turns (3600) do not count. The same under every policy.
 ///
 ///     const auto [cos, sin] = fixed::sin_cos<fixed::q16_16>(450);
+///     static_assert(sin_cos<q16_16>(-3300) == sin_cos<q16_16>(300));  // whole turns do not count
+///     static_assert(fixed::sin<q16_16>(300) == q16_16(0.5));
 template <class Number>
 constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
   constexpr int turn = 3600;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 
 #include "fixed/detail/storage.hpp"
 
@@ -42,6 +41,9 @@ constexpr std::int64_t cosine(std::uint64_t step, std::uint64_t steps) noexcept 
          static_cast<std::int64_t>(multiply_high(square, factor) << 1);
 }
 
+/// Not constexpr: a constant expression that comes here does not compile.
+inline void cosine_is_not_precise_enough() {}
+
 /// Entry i is cos(i / StepsPerDegree degrees), from 0 to 90 degrees, rounded to nearest. An entry
 /// so near to a half that the error of cosine() could matter would not compile.
 template <int FractionBits, int StepsPerDegree>
@@ -55,7 +57,7 @@ inline constexpr auto cosine_table = [] {
     const std::int64_t exact = cosine(i, last);
     table[i] = static_cast<std::int32_t>((exact + half) >> dropped);
     if (((exact - error + half) >> dropped) != ((exact + error + half) >> dropped)) {
-      throw std::logic_error("cosine() is not precise enough for this table");
+      cosine_is_not_precise_enough();
     }
   }
   return table;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -53,7 +52,7 @@ inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcep
   if constexpr (R == rounding::half_up) {
     return q + 0.5;
   } else if constexpr (R == rounding::half_away) {
-    return q + std::copysign(0.5, q);
+    return q + copysign(0.5, q);
   } else {
     return q;
   }
@@ -82,11 +81,14 @@ inline constexpr bool rounds_by_floor = R == rounding::half_up || R == rounding:
 /// numerator * 2^Shift / divisor rounded by rule R. `divisor` is not zero, Shift <= 16.
 template <rounding R, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
-  if (!hardware_double || std::is_constant_evaluated()) {
-    return quotient_by_integers<R, Shift>(numerator, divisor);
+  // if constexpr: without hardware doubles there is to be no double, not even in dead code.
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      const double sum = quotient_sum<R, Shift>(numerator, divisor);
+      return rounds_by_floor<R> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
+    }
   }
-  const double sum = quotient_sum<R, Shift>(numerator, divisor);
-  return rounds_by_floor<R> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
+  return quotient_by_integers<R, Shift>(numerator, divisor);
 }
 
 /// The same, saturated to the range of Raw.
@@ -94,21 +96,23 @@ template <class Raw, rounding R, int Shift>
 constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr std::int32_t highest = std::numeric_limits<Raw>::max();
   constexpr std::int32_t lowest = std::numeric_limits<Raw>::min();
-  if (!hardware_double || std::is_constant_evaluated() || !rounds_by_floor<R>) {
-    const std::int64_t quotient = rounded_quotient<R, Shift>(numerator, divisor);
-    return static_cast<std::int32_t>(quotient < lowest    ? lowest
-                                     : quotient > highest ? highest
-                                                          : quotient);
+  if constexpr (hardware_double && rounds_by_floor<R>) {
+    if (!std::is_constant_evaluated()) {
+      // Out of range if the sum is below `lowest` (or is a negative zero above it: the same end) or
+      // has reached `highest` + 1. At such a quotient the divisor is at most 2^16, so a sum that
+      // has not reached it stays 2^-18 below.
+      constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
+      const double sum = quotient_sum<R, Shift>(numerator, divisor);
+      const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
+      const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
+      const std::int32_t out = (upper_bits(sum - lowest) | upper_bits(below_end - sum)) >> 31;
+      return (low & ~out) | (end & out);
+    }
   }
-  // Out of range if the sum is below `lowest` (or is a negative zero above it: the same end) or has
-  // reached `highest` + 1. At such a quotient the divisor is at most 2^16, so a sum that has not
-  // reached it stays 2^-18 below.
-  constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
-  const double sum = quotient_sum<R, Shift>(numerator, divisor);
-  const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
-  const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
-  const std::int32_t out = (upper_bits(sum - lowest) | upper_bits(below_end - sum)) >> 31;
-  return (low & ~out) | (end & out);
+  const std::int64_t quotient = rounded_quotient<R, Shift>(numerator, divisor);
+  return static_cast<std::int32_t>(quotient < lowest    ? lowest
+                                   : quotient > highest ? highest
+                                                        : quotient);
 }
 
 }  // namespace fixed::detail

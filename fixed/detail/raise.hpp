@@ -1,20 +1,35 @@
 /// \file
-/// Throws the errors of fixed/error.hpp with their text: "fixed-point overflow: operator*(200,
-/// 300)".
+/// What happens where the policy of a number throws: the errors of fixed/error.hpp with their text,
+/// "fixed-point overflow: operator*(200, 300)".
+///
+/// Without exceptions (-fno-exceptions) that text goes to stderr and the program is aborted; under
+/// -ffreestanding there is only a trap instruction.
 #pragma once
 
+#include <cstddef>
+
+#include "fixed/detail/decimal.hpp"
+#include "fixed/detail/floating.hpp"
+#include "fixed/detail/storage.hpp"
+
+#if __STDC_HOSTED__
 #include <array>
 #include <charconv>
 #include <concepts>
 #include <string>
 #include <string_view>
 
-#include "fixed/detail/decimal.hpp"
-#include "fixed/detail/floating.hpp"
-#include "fixed/detail/storage.hpp"
+#include "fixed/detail/throw.hpp"
 #include "fixed/error.hpp"
+#endif
 
-namespace fixed::detail {
+namespace fixed {
+
+class overflow_error;
+class divide_error;
+class domain_error;
+
+namespace detail {
 
 /// A stored integer that prints as its value.
 template <int FractionBits>
@@ -22,11 +37,20 @@ struct operand {
   raw_t<FractionBits> raw;
 };
 
+/// How many terms a sum has: an operand of dot().
+struct term_count {
+  std::size_t terms;
+};
+
+#if __STDC_HOSTED__
+
 template <int FractionBits>
 std::string describe(operand<FractionBits> x) {
   std::array<char, max_decimal_chars<FractionBits>> text{};
   return {text.data(), write_decimal<FractionBits>(text.data(), x.raw)};
 }
+
+inline std::string describe(term_count x) { return std::to_string(x.terms) + " terms"; }
 
 std::string describe(std::integral auto x) { return std::to_string(x); }
 
@@ -41,21 +65,30 @@ template <class Error, class... Operands>
 [[noreturn]] void raise(std::string_view what, std::string_view operation, Operands... operands) {
   std::string text = "fixed-point ";
   text.append(what).append(": ").append(operation);
-  if constexpr (sizeof...(Operands) != 0) {
-    const char* separator = "(";
-    for (const std::string& operand : {describe(operands)...}) {
-      text.append(separator).append(operand);
-      separator = ", ";
-    }
-    text += ')';
+  const char* separator = "(";
+  for (const std::string& operand : {describe(operands)...}) {
+    text.append(separator).append(operand);
+    separator = ", ";
   }
-  throw Error(text);
+  text += ')';
+  throw_error<Error>(text.c_str());
 }
+
+#else
+
+template <class Error, class... Operands>
+[[noreturn]] void raise(const char* /*what*/, const char* /*operation*/,
+                        Operands... /*operands*/) noexcept {
+  __builtin_trap();
+}
+
+#endif
 
 /// Calls raise() for an overflow of an operation on stored integers.
 template <int FractionBits, class... Raws>
-[[noreturn]] void raise_overflow(std::string_view operation, Raws... operands) {
+[[noreturn]] void raise_overflow(const char* operation, Raws... operands) {
   raise<overflow_error>("overflow", operation, operand<FractionBits>{operands}...);
 }
 
-}  // namespace fixed::detail
+}  // namespace detail
+}  // namespace fixed

@@ -2,7 +2,6 @@
 /// The integer nearest to a square root.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -26,8 +25,12 @@ constexpr std::int64_t floor_sqrt_by_bits(std::int64_t n) noexcept {
 /// that of any other n is at least 1 / (2 r) >= 2^-25 below the next integer r, where the error of
 /// a double is less than 2^-28.
 constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {
-  if (!hardware_double || std::is_constant_evaluated()) return floor_sqrt_by_bits(n);
-  return static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      return static_cast<std::int64_t>(sqrt(static_cast<double>(n)));
+    }
+  }
+  return floor_sqrt_by_bits(n);
 }
 
 /// The integer nearest to sqrt(n), for 0 <= n < 2^48.

@@ -50,7 +50,7 @@ TEST(Errors, SayTheOperationAndTheOperands) {
   EXPECT_EQ(overflow([] { return lerp(trapping(0), trapping(200), trapping(200)); }),
             "fixed-point overflow: lerp(0, 200, 200)");
   const std::array<trapping, 3> terms{trapping(200), trapping(200), trapping()};
-  EXPECT_EQ(overflow([&] { return dot(terms, terms); }), "fixed-point overflow: dot of 3 terms");
+  EXPECT_EQ(overflow([&] { return dot(terms, terms); }), "fixed-point overflow: dot(3 terms)");
   EXPECT_EQ(overflow([] { return trapping(40000); }), "fixed-point overflow: conversion(40000)");
   EXPECT_EQ(overflow([] { return trapping(1e9); }), "fixed-point overflow: conversion(1e+09)");
   EXPECT_EQ(overflow([] { return trapping(std::numeric_limits<double>::infinity()); }),

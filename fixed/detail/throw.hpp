@@ -1,0 +1,24 @@
+/// \file
+/// The one place where something is thrown, or what is done instead.
+#pragma once
+
+#if !defined(__cpp_exceptions)
+#include <cstdio>
+#include <cstdlib>
+#endif
+
+namespace fixed::detail {
+
+/// Throws Error(text); without exceptions (-fno-exceptions) writes the text to stderr and aborts.
+template <class Error>
+[[noreturn]] void throw_error(const char* text) {
+#if defined(__cpp_exceptions)
+  throw Error(text);
+#else
+  std::fputs(text, stderr);
+  std::fputc('\n', stderr);
+  std::abort();
+#endif
+}
+
+}  // namespace fixed::detail

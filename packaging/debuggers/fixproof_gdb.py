@@ -1,0 +1,64 @@
+"""Shows numbers of namespace fixed in gdb by value: q16_16 -0.75 (0xffff4000).
+
+(gdb) source fixproof_gdb.py
+"""
+
+import decimal
+import re
+
+import gdb
+import gdb.printing
+
+# The presets by their rules, in the order of struct policy: multiply, divide, range, divisor, fault.
+SUFFIXES = {
+    (0, 0, 0, 0, 0): "",
+    (0, 0, 1, 0, 0): "_saturating",
+    (0, 0, 2, 0, 0): "_trapping",
+    (0, 1, 0, 0, 2): "_i386",
+    (0, 3, 0, 0, 3): "_i386_mul_rounded",
+    (2, 1, 0, 0, 2): "_i386_div_rounded",
+    (2, 3, 0, 0, 3): "_i386_unrounded",
+    (1, 1, 0, 1, 1): "_i8088",
+    (1, 3, 0, 1, 1): "_i8088_mul_rounded",
+    (3, 1, 0, 1, 1): "_i8088_div_rounded",
+    (3, 3, 0, 1, 1): "_i8088_unrounded",
+}
+
+
+def type_name(value_type, fraction_bits):
+    """The alias the value was declared with; else the preset, as far as the name of the type tells."""
+    alias = re.fullmatch(r"(?:const |volatile )*(?:fixed::)?(q(?:16_16|8_8)\w*)", str(value_type))
+    if alias:
+        return alias[1]
+    # "fixed::number<16, fixed::policy{(fixed::rounding)1, ...}>" of g++, "{1, ...}" of clang.
+    policy = str(value_type.strip_typedefs()).partition("{")[2]
+    rules = re.findall(r"(?:^|, )(?:\(fixed::\w+\))?(\d)", policy)
+    suffix = SUFFIXES.get(tuple(map(int, rules)), "")
+    return f"q{fraction_bits}_{fraction_bits}{suffix}"
+
+
+class NumberPrinter:
+    """One fixed::number."""
+
+    def __init__(self, value):
+        self.value = value
+        tag = value.type.strip_typedefs().unqualified().name
+        self.fraction_bits = int(re.match(r"fixed::number<(\d+)", tag)[1])
+
+    def to_string(self):
+        bits = self.fraction_bits
+        raw = int(self.value["raw_"])
+        # Exact: at most 5 digits before the point and 16 after it, of the 28 that Decimal keeps.
+        exact = decimal.Decimal(raw) / (1 << bits)
+        text = f"{exact:f}"
+        word = raw & ((1 << 2 * bits) - 1)
+        return f"{type_name(self.value.type, bits)} {text} (0x{word:0{bits // 2}x})"
+
+
+def printers():
+    collection = gdb.printing.RegexpCollectionPrettyPrinter("fixproof")
+    collection.add_printer("number", r"^fixed::number<(8|16),.*>$", NumberPrinter)
+    return collection
+
+
+gdb.printing.register_pretty_printer(None, printers(), replace=True)
