@@ -46,11 +46,12 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 }  // namespace fixproof::property
 
 /// Rules by their names alone, as enumerators of verify/check/rules.hpp.
-#define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result)                       \
-  ::fixproof::property::subject(#function,                                                         \
-                                {::fixproof::Operation::operation, ::oracle::Rounding::rounding,   \
-                                 ::fixproof::Overflow::overflow, ::fixproof::NoResult::no_result}, \
-                                [](auto... operands) { return function(operands...); })
+#define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result) \
+  ::fixproof::property::subject(                                             \
+      #function,                                                             \
+      {::fixproof::Operation::operation, ::oracle::Rounding::rounding,       \
+       ::fixproof::Overflow::overflow, ::fixproof::NoResult::no_result},     \
+      [](auto... operands) -> decltype(function(operands...)) { return function(operands...); })
 
 /// Tests of the namespace that they stand in. Semicolons are not needed, and do no harm.
 #define FIXPROOF_CHECK(function, operation, rounding, overflow, no_result)                \

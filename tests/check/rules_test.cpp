@@ -147,11 +147,11 @@ TEST(CheckRules, AnythingIsAcceptedWhereAskedFor) {
 
 TEST(CheckRules, NamesAreDifferent) {
   std::vector<std::string_view> names;
-  for (const auto rule : fixproof::roundings()) names.push_back(name_of(rule));
+  for (const auto rule : fixproof::roundings()) names.push_back(fixproof::name_of(rule));
   EXPECT_EQ(names, (std::vector<std::string_view>{"half-up", "half-away", "half-even", "floor",
                                                   "toward-zero"}));
   names.clear();
-  for (const auto rule : fixproof::overflow_rules()) names.push_back(name_of(rule));
+  for (const auto rule : fixproof::overflow_rules()) names.push_back(fixproof::name_of(rule));
   EXPECT_EQ(names, (std::vector<std::string_view>{"wrap", "saturate", "symmetric", "maximum",
                                                   "minimum", "de"}));
   EXPECT_EQ(fixproof::no_result_rules(Operation::mul).size(), 0U);

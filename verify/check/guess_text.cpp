@@ -64,6 +64,12 @@ std::string joined(const std::vector<std::string_view>& names, std::string_view 
   return text;
 }
 
+/// In percent, or where that would be nothing but zeros, as one in so many.
+std::string share_of(std::uint64_t part, std::uint64_t whole) {
+  if (part * 1000 < whole) return fmt::format("1 in {}", grouped(whole / part));
+  return fmt::format("{:.1f} %", 100 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
 /// One line of the guess, with the exceptions below it.
 /// @param what of which cases, such as "cases that overflow"
 std::string line_of(std::string_view subject, const BestRules& best,
@@ -78,13 +84,13 @@ std::string line_of(std::string_view subject, const BestRules& best,
     if (names.size() > 1) text += "                   (which of these, no case tells)\n";
     return text;
   }
-  // Half of the cases and more fit by chance alone: a rule that they break is no guess.
-  const double share = static_cast<double>(exceptions) / static_cast<double>(best.cases);
+  // A rule that most cases break is no guess.
+  const bool known = 2 * exceptions <= best.cases;
   std::string text =
-      fmt::format("{}{}, but for {} of {} {} ({:.2f} %):\n", label,
-                  share > 0.5 ? fmt::format("no known rule; nearest: {}", joined(names, ", "))
-                              : joined(names, " or "),
-                  grouped(exceptions), grouped(best.cases), what, 100 * share);
+      fmt::format("{}{}, but for {} of {} {} ({}):\n", label,
+                  known ? joined(names, " or ")
+                        : fmt::format("no known rule; nearest: {}", joined(names, ", ")),
+                  grouped(exceptions), grouped(best.cases), what, share_of(exceptions, best.cases));
   for (const JudgedCase& one : best.exceptions.shown()) {
     text += fmt::format("    {}\n", text_of(one, shown_under));
   }
