@@ -130,7 +130,8 @@ TEST(CheckSabotage, NegativesHalfAUnitTooHigh) {
   // -1.0 becomes -1.0 and a unit: exact results are wrong too.
   expect_wrong(judge, {CaseKind::exact, CaseKind::near_tie, CaseKind::between, CaseKind::overflow},
                true);
-  expect_guess(judge, ", but for ");
+  expect_guess(judge, "rounding         half-up, but for ");
+  expect_guess(judge, " %, all of them negative):");
 }
 
 TEST(CheckSabotage, SaturationInsteadOfWrapping) {

@@ -64,10 +64,16 @@ std::string joined(const std::vector<std::string_view>& names, std::string_view 
   return text;
 }
 
-/// In percent, or where that would be nothing but zeros, as one in so many.
-std::string share_of(std::uint64_t part, std::uint64_t whole) {
-  if (part * 1000 < whole) return fmt::format("1 in {}", grouped(whole / part));
-  return fmt::format("{:.1f} %", 100 * static_cast<double>(part) / static_cast<double>(whole));
+/// How large a part of the cases the exceptions are, and whether all are negative: ` (2.4 %, all of
+/// them negative)`. Nothing of a single one.
+std::string share_of(const RuleScore& score) {
+  const std::uint64_t part = score.exceptions.count();
+  if (part == 1) return "";
+  const double percent = 100 * static_cast<double>(part) / static_cast<double>(score.cases);
+  return fmt::format(
+      " ({}{})",
+      percent < 0.1 ? "1 in " + grouped(score.cases / part) : fmt::format("{:.1f} %", percent),
+      score.negative_exceptions == part ? ", all of them negative" : "");
 }
 
 /// One line of the guess, with the exceptions below it.
@@ -76,22 +82,22 @@ std::string line_of(std::string_view subject, const BestRules& best,
                     const std::vector<std::string_view>& names, std::string_view what,
                     const Rules& shown_under) {
   const std::string label = fmt::format("  {:<16} ", subject);
-  if (best.cases == 0) return fmt::format("{}cannot be told: no {}\n", label, what);
-  const std::uint64_t exceptions = best.exceptions.count();
+  if (best.first.cases == 0) return fmt::format("{}cannot be told: no {}\n", label, what);
+  const std::uint64_t exceptions = best.first.exceptions.count();
   if (exceptions == 0) {
-    std::string text =
-        fmt::format("{}{} on all {} {}\n", label, joined(names, " or "), grouped(best.cases), what);
+    std::string text = fmt::format("{}{} on all {} {}\n", label, joined(names, " or "),
+                                   grouped(best.first.cases), what);
     if (names.size() > 1) text += "                   (which of these, no case tells)\n";
     return text;
   }
   // A rule that most cases break is no guess.
-  const bool known = 2 * exceptions <= best.cases;
+  const bool known = 2 * exceptions <= best.first.cases;
   std::string text =
-      fmt::format("{}{}, but for {} of {} {} ({}):\n", label,
+      fmt::format("{}{}, but for {} of {} {}{}:\n", label,
                   known ? joined(names, " or ")
                         : fmt::format("no known rule; nearest: {}", joined(names, ", ")),
-                  grouped(exceptions), grouped(best.cases), what, share_of(exceptions, best.cases));
-  for (const JudgedCase& one : best.exceptions.shown()) {
+                  grouped(exceptions), grouped(best.first.cases), what, share_of(best.first));
+  for (const JudgedCase& one : best.first.exceptions.shown()) {
     text += fmt::format("    {}\n", text_of(one, shown_under));
   }
   return text;
@@ -108,7 +114,7 @@ std::string guess_text(const Judge& judge) {
   const BestRules rounding = trial.rounding();
   std::vector<std::string_view> names;
   for (const std::size_t i : rounding.rules) names.push_back(name_of(roundings()[i]));
-  if (operation == Operation::sqrt && rounding.cases > 0) {
+  if (operation == Operation::sqrt && rounding.first.cases > 0) {
     // A root is never halfway: the rules are only two, to nearest and down.
     const bool down = roundings()[rounding.rules.front()] == oracle::Rounding::floor;
     names = {down ? "down" : "to nearest"};
@@ -136,8 +142,10 @@ std::string guess_text(const Judge& judge) {
   }
 
   if (const auto& error = judge.largest_error(); error && error->ulps > 0) {
-    text += fmt::format("  largest error    {:.5f} ulp in range: {}\n", error->ulps,
-                        text_of(error->at, followed));
+    text += fmt::format("  largest error    {:.5f} ulp in range", error->ulps);
+    // Of a subject that keeps its rule the case says nothing.
+    if (rounding.first.exceptions.count() > 0) text += ": " + text_of(error->at, followed);
+    text += '\n';
   }
   return text;
 }

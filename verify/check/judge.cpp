@@ -27,7 +27,7 @@ void Judge::add(const JudgedCase& one) {
     const double off = std::fabs(static_cast<double>(above_floor) - place.fraction);
     if (!largest_error_ || off > largest_error_->ulps) largest_error_ = {off, one};
   }
-  trial_.add(one);
+  trial_.add(one, place.has_result && place.negative);
 }
 
 KindTally Judge::tally(CaseKind kind, bool negative_alone) const {

@@ -8,9 +8,11 @@ namespace fixproof {
 namespace {
 
 /// Counts the case for the rule, and against it unless it is kept.
-void score(RuleScore& rule, bool kept, const JudgedCase& one) {
+void score(RuleScore& rule, bool kept, const JudgedCase& one, bool negative) {
   ++rule.cases;
-  if (!kept) rule.exceptions.add(one);
+  if (kept) return;
+  rule.exceptions.add(one);
+  if (negative) ++rule.negative_exceptions;
 }
 
 BestRules best_of(std::span<const RuleScore> scores) {
@@ -18,7 +20,7 @@ BestRules best_of(std::span<const RuleScore> scores) {
     return a.exceptions.count() < b.exceptions.count();
   };
   const auto best = std::min_element(scores.begin(), scores.end(), fewer);
-  BestRules result{{}, best->cases, best->exceptions};
+  BestRules result{{}, *best};
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!fewer(*best, scores[i])) result.rules.push_back(i);
   }
@@ -29,20 +31,21 @@ BestRules best_of(std::span<const RuleScore> scores) {
 
 RuleTrial::RuleTrial(Operation operation) : operation_(operation) {}
 
-void RuleTrial::add(const JudgedCase& one) {
+void RuleTrial::add(const JudgedCase& one, bool negative) {
   for (std::size_t r = 0; r < rounding_count; ++r) {
     const oracle::Rounding rounding = roundings()[r];
     const auto ulps = rounded_result(operation_, one.words, rounding);
     if (!ulps) {
       const auto rules = no_result_rules(operation_);
       for (std::size_t i = 0; i < rules.size(); ++i) {
-        score(no_results_.at(r).at(i), keeps(rules[i], one.words, rounding, one.said), one);
+        score(no_results_.at(r).at(i), keeps(rules[i], one.words, rounding, one.said), one,
+              negative);
       }
     } else if (fits_word(*ulps)) {
-      score(in_range_.at(r), one.said == static_cast<std::uint32_t>(*ulps), one);
+      score(in_range_.at(r), one.said == static_cast<std::uint32_t>(*ulps), one, negative);
     } else {
       for (std::size_t i = 0; i < overflow_count; ++i) {
-        score(overflows_.at(r).at(i), keeps(overflow_rules()[i], *ulps, one.said), one);
+        score(overflows_.at(r).at(i), keeps(overflow_rules()[i], *ulps, one.said), one, negative);
       }
     }
   }

@@ -15,21 +15,22 @@ namespace fixproof {
 struct RuleScore {
   std::uint64_t cases = 0;
   FirstCases exceptions;
+  std::uint64_t negative_exceptions = 0;  ///< of them, those whose exact result is below 0
 };
 
 /// The rules that a subject keeps best, by their places in the list of rules: several where the
 /// cases cannot tell them apart, or tell as much against each.
 struct BestRules {
   std::vector<std::size_t> rules;  ///< at least one
-  std::uint64_t cases = 0;         ///< on which the first of them has a say
-  FirstCases exceptions;           ///< to the first of them
+  RuleScore first;                 ///< of the first of them
 };
 
 class RuleTrial {
  public:
   explicit RuleTrial(Operation operation);
 
-  void add(const JudgedCase& one);
+  /// `negative`: whether there is an exact result and it is below 0.
+  void add(const JudgedCase& one, bool negative);
 
   /// Of roundings(): judged by results that fit when rounded so.
   [[nodiscard]] BestRules rounding() const;
