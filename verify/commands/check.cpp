@@ -146,7 +146,8 @@ int check(const CheckOptions& options) {
               << verdict_text(judge);
   }
   if (Interrupt::flag()) {
-    std::cout << fmt::format("\nSTOPPED after {} cases\n", grouped(judge.cases()));
+    std::cout << fmt::format("\nSTOPPED after {}{} cases\n", grouped(judge.cases()),
+                             cases->count() ? " of " + grouped(*cases->count()) : "");
     return judge.wrong().count() > 0 ? 1 : interrupted_status;
   }
   if (!failure.empty()) throw UsageError(failure);
