@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
   int status = 0;
   fixproof::add_verify(app, status);
   fixproof::add_merge(app, status);
+  fixproof::add_gen(app, status);
+  fixproof::add_check(app, status);
   fixproof::add_eval(app, status);
   fixproof::add_step(app, status);
   fixproof::add_trace(app, status);

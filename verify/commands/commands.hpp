@@ -9,6 +9,8 @@
 namespace fixproof {
 
 void add_verify(CLI::App& app, int& status);
+void add_gen(CLI::App& app, int& status);
+void add_check(CLI::App& app, int& status);
 void add_merge(CLI::App& app, int& status);
 void add_eval(CLI::App& app, int& status);
 void add_step(CLI::App& app, int& status);
