@@ -1,0 +1,36 @@
+// Verdicts and findings: text with figures from the data.
+
+const verdictKinds = { holds: "holds", "does not hold": "fails", open: "unsure", "holds in part": "unsure" };
+const verdictNode = (text) => element("span", { class: `verdict ${verdictKinds[text] ?? "unsure"}` }, text);
+
+function showClaims() {
+  const { claims } = report.clocks;
+  if (claims.length === 0) return missing("claims", "These scenes have none of the published claims.");
+  const cards = claims.map((claim) => element("article", { class: "claim" },
+    element("h3", {}, claim.claim),
+    element("p", {}, verdictNode(claim.verdict)),
+    element("ul", {}, ...claim.figures.map((f) =>
+      element("li", {}, `${f.where}: ${between(f.measured)} ${claim.unit}: ${f.verdict}`))),
+    element("p", { class: "quiet" }, `Measured: ${claim.means}.`)));
+  section("claims").append(element("div", { class: "cards" }, ...cards));
+}
+
+function showFindings() {
+  const cards = report.findings.map((finding) => element("article", { class: "finding" },
+    element("h3", {}, `${finding.number}. ${finding.title}`),
+    element("p", {}, finding.says),
+    table(`Asked when this page was made; test ${finding.test}`, [
+      { title: "who", of: (c) => c.who },
+      { title: "answer", of: (c) => c.answer, words: true },
+      { title: "asked", of: (c) => c.asked, words: true },
+    ], finding.cases)));
+  section("findings").append(element("div", { class: "cards" }, ...cards));
+}
+
+function showCommands() {
+  section("commands").append(table("Commands, in their order", [
+    { title: "command", of: (c) => c.command, words: true },
+    { title: "seconds", of: (c) => figure(c.seconds), number: true },
+    { title: "ended", of: (c) => c.date.replace("T", " ").replace("Z", " UTC") },
+  ], report.commands));
+}

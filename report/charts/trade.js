@@ -1,0 +1,136 @@
+// The speed–accuracy chart.
+
+const kinds = ["type", "library", "plain", "floating"];
+const cpus = [["8088", "8088"], ["286", "286"], ["386", "386"], ["486", "486"]];
+
+// All presets that a row stands for: alike has the endings of their names.
+function presetsOf(row) {
+  const alike = (row.alike ?? "").split(" ").filter((a) => a.startsWith("_"));
+  return [row.variant, ...alike.map((a) => "q16_16" + a)];
+}
+const presetOfListing = (call) => `q16_16_${call.target}${call.rounds ? "" : "_unrounded"}`;
+
+function hostPoints(choice) {
+  return report.host.host
+    .filter((row) => row.operation === choice.operation && row[choice.time] && row.accuracy)
+    .map((row) => ({ name: row.contender, kind: row.kind, alike: row.alike, rule: row.rounding,
+      time: row[choice.time].median, most: row[choice.time].median, error: row.accuracy[choice.error] }));
+}
+
+function clockPoints(choice) {
+  const errors = report.accuracy.accuracy
+    .filter((row) => row.operation === choice.operation && row.operands === choice.operands);
+  return report.clocks.clocks
+    .filter((call) => call.routine === choice.operation && call.chapter === 54)
+    .flatMap((call) => {
+      const on = call.processors.find((p) => p.cpu === choice.time);
+      const row = errors.find((r) => presetsOf(r).includes(presetOfListing(call)));
+      if (!on?.clocks.mean || !row) return [];
+      return [{ name: `${call.target === "i386" ? "386" : "8088"} listing, ${call.rounds ? "rounded" : "unrounded"}`,
+        kind: "type", alike: presetOfListing(call), time: on.clocks.mean.min, most: on.clocks.mean.max,
+        error: row[choice.error] }];
+    });
+}
+
+// Those than which none is as fast and more exact. Where a time is a range, its middle counts.
+const middle = (p) => (p.time + p.most) / 2;
+function frontierOf(points) {
+  let best = Infinity;
+  return d3.sort(points, middle, (p) => p.error).filter((p) => p.error < best && ((best = p.error), true));
+}
+
+function tradePlot(points, choice, width) {
+  const unit = choice.from === "host" ? "ns" : "clocks";
+  const frontier = frontierOf(points);
+  const narrow = width < 480;
+  const says = points.map((p) => ({ x: middle(p), y: p.error,
+    text: [p.name, p.alike && p.alike !== p.name ? `like ${p.alike}` : null,
+      `${figure(p.time)}${p.most > p.time ? ` to ${figure(p.most)}` : ""} ${unit} a ${choice.operation}`,
+      `${choice.error === "rms" ? "rms" : "largest"} error ${figure(p.error)} ulp`,
+      p.rule ? `rounds: ${p.rule}` : null].filter(Boolean).join("\n") }));
+  const color = (p) => colours[kinds.indexOf(p.kind)] ?? colours[5];
+  return {
+    points: says,
+    options: {
+      height: narrow ? 320 : 380, marginLeft: 56, marginRight: narrow ? 20 : 40, marginBottom: 42, marginTop: 28,
+      x: { ...scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} a call, less is faster →`), grid: true },
+      y: { ...scaleFor(points.map((p) => p.error), "↑ error in ulp, less is more exact"), grid: true },
+      marks: [
+        Plot.line(frontier, { x: middle, y: "error", curve: "step-after", stroke: "currentColor",
+          strokeDasharray: "4 3", className: "frontier" }),
+        Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: "error", stroke: color }),
+        ...kinds.map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: "error", r: 6,
+          symbol: symbols[i], fill: symbols[i] === "times" ? "none" : colours[i], stroke: "var(--paper)",
+          className: "points" })),
+        Plot.text(narrow ? [] : frontier, { x: middle, y: "error", text: "name", dy: 16, dx: 4, textAnchor: "start",
+          fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4, className: "names" }),
+      ],
+    },
+  };
+}
+
+function tradeControls() {
+  const option = (value, text) => ({ value, text: text ?? value });
+  const from = [...(report.host ? [option("host", "this machine")] : []), option("clocks", "processors of the time")];
+  return {
+    from: { label: "speed on", values: from },
+    time: { label: "time", values: [] },
+    operation: { label: "operation", values: [] },
+    operands: { label: "operands", values: [] },
+    error: { label: "error", values: [option("rms", "root mean square"), option("max", "largest")] },
+  };
+}
+
+// What there is to choose, given where the speed is from.
+function tradeChoices(choice) {
+  const option = (value, text) => ({ value, text: text ?? value });
+  if (choice.from === "host") {
+    return { time: [option("throughput_ns", "one after the other"), option("chain_ns", "each waits for the last")],
+      operation: unique(report.host.host.map((r) => r.operation)).map((o) => option(o)),
+      operands: [option("uniform")] };
+  }
+  return { time: cpus.map(([value, text]) => option(value, text)).reverse(),
+    operation: [option("mul"), option("div")],
+    operands: unique(report.accuracy.accuracy.filter((r) => r.operation === (choice.operation || "mul"))
+      .map((r) => r.operands)).map((o) => option(o)) };
+}
+
+function showTrade() {
+  const parent = section("trade");
+  let choice = {};
+  let points = [];
+  const { box, tell } = controls(tradeControls(), (chosen, fill) => {
+    choice = chosen;
+    // The operation decides which operands there are, so it comes first.
+    for (const name of ["time", "operation", "operands"]) {
+      fill(name, tradeChoices(choice)[name]);
+      choice[name] = box.querySelector(`[name=${name}]`).value;
+    }
+    points = choice.from === "host" ? hostPoints(choice) : clockPoints(choice);
+    if (shown) show();
+  });
+  parent.append(box, legend(kinds));
+  const listed = element("details", {});
+  let shown = null;
+  const show = () => {
+    shown.render();
+    shown.caption.textContent = points.length === 0 ? "Nothing was measured for this choice."
+      : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.`;
+    const unit = choice.from === "host" ? "ns" : "clocks";
+    listed.replaceChildren(element("summary", {}, "The same as a table"),
+      table("Speed and accuracy, fastest first", [
+        { title: "variant", of: (p) => p.name },
+        { title: "kind", of: (p) => p.kind },
+        { title: unit, of: (p) => between({ min: p.time, max: p.most }), number: true },
+        { title: "error, ulp", of: (p) => figure(p.error), number: true },
+      ], d3.sort(points, middle)));
+  };
+  tell();
+  shown = charted(parent, "Speed and accuracy", "", (width) => tradePlot(points, choice, width));
+  show();
+  parent.append(listed);
+  if (!report.host) {
+    missing("trade", report.made.quick ? "A quick run does not measure time on this machine."
+      : "Time on this machine was not measured: this build has no measure --host.");
+  }
+}
