@@ -25,9 +25,12 @@ function element(tag, attributes, ...children) {
   return made;
 }
 
-// columns: { title, of: row => text or node, number: true, words: true }; the first heads its row.
+// columns: { title, of: row => text or node, and number, words or asked: true }; the first heads its row.
 function table(caption, columns, rows) {
-  const kind = (c) => (c.number ? { class: "number" } : c.words ? { class: "words" } : {});
+  const kind = (c) => {
+    const name = ["number", "words", "asked"].find((k) => c[k]);
+    return name ? { class: name } : {};
+  };
   const head = element("tr", {},
     ...columns.map((c) => element("th", { scope: "col", ...(c.number ? { class: "number" } : {}) }, c.title)));
   const body = rows.map((row) => element("tr", {},

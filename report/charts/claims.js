@@ -22,14 +22,14 @@ function showFindings() {
     table(`Asked when this page was made; test ${finding.test}`, [
       { title: "who", of: (c) => c.who },
       { title: "answer", of: (c) => c.answer, words: true },
-      { title: "asked", of: (c) => c.asked, words: true },
+      { title: "asked", of: (c) => c.asked, asked: true },
     ], finding.cases)));
   section("findings").append(element("div", { class: "cards" }, ...cards));
 }
 
 function showCommands() {
   section("commands").append(table("Commands, in their order", [
-    { title: "command", of: (c) => c.command, words: true },
+    { title: "command", of: (c) => c.command, asked: true },
     { title: "seconds", of: (c) => figure(c.seconds), number: true },
     { title: "ended", of: (c) => c.date.replace("T", " ").replace("Z", " UTC") },
   ], report.commands));

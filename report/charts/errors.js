@@ -51,9 +51,11 @@ function distancePlot(variants, width) {
   const points = variants.flatMap((v, i) => v.octaves.filter((o) => o.max > 0).map((o) => ({ ...o, i, name: v.variant })));
   const crossings = variants.map((v, i) => ({ x: v.safe_from, i, name: v.variant })).filter((v) => v.x > 1);
   return {
+    // Points of two builds fall on one another: each says what all have at its distance.
     points: points.map((p) => ({ x: p.from, y: p.max,
-      text: `${p.name}\nat ${count(p.from)} to ${count(p.to)}\nlargest ${figure(p.max)} pixels\n` +
-        `mean ${figure(p.mean)} pixels\n${percent(p.half_a_pixel)} half a pixel off or more` })),
+      text: [`${p.name}, ${count(p.from)} to ${count(p.to)}`, `largest ${figure(p.max)} pixels, mean ${figure(p.mean)}`,
+        `${percent(p.half_a_pixel)} half a pixel off or more`,
+        ...points.filter((q) => q !== p && q.from === p.from).map((q) => `${q.name}: ${figure(q.max)}`)].join("\n") })),
     options: {
       height: narrow ? 320 : 380, marginLeft: 56, marginRight: 24, marginBottom: 42, marginTop: 28,
       x: { type: "log", label: "distance of the point →", tickFormat: tick, grid: true },
