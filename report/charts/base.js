@@ -11,6 +11,8 @@ function figure(x) {
   if (size >= 1e6 || size < 1e-4) return x.toExponential(3).replace("e+", "e");
   return x.toLocaleString("en-US", { maximumSignificantDigits: size >= 1000 ? 7 : 4 });
 }
+// Toward zero: what stays below 1 is not to be shown as 1.
+const largest = (x) => (x >= 1000 ? figure(x) : String(Math.floor(x * 1e5) / 1e5));
 const count = (n) => n.toLocaleString("en-US");
 const percent = (share) => (share < 1 && share > 0.99995 ? "99.99" : figure(100 * share)) + " %";
 const between = (bounds) =>
@@ -145,17 +147,25 @@ function missing(id, what) {
   section(id).append(element("p", { class: "quiet" }, what));
 }
 
-// Equal steps of a logarithmic scale where values differ by more than this.
-const wide = 30;
-function scaleFor(values, label) {
-  const positive = values.filter((v) => v > 0);
-  const log = positive.length > 0 && d3.max(positive) / d3.min(positive) > wide;
-  return log ? { type: "log", label, tickFormat: tick, ticks: 5, nice: true }
-    : { type: "linear", label, zero: true, nice: true, ticks: 6 };
+// A logarithmic scale over whole powers of ten, or, where values span little, over 1, 2 and 5 of each.
+// tight: no more than the values themselves.
+function logScale(values, label, tight = false) {
+  const [least, most] = d3.extent(values.filter((v) => v > 0));
+  const powers = d3.range(Math.floor(Math.log10(least)), Math.ceil(Math.log10(most)) + 1);
+  const few = powers.length <= 3;
+  const ticks = powers.flatMap((p) => (few ? [1, 2, 5] : [1]).map((m) => m * 10 ** p));
+  const from = tight ? least : d3.max(ticks.filter((t) => t <= least * (1 + 1e-9)));
+  const to = tight ? most : d3.min(ticks.filter((t) => t >= most * (1 - 1e-9)));
+  const shown = ticks.filter((t) => t >= from && t <= to);
+  const every = Math.ceil(shown.length / 9);
+  return { type: "log", label, domain: [from, to], grid: true, ticks: shown.filter((_, i) => i % every === 0),
+    tickFormat: (v) => (v >= 1e-4 && v < 1e6 ? String(+v.toPrecision(1)) : v.toExponential(0).replace("e+", "e")) };
 }
-// Powers of ten alone are marked.
-function tick(v) {
-  const power = Math.round(Math.log10(v));
-  if (Math.abs(v / 10 ** power - 1) > 1e-9) return "";
-  return power >= -3 && power <= 4 ? String(+v.toPrecision(1)) : `1e${power}`;
+
+// Logarithmic where values differ by more than this.
+const wide = 30;
+function scaleFor(values, label, ticks = 6) {
+  const positive = values.filter((v) => v > 0);
+  return positive.length > 0 && d3.max(positive) / d3.min(positive) > wide ? logScale(values, label)
+    : { type: "linear", label, zero: true, nice: true, ticks, grid: true };
 }

@@ -10,10 +10,14 @@ function showClaims() {
     element("h3", {}, claim.claim),
     element("p", {}, verdictNode(claim.verdict)),
     element("ul", {}, ...claim.figures.map((f) =>
-      element("li", {}, `${f.where}: ${between(f.measured)} ${claim.unit}: ${f.verdict}`))),
-    element("p", { class: "quiet" }, `Measured: ${claim.means}.`)));
+      element("li", {}, `${f.where}: ${between(f.measured)} ${claim.unit} (${f.verdict})`))),
+    element("p", { class: "quiet" }, `Measured: ${claim.means.replace(/\.$/, "")}.`)));
   section("claims").append(element("div", { class: "cards" }, ...cards));
 }
+
+// Four words a line, a row of a transform; the columns of a trace closer together.
+const shortened = (answer) => /^[0-9a-f ]+$/.test(answer)
+  ? answer.replace(/((?:\S+ ){3}\S+) /g, "$1\n") : answer.replace(/^ +/gm, "").replace(/ {2,}/g, "  ");
 
 function showFindings() {
   const cards = report.findings.map((finding) => element("article", { class: "finding" },
@@ -21,7 +25,7 @@ function showFindings() {
     element("p", {}, finding.says),
     table(`Asked when this page was made; test ${finding.test}`, [
       { title: "who", of: (c) => c.who },
-      { title: "answer", of: (c) => c.answer, words: true },
+      { title: "answer", of: (c) => shortened(c.answer), words: true },
       { title: "asked", of: (c) => c.asked, asked: true },
     ], finding.cases)));
   section("findings").append(element("div", { class: "cards" }, ...cards));

@@ -26,13 +26,13 @@ function driftPlot(cases, choice, width) {
       text: `${p.name}\nafter ${figure(p.x)} min\n${edges ? `edges ${figure(p.y)} % wrong` : `${figure(p.y)} pixels off`}` })),
     options: {
       height: narrow ? 320 : 380, marginLeft: 56, marginRight: 24, marginBottom: 42, marginTop: 28,
-      x: { label: `minutes at ${rate} frames a second →`, grid: true },
-      y: { type: "log", label: edges ? "↑ worst edge, % too long or short" : "↑ worst corner, pixels off",
-        domain: [least, Math.max(d3.max(points, (p) => p.y) ?? 1, ...lines)], tickFormat: tick, grid: true, nice: true },
+      x: { label: `minutes at ${rate} frames a second →`, grid: true, ticks: Math.floor(width / 80) },
+      y: logScale([least, d3.max(points, (p) => p.y) ?? 1, ...lines],
+        edges ? "↑ worst edge, % too long or short" : "↑ worst corner, pixels off"),
       marks: [
         Plot.ruleY(lines, { stroke: "currentColor", strokeDasharray: "5 3", className: "thresholds" }),
-        Plot.text(lines, { x: 0, y: (v) => v, text: (v) => (edges ? `${figure(v)} %` : `${figure(v)} pixel`), dy: -7, dx: 4,
-          textAnchor: "start", fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4 }),
+        Plot.text(lines, { frameAnchor: "right", y: (v) => v, text: (v) => (edges ? `${figure(v)} %` : `${figure(v)} pixel`),
+          dy: -8, textAnchor: "end", fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4 }),
         Plot.line(points, { x: "x", y: "y", z: "name", stroke: (p) => colours[p.i % colours.length], strokeWidth: 1.75,
           clip: true, className: "lines" }),
         // Marks along the way tell lines apart without their colours.
@@ -48,7 +48,7 @@ function showDrift() {
   const parent = section("drift");
   const { scene, frames, frames_a_second: rate, cases } = report.drift;
   section("drift-says").textContent = `Every object of ${scene} turns by one small step a frame, each appended to the ` +
-    `last, for ${count(frames)} frames: ${figure(frames / rate / 60)} minutes at ${rate} a second. Curves show the worst of any object.`;
+    `last, for ${count(frames)} frames: ${figure(frames / rate / 60)} min at ${rate} a second. Curves show the worst of any object.`;
   const before = section("drift-says").nextElementSibling;
   let chosen = [];
   let choice = {};

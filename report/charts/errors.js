@@ -34,7 +34,7 @@ function showErrors() {
     const rows = all.filter((r) => r.operation === choice.operation && r.operands === operands);
     const plots = rows.map((row) => {
       const { place, render } = chart(`Errors of ${row.operation}, ${row.variant}`, (width) => histogramPlot(row, width));
-      const facts = element("p", {}, `largest ${figure(row.max)}, bias ${figure(row.mean)}, rms ${figure(row.rms)} ulp; ` +
+      const facts = element("p", {}, `largest ${largest(row.max)}, bias ${figure(row.mean)}, rms ${figure(row.rms)} ulp; ` +
         `${percent(row.correct)} correctly rounded`);
       return { node: element("div", {}, element("h3", {}, row.variant), facts, place), render };
     });
@@ -58,13 +58,15 @@ function distancePlot(variants, width) {
         ...points.filter((q) => q !== p && q.from === p.from).map((q) => `${q.name}: ${figure(q.max)}`)].join("\n") })),
     options: {
       height: narrow ? 320 : 380, marginLeft: 56, marginRight: 24, marginBottom: 42, marginTop: 28,
-      x: { type: "log", label: "distance of the point →", tickFormat: tick, grid: true },
-      y: { type: "log", label: "↑ largest error in pixels", tickFormat: tick, grid: true, nice: true },
+      x: logScale(points.map((p) => p.from), "distance of the point →", true),
+      y: logScale(points.map((p) => p.max), "↑ largest error in pixels"),
       marks: [
         Plot.ruleY([0.5], { stroke: "currentColor", strokeDasharray: "5 3", className: "half" }),
         Plot.text([0.5], { x: d3.max(points, (p) => p.from), y: (v) => v, text: () => "half a pixel", dy: -8,
           textAnchor: "end", fill: "currentColor" }),
         Plot.ruleX(crossings, { x: "x", stroke: (c) => colours[c.i], strokeDasharray: "2 3", className: "crossing" }),
+        Plot.text(crossings.slice(0, 1), { x: "x", frameAnchor: "top", text: (c) => count(c.x), dx: 4, dy: 4, textAnchor: "start",
+          fill: "currentColor" }),
         Plot.line(points, { x: "from", y: "max", z: "name", stroke: (p) => colours[p.i], className: "lines" }),
         ...variants.map((v, i) => Plot.dot(points.filter((p) => p.i === i), { x: "from", y: "max", r: 4.5,
           symbol: symbols[i], fill: colours[i], stroke: "var(--paper)", className: "points" })),

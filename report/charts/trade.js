@@ -1,6 +1,6 @@
 // The speed–accuracy chart.
 
-const kinds = ["type", "library", "plain", "floating"];
+const kinds = { host: ["type", "library", "plain", "floating"], clocks: ["386 listing", "8088 listing"] };
 const cpus = [["8088", "8088"], ["286", "286"], ["386", "386"], ["486", "486"]];
 
 // All presets that a row stands for: alike has the endings of their names.
@@ -27,7 +27,7 @@ function clockPoints(choice) {
       const row = errors.find((r) => presetsOf(r).includes(presetOfListing(call)));
       if (!on?.clocks.mean || !row) return [];
       return [{ name: `${call.target === "i386" ? "386" : "8088"} listing, ${call.rounds ? "rounded" : "unrounded"}`,
-        kind: "type", alike: presetOfListing(call), time: on.clocks.mean.min, most: on.clocks.mean.max,
+        kind: call.target === "i386" ? "386 listing" : "8088 listing", alike: presetOfListing(call), time: on.clocks.mean.min, most: on.clocks.mean.max,
         error: row[choice.error] }];
     });
 }
@@ -46,20 +46,20 @@ function tradePlot(points, choice, width) {
   const says = points.map((p) => ({ x: middle(p), y: p.error,
     text: [p.name, p.alike && p.alike !== p.name ? `like ${p.alike}` : null,
       `${figure(p.time)}${p.most > p.time ? ` to ${figure(p.most)}` : ""} ${unit} a ${choice.operation}`,
-      `${choice.error === "rms" ? "rms" : "largest"} error ${figure(p.error)} ulp`,
+      choice.error === "rms" ? `rms error ${figure(p.error)} ulp` : `largest error ${largest(p.error)} ulp`,
       p.rule ? `rounds: ${p.rule}` : null].filter(Boolean).join("\n") }));
-  const color = (p) => colours[kinds.indexOf(p.kind)] ?? colours[5];
+  const color = (p) => colours[kinds[choice.from].indexOf(p.kind)] ?? colours[5];
   return {
     points: says,
     options: {
       height: narrow ? 320 : 380, marginLeft: 56, marginRight: narrow ? 20 : 40, marginBottom: 42, marginTop: 28,
-      x: { ...scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} a call, less is faster →`), grid: true },
-      y: { ...scaleFor(points.map((p) => p.error), "↑ error in ulp, less is more exact"), grid: true },
+      x: scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} a call, less is faster →`, Math.floor(width / 80)),
+      y: scaleFor(points.map((p) => p.error), "↑ error in ulp, less is more exact"),
       marks: [
         Plot.line(frontier, { x: middle, y: "error", curve: "step-after", stroke: "currentColor",
           strokeDasharray: "4 3", className: "frontier" }),
         Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: "error", stroke: color }),
-        ...kinds.map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: "error", r: 6,
+        ...kinds[choice.from].map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: "error", r: 6,
           symbol: symbols[i], fill: symbols[i] === "times" ? "none" : colours[i], stroke: "var(--paper)",
           className: "points" })),
         Plot.text(narrow ? [] : frontier, { x: middle, y: "error", text: "name", dy: 16, dx: 4, textAnchor: "start",
@@ -85,7 +85,7 @@ function tradeControls() {
 function tradeChoices(choice) {
   const option = (value, text) => ({ value, text: text ?? value });
   if (choice.from === "host") {
-    return { time: [option("throughput_ns", "one after the other"), option("chain_ns", "each waits for the last")],
+    return { time: [option("throughput_ns", "throughput"), option("chain_ns", "dependent chain")],
       operation: unique(report.host.host.map((r) => r.operation)).map((o) => option(o)),
       operands: [option("uniform")] };
   }
@@ -109,10 +109,12 @@ function showTrade() {
     points = choice.from === "host" ? hostPoints(choice) : clockPoints(choice);
     if (shown) show();
   });
-  parent.append(box, legend(kinds));
+  const names = element("div", {});
+  parent.append(box, names);
   const listed = element("details", {});
   let shown = null;
   const show = () => {
+    names.replaceChildren(legend(kinds[choice.from]));
     shown.render();
     shown.caption.textContent = points.length === 0 ? "Nothing was measured for this choice."
       : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.`;
@@ -122,7 +124,7 @@ function showTrade() {
         { title: "variant", of: (p) => p.name },
         { title: "kind", of: (p) => p.kind },
         { title: unit, of: (p) => between({ min: p.time, max: p.most }), number: true },
-        { title: "error, ulp", of: (p) => figure(p.error), number: true },
+        { title: "error, ulp", of: (p) => (choice.error === "rms" ? figure : largest)(p.error), number: true },
       ], d3.sort(points, middle)));
   };
   tell();

@@ -1,7 +1,7 @@
 // The verification table, and what stands at the head of the page.
 
 function switchOf(row) {
-  if (row.target === "standard" || row.operation === "cossin") return "-";
+  if (row.target === "standard") return "-";
   return (row.operation === "div" ? row.div_round : row.mul_round) ? "on" : "off";
 }
 
