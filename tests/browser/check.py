@@ -103,6 +103,12 @@ def says(text, wanted):
     return any(abs(f - wanted) <= 6e-4 * abs(wanted) for f in figures_of(text))
 
 
+def tip(driver, part):
+    """What the tip says, its lines apart."""
+    return driver.execute_script(
+        "return [...document.querySelectorAll(arguments[0])].map((t) => t.textContent).join(' ')", f"#{part} .tip tspan")
+
+
 def quiet(driver):
     """No error, and nothing asked of the network, whatever is chosen."""
     open_page(driver)
@@ -164,17 +170,17 @@ def hover(driver):
         point = driver.find_elements(By.CSS_SELECTOR, "#distance .points:not(:empty) path, #distance .points circle")[place]
         driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", point)
         ActionChains(driver).move_to_element(point).perform()
-        tip = driver.find_element(By.CSS_SELECTOR, "#distance .tip").text
-        expect(says(tip, variant["octaves"][place]["max"]), f"point {place}: {tip!r} without {variant['octaves'][place]}")
-        expect(variant["variant"] in tip or "8088" in tip, f"point {place}: {tip!r} names no variant")
+        said = tip(driver, "distance")
+        expect(says(said, variant["octaves"][place]["max"]), f"point {place}: {said!r} without {variant['octaves'][place]}")
+        expect(variant["variant"] in said, f"point {place}: {said!r} names no variant")
     picture(driver, "hover", whole=False)
     counts = DATA["accuracy"]["accuracy"][0]["histogram"]["counts"]
     fullest = counts.index(max(counts))
     bar = driver.find_elements(By.CSS_SELECTOR, "#errors .bars rect")[fullest]
     driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", bar)
     ActionChains(driver).move_to_element(bar).perform()
-    tip = driver.find_element(By.CSS_SELECTOR, "#errors .tip").text
-    expect(says(tip, counts[fullest]), f"a bar: {tip!r} without {counts[fullest]}")
+    said = tip(driver, "errors")
+    expect(says(said, counts[fullest]), f"a bar: {said!r} without {counts[fullest]}")
 
 
 def keyboard(driver):
@@ -187,8 +193,8 @@ def keyboard(driver):
     read = driver.find_element(By.CSS_SELECTOR, "#distance .readout").get_attribute("textContent")
     third = DATA["accuracy"]["pixels"]["variants"][0]["octaves"][2]
     expect(says(read, third["max"]), f"{read!r} without {third}")
-    tip = driver.find_element(By.CSS_SELECTOR, "#distance .tip").text
-    expect(says(tip, third["max"]), f"no tip for the keyboard: {tip!r}")
+    said = tip(driver, "distance")
+    expect(says(said, third["max"]), f"no tip for the keyboard: {said!r}")
     picture(driver, "keyboard", whole=False)
     ActionChains(driver).send_keys(Keys.END).perform()
     last = DATA["accuracy"]["pixels"]["variants"][-1]["octaves"][-1]
@@ -224,6 +230,7 @@ def choices(driver):
     errors = driver.find_element(By.ID, "errors")
     Select(errors.find_element(By.NAME, "operation")).select_by_value("cos")
     cosines = [r for r in DATA["accuracy"]["accuracy"] if r["operation"] == "cos"]
+    cosines = [r for r in cosines if r["operands"] == cosines[0]["operands"]]
     expect_equal(number(driver, "#errors .bars rect"), 16 * len(cosines), "bars of cosines")
     drift = driver.find_element(By.ID, "drift")
     Select(drift.find_element(By.NAME, "group")).select_by_value("sources")
@@ -278,8 +285,21 @@ def print_(driver):
     (PICTURES / "print.pdf").write_bytes(pdf)
 
 
+def readme(driver):
+    """No test: the picture of README.md, from a whole report."""
+    size(driver, 1000, 900)
+    open_page(driver)
+    box = driver.execute_script("""
+        const top = document.getElementById('errors').getBoundingClientRect().top + scrollY;
+        const end = document.querySelector('#distance figcaption').getBoundingClientRect().bottom + scrollY;
+        return [top, end]""")
+    shot = driver.execute_cdp_cmd("Page.captureScreenshot", {"captureBeyondViewport": True, "clip": {
+        "x": 0, "y": box[0], "width": 1000, "height": box[1] - box[0] + 12, "scale": 0.7}})
+    (PICTURES / "report.png").write_bytes(base64.b64decode(shot["data"]))
+
+
 CASES = {"quiet": quiet, "complete": complete, "hover": hover, "keyboard": keyboard, "choices": choices,
-         "phone": phone, "dark": dark, "print": print_}
+         "phone": phone, "dark": dark, "print": print_, "readme": readme}
 driver = browser()
 try:
     CASES[CASE](driver)
