@@ -86,8 +86,8 @@ function chart(label, draw) {
   const place = element("div", { class: "chart" });
   const readout = element("p", { class: "readout", role: "status" });
   let drawn = 0;
-  const render = () => {
-    const width = Math.floor(place.clientWidth);
+  const render = (most = Infinity) => {
+    const width = Math.min(Math.floor(place.clientWidth), most);
     if (width === 0) return;
     drawn = width;
     const { options, points } = draw(width);
@@ -95,12 +95,15 @@ function chart(label, draw) {
       width, ...options,
       style: { fontSize: "12px", background: "transparent", ...options.style },
       marks: [...options.marks, Plot.tip(points,
-        Plot.pointer({ x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineWidth: 24 }))],
+        Plot.pointer({ x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineHeight: 1.25, lineWidth: 24 }))],
     });
     speak(svg, label, points, readout);
     place.replaceChildren(svg, readout);
   };
   new ResizeObserver(() => { if (Math.floor(place.clientWidth) !== drawn) render(); }).observe(place);
+  // As wide as paper is, so that nothing is shrunk on it.
+  addEventListener("beforeprint", () => { if (place.isConnected) render(680); });
+  addEventListener("afterprint", () => { if (place.isConnected) render(); });
   return { place, render };
 }
 

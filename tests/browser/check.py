@@ -88,7 +88,7 @@ def with_host():
 
 def figures_of(text):
     """Every number of a text that a person reads."""
-    words = text.replace(",", "").replace("%", " ").split()
+    words = text.replace("\u200b", "").replace(",", "").replace("%", " ").split()
     found = []
     for word in words:
         try:
