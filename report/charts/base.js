@@ -81,7 +81,7 @@ function legend(names) {
 }
 
 // A chart that says its points to a mouse, a finger and the arrow keys. draw(width) returns
-// { options: for Plot, points: [{ x, y, text }] }.
+// { options: for Plot, points: [{ x, y, text }], upright: whether the nearest across is the one meant }.
 function chart(label, draw) {
   const place = element("div", { class: "chart" });
   const readout = element("p", { class: "readout", role: "status" });
@@ -90,12 +90,12 @@ function chart(label, draw) {
     const width = Math.min(Math.floor(place.clientWidth), most);
     if (width === 0) return;
     drawn = width;
-    const { options, points } = draw(width);
+    const { options, points, upright } = draw(width);
     const svg = Plot.plot({
       width, ...options,
       style: { fontSize: "12px", background: "transparent", ...options.style },
       marks: [...options.marks, Plot.tip(points,
-        Plot.pointer({ x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineHeight: 1.25, lineWidth: 24 }))],
+        (upright ? Plot.pointerX : Plot.pointer)({ x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineHeight: 1.25, lineWidth: 24 }))],
     });
     speak(svg, label, points, readout);
     place.replaceChildren(svg, readout);

@@ -5,6 +5,7 @@ function histogramPlot(row, width) {
   const step = (2 * span) / counts.length;
   const bars = counts.map((n, i) => ({ from: -span + i * step, to: -span + (i + 1) * step, share: n / row.cases, n }));
   return {
+    upright: true,
     points: bars.map((b) => ({ x: (b.from + b.to) / 2, y: b.share,
       text: `${figure(b.from)} to ${figure(b.to)} ulp\n${count(b.n)} of ${count(row.cases)} results\n${percent(b.share)}` })),
     options: {
