@@ -12,7 +12,7 @@ function figure(x) {
   return x.toLocaleString("en-US", { maximumSignificantDigits: size >= 1000 ? 7 : 4 });
 }
 // Toward zero: what stays below 1 is not to be shown as 1.
-const largest = (x) => (x >= 1000 ? figure(x) : String(Math.floor(x * 1e5) / 1e5));
+const largest = (x) => (x >= 1000 || x < 0.001 ? figure(x) : String(Math.floor(x * 1e5) / 1e5));
 const count = (n) => n.toLocaleString("en-US");
 const percent = (share) => (share < 1 && share > 0.99995 ? "99.99" : figure(100 * share)) + " %";
 const between = (bounds) =>

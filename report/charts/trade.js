@@ -10,8 +10,12 @@ function presetsOf(row) {
 }
 const presetOfListing = (call) => `q16_16_${call.target}${call.rounds ? "" : "_unrounded"}`;
 
+// Vertices stand among the operations: a transform of one has no chain.
+const hostRows = () => [...report.host.host,
+  ...report.host.vertices.map((row) => ({ ...row, operation: "vertex", throughput_ns: row.ns, chain_ns: null }))];
+
 function hostPoints(choice) {
-  return report.host.host
+  return hostRows()
     .filter((row) => row.operation === choice.operation && row[choice.time] && row.accuracy)
     .map((row) => ({ name: row.contender, kind: row.kind, alike: row.alike, rule: row.rounding,
       time: row[choice.time].median, most: row[choice.time].median, error: row.accuracy[choice.error] }));
@@ -43,7 +47,17 @@ function tradePlot(points, choice, width) {
   const unit = choice.from === "host" ? "ns" : "clocks";
   const frontier = frontierOf(points);
   const narrow = width < 480;
-  const says = points.map((p) => ({ x: middle(p), y: p.error,
+  // What is exact stands on the floor of a logarithmic scale.
+  const errors = points.map((p) => p.error);
+  const least = d3.min(errors.filter((e) => e > 0)) ?? 1;
+  const scale = scaleFor(errors, "↑ error in ulp, less is more exact");
+  if (scale.type === "log" && errors.includes(0)) {
+    Object.assign(scale, logScale([least / 10, ...errors], scale.label));
+    const { tickFormat, domain } = scale;
+    scale.tickFormat = (v) => (v <= domain[0] * 1.001 ? "0" : tickFormat(v));
+  }
+  const height = (p) => (p.error > 0 || scale.type !== "log" ? p.error : scale.domain[0]);
+  const says = points.map((p) => ({ x: middle(p), y: height(p),
     text: [p.name, p.alike && p.alike !== p.name ? `like ${p.alike}` : null,
       `${figure(p.time)}${p.most > p.time ? ` to ${figure(p.most)}` : ""} ${unit} a ${choice.operation}`,
       choice.error === "rms" ? `rms error ${figure(p.error)} ulp` : `largest error ${largest(p.error)} ulp`,
@@ -54,15 +68,15 @@ function tradePlot(points, choice, width) {
     options: {
       height: narrow ? 320 : 380, marginLeft: 56, marginRight: narrow ? 20 : 40, marginBottom: 42, marginTop: 28,
       x: scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} a call, less is faster →`, Math.floor(width / 80)),
-      y: scaleFor(points.map((p) => p.error), "↑ error in ulp, less is more exact"),
+      y: scale,
       marks: [
-        Plot.line(frontier, { x: middle, y: "error", curve: "step-after", stroke: "currentColor",
+        Plot.line(frontier, { x: middle, y: height, curve: "step-after", stroke: "currentColor",
           strokeDasharray: "4 3", className: "frontier" }),
-        Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: "error", stroke: color }),
-        ...kinds[choice.from].map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: "error", r: 6,
+        Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: height, stroke: color }),
+        ...kinds[choice.from].map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: height, r: 6,
           symbol: symbols[i], fill: symbols[i] === "times" ? "none" : colours[i], stroke: "var(--paper)",
           className: "points" })),
-        Plot.text(narrow ? [] : frontier, { x: middle, y: "error", text: "name", dy: 16, dx: 4, textAnchor: "start",
+        Plot.text(narrow ? [] : frontier, { x: middle, y: height, text: "name", dy: 16, dx: 4, textAnchor: "start",
           fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4, className: "names" }),
       ],
     },
@@ -71,7 +85,7 @@ function tradePlot(points, choice, width) {
 
 function tradeControls() {
   const option = (value, text) => ({ value, text: text ?? value });
-  const from = [...(report.host ? [option("host", "this machine")] : []), option("clocks", "processors of the time")];
+  const from = [option("host", "this machine"), option("clocks", "processors of the time")];
   return {
     from: { label: "speed on", values: from },
     time: { label: "time", values: [] },
@@ -86,7 +100,7 @@ function tradeChoices(choice) {
   const option = (value, text) => ({ value, text: text ?? value });
   if (choice.from === "host") {
     return { time: [option("throughput_ns", "throughput"), option("chain_ns", "dependent chain")],
-      operation: unique(report.host.host.map((r) => r.operation)).map((o) => option(o)),
+      operation: unique(hostRows().map((r) => r.operation)).map((o) => option(o)),
       operands: [option("uniform")] };
   }
   return { time: cpus.map(([value, text]) => option(value, text)).reverse(),
@@ -131,8 +145,8 @@ function showTrade() {
   shown = charted(parent, "Speed and accuracy", "", (width) => tradePlot(points, choice, width));
   show();
   parent.append(listed);
-  if (!report.host) {
-    missing("trade", report.made.quick ? "A quick run does not measure time on this machine."
-      : "Time on this machine was not measured: this build has no measure --host.");
-  }
+  const { made, rounds, libraries } = report.host;
+  const absent = Object.entries(libraries).filter(([, there]) => !there).map(([name]) => `${name} was not installed and is left out.`);
+  parent.append(element("p", { class: "quiet" }, `On this machine: ${made.processor}, ${made.compiler} ${made.flags}, ` +
+    `medians of ${count(rounds)} rounds. ${absent.join(" ")}`));
 }

@@ -146,7 +146,32 @@ TEST(Accuracy, ReferencesThatAreNoRatios) {
                 1e-15)
         << tenths;
   }
-  EXPECT_THROW(oracle::scaled_sqrt(0xFFFFFFFF, 40), std::domain_error);
+  EXPECT_THROW(static_cast<void>(oracle::scaled_sqrt(0xFFFFFFFF, 40)), std::domain_error);
+}
+
+// Words of 24 bits are exact in float, and their products in double. In float, products of 2^29
+// units and more are multiples of 64.
+TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
+  const auto of_double = uniform("mul", "double").errors;
+  EXPECT_EQ(of_double.max(), 0);
+  EXPECT_EQ(of_double.correct(), 1);
+  const auto of_float = uniform("mul", "float").errors;
+  EXPECT_GT(of_float.max(), 16);
+  EXPECT_LE(of_float.max(), 32);
+  EXPECT_EQ(row_of_set("div", "double", {"", {0x10000, 0x20000}}).errors.max(), 0);
+  // A unit by 3.0: a third of a unit, which double has to 2^-54.
+  EXPECT_LT(row_of_set("div", "double", {"", {1, 0x30000}}).errors.max(), 1e-16);
+  EXPECT_LE(uniform("cos", "double").errors.max(), 1e-9);
+  // Roots to 2^23.5 units, by half a unit, of operands that are off by 2^-24 of themselves.
+  EXPECT_LE(uniform("sqrt", "float").errors.max(), 0.86);
+}
+
+TEST(Accuracy, FreeTypeRoundsHalvesAwayFromZero) {
+  if (!has_freetype()) GTEST_SKIP() << "FreeType is not installed";
+  const OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
+  EXPECT_EQ(row_of_set("mul", "FreeType", ties).errors.mean(), 0);
+  EXPECT_EQ(row_of_set("mul", "FreeType", ties).errors.max(), 0.5);
+  EXPECT_EQ(uniform("div", "FreeType").errors.correct(), 1);
 }
 
 template <class One, class Other>

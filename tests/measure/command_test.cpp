@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,6 +16,9 @@ TEST(MeasureCommand, WantsOneThingToMeasure) {
   for (const char* arguments :
        {"measure", "measure --accuracy --clocks", "measure --accuracy --cases 0",
         "measure --accuracy --seed -1", "measure --clocks no/such/scene.json",
+        "measure --host --accuracy", "measure --host " SCENES "/solid.json",
+        "measure --clocks --rounds 3", "measure --host --rounds 0",
+        "measure --host --json /no/such/folder/file",
         "measure --accuracy --json /no/such/folder/file",
         "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
     const auto run = cli::fixproof(arguments);
@@ -44,6 +48,44 @@ TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
               200U);
   }
   EXPECT_EQ(json.at("pixels").at("variants").size(), 4U);
+}
+
+/// Whether a time is one: more than nothing, the least first.
+bool is_time(const nlohmann::json& times) {
+  return times.at("min") > 0 && times.at("median") >= times.at("min") && times.at("spread") >= 0;
+}
+
+TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
+  const std::string file = testing::TempDir() + "measure_host_test.json";
+  const auto run = cli::fixproof("measure --host --rounds 2 --cases 1 --seed 5 --json " + file);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
+  const auto json = nlohmann::json::parse(fixproof::read_file(file));
+  std::remove(file.c_str());
+  EXPECT_EQ(json.at("made").at("seed"), 5);
+  EXPECT_NE(json.at("made").at("processor"), "");
+  EXPECT_EQ(json.at("rounds"), 2);
+  std::map<std::string, int> found;
+  for (const auto& row : json.at("host")) {
+    ++found[row.at("contender")];
+    EXPECT_TRUE(is_time(row.at("throughput_ns"))) << row;
+    EXPECT_EQ(row.at("chain_ns").is_null(), row.at("operation") == "cos") << row;
+    EXPECT_TRUE(row.at("chain_ns").is_null() || is_time(row.at("chain_ns"))) << row;
+    EXPECT_GE(row.at("accuracy").at("max"), 0);
+  }
+  EXPECT_EQ(found["q16_16"], 4);
+  EXPECT_EQ(found["double"], 4);
+  for (const auto& row : json.at("vertices")) {
+    EXPECT_TRUE(is_time(row.at("ns"))) << row;
+    EXPECT_EQ(row.at("cases"), 3 * 512);
+  }
+  for (const char* library : {"libfixmath", "FreeType"}) {
+    const bool built_in = json.at("libraries").at(library);
+    EXPECT_EQ(found[library] > 0, built_in) << library;
+    const std::string line =
+        std::string(library) + " was not found when this program was built";
+    EXPECT_EQ(run.out.find(line) == std::string::npos, built_in) << library;
+  }
 }
 
 }  // namespace

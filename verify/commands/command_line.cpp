@@ -100,13 +100,6 @@ Captured run_captured(std::vector<std::string> arguments, const std::string& inp
   return captured;
 }
 
-bool command_has(const std::string& command, const std::string& option) {
-  CLI::App app;
-  int status = 0;
-  add_all(app, status);
-  return app.get_subcommand(command)->get_option_no_throw(option) != nullptr;
-}
-
 std::string_view program_version() { return FIXPROOF_VERSION; }
 
 }  // namespace fixproof

@@ -21,9 +21,6 @@ struct Captured {
 /// As run_command_line(), with `input` to read, keeping what it writes to standard output.
 Captured run_captured(std::vector<std::string> arguments, const std::string& input = {});
 
-/// Whether this build's command has the option, as in `measure --clocks`.
-bool command_has(const std::string& command, const std::string& option);
-
 /// As `fixproof --version` says it.
 std::string_view program_version();
 

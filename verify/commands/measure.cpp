@@ -12,6 +12,7 @@ void add_measure(CLI::App& app, int& status) {
   struct MeasureOptions {
     bool accuracy = false;
     bool clocks = false;
+    bool host = false;
     MeasureRequest request;
   };
   auto options = std::make_shared<MeasureOptions>();
@@ -21,29 +22,41 @@ void add_measure(CLI::App& app, int& status) {
                  "errors of every operation under every variant, in units of the last place");
   what->add_flag("--clocks", options->clocks,
                  "instructions and clocks of every routine on 8088, 286, 386 and 486");
+  CLI::Option* host = what->add_flag(
+      "--host", options->host,
+      "nanoseconds on this processor, beside float, double and libraries, and their errors");
   what->require_option(1);
   command
       ->add_option("scene", options->request.scenes,
                    "scenes whose operands are recorded, such as scenes/twelve_cubes.json")
-      ->check(not_empty());
+      ->check(not_empty())
+      ->excludes(host);
   command->add_option("--cases", options->request.cases, "random operands of one kind")
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--seed", options->request.seed, "of the random operands")
       ->transform(whole_number(0, ~std::uint64_t{0}))
       ->capture_default_str();
+  command->add_option("--rounds", options->request.rounds, "of --host, each of about 0.2 s")
+      ->transform(whole_number(1, 100'000))
+      ->capture_default_str()
+      ->needs(host);
   command->add_option("--json", options->request.json, "a file for the same figures, as JSON")
       ->check(not_empty());
   command->footer(
       "--accuracy sets results against exact integers; by default 500,000 operands of one kind.\n"
-      "--clocks counts by Intel's tables, and judges what the chapters say about speed.\n\n"
-      "Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.\n\n"
+      "--clocks counts by Intel's tables, and judges what the chapters say about speed.\n"
+      "--host judges what it times, by default 100,000 results of each, and takes no scene.\n\n"
+      "Exit status: 0 done, 1 a number that --host times breaks its own rule, 2 bad usage or a\n"
+      "scene that is refused, 130 stopped before the end.\n\n"
       "Examples:\n"
       "  fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json\n"
       "  fixproof measure --clocks scenes/twelve_cubes.json scenes/ball_and_cubes.json \\\n"
-      "    scenes/shaded_ball.json --json clocks.json");
+      "    scenes/shaded_ball.json --json clocks.json\n"
+      "  fixproof measure --host --json host.json");
   command->callback([options, &status] {
-    status =
-        options->accuracy ? measure_accuracy(options->request) : measure_clocks(options->request);
+    status = options->accuracy ? measure_accuracy(options->request)
+             : options->host   ? measure_host(options->request)
+                               : measure_clocks(options->request);
   });
 }
 

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -30,15 +29,6 @@ namespace fixproof {
 namespace {
 
 using PageJson = nlohmann::ordered_json;
-
-/// What this machine calls its processor; empty where it does not say.
-std::string processor_name() {
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("model name")) return printable(line.substr(line.find(':') + 2));
-  }
-  return {};
-}
 
 std::string date_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -187,8 +177,10 @@ class ReportRun {
 int make_report(const ReportRequest& request) {
   ReportRun run(request);
   const int failed = run.run_steps();
-  if (failed == interrupted_status) std::cout << run.how_far();
-  if (failed != 0) return failed;
+  if (failed != 0) {
+    std::cout << run.how_far();
+    return failed;
+  }
   run.write_page();
   std::cout << fmt::format(
       "{0}/report.html is the page; {0}/report.json and the tables in "

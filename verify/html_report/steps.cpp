@@ -62,11 +62,9 @@ std::vector<ReportStep> report_steps(const ReportRequest& request) {
     if (request.quick) append(steps.back().arguments, {"--cases", few_operands});
     append(steps.back().arguments, {"--seed", seed, "--json", file(what + ".json")});
   }
-  if (command_has("measure", "--host") && !request.quick) {
-    steps.push_back({"host",
-                     {"measure", "--host", "--seed", seed, "--json", file("host.json")},
-                     {file("host.json")}});
-  }
+  steps.push_back({"host", {"measure", "--host"}, {file("host.json")}});
+  if (request.quick) append(steps.back().arguments, {"--cases", few_operands, "--rounds", "1"});
+  append(steps.back().arguments, {"--seed", seed, "--json", file("host.json")});
 
   steps.push_back({"drift", {"drift", request.scenes.front()}, {file("drift.json")}});
   if (request.quick) append(steps.back().arguments, {"--minutes", "1"});

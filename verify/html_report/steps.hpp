@@ -26,7 +26,7 @@ struct ReportStep {
   std::vector<std::string> files;      ///< that it writes
 };
 
-/// Those that this build has, in the order in which they run.
+/// In the order in which they run.
 std::vector<ReportStep> report_steps(const ReportRequest& request);
 
 /// `fixproof measure --host`, as a shell would be given it.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/measure/accuracy_run.hpp"
+#include "verify/measure/figures.hpp"
 #include "verify/measure/measure.hpp"
 #include "verify/measure/pixel_error.hpp"
 #include "verify/measure/provenance.hpp"
@@ -29,17 +29,6 @@ constexpr std::uint64_t default_accuracy_cases = 500'000;
 /// Points of an octave of distance for every operand of the other measurements.
 constexpr std::uint64_t points_share = 10;
 
-std::string units(double x, bool with_sign = false) {
-  if (std::fabs(x) >= 1000) return fmt::format("{:.2e}", x);
-  return with_sign ? fmt::format("{:+.4f}", x) : fmt::format("{:.4f}", x);
-}
-
-/// Toward zero: what stays below 1 is not to be shown as 1.
-std::string largest(double x) {
-  if (x >= 1000) return fmt::format("{:.2e}", x);
-  return fmt::format("{:.5f}", std::floor(x * 1e5) / 1e5);
-}
-
 /// One character for a bucket, the fullest the tallest; a space for an empty one.
 std::string sparkline(const ErrorHistogram& histogram) {
   static constexpr std::array heights{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
@@ -52,12 +41,6 @@ std::string sparkline(const ErrorHistogram& histogram) {
   return line;
 }
 
-std::string share(double x) {
-  // 100 % is said of all cases alone.
-  const double percent = 100 * x;
-  return fmt::format("{:.3f} %", x < 1 ? std::min(percent, 99.999) : percent);
-}
-
 void print(const AccuracyRow& row) {
   const ErrorStatistics& e = row.errors;
   if (e.cases() == 0) {
@@ -66,8 +49,8 @@ void print(const AccuracyRow& row) {
   }
   std::cout << fmt::format("  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>11}  {:>6} |{}|\n",
                            row.subject.name, grouped(e.cases()), grouped(row.beyond),
-                           grouped(row.faults), largest(e.max()), units(e.mean(), true),
-                           units(e.root_mean_square()), share(e.correct()),
+                           grouped(row.faults), largest_text(e.max()), error_text(e.mean(), true),
+                           error_text(e.root_mean_square()), share_text(e.correct()),
                            fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
 }
 
@@ -132,13 +115,11 @@ class AccuracyRun {
     std::cout
         << made_by(request_.seed) << "\n\n"
         << "Errors in units of the last place, each a result less the exact one. Correct is a "
-           "result than\nwhich no word is nearer; of two that are as near, either. Left out "
-           "are cases whose exact result\ndoes not fit, or that have none; #DE cases whose "
-           "result would fit. The mean is the bias. The\nhistogram goes from -span to span, "
-           "its tallest column the fullest.\n";
-    if (!has_libfixmath()) {
-      std::cout << "libfixmath was not installed when this program was built, and is left out.\n";
-    }
+           "result within\nhalf a unit of it: a word than which none is nearer. Left out are cases "
+           "whose exact result does\nnot fit, or that have none; #DE cases whose result would fit. "
+           "The mean is the bias. The histogram\ngoes from -span to span, its tallest column the "
+           "fullest.\n";
+    std::cout << libraries_left_out();
     if (scenes_.empty()) {
       std::cout << "Without a SCENE there are no operands of a scene.\n";
     }
@@ -160,6 +141,7 @@ class AccuracyRun {
     AccuracyJson json{{"made", made_by_json(request_.seed, "measure --accuracy")}};
     json["scenes"] = scenes_;
     json["libfixmath"] = has_libfixmath();
+    json["FreeType"] = has_freetype();
     json["accuracy"] = AccuracyJson::array();
     for (const AccuracyRow& row : rows_) json["accuracy"].push_back(json_of(row));
     json["pixels"] = {{"constant", page_.constant}, {"half_width", page_.half_width}};

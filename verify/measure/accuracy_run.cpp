@@ -1,6 +1,8 @@
 #include "verify/measure/accuracy_run.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "oracle/unbounded.hpp"
@@ -54,12 +56,27 @@ void add(AccuracyRow& row, CaseWords in, const ExactResult& exact) {
     ++row.faults;
     return;
   }
-  const Integer off = static_cast<std::int32_t>(*result) * exact.denominator - exact.numerator;
-  row.errors.add(static_cast<double>(off) / static_cast<double>(exact.denominator),
-                 2 * abs(off) <= exact.denominator);
+  add_error(row.errors, *result, exact);
 }
 
 }  // namespace
+
+void add_error(ErrorStatistics& errors, double result, const ExactResult& exact) {
+  // mantissa 2^-places
+  int places = 0;
+  double mantissa = result;
+  if (result != std::trunc(result)) {
+    int exponent = 0;
+    constexpr int bits = std::numeric_limits<double>::digits;
+    mantissa = std::ldexp(std::frexp(result, &exponent), bits);
+    places = bits - exponent;  // positive, as the result is no whole number
+  }
+  const Integer denominator = exact.denominator << places;
+  const Integer off = Integer(static_cast<std::int64_t>(mantissa)) * exact.denominator -
+                      (exact.numerator << places);
+  errors.add(static_cast<double>(off) / static_cast<double>(denominator),
+             2 * abs(off) <= denominator);
+}
 
 std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std::uint64_t seed,
                                         std::uint64_t cases) {

@@ -37,6 +37,10 @@ struct AccuracyRow {
   std::uint64_t faults = 0;  ///< cases whose exact result fits but that are divide errors
 };
 
+/// Adds the error of a result of so many ulps, worked out exactly. It is correct within half an ulp
+/// of the exact result.
+void add_error(ErrorStatistics& errors, double result, const ExactResult& exact);
+
 /// One row for each subject. Where `stop` ends the run, the rows are of the cases until then.
 std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,
                                         const std::atomic<bool>& stop);

@@ -17,6 +17,7 @@ struct MeasureRequest {
   std::vector<std::string> scenes;     ///< files whose operands are recorded
   std::uint64_t seed = 1994;           ///< of random operands
   std::optional<std::uint64_t> cases;  ///< random cases of one kind; by default as many as serve
+  std::uint64_t rounds = 101;          ///< in which every loop is timed
   std::string json;                    ///< a file for the same figures; empty for none
 };
 
@@ -28,5 +29,6 @@ std::vector<xsharp::Scene> read_scenes(const MeasureRequest& request);
 
 int measure_accuracy(const MeasureRequest& request);
 int measure_clocks(const MeasureRequest& request);
+int measure_host(const MeasureRequest& request);
 
 }  // namespace fixproof

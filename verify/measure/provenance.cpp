@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <fstream>
+
+#include "verify/hex.hpp"
 
 namespace fixproof {
 
@@ -15,6 +18,19 @@ std::string compiler_name() {
 #else
   return "an unknown compiler";
 #endif
+}
+
+std::string compiler_flags() { return FIXPROOF_COMPILER_FLAGS; }
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return printable(line.substr(colon + 2));
+    }
+  }
+  return "unknown";
 }
 
 std::string made_by(std::uint64_t seed) {

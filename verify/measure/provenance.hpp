@@ -11,6 +11,12 @@ namespace fixproof {
 /// `g++ 12.2.0`: what this program was compiled with.
 std::string compiler_name();
 
+/// `-O3 -DNDEBUG`: the options it was given for speed; empty where they are not known.
+std::string compiler_flags();
+
+/// As the system calls this processor; `unknown` where it does not say.
+std::string processor_name();
+
 /// `seed 1994, g++ 12.2.0`: the first line of what is printed.
 std::string made_by(std::uint64_t seed);
 

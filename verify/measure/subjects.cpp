@@ -5,6 +5,7 @@
 #include "fixed/fixed.hpp"
 #include "oracle/real.hpp"
 #include "oracle/unbounded.hpp"
+#include "verify/measure/number_subject.hpp"
 
 namespace fixproof {
 
@@ -20,8 +21,8 @@ N operand(CaseWords in, std::size_t i) {
   return N::from_raw(static_cast<std::int32_t>(in[i]));
 }
 template <class N>
-std::optional<std::uint32_t> word(N x) {
-  return static_cast<std::uint32_t>(x.raw());
+std::optional<double> word(N x) {
+  return x.raw();
 }
 
 /// What each operation is of the type.
@@ -135,13 +136,26 @@ std::vector<MeasuredOperation> measured_operations() {
       {"dot of rounded products", terms, 6, exact_dot, by_product(rounded_products)},
       {"dot rounded once", terms, 6, exact_dot, by_product(rounded_sum)},
   };
-  for (MeasuredOperation& operation : all) {
-    if (auto library = libfixmath_subject(operation.name)) {
-      operation.subjects.push_back(std::move(*library));
+  for (MeasuredOperation& o : all) {
+    for (auto other :
+         {libfixmath_subject(o.name), freetype_subject(o.name),
+          subject_of_number<float>("float", o.name), subject_of_number<double>("double", o.name)}) {
+      if (other) o.subjects.push_back(std::move(*other));
     }
   }
-  std::erase_if(all, [](const MeasuredOperation& o) { return o.subjects.empty(); });
   return all;
+}
+
+std::string libraries_left_out() {
+  std::string text;
+  const auto line = [&text](bool built_in, const char* library) {
+    if (built_in) return;
+    text += library;
+    text += " was not found when this program was built, and is left out.\n";
+  };
+  line(has_libfixmath(), "libfixmath");
+  line(has_freetype(), "FreeType");
+  return text;
 }
 
 }  // namespace fixproof

@@ -24,10 +24,10 @@ struct ExactResult {
 
 /// One implementation.
 struct Subject {
-  std::string name;   ///< a preset of the type, or a library
+  std::string name;   ///< a preset of the type, a library, float or double
   std::string alike;  ///< presets that return the same wherever the exact result fits; may be empty
-  /// The result; nothing for a divide error.
-  std::optional<std::uint32_t> (*answer)(CaseWords in);
+  /// The result in ulps, a whole number where it is a word; nothing for a divide error.
+  std::optional<double> (*answer)(CaseWords in);
 };
 
 /// What operands an operation is given besides those of scenes.
@@ -49,13 +49,19 @@ struct MeasuredOperation {
   std::vector<Subject> subjects;
 };
 
-/// All of them, with the subjects that differ, libfixmath among them where it is built in.
+/// All of them, with the subjects that differ, libraries among them where they are built in.
 std::vector<MeasuredOperation> measured_operations();
 
-/// libfixmath's form of an operation of that name; nothing where it has none, or is not built in.
+/// A library's form of an operation of that name; nothing where it has none, or is not built in.
 std::optional<Subject> libfixmath_subject(const std::string& operation);
+std::optional<Subject> freetype_subject(const std::string& operation);
 
-/// Whether it is built in.
+/// Whether they are built in.
 bool has_libfixmath();
+bool has_freetype();
+
+/// Says of each library that is not built in that it is left out, a line each; nothing where both
+/// are.
+std::string libraries_left_out();
 
 }  // namespace fixproof

@@ -1,0 +1,25 @@
+#include "verify/measure/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fixproof {
+
+std::string error_text(double x, bool with_sign) {
+  if (std::fabs(x) >= 1000) return fmt::format("{:.2e}", x);
+  return with_sign ? fmt::format("{:+.4f}", x) : fmt::format("{:.4f}", x);
+}
+
+std::string largest_text(double x) {
+  if (x >= 1000) return fmt::format("{:.2e}", x);
+  return fmt::format("{:.5f}", std::floor(x * 1e5) / 1e5);
+}
+
+std::string share_text(double x) {
+  const double percent = 100 * x;
+  return fmt::format("{:.3f} %", x < 1 ? std::min(percent, 99.999) : percent);
+}
+
+}  // namespace fixproof
