@@ -1,6 +1,7 @@
 // The speed–accuracy chart.
 
 const kinds = { host: ["type", "library", "plain", "floating"], clocks: ["386 listing", "8088 listing"] };
+const kindNames = { type: "fixed::number", library: "libraries", plain: "64-bit product or quotient by hand", floating: "floating point" };
 const cpus = [["8088", "8088"], ["286", "286"], ["386", "386"], ["486", "486"]];
 
 // All presets that a row stands for: alike has the endings of their names.
@@ -128,7 +129,7 @@ function showTrade() {
   const listed = element("details", {});
   let shown = null;
   const show = () => {
-    names.replaceChildren(legend(kinds[choice.from]));
+    names.replaceChildren(legend(kinds[choice.from].map((kind) => kindNames[kind] ?? kind)));
     shown.render();
     shown.caption.textContent = points.length === 0 ? "Nothing was measured for this choice."
       : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.`;
@@ -136,7 +137,7 @@ function showTrade() {
     listed.replaceChildren(element("summary", {}, "The same as a table"),
       table("Speed and accuracy, fastest first", [
         { title: "variant", of: (p) => p.name },
-        { title: "kind", of: (p) => p.kind },
+        { title: "kind", of: (p) => kindNames[p.kind] ?? p.kind },
         { title: unit, of: (p) => between({ min: p.time, max: p.most }), number: true },
         { title: "error, ulp", of: (p) => (choice.error === "rms" ? figure : largest)(p.error), number: true },
       ], d3.sort(points, middle)));
@@ -148,5 +149,5 @@ function showTrade() {
   const { made, rounds, libraries } = report.host;
   const absent = Object.entries(libraries).filter(([, there]) => !there).map(([name]) => `${name} was not installed and is left out.`);
   parent.append(element("p", { class: "quiet" }, `On this machine: ${made.processor}, ${made.compiler} ${made.flags}, ` +
-    `medians of ${count(rounds)} rounds. ${absent.join(" ")}`));
+    `medians of ${count(rounds)} ${rounds === 1 ? "round" : "rounds"}. ${absent.join(" ")}`));
 }

@@ -219,8 +219,7 @@ def choices(driver):
                      o["accuracy"]["rms"] <= row["accuracy"]["rms"] and o is not row for o in rows)
         names = caption.removeprefix("On the line: ").rstrip(".").split("; ")
         expect_equal(row["contender"] in names, not beaten, f"{row['contender']} on the line of {caption!r}")
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    driver.find_element(By.ID, "trade").screenshot(str(PICTURES / "host.png"))
+    picture(driver, "known_host")
     box = driver.find_element(By.ID, "trade")
     Select(box.find_element(By.NAME, "time")).select_by_value("chain_ns")
     chained = [r for r in rows if r["chain_ns"]]
