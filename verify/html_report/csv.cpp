@@ -1,6 +1,6 @@
 #include "verify/html_report/csv.hpp"
 
-#include <string_view>
+#include <cstdint>
 
 namespace fixproof {
 
