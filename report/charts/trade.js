@@ -37,16 +37,24 @@ function clockPoints(choice) {
     });
 }
 
-// Those than which none is as fast and more exact. Where a time is a range, its middle counts.
+// Those than which none is as fast and more exact, by more than how halves are rounded could make. Where a
+// time is a range, its middle counts.
+const noticeable = 0.99;
 const middle = (p) => (p.time + p.most) / 2;
 function frontierOf(points) {
   let best = Infinity;
-  return d3.sort(points, middle, (p) => p.error).filter((p) => p.error < best && ((best = p.error), true));
+  return d3.sort(points, middle, (p) => p.error).filter((p) => p.error < noticeable * best && ((best = p.error), true));
+}
+
+// The same without floating point, where that makes another line.
+function fixedFrontierOf(points) {
+  return points.some((p) => p.kind === "floating") ? frontierOf(points.filter((p) => p.kind !== "floating")) : [];
 }
 
 function tradePlot(points, choice, width) {
   const unit = choice.from === "host" ? "ns" : "clocks";
   const frontier = frontierOf(points);
+  const ofFixed = fixedFrontierOf(points);
   const narrow = width < 480;
   // What is exact stands on the floor of a logarithmic scale.
   const errors = points.map((p) => p.error);
@@ -73,12 +81,16 @@ function tradePlot(points, choice, width) {
       marks: [
         Plot.line(frontier, { x: middle, y: height, curve: "step-after", stroke: "currentColor",
           strokeDasharray: "4 3", className: "frontier" }),
+        Plot.line(ofFixed, { x: middle, y: height, curve: "step-after", stroke: "var(--quiet)", strokeDasharray: "1 4",
+          strokeWidth: 2, strokeLinecap: "round", className: "frontier-fixed" }),
         Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: height, stroke: color }),
         ...kinds[choice.from].map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: height, r: 6,
           symbol: symbols[i], fill: symbols[i] === "times" ? "none" : colours[i], stroke: "var(--paper)",
           className: "points" })),
-        Plot.text(narrow ? [] : frontier, { x: middle, y: height, text: "name", dy: 16, dx: 4, textAnchor: "start",
-          fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4, className: "names" }),
+        // Above where it is exact, so as not to stand on the axis.
+        ...[[-14, (p) => p.error === 0], [16, (p) => p.error > 0]].map(([dy, has]) =>
+          Plot.text(narrow ? [] : unique([...frontier, ...ofFixed]).filter(has), { x: middle, y: height, text: "name", dy,
+            dx: 4, textAnchor: "start", fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4, className: "names" })),
       ],
     },
   };
@@ -131,8 +143,10 @@ function showTrade() {
   const show = () => {
     names.replaceChildren(legend(kinds[choice.from].map((kind) => kindNames[kind] ?? kind)));
     shown.render();
+    const ofFixed = fixedFrontierOf(points);
     shown.caption.textContent = points.length === 0 ? "Nothing was measured for this choice."
-      : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.`;
+      : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.` +
+        (ofFixed.length ? ` Of fixed point alone, dotted: ${ofFixed.map((p) => p.name).join("; ")}.` : "");
     const unit = choice.from === "host" ? "ns" : "clocks";
     listed.replaceChildren(element("summary", {}, "The same as a table"),
       table("Speed and accuracy, fastest first", [
