@@ -9,7 +9,7 @@ function histogramPlot(row, width) {
     points: bars.map((b) => ({ x: (b.from + b.to) / 2, y: b.share,
       text: `${figure(b.from)} to ${figure(b.to)} ulp\n${count(b.n)} of ${count(row.cases)} results\n${percent(b.share)}` })),
     options: {
-      height: 130, marginLeft: 40, marginRight: 12, marginTop: 12, marginBottom: 28,
+      height: 130, marginLeft: 46, marginRight: 12, marginTop: 12, marginBottom: 28,
       x: { domain: [-span, span], label: null, ticks: 4, tickFormat: (v) => (Math.abs(v) >= 1e4 ? v.toExponential(0) : String(v)) },
       y: { label: null, ticks: 3, tickFormat: (v) => `${figure(100 * v)} %`, domain: [0, Math.max(0.01, d3.max(bars, (b) => b.share))], grid: true },
       marks: [

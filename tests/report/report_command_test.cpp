@@ -104,12 +104,12 @@ TEST(ReportCommand, SaysWhatIsWrong) {
 TEST(ReportCommand, WritesOverNoScene) {
   const Folder out("report_scene_test");
   fs::create_directories(out.file("data"));
-  fs::copy_file(cubes, out.file("data/drift.json"));
+  fs::copy_file(cubes, out.file("data/host.json"));
   const auto run =
-      cli::fixproof("report " + out.file("data/drift.json") + " --quick --out " + out.path());
+      cli::fixproof("report " + out.file("data/host.json") + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find("drift.json"), std::string::npos) << run.err;
-  EXPECT_EQ(fixproof::read_file(out.file("data/drift.json")), fixproof::read_file(cubes));
+  EXPECT_NE(run.err.find("host.json"), std::string::npos) << run.err;
+  EXPECT_EQ(fixproof::read_file(out.file("data/host.json")), fixproof::read_file(cubes));
 }
 
 }  // namespace
