@@ -24,5 +24,6 @@ void add_drift(CLI::App& app, int& status);
 void add_measure(CLI::App& app, int& status);
 void add_profile(CLI::App& app, int& status);
 void add_advise(CLI::App& app, int& status);
+void add_report(CLI::App& app, int& status);
 
 }  // namespace fixproof
