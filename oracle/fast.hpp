@@ -38,13 +38,16 @@ namespace detail {
 
 /// Whether the rule takes the integer above the floor, for a value that lies `remainder` /
 /// `divisor` above it.
-[[nodiscard]] constexpr bool rounds_up(std::int64_t remainder, std::int64_t divisor, bool negative,
-                                       Rounding rule) {
+[[nodiscard]] constexpr bool rounds_up(std::int64_t floor, std::int64_t remainder,
+                                       std::int64_t divisor, bool negative, Rounding rule) {
   switch (rule) {
     case Rounding::half_up:
       return remainder >= divisor - remainder;
     case Rounding::half_away:
       return negative ? remainder > divisor - remainder : remainder >= divisor - remainder;
+    case Rounding::half_even:
+      return remainder > divisor - remainder ||
+             (remainder == divisor - remainder && floor % 2 != 0);
     case Rounding::floor:
       return false;
     case Rounding::truncate:
@@ -65,7 +68,7 @@ namespace detail {
     --floor;
     remainder += d;
   }
-  return floor + (rounds_up(remainder, d, n < 0, rule) ? 1 : 0);
+  return floor + (rounds_up(floor, remainder, d, n < 0, rule) ? 1 : 0);
 }
 
 }  // namespace detail
@@ -80,8 +83,9 @@ namespace detail {
                                                    int fraction_bits) {
   const std::int64_t product = detail::ulps(a, fraction_bits) * detail::ulps(b, fraction_bits);
   const std::int64_t one = std::int64_t{1} << fraction_bits;
-  const bool up = detail::rounds_up(product & (one - 1), one, product < 0, rule);
-  return (product >> fraction_bits) + (up ? 1 : 0);
+  const std::int64_t floor = product >> fraction_bits;
+  const bool up = detail::rounds_up(floor, product & (one - 1), one, product < 0, rule);
+  return floor + (up ? 1 : 0);
 }
 
 /// n / d in ulps, before it is brought into a word; empty exactly when d is 0.
@@ -137,8 +141,9 @@ namespace detail {
   throw std::invalid_argument("no such divide rule");
 }
 
-/// The square root, rounded to nearest; empty for a negative operand.
-[[nodiscard]] constexpr std::optional<Word> sqrt(Word x, int fraction_bits) {
+/// The square root in ulps; empty for a negative operand. It is below 2^24.
+[[nodiscard]] constexpr std::optional<std::int64_t> exact_root(Word x, Rounding rule,
+                                                               int fraction_bits) {
   const std::int64_t value = detail::ulps(x, fraction_bits);
   if (value < 0) return std::nullopt;
   // One binary digit of the root at a time: the rest is the radicand less the root squared.
@@ -151,8 +156,16 @@ namespace detail {
       root += digit;
     }
   }
+  if (rule == Rounding::floor || rule == Rounding::truncate) return root;
   // The radicand passes (root + 1/2)^2 when the rest passes root + 1/4.
-  return wrap(root + (rest > root ? 1 : 0), fraction_bits);
+  return root + (rest > root ? 1 : 0);
+}
+
+/// The square root, rounded to nearest; empty for a negative operand.
+[[nodiscard]] constexpr std::optional<Word> sqrt(Word x, int fraction_bits) {
+  const auto root = fast::exact_root(x, Rounding::half_up, fraction_bits);
+  if (!root) return std::nullopt;
+  return wrap(*root, fraction_bits);
 }
 
 /// A point moved by a 3x4 transform, as oracle::xform_vec.

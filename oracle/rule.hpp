@@ -16,6 +16,7 @@ enum class Rounding {
   half_away,  ///< nearest, halves away from zero
   floor,      ///< toward -infinity
   truncate,   ///< toward zero
+  half_even,  ///< nearest, halves to the even neighbour
 };
 
 /// What a divide of FIXED.ASM returns and when it raises #DE, for n / d.

@@ -30,6 +30,11 @@ Integer rounded(const Integer& numerator, const Integer& denominator, Rounding r
       return floor_of(2 * n + d, 2 * d);
     case Rounding::half_away:
       return sign * floor_of(2 * abs(n) + d, 2 * d);
+    case Rounding::half_even: {
+      const Integer up = floor_of(2 * n + d, 2 * d);
+      const bool tie = 2 * n + d == 2 * d * up;
+      return tie && up % 2 != 0 ? up - 1 : up;
+    }
     case Rounding::floor:
       return floor_of(n, d);
     case Rounding::truncate:

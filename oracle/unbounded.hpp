@@ -40,6 +40,10 @@ namespace oracle {
 [[nodiscard]] std::optional<Integer> exact_quotient(Word n, Word d, Rounding rule,
                                                     int fraction_bits);
 
+/// The square root of x; empty exactly when x is negative. A root is never halfway between two ulps
+/// (the square of a half-integer is no integer), so that the rules are two: to nearest, and down.
+[[nodiscard]] std::optional<Integer> exact_root(Word x, Rounding rule, int fraction_bits);
+
 /// a * b + c, rounded once.
 [[nodiscard]] Integer exact_mul_add(Word a, Word b, Word c, Rounding rule, int fraction_bits);
 

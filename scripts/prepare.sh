@@ -9,6 +9,8 @@ build_packages=(cmake ninja-build g++ libboost-dev libcli11-dev libfmt-dev nlohm
   libpng-dev libsdl2-dev libtinyobjloader-dev zlib1g-dev nasm libunicorn-dev z3
   libfixmath-dev libfreetype-dev)
 test_packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev dosbox cvc5)
+# shellcheck disable=SC2034  # used by ./test
+browser_packages=(chromium chromium-driver python3-selenium)
 # clang-format and clang-tidy judge differently from version to version: one version for every machine.
 # shellcheck disable=SC2034  # used by the scripts that source this one
 llvm=14

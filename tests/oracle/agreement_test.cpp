@@ -118,13 +118,19 @@ TEST_P(OracleFastByFormat, AgreesOnRandomTransforms) {
 
 TEST_P(OracleFastByFormat, AgreesOnRoots) {
   Words words;
-  for (const Word word : boundary_words(GetParam())) {
+  const auto expect_equal = [](Word word) {
     ASSERT_EQ(fast::sqrt(word, GetParam()), sqrt(word, GetParam())) << word;
-  }
-  for (int i = 0; i < 20000; ++i) {
-    const Word word = words();
-    ASSERT_EQ(fast::sqrt(word, GetParam()), sqrt(word, GetParam())) << word;
-  }
+    for (const Rounding rule : test::kRoundings) {
+      const auto exact = exact_root(word, rule, GetParam());
+      const auto quick = fast::exact_root(word, rule, GetParam());
+      ASSERT_EQ(exact.has_value(), quick.has_value()) << word;
+      if (exact) {
+        ASSERT_EQ(*exact, *quick) << word;
+      }
+    }
+  };
+  for (const Word word : boundary_words(GetParam())) expect_equal(word);
+  for (int i = 0; i < 20000; ++i) expect_equal(words());
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, OracleFastByFormat, testing::Values(2, 3, 5, 8, 15, 16),

@@ -17,15 +17,17 @@ constexpr Word kMinusOne = 0xffff0000;
 constexpr Word kMost = 0x7fffffff;
 constexpr Word kLeast = 0x80000000;
 
-/// The results expected of the four rules.
+/// The results expected of the five rules.
 struct ProductsByRule {
   Word half_up;
   Word half_away;
   Word floor;
   Word truncate;
+  Word half_even;
 
   [[nodiscard]] Word of(Rounding rule) const {
-    return std::array{half_up, half_away, floor, truncate}.at(static_cast<std::size_t>(rule));
+    return std::array{half_up, half_away, floor, truncate, half_even}.at(
+        static_cast<std::size_t>(rule));
   }
 };
 
@@ -37,28 +39,28 @@ void expect_mul(Word a, Word b, const ProductsByRule& expected) {
 }
 
 TEST(OracleMul, ExactProductsNeedNoRule) {
-  expect_mul(0x18000, 0x18000, {0x24000, 0x24000, 0x24000, 0x24000});
-  expect_mul(kMinusOne, 0x18000, {0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000});
+  expect_mul(0x18000, 0x18000, {0x24000, 0x24000, 0x24000, 0x24000, 0x24000});
+  expect_mul(kMinusOne, 0x18000, {0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000});
 }
 
 TEST(OracleMul, HalvesOfAnUlp) {
-  expect_mul(kHalf, 1, {1, 1, 0, 0});
-  expect_mul(kHalf, 3, {2, 2, 1, 1});
-  expect_mul(kMinusHalf, 1, {0, 0xffffffff, 0xffffffff, 0});
-  expect_mul(kMinusHalf, 3, {0xffffffff, 0xfffffffe, 0xfffffffe, 0xffffffff});
-  expect_mul(kMinusHalf, 0xffffffff, {1, 1, 0, 0});
+  expect_mul(kHalf, 1, {1, 1, 0, 0, 0});
+  expect_mul(kHalf, 3, {2, 2, 1, 1, 2});
+  expect_mul(kMinusHalf, 1, {0, 0xffffffff, 0xffffffff, 0, 0});
+  expect_mul(kMinusHalf, 3, {0xffffffff, 0xfffffffe, 0xfffffffe, 0xffffffff, 0xfffffffe});
+  expect_mul(kMinusHalf, 0xffffffff, {1, 1, 0, 0, 0});
 }
 
 TEST(OracleMul, OneUnitBesideAHalf) {
-  expect_mul(0x7fff, 1, {0, 0, 0, 0});
-  expect_mul(0x8001, 1, {1, 1, 0, 0});
-  expect_mul(0xffff8001, 1, {0, 0, 0xffffffff, 0});
-  expect_mul(0xffff7fff, 1, {0xffffffff, 0xffffffff, 0xffffffff, 0});
+  expect_mul(0x7fff, 1, {0, 0, 0, 0, 0});
+  expect_mul(0x8001, 1, {1, 1, 0, 0, 1});
+  expect_mul(0xffff8001, 1, {0, 0, 0xffffffff, 0, 0});
+  expect_mul(0xffff7fff, 1, {0xffffffff, 0xffffffff, 0xffffffff, 0, 0xffffffff});
 }
 
 TEST(OracleMul, WrapsWhereItDoesNotFit) {
-  expect_mul(kLeast, kLeast, {0, 0, 0, 0});
-  expect_mul(kLeast, kMinusOne, {kLeast, kLeast, kLeast, kLeast});
+  expect_mul(kLeast, kLeast, {0, 0, 0, 0, 0});
+  expect_mul(kLeast, kMinusOne, {kLeast, kLeast, kLeast, kLeast, kLeast});
   EXPECT_EQ(exact_product(kLeast, kLeast, Rounding::floor, 16), Integer(1) << 46);
   EXPECT_EQ(exact_product(kLeast, kMinusOne, Rounding::floor, 16), Integer(1) << 31);
 }
@@ -116,6 +118,15 @@ TEST(OracleSqrt, IsTheNearestRoot) {
   EXPECT_EQ(sqrt(1, 16), 0x100U);
   EXPECT_EQ(sqrt(0, 16), 0U);
   EXPECT_EQ(sqrt(0x200, 8), 0x16aU);  // 362.04
+}
+
+TEST(OracleSqrt, AlsoGoesDown) {
+  for (const Rounding rule : {Rounding::floor, Rounding::truncate}) {
+    EXPECT_EQ(exact_root(0x20000, rule, 16), 92681);   // .90
+    EXPECT_EQ(exact_root(0xa0000, rule, 16), 207243);  // .03
+    EXPECT_EQ(exact_root(0x40000, rule, 16), 0x20000);
+  }
+  EXPECT_EQ(exact_root(0x20000, Rounding::half_even, 16), 92682);
 }
 
 TEST(OracleSqrt, HasNoNegativeOperand) {

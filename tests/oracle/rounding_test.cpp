@@ -17,6 +17,8 @@ bool defined_by_rule(int q, int n, int d, Rounding rule) {
       return 2 * error <= d && 2 * error > -d;
     case Rounding::half_away:
       return 2 * std::abs(error) < d || (2 * std::abs(error) == d && std::abs(q) * d > std::abs(n));
+    case Rounding::half_even:
+      return 2 * std::abs(error) < d || (2 * std::abs(error) == d && q % 2 == 0);
     case Rounding::floor:
       return error <= 0 && error > -d;
     case Rounding::truncate:
@@ -40,10 +42,15 @@ TEST(OracleRounding, ObeysTheInequalitiesOfEveryRule) {
 TEST(OracleRounding, HalvesGoWhereTheRuleSays) {
   EXPECT_EQ(rounded(3, 2, Rounding::half_up), 2);
   EXPECT_EQ(rounded(3, 2, Rounding::half_away), 2);
+  EXPECT_EQ(rounded(3, 2, Rounding::half_even), 2);
+  EXPECT_EQ(rounded(1, 2, Rounding::half_even), 0);
   EXPECT_EQ(rounded(3, 2, Rounding::floor), 1);
   EXPECT_EQ(rounded(3, 2, Rounding::truncate), 1);
   EXPECT_EQ(rounded(-3, 2, Rounding::half_up), -1);
   EXPECT_EQ(rounded(-3, 2, Rounding::half_away), -2);
+  EXPECT_EQ(rounded(-3, 2, Rounding::half_even), -2);
+  EXPECT_EQ(rounded(-1, 2, Rounding::half_even), 0);
+  EXPECT_EQ(rounded(-5, 2, Rounding::half_even), -2);
   EXPECT_EQ(rounded(-3, 2, Rounding::floor), -2);
   EXPECT_EQ(rounded(-3, 2, Rounding::truncate), -1);
 }

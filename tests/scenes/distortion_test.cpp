@@ -96,6 +96,24 @@ TEST(Drift, IsHeldBackByRestoringAndByStartingOver) {
   EXPECT_LT(anew.worst.pixels, 0.1);
 }
 
+// As in GrowsWithTheStepsThatAreNotOfUnitLength, along the way: 6001 frames make points of 31.
+TEST(Drift, ItsSeriesFollowsTheGrowth) {
+  const double cos = std::trunc(std::cos(M_PI / 30) * 65536 + 0.5) / 65536;
+  const double sin = std::trunc(std::sin(M_PI / 30) * 65536 + 0.5) / 65536;
+  const double per_turn = std::min(std::hypot(cos, sin), std::hypot(cos, sin - 1.0 / 65536));
+  const DriftResult r = drift({}, 6001);
+  ASSERT_EQ(r.series.size(), 194U);  // 193 of 31, and one of 18
+  for (const std::size_t point : {48U, 96U, 193U}) {
+    const double last = std::min(31.0 * static_cast<double>(point + 1) - 1, 6000.0);
+    EXPECT_NEAR(r.series.at(point).length, 1 - std::pow(per_turn, 2 * last), 0.01) << point;
+  }
+  EXPECT_LT(r.series.at(48).length, r.series.at(96).length);
+  EXPECT_LT(r.series.at(96).length, r.series.at(193).length);
+  // Nothing has turned in the first frame.
+  EXPECT_EQ(drift({}, 150).series.at(0).pixels, 0);
+  EXPECT_GT(drift({}, 150).series.at(149).pixels, 0);
+}
+
 TEST(Drift, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   std::uint64_t frames = 1000;

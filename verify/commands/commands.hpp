@@ -9,6 +9,8 @@
 namespace fixproof {
 
 void add_verify(CLI::App& app, int& status);
+void add_gen(CLI::App& app, int& status);
+void add_check(CLI::App& app, int& status);
 void add_merge(CLI::App& app, int& status);
 void add_eval(CLI::App& app, int& status);
 void add_step(CLI::App& app, int& status);
@@ -22,5 +24,6 @@ void add_drift(CLI::App& app, int& status);
 void add_measure(CLI::App& app, int& status);
 void add_profile(CLI::App& app, int& status);
 void add_advise(CLI::App& app, int& status);
+void add_report(CLI::App& app, int& status);
 
 }  // namespace fixproof

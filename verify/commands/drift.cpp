@@ -7,6 +7,7 @@
 
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
+#include "verify/drift/drift_json.hpp"
 #include "verify/drift/run.hpp"
 #include "verify/drift/strip.hpp"
 #include "verify/file.hpp"
@@ -27,6 +28,7 @@ struct DriftOptions {
   std::uint64_t minutes = 30;
   std::int32_t restore_every = 60;
   std::string strip;
+  std::string json;
   std::size_t object = 0;
 };
 
@@ -103,6 +105,12 @@ std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
   return drift_strip(rows, options.object, frames, labels);
 }
 
+void check_output(std::string_view option, const std::string& file, const xsharp::Scene& scene) {
+  if (file.empty()) return;
+  refuse_inputs(option, file, scene.files);
+  check_replaceable(file);
+}
+
 int run(const DriftOptions& options) {
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   scene.restore_every = 0;
@@ -112,9 +120,10 @@ int run(const DriftOptions& options) {
     throw UsageError(fmt::format("--object {}: {} has objects 0 to {}", options.object, scene.name,
                                  scene.objects.size() - 1));
   }
-  if (!options.strip.empty()) {
-    refuse_inputs("--strip", options.strip, scene.files);
-    check_replaceable(options.strip);
+  check_output("--strip", options.strip, scene);
+  check_output("--json", options.json, scene);
+  if (!options.strip.empty() && !options.json.empty() && same_file(options.strip, options.json)) {
+    throw UsageError(fmt::format("--json {}: is the file of --strip", options.json));
   }
 
   const auto cases = cases_of(options.restore_every);
@@ -138,9 +147,13 @@ int run(const DriftOptions& options) {
       duration(static_cast<double>(frames) / static_cast<double>(fast)), fast);
   print(cases, results);
   if (frames < wanted) {
-    std::cout << fmt::format("\nSTOPPED after {} of {} frames{}\n", grouped(frames),
-                             grouped(wanted), options.strip.empty() ? "" : "; no strip is drawn");
+    std::cout << fmt::format(
+        "\nSTOPPED after {} of {} frames{}\n", grouped(frames), grouped(wanted),
+        options.strip.empty() && options.json.empty() ? "" : "; no file is written");
     return interrupted_status;
+  }
+  if (!options.json.empty()) {
+    replace_file(options.json, drift_json(scene.name, frames, fast, cases, results));
   }
   if (!options.strip.empty()) {
     replace_file(options.strip, strip_of(scene, options));
@@ -172,6 +185,10 @@ void add_drift(CLI::App& app, int& status) {
   command
       ->add_option("--strip", options->strip,
                    "an SVG of one object after 0, 1, 5, 15 and 30 minutes under each arithmetic")
+      ->check(not_empty());
+  command
+      ->add_option("--json", options->json,
+                   "a file for the same figures, and for their way through time, as JSON")
       ->check(not_empty());
   command->add_option("--object", options->object, "of the strip, by its index")
       ->transform(whole_number(0, 1'000'000))

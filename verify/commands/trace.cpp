@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <array>
@@ -101,31 +102,32 @@ void trace(const Traced& traced) {
   x86::enter<routine>(machine, traced.in);
   const auto size = traced.key.target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
 
-  fmt::print("   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
+  fmt::print(std::cout, "   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
   const auto entered = machine.registers;
   auto before = machine;
   const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {
-    fmt::print("{:4}  {:<30}{}{}\n", at, x86::text_of(code[at]), flag_columns(after.flags),
-               changes(before, after, size));
+    fmt::print(std::cout, "{:4}  {:<30}{}{}\n", at, x86::text_of(code[at]),
+               flag_columns(after.flags), changes(before, after, size));
     before = after;
   });
   if (ending.position >= code.size()) {
-    fmt::print("{:4}  leaves the program\n", ending.position);
+    fmt::print(std::cout, "{:4}  leaves the program\n", ending.position);
     return;
   }
   if (ending.outcome != x86::Outcome::returned) {
-    fmt::print("{:4}  {:<30}{}  {}\n", ending.position, x86::text_of(code[ending.position]),
-               flag_columns(machine.flags), reason(ending.outcome));
+    fmt::print(std::cout, "{:4}  {:<30}{}  {}\n", ending.position,
+               x86::text_of(code[ending.position]), flag_columns(machine.flags),
+               reason(ending.outcome));
     return;
   }
   std::array<std::uint32_t, most_words_out> out{};
   const auto given = std::span(out).first(static_cast<std::size_t>(x86::arity(routine).out));
   x86::leave<routine>(machine, given);
-  fmt::print("{} instructions; result", ending.steps);
-  for (const std::uint32_t word : given) fmt::print(" {:08x} ({})", word, decimal(word));
-  fmt::print("\n");
+  fmt::print(std::cout, "{} instructions; result", ending.steps);
+  for (const std::uint32_t word : given) fmt::print(std::cout, " {:08x} ({})", word, decimal(word));
+  fmt::print(std::cout, "\n");
   const std::string lost = not_kept<routine>(entered, machine, traced.in);
-  if (!lost.empty()) fmt::print("breaks down: does not keep {}\n", lost);
+  if (!lost.empty()) fmt::print(std::cout, "breaks down: does not keep {}\n", lost);
 }
 
 int run(const TraceOptions& options) {
@@ -144,7 +146,7 @@ int run(const TraceOptions& options) {
     if (options.program.as_scanned) throw UsageError("--mutant excludes --as-scanned");
     const Variant v = options.program.variant.choose(operation_named(options.program.operation));
     const x86::Mutant mutant = mutant_of(v, options.mutant);
-    fmt::print("mutant {}: {}\n", options.mutant, mutant.change);
+    fmt::print(std::cout, "mutant {}: {}\n", options.mutant, mutant.change);
     traced.program = mutant.program;
     traced.mistake = mutant.change;
   }

@@ -108,8 +108,11 @@ Placement seen(const Placement& to_world, const xsharp::Camera& camera,
   return view;
 }
 
-void note(DriftResult& result, const Distortion& d, std::uint64_t frame) {
+/// @param point which of the series the frame is part of
+void note(DriftResult& result, const Distortion& d, std::uint64_t frame, std::size_t point) {
   result.worst.add(d);
+  if (result.series.size() <= point) result.series.resize(point + 1);
+  result.series[point].add(d);
   if (!result.pixel && d.pixels >= Thresholds::pixels) result.pixel = frame;
   if (!result.some && d.length >= Thresholds::some) result.some = frame;
   if (!result.much && d.length >= Thresholds::much) result.much = frame;
@@ -117,12 +120,19 @@ void note(DriftResult& result, const Distortion& d, std::uint64_t frame) {
 
 }  // namespace
 
+std::string name_of(Multiply multiply) {
+  static constexpr std::array names{"386 on", "386 off", "8088 on", "8088 off"};
+  return names.at(static_cast<std::size_t>(multiply));
+}
+
+std::string name_of(Without without) {
+  static constexpr std::array names{"nothing", "offset", "step", "products", "all"};
+  return names.at(static_cast<std::size_t>(without));
+}
+
 std::string name_of(const DriftCase& c) {
-  static constexpr std::array multiplies{"386 on", "386 off", "8088 on", "8088 off"};
-  static constexpr std::array withouts{"", ", without offset", ", without step",
-                                       ", without products", ", without all"};
-  std::string name = multiplies.at(static_cast<std::size_t>(c.multiply));
-  name += withouts.at(static_cast<std::size_t>(c.without));
+  std::string name = name_of(c.multiply);
+  if (c.without != Without::nothing) name += ", without " + name_of(c.without);
   if (c.restore_every > 0) name += fmt::format(", restored every {}", c.restore_every);
   if (c.from_scratch) name += ", from scratch";
   return name;
@@ -138,6 +148,7 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
 
   const auto turn = xsharp::turn_to_view(scene.camera);
   std::vector<DriftResult> results(cases.size());
+  const std::uint64_t of_a_point = frames_a_point(frames);
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     if (stop) {
       frames = frame;
@@ -153,7 +164,7 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
         note(results[i],
              distortion(seen(runs[i]->placement(object), scene.camera, turn), should_be,
                         scene.objects[object].mesh, scene),
-             frame);
+             frame, frame / of_a_point);
       }
     }
     frame_done(frame + 1);

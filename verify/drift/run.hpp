@@ -34,6 +34,8 @@ struct DriftCase {
   bool from_scratch = false;
 };
 
+std::string name_of(Multiply multiply);
+std::string name_of(Without without);
 std::string name_of(const DriftCase& c);
 
 /// Which distortion is looked for the first time.
@@ -43,8 +45,18 @@ struct Thresholds {
   static constexpr double much = 0.10;
 };
 
+/// How many points a case's way through time has.
+inline constexpr std::uint64_t series_points = 200;
+
+/// How many frames one of them stands for.
+constexpr std::uint64_t frames_a_point(std::uint64_t frames) {
+  return (frames + series_points - 1) / series_points;
+}
+
 struct DriftResult {
   Distortion worst{};
+  /// Point i is the worst of frames_a_point() frames, from the i-th such; the last may be of fewer.
+  std::vector<Distortion> series;
   /// First frames at which a vertex is a pixel off; an edge 2 %, 10 % too long or short.
   std::optional<std::uint64_t> pixel;
   std::optional<std::uint64_t> some;

@@ -147,7 +147,7 @@ FormUse forms_of(const SceneProfile& profile) {
     }
   }
   FormUse use;
-  for (const std::string& form : executed) use.executed.push_back(form);
+  use.executed = {executed.begin(), executed.end()};
   const auto target = target_of(profile.arithmetic) == Target::i8088 ? x86model::Target::i8088
                                                                      : x86model::Target::i386;
   for (const std::string& form : x86model::form_texts(target)) {

@@ -1,0 +1,27 @@
+/* FreeType as a subject of `fixproof check`: FT_MulFix or FT_DivFix of the cases on standard input.
+   FT_Long has 64 bits on most systems: what a caller keeps in 32 bits is the low half of it. */
+#include <freetype/freetype.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+int main(int argc, char** argv) {
+  const char* operation = argc == 2 ? argv[1] : "";
+  char line[256];
+  while (fgets(line, sizeof line, stdin)) {
+    uint32_t a = 0;
+    uint32_t b = 0;
+    FT_Long result;
+    if (line[0] == '#') continue;
+    if (sscanf(line, "%" SCNx32 " %" SCNx32, &a, &b) != 2) return 2;
+    if (strcmp(operation, "mul") == 0) {
+      result = FT_MulFix((int32_t)a, (int32_t)b);
+    } else if (strcmp(operation, "div") == 0) {
+      result = FT_DivFix((int32_t)a, (int32_t)b);
+    } else {
+      return 2;
+    }
+    printf("%08" PRIx32 "\n", (uint32_t)result);
+  }
+  return 0;
+}

@@ -1,0 +1,67 @@
+/// @file
+/// GoogleTest cases for a function: one for each stream of cases.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "property/subject.hpp"
+
+namespace fixproof::property {
+
+/// A test whose body is a function; it fails with what that returns, unless it is empty.
+class CalledTest : public testing::Test {
+ public:
+  explicit CalledTest(std::function<std::string()> body) : body_(std::move(body)) {}
+  void TestBody() override {
+    const std::string wrong = body_();
+    if (!wrong.empty()) ADD_FAILURE() << wrong;
+  }
+
+ private:
+  std::function<std::string()> body_;
+};
+
+/// Registers the test `Fixproof_NAME.TEST`.
+inline bool register_test(const std::string& name, const std::string& test, const char* file,
+                          int line, const std::function<std::string()>& body) {
+  testing::RegisterTest(("Fixproof_" + name).c_str(), test.c_str(), nullptr, nullptr, file, line,
+                        [body]() -> CalledTest* { return new CalledTest(body); });
+  return true;
+}
+
+/// Registers a test for each stream of cases.
+inline bool register_streams(const Subject& subject, const char* file, int line) {
+  for (const auto& [stream, cases] : streams_of(subject.rules.operation)) {
+    register_test(
+        subject.name, std::string(name_of(stream)), file, line,
+        [subject, stream = stream, cases = cases] { return wrong_over(subject, stream, cases); });
+  }
+  return true;
+}
+
+}  // namespace fixproof::property
+
+/// Rules by their names alone, as enumerators of verify/check/rules.hpp.
+#define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result) \
+  ::fixproof::property::subject(                                             \
+      #function,                                                             \
+      {::fixproof::Operation::operation, ::oracle::Rounding::rounding,       \
+       ::fixproof::Overflow::overflow, ::fixproof::NoResult::no_result},     \
+      [](auto... operands) -> decltype(function(operands...)) { return function(operands...); })
+
+/// Tests of the namespace that they stand in. Semicolons are not needed, and do no harm.
+#define FIXPROOF_CHECK(function, operation, rounding, overflow, no_result)                \
+  [[maybe_unused]] static const bool fixproof_check_##operation##_##function =            \
+      ::fixproof::property::register_streams(                                             \
+          FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result), __FILE__, \
+          __LINE__);
+#define FIXPROOF_CHECK_MUL(function, rounding, overflow) \
+  FIXPROOF_CHECK(function, mul, rounding, overflow, any)
+#define FIXPROOF_CHECK_DIV(function, rounding, overflow, zero_divisor) \
+  FIXPROOF_CHECK(function, div, rounding, overflow, zero_divisor)
+#define FIXPROOF_CHECK_SQRT(function, rounding, negative_operand) \
+  FIXPROOF_CHECK(function, sqrt, rounding, any, negative_operand)

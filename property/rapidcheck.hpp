@@ -1,0 +1,55 @@
+/// @file
+/// A RapidCheck property for a function: operands drawn by the generator of fixed/rapidcheck.hpp,
+/// which shrinks those that fail.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "fixed/number.hpp"
+#include "fixed/rapidcheck.hpp"
+#include "property/gtest.hpp"
+#include "property/subject.hpp"
+
+namespace fixproof::property {
+
+/// Whether the function keeps its rules, for operands that RapidCheck draws; prints the least that
+/// it does not.
+inline bool property_holds(const Subject& subject) {
+  using Number = fixed::q16_16;
+  const auto check = [&](std::span<const std::uint32_t> words) {
+    if (holds(subject, words)) return;
+    JudgedCase kept{1, "RapidCheck", {}, subject.ask(words)};
+    std::copy(words.begin(), words.end(), kept.words.begin());
+    RC_FAIL(text_of(kept, subject.rules));
+  };
+  const auto word = [](Number x) { return static_cast<std::uint32_t>(x.raw()); };
+  if (words_in(subject.rules.operation) == 1) {
+    return rc::check(subject.name, [&](Number a) { check(std::array{word(a)}); });
+  }
+  return rc::check(subject.name, [&](Number a, Number b) { check(std::array{word(a), word(b)}); });
+}
+
+/// Registers the test `Fixproof_NAME.property`.
+inline bool register_property(const Subject& subject, const char* file, int line) {
+  return register_test(subject.name, "property", file, line, [subject]() -> std::string {
+    return property_holds(subject) ? "" : "RapidCheck has found a case, see above";
+  });
+}
+
+}  // namespace fixproof::property
+
+#define FIXPROOF_PROPERTY(function, operation, rounding, overflow, no_result)             \
+  [[maybe_unused]] static const bool fixproof_property_##operation##_##function =         \
+      ::fixproof::property::register_property(                                            \
+          FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result), __FILE__, \
+          __LINE__);
+#define FIXPROOF_PROPERTY_MUL(function, rounding, overflow) \
+  FIXPROOF_PROPERTY(function, mul, rounding, overflow, any)
+#define FIXPROOF_PROPERTY_DIV(function, rounding, overflow, zero_divisor) \
+  FIXPROOF_PROPERTY(function, div, rounding, overflow, zero_divisor)
+#define FIXPROOF_PROPERTY_SQRT(function, rounding, negative_operand) \
+  FIXPROOF_PROPERTY(function, sqrt, rounding, any, negative_operand)

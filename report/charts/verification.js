@@ -1,0 +1,35 @@
+// The verification table, and what stands at the head of the page.
+
+function switchOf(row) {
+  if (row.target === "standard") return "-";
+  return (row.operation === "div" ? row.div_round : row.mul_round) ? "on" : "off";
+}
+
+function resultOf(row) {
+  if (row.parties.length < 2) return element("span", { class: "verdict unsure" }, "not compared");
+  if (row.mismatches > 0) return element("span", { class: "verdict fails" }, `${count(row.mismatches)} differ`);
+  return element("span", { class: "verdict holds" }, "equal");
+}
+
+function showVerification() {
+  const { verify, made } = report;
+  const faults = d3.sum(verify.rows, (row) => row.faults);
+  section("verdict").textContent = verify.mismatches > 0
+    ? `Parties DIFFER on ${count(verify.mismatches)} of ${count(verify.cases)} cases.`
+    : `All parties agree on every one of ${count(verify.cases)} cases.`;
+  section("made").textContent = [`Made ${made.date.replace("T", " ").replace("Z", " UTC")}`,
+    `fixproof ${made.version}`, made.compiler, `seed ${made.seed}`, made.processor].filter(Boolean).join(", ") +
+    (made.quick ? ". A quick run (--quick): too few cases to conclude from." : ".");
+  section("verification").append(
+    table("Every row of the verification", [
+      { title: "operation", of: (r) => r.operation },
+      { title: "target", of: (r) => r.target + (r.chapter === 52 ? ", chapter 52" : "") },
+      { title: "rounding", of: switchOf },
+      { title: "parties, first judged", of: (r) => r.parties.join(", ") },
+      { title: "cases", of: (r) => count(r.cases), number: true },
+      { title: "#DE", of: (r) => count(r.faults), number: true },
+      { title: "result", of: resultOf },
+    ], verify.rows),
+    element("p", { class: "quiet" }, `${count(verify.cases)} cases, ${count(faults)} of them divide errors, in ` +
+      `${figure(verify.seconds)} s; level ${verify.level}, seed ${verify.seed}.`));
+}

@@ -1,0 +1,29 @@
+"""Times as `fixproof measure --host --json` writes them, made up: what the page draws from them is known."""
+
+
+def row(operation, contender, kind, nanoseconds, chain, rms):
+    def times(t):
+        return {"min": t * 0.9, "median": t, "spread": 0.05} if t else None
+    return {"operation": operation, "contender": contender, "alike": "", "kind": kind, "rounding": "half up",
+            "throughput_ns": times(nanoseconds), "chain_ns": times(chain), "cases": 1000, "exceptions": 0,
+            "accuracy": {"max": 2 * rms, "mean": 0.0, "rms": rms, "correct": 1.0}}
+
+
+HOST = {
+    "made": {"command": "measure --host", "seed": 1994, "compiler": "none", "date": "2000-01-01T00:00:00Z",
+             "flags": "", "processor": "none"},
+    "libraries": {"libfixmath": True, "FreeType": True}, "rounds": 9, "operands": 2048,
+    "host": [
+        row("mul", "q16_16", "type", 0.52, 1.9, 0.289),
+        row("mul", "q16_16_i386_unrounded", "type", 0.4, 1.6, 0.577),
+        row("mul", "plain 64-bit product", "plain", 0.51, 1.9, 0.29),
+        row("mul", "libfixmath", "library", 10.2, 12.5, 0.289),
+        row("mul", "FT_MulFix", "library", 2.69, 4.1, 0.2887),
+        row("mul", "float", "floating", 0.19, None, 40.0),
+        row("mul", "slower and worse", "type", 0.55, 1.9, 0.4),
+        row("mul", "double", "floating", 0.6, 1.7, 1e-5),
+        row("div", "q16_16", "type", 0.88, 5.0, 0.289),
+        row("div", "libfixmath", "library", 49.0, 51.0, 0.2891),
+    ],
+    "vertices": [],
+}

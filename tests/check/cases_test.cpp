@@ -1,0 +1,100 @@
+// The cases that a subject is given are those of a verification.
+#include "verify/check/cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verify/streams.hpp"
+#include "verify/usage_error.hpp"
+
+namespace {
+
+using fixproof::CaseOptions;
+using fixproof::GeneratedCases;
+using fixproof::Operation;
+using Words = std::vector<std::uint32_t>;
+
+struct Drawn {
+  std::vector<Words> cases;
+  std::map<std::string, std::uint64_t> of_stream;
+};
+
+Drawn draw_all(Operation operation, const CaseOptions& options) {
+  GeneratedCases cases(operation, options);
+  Drawn drawn;
+  Words words(words_in(operation));
+  while (cases.next(words)) {
+    drawn.cases.push_back(words);
+    ++drawn.of_stream[std::string(cases.origin())];
+  }
+  EXPECT_EQ(drawn.cases.size(), cases.count());
+  for (const auto& [stream, count] : drawn.of_stream) EXPECT_EQ(count, cases.count_of(stream));
+  return drawn;
+}
+
+TEST(CheckCases, AreTheStreamsOfLevelOne) {
+  // README.md: 1,039,204 cases of a multiply.
+  const Drawn drawn = draw_all(Operation::mul, {});
+  EXPECT_EQ(drawn.cases.size(), 1'039'204U);
+  EXPECT_EQ(drawn.of_stream.at("lattice"), 39'204U);
+  EXPECT_EQ(drawn.of_stream.at("near_product_ties"), 250'000U);
+  const fixproof::Variant variant{.operation = Operation::mul, .target = fixproof::Target::i8088};
+  Words words(2);
+  fixproof::make_cases(fixproof::Stream::near_product_ties, variant, 1994, 249'999, words);
+  EXPECT_EQ(drawn.cases.back(), words);
+}
+
+TEST(CheckCases, ShardsHaveEveryCaseOnce) {
+  for (const auto limit : {std::optional<std::uint64_t>(), std::optional<std::uint64_t>(1000)}) {
+    CaseOptions options;
+    options.cases = limit;
+    auto whole = draw_all(Operation::sqrt, options).cases;
+    std::vector<Words> parts;
+    for (const char* shard : {"1/3", "2/3", "3/3"}) {
+      options.shard = shard;
+      const auto part = draw_all(Operation::sqrt, options).cases;
+      parts.insert(parts.end(), part.begin(), part.end());
+    }
+    std::sort(whole.begin(), whole.end());
+    std::sort(parts.begin(), parts.end());
+    EXPECT_EQ(parts, whole);
+  }
+}
+
+TEST(CheckCases, AFewAreSpreadOverEveryStream) {
+  CaseOptions options;
+  options.cases = 1000;
+  const Drawn drawn = draw_all(Operation::div, options);
+  EXPECT_EQ(drawn.cases.size(), 1000U);
+  EXPECT_EQ(drawn.of_stream.size(), 9U);
+  // An eighth of 39,204 and 1,000,000 cases.
+  EXPECT_NEAR(static_cast<double>(drawn.of_stream.at("fault_edge")), 120, 2);
+}
+
+TEST(CheckCases, MoreThanThereAreIsAll) {
+  CaseOptions options;
+  options.cases = 100'000'000;
+  EXPECT_EQ(draw_all(Operation::sqrt, options).cases.size(), 300'198U);
+}
+
+TEST(CheckCases, TheSeedChangesThem) {
+  CaseOptions options;
+  options.cases = 1000;
+  const auto first = draw_all(Operation::div, options).cases;
+  options.seed = 7;
+  EXPECT_NE(draw_all(Operation::div, options).cases, first);
+}
+
+TEST(CheckCases, AShardThatIsNone) {
+  CaseOptions options;
+  options.shard = "4/3";
+  EXPECT_THROW(GeneratedCases(Operation::mul, options), fixproof::UsageError);
+}
+
+}  // namespace

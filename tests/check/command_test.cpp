@@ -1,0 +1,200 @@
+// `fixproof gen` and `fixproof check` as a user runs them.
+#include "tests/cli/command.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace {
+
+/// A new empty folder, removed in the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "check_test.XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder(Folder&&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  Folder& operator=(Folder&&) = delete;
+
+  [[nodiscard]] std::string file(std::string_view name) const { return (path_ / name).string(); }
+  [[nodiscard]] std::string with(std::string_view name, std::string_view contents) const {
+    std::ofstream(file(name)) << contents;
+    return file(name);
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string contents_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// 1.5 x 2.5, minus an ulp x 0.5.
+constexpr std::string_view two_cases = "# two\n00018000 00028000\n\nffffffff 00008000\n";
+
+cli::Run check_two(std::string_view options, std::string_view results) {
+  const Folder folder;
+  return cli::fixproof(
+      fmt::format("check mul --from {} {}", folder.with("cases", two_cases), options), results);
+}
+
+void expect_usage_error(const cli::Run& run, std::string_view part) {
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+}
+
+TEST(CheckCommand, RightResults) {
+  const auto run = check_two("--rounding half-up", "0003c000\n00000000\n");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("half-up, half-even or toward-zero on all 2 cases in range"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST(CheckCommand, WrongResults) {
+  const auto run = check_two("--rounding half-away", "0003c000\r\n\n# a comment\n00000000");
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.out.find("ffffffff 00008000 (-0.00002 0.5): ffffffff expected, 00000000 said; "
+                         "exact -1 + 1/2 ulp, tie"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
+  const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.out.find("The first 1 of 2 wrong results"), std::string::npos) << run.out;
+}
+
+TEST(CheckCommand, ResultsInAFile) {
+  const Folder folder;
+  const auto results = folder.with("results", "0003c000\n00000000\n");
+  const auto run = check_two("--rounding half-up " + results, "nothing is read here");
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+TEST(CheckCommand, TooFewResults) {
+  const auto run = check_two("--rounding half-up", "0003c000\n");
+  expect_usage_error(run, "standard input ends after 1 result");
+  // What there was is judged.
+  EXPECT_NE(run.out.find("half-up"), std::string::npos);
+  const auto generated =
+      cli::fixproof("check div --rounding half-up --cases 5 --seed 3", "00000000\n");
+  expect_usage_error(generated, "ends after 1 result: there are 5 cases");
+}
+
+TEST(CheckCommand, TooManyResults) {
+  expect_usage_error(check_two("--rounding half-up", "0003c000\n00000000\n\n00000000\n"),
+                     "standard input, line 4: a result too many: there are 2 cases");
+}
+
+TEST(CheckCommand, NoResultsAtAll) {
+  expect_usage_error(check_two("--rounding half-up", ""), "ends after 0 results");
+}
+
+TEST(CheckCommand, LinesThatAreNoResults) {
+  for (const std::string_view bad : {"0x03c000", "245760", "3.75", "0003C000", "de", "DE ", "-1",
+                                     "0003c000 00000000", "0003c0000"}) {
+    expect_usage_error(check_two("--rounding half-up", fmt::format("0003c000\n{}\n", bad)),
+                       "standard input, line 2: ");
+  }
+  const auto run = check_two("--rounding half-up", "245760\n");
+  expect_usage_error(run,
+                     "line 1: '245760' has 6 hex digits instead of 8; a result is 8 "
+                     "lower-case hex digits, or DE for a divide error");
+}
+
+TEST(CheckCommand, LinesThatAreNoCases) {
+  const Folder folder;
+  const auto cases = folder.with("cases", "# comment\n00018000\n");
+  const auto run =
+      cli::fixproof("check mul --rounding floor --from " + cases, "00000000\n00000000\n");
+  expect_usage_error(run, "cases, line 2: mul takes 2 words with single spaces between");
+  const auto none = folder.with("none", "# nothing\n");
+  expect_usage_error(cli::fixproof("check mul --rounding floor --from " + none),
+                     "there are no cases");
+}
+
+TEST(CheckCommand, OptionsThatAreNone) {
+  const auto refused = [](std::string_view arguments, std::string_view part) {
+    expect_usage_error(cli::fixproof(arguments), part);
+  };
+  refused("check", "operation");
+  refused("check mul", "--rounding");
+  refused("check concat --rounding floor", "there are mul, div, sqrt");
+  refused("check add --rounding floor", "unknown operation");
+  refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
+  refused("check mul --rounding floor --overflow clamp",
+          "wrap, saturate, symmetric, maximum, minimum, de, any");
+  refused("check div --rounding floor --divide-by-zero wrap",
+          "de, saturate, symmetric, maximum, minimum, zero, any");
+  refused("check sqrt --rounding floor --negative-root saturate",
+          "de, maximum, minimum, zero, mirror, any");
+  refused("check mul --rounding floor --from a --seed 3", "excludes");
+  refused("check mul --rounding floor --from no_such_file", "cannot read no_such_file");
+  refused("check mul --rounding floor no_such_file", "cannot read no_such_file");
+  refused("check mul --rounding floor --show -1", "whole number");
+  refused("gen", "operation");
+  refused("gen add", "unknown operation");
+  refused("gen mul --level 3", "whole number from 1 to 2");
+  refused("gen mul --shard 3/2", "--shard 3/2");
+  refused("gen mul --cases 0", "whole number");
+  refused("gen mul -o no/such/file", "no/such/file");
+}
+
+TEST(GenCommand, WritesTheCasesThatEvalReads) {
+  const auto cases = cli::fixproof("gen div --cases 2000");
+  EXPECT_EQ(cases.status, 0) << cases.err;
+  EXPECT_EQ(
+      cases.out.rfind("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: ", 0), 0);
+  const auto answers = cli::fixproof("eval div --target i386 --round off", cases.out);
+  EXPECT_EQ(answers.status, 0) << answers.err;
+  const auto verdict =
+      cli::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers.out);
+  EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
+}
+
+TEST(GenCommand, OfEveryOperationOfEval) {
+  for (const std::string operation : {"mul", "div", "cossin", "xformvec", "concat"}) {
+    const auto cases = cli::fixproof("gen " + operation + " --cases 50");
+    EXPECT_EQ(cases.status, 0) << cases.err;
+    const auto answers = cli::fixproof("eval " + operation, cases.out);
+    EXPECT_EQ(answers.status, 0) << answers.err;
+    EXPECT_EQ(cli::split(answers.out, '\n').size(), 51U);
+  }
+}
+
+TEST(GenCommand, IntoAFile) {
+  const Folder folder;
+  const auto run = cli::fixproof("gen sqrt --cases 100 -o " + folder.file("cases"));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(contents_of(folder.file("cases")), cli::fixproof("gen sqrt --cases 100").out);
+}
+
+TEST(GenCommand, AReaderThatHasGoneIsNoError) {
+  const auto run = cli::fixproof("gen mul", "", cli::Output::reader_gone);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(GenCommand, AFullDiskIsAnError) {
+  const auto run = cli::fixproof("gen mul", "", cli::Output::full_device);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
+}
+
+}  // namespace

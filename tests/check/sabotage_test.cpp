@@ -1,0 +1,237 @@
+// Subjects with a planted defect each: told apart by the kinds of cases that are wrong, and by what
+// they are taken for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "verify/check/cases.hpp"
+#include "verify/check/guess_text.hpp"
+#include "verify/check/judge.hpp"
+#include "verify/check/verdict_text.hpp"
+
+namespace {
+
+using fixproof::CaseKind;
+using fixproof::Judge;
+using fixproof::NoResult;
+using fixproof::Operation;
+using fixproof::Overflow;
+using fixproof::Rules;
+using fixproof::Said;
+using oracle::Rounding;
+using SubjectFunction = std::function<Said(std::int64_t, std::int64_t)>;
+
+constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
+
+Said word(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
+
+/// Held to the rules over cases of every stream.
+Judge judged(const Rules& rules, const SubjectFunction& subject) {
+  fixproof::CaseOptions options;
+  options.cases = 60'000;
+  fixproof::GeneratedCases cases(rules.operation, options);
+  Judge judge(rules, 3);
+  fixproof::JudgedCase one;
+  const auto words = std::span(one.words).first(words_in(rules.operation));
+  while (cases.next(words)) {
+    ++one.number;
+    one.origin = "stream";
+    one.said =
+        subject(static_cast<std::int32_t>(one.words[0]), static_cast<std::int32_t>(one.words[1]));
+    judge.add(one);
+  }
+  EXPECT_EQ(judge.cases(), *cases.count());
+  return judge;
+}
+
+/// Wrong cases are there of these kinds, and of no other; of each that is named with `negative`,
+/// none but results below 0.
+void expect_wrong(const Judge& judge, std::initializer_list<CaseKind> kinds,
+                  bool negative_alone = false) {
+  std::uint64_t sum = 0;
+  for (const CaseKind kind : kinds) {
+    const auto all = judge.tally(kind, false);
+    EXPECT_GT(all.wrong, 0U) << name_of(kind, judge.rules().operation);
+    if (negative_alone) {
+      EXPECT_EQ(all.wrong, judge.tally(kind, true).wrong);
+    }
+    sum += all.wrong;
+  }
+  EXPECT_EQ(judge.wrong().count(), sum) << verdict_text(judge);
+}
+
+void expect_guess(const Judge& judge, std::string_view part) {
+  const std::string text = guess_text(judge);
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+constexpr Rules mul_half_up{.operation = Operation::mul, .rounding = Rounding::half_up};
+constexpr Rules div_truncated{.operation = Operation::div, .rounding = Rounding::truncate};
+
+std::int64_t half_up(std::int64_t product) { return (product + 32768) >> 16; }
+
+Said truncated_quotient(std::int64_t a, std::int64_t b) {
+  return b == 0 ? Said() : word(a * 65536 / b);
+}
+
+TEST(CheckSabotage, ASoundMultiplyHasNothingWrong) {
+  const Judge judge = judged(mul_half_up, [](auto a, auto b) { return word(half_up(a * b)); });
+  expect_wrong(judge, {});
+  for (const CaseKind kind : {CaseKind::exact, CaseKind::tie, CaseKind::near_tie, CaseKind::between,
+                              CaseKind::overflow}) {
+    EXPECT_GT(judge.tally(kind, false).cases, judge.tally(kind, true).cases);
+    EXPECT_GT(judge.tally(kind, true).cases, 0U);
+  }
+  expect_guess(judge, "rounding         half-up on all ");
+  expect_guess(judge, "overflow         wraps on all ");
+}
+
+TEST(CheckSabotage, ATieThatGoesDown) {
+  const Judge judge =
+      judged(mul_half_up, [](auto a, auto b) { return word((a * b + 32767) >> 16); });
+  expect_wrong(judge, {CaseKind::tie, CaseKind::overflow});
+  expect_guess(judge, ", but for ");
+  expect_guess(judge, "overflow         wraps, but for ");
+}
+
+TEST(CheckSabotage, Truncation) {
+  const Judge judge = judged(mul_half_up, [](auto a, auto b) { return word(a * b / 65536); });
+  expect_wrong(judge, {CaseKind::tie, CaseKind::near_tie, CaseKind::between, CaseKind::overflow});
+  expect_guess(judge, "rounding         toward-zero on all ");
+}
+
+TEST(CheckSabotage, Floor) {
+  const Judge judge = judged(mul_half_up, [](auto a, auto b) { return word(a * b >> 16); });
+  expect_wrong(judge, {CaseKind::tie, CaseKind::near_tie, CaseKind::between, CaseKind::overflow});
+  expect_guess(judge, "rounding         floor on all ");
+}
+
+TEST(CheckSabotage, NegativesRoundedByMagnitude) {
+  const auto away = [](std::int64_t a, std::int64_t b) {
+    return a * b < 0 ? word(-half_up(-(a * b))) : word(half_up(a * b));
+  };
+  const Judge judge = judged(mul_half_up, away);
+  expect_wrong(judge, {CaseKind::tie, CaseKind::overflow}, true);
+  expect_guess(judge, "rounding         half-away on all ");
+  expect_guess(judge, "overflow         wraps on all ");
+}
+
+TEST(CheckSabotage, NegativesHalfAUnitTooHigh) {
+  // "Add a half and cut off", on doubles.
+  const auto cut = [](std::int64_t a, std::int64_t b) { return word((a * b + 32768) / 65536); };
+  const Judge judge = judged(mul_half_up, cut);
+  // -1.0 becomes -1.0 and a unit: exact results are wrong too.
+  expect_wrong(judge, {CaseKind::exact, CaseKind::near_tie, CaseKind::between, CaseKind::overflow},
+               true);
+  expect_guess(judge, "rounding         half-up, but for ");
+  expect_guess(judge, " %, all of them negative):");
+}
+
+TEST(CheckSabotage, SaturationInsteadOfWrapping) {
+  const auto clamped = [](std::int64_t a, std::int64_t b) {
+    return word(std::clamp(half_up(a * b), least, most));
+  };
+  const Judge judge = judged(mul_half_up, clamped);
+  expect_wrong(judge, {CaseKind::overflow});
+  expect_guess(judge, "overflow         saturates to 7fffffff and 80000000 on all ");
+  Rules saturating = mul_half_up;
+  saturating.overflow = Overflow::saturate;
+  expect_wrong(judged(saturating, clamped), {});
+}
+
+TEST(CheckSabotage, AnyOverflowIsNotJudgedAndSaysSo) {
+  Rules any = mul_half_up;
+  any.overflow = Overflow::any;
+  const Judge judge = judged(any, [](auto a, auto b) {
+    const std::int64_t ulps = half_up(a * b);
+    return ulps > most || ulps < least ? word(4711) : word(ulps);
+  });
+  expect_wrong(judge, {});
+  EXPECT_EQ(judge.not_judged(), judge.tally(CaseKind::overflow, false).cases);
+  EXPECT_NE(verdict_text(judge).find("were not judged"), std::string::npos);
+}
+
+TEST(CheckSabotage, AQuotientOfZero) {
+  const Judge judge = judged(
+      div_truncated, [](auto a, auto b) { return b == 0 ? word(0) : truncated_quotient(a, b); });
+  expect_wrong(judge, {CaseKind::no_result});
+  expect_guess(judge, "divide by zero   gives 0 on all ");
+  expect_guess(judge, "rounding         toward-zero on all ");
+}
+
+TEST(CheckSabotage, ADivideThatFaultsTooOften) {
+  const Judge judge = judged(div_truncated, [](auto a, auto b) {
+    const Said quotient = truncated_quotient(a, b);
+    return b == 0 || a * 65536 / b > most || a * 65536 / b < least ? Said() : quotient;
+  });
+  expect_wrong(judge, {CaseKind::overflow});
+  expect_guess(judge, "overflow         says DE on all ");
+}
+
+TEST(CheckSabotage, ADivisorThatLosesItsLastBit) {
+  const Judge judge = judged(div_truncated, [](auto a, auto b) {
+    return truncated_quotient(a, b > 65536 && b % 1024 == 1023 ? b - 1 : b);
+  });
+  EXPECT_GT(judge.wrong().count(), 0U);
+  expect_guess(judge, "rounding         toward-zero, but for ");
+  expect_guess(judge, "largest error    ");
+}
+
+TEST(CheckSabotage, ARootThatGoesDown) {
+  const Rules nearest{.operation = Operation::sqrt, .no_result = NoResult::zero};
+  const Judge judge = judged(nearest, [](std::int64_t x, auto) {
+    std::int64_t root = 0;
+    for (std::int64_t bit = 1 << 23; x > 0 && bit != 0; bit /= 2) {
+      if ((root + bit) * (root + bit) <= x * 65536) root += bit;
+    }
+    return word(root);
+  });
+  expect_wrong(judge, {CaseKind::near_tie, CaseKind::between});
+  expect_guess(judge, "rounding         down on all ");
+  expect_guess(judge, "negative operand gives 0 on all ");
+}
+
+TEST(CheckSabotage, NoiseIsNoRule) {
+  const Judge judge = judged(mul_half_up, [](auto a, auto b) { return word(a ^ (b << 3)); });
+  expect_guess(judge, "rounding         no known rule; nearest: ");
+}
+
+TEST(CheckGuess, SaysWhatCannotBeTold) {
+  Judge judge(mul_half_up, 3);
+  // 1.5 ulps and half an ulp less a little: no negative tie, none that even and up tell apart.
+  judge.add({1, "here", {3, 0x8000}, 2U});
+  judge.add({2, "here", {1, 0x7fff}, 0U});
+  expect_guess(judge, "half-up, half-away or half-even on all 2 cases in range");
+  expect_guess(judge, "which of these, no case tells");
+  expect_guess(judge, "overflow         cannot be told: no cases that overflow");
+}
+
+TEST(CheckGuess, TheLargestErrorIsOfTheExactResult) {
+  Judge judge(mul_half_up, 3);
+  judge.add({1, "here", {3, 0x8000}, 2U});
+  judge.add({2, "here", {0x10000, 0x70000}, 0x70002U});
+  ASSERT_TRUE(judge.largest_error());
+  EXPECT_EQ(judge.largest_error()->ulps, 2);
+  EXPECT_EQ(judge.largest_error()->at.number, 2U);
+}
+
+TEST(CheckVerdict, NamesTheFirstWrongCases) {
+  Judge judge(mul_half_up, 1);
+  judge.add({1, "product_ties", {0xffffffff, 0x8000}, 0xffffffffU});
+  judge.add({2, "product_ties", {0xffffffff, 0x8000}, Said()});
+  const std::string text = verdict_text(judge);
+  EXPECT_NE(text.find("case 1 (product_ties): ffffffff 00008000 (-0.00002 0.5): 00000000 expected, "
+                      "ffffffff said; exact -1 + 1/2 ulp, tie\n"
+                      "The first 1 of 2 wrong results (--show N).\n"),
+            std::string::npos)
+      << text;
+}
+
+}  // namespace

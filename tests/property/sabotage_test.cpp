@@ -1,0 +1,85 @@
+// The tests that a user gets do fail: for each planted defect, in the streams that look for it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "property/rapidcheck.hpp"
+
+namespace {
+
+using namespace fixproof;
+using fixproof::property::Subject;
+using oracle::Rounding;
+
+constexpr Rules mul_half_up{Operation::mul, Rounding::half_up, Overflow::wrap, NoResult::any};
+constexpr Rules div_truncated{Operation::div, Rounding::truncate, Overflow::wrap, NoResult::error};
+
+std::set<std::string_view> streams_that_fail(const Subject& subject) {
+  std::set<std::string_view> names;
+  for (const auto& [stream, cases] : property::streams_of(subject.rules.operation)) {
+    // A thousand suffice for what a stream is there for; the lattice is counted through.
+    const auto few = stream == Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
+    if (!property::wrong_over(subject, stream, few).empty()) names.insert(name_of(stream));
+  }
+  return names;
+}
+
+std::int32_t low_word(std::int64_t value) { return static_cast<std::int32_t>(value); }
+
+TEST(PropertySabotage, ATieThatGoesDown) {
+  const auto subject = property::subject("down", mul_half_up, [](std::int32_t a, std::int32_t b) {
+    return low_word((std::int64_t{a} * b + 0x7fff) >> 16);
+  });
+  const auto failed = streams_that_fail(subject);
+  EXPECT_TRUE(failed.contains("product_ties"));
+  EXPECT_TRUE(failed.contains("lattice"));
+  EXPECT_FALSE(failed.contains("near_product_ties"));
+}
+
+TEST(PropertySabotage, ARoundingThatIsAUnitTooMuch) {
+  const auto subject = property::subject("above", mul_half_up, [](std::int32_t a, std::int32_t b) {
+    return low_word((std::int64_t{a} * b + 0x8001) >> 16);
+  });
+  const auto failed = streams_that_fail(subject);
+  EXPECT_TRUE(failed.contains("near_product_ties"));
+  EXPECT_FALSE(failed.contains("product_ties"));
+}
+
+TEST(PropertySabotage, AZeroDivisorIsAnError) {
+  const auto subject = property::subject("zero", div_truncated, [](std::int32_t a, std::int32_t b) {
+    return b == 0 ? 0 : low_word(std::int64_t{a} * 65536 / b);
+  });
+  EXPECT_TRUE(streams_that_fail(subject).contains("small_divisors"));
+  EXPECT_FALSE(streams_that_fail(subject).contains("quotient_ties"));
+}
+
+TEST(PropertySabotage, RapidCheckFindsAndShrinks) {
+  const auto floor = [](std::int32_t a, std::int32_t b) {
+    return low_word(std::int64_t{a} * b >> 16);
+  };
+  testing::internal::CaptureStderr();
+  const bool holds = property::property_holds(property::subject("floor", mul_half_up, floor));
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_FALSE(holds);
+  EXPECT_NE(said.find("case 1 (RapidCheck): "), std::string::npos) << said;
+  EXPECT_NE(said.find(" said; exact "), std::string::npos) << said;
+}
+
+TEST(PropertySabotage, WhatIsWrongIsSaid) {
+  const auto subject =
+      property::subject("none", mul_half_up, [](std::int32_t, std::int32_t) { return 1; });
+  const std::string said = property::wrong_over(subject, Stream::product_ties, 10);
+  EXPECT_EQ(said.rfind("10 of 10 cases are wrong:\ncase 1 (product_ties): ", 0), 0) << said;
+}
+
+TEST(PropertyNames, OneTestForEachStream) {
+  EXPECT_EQ(property::streams_of(Operation::mul).size(), 5U);
+  EXPECT_EQ(property::streams_of(Operation::div).size(), 9U);
+  EXPECT_EQ(property::streams_of(Operation::sqrt).size(), 4U);
+}
+
+}  // namespace

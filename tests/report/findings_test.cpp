@@ -1,0 +1,61 @@
+// The findings as the report computes them are those of docs/findings.md.
+#include "verify/html_report/findings.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "verify/file.hpp"
+
+namespace {
+
+using fixproof::computed_findings;
+
+std::string answer(const nlohmann::ordered_json& findings, std::size_t number, std::size_t place) {
+  return findings.at(number - 1).at("cases").at(place).at("answer").get<std::string>();
+}
+
+TEST(ReportFindings, AreThoseOfThePage) {
+  const std::string page = fixproof::read_file(FINDINGS);
+  const auto findings = computed_findings();
+  EXPECT_EQ(findings.size(), 12U);
+  for (const auto& finding : findings) {
+    const std::string heading =
+        fmt::format("\n## {}. {}\n\n`{}`.", finding.at("number").get<int>(),
+                    finding.at("title").get<std::string>(), finding.at("test").get<std::string>());
+    EXPECT_NE(page.find(heading), std::string::npos) << heading;
+  }
+  EXPECT_EQ(page.find("\n## 13."), std::string::npos);
+}
+
+// The page shows what the commands print, and is compared with them by a test of its own.
+TEST(ReportFindings, AnswersOfCommandsStandOnThePage) {
+  const std::string page = fixproof::read_file(FINDINGS);
+  for (const auto& finding : computed_findings()) {
+    if (finding.at("number") == 9) continue;  // shown there as a trace
+    for (const auto& c : finding.at("cases")) {
+      if (c.at("asked").get<std::string>().find("fixproof ") == std::string::npos) continue;
+      const auto said = c.at("answer").get<std::string>();
+      EXPECT_FALSE(said.empty());
+      EXPECT_NE(page.find("\n" + said + "\n"), std::string::npos) << finding.at("title") << said;
+    }
+  }
+}
+
+TEST(ReportFindings, AnswersThatNoCommandGives) {
+  const auto findings = computed_findings();
+  EXPECT_EQ(answer(findings, 2, 4), "00000000");  // halves up: -1/2 unit to 0
+  EXPECT_EQ(answer(findings, 3, 2), "7fffffff");  // the largest
+  EXPECT_EQ(answer(findings, 5, 0), "ffff0001");
+  EXPECT_EQ(answer(findings, 5, 1), "ffff0000");
+  EXPECT_EQ(answer(findings, 7, 0), "stored");
+  EXPECT_EQ(answer(findings, 7, 1), "no such place");
+  EXPECT_EQ(answer(findings, 8, 0), "executes it");
+  EXPECT_EQ(answer(findings, 8, 1), "does not have it");
+  EXPECT_EQ(answer(findings, 9, 0), "00020000 00010000 00030000");
+  EXPECT_EQ(answer(findings, 9, 1), "00020000 00020000 00030000");
+  EXPECT_EQ(answer(findings, 9, 2), "00020000 00020000 00030000");
+}
+
+}  // namespace

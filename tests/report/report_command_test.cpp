@@ -1,0 +1,115 @@
+// `fixproof report` as a user runs it.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/command.hpp"
+#include "verify/file.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* cubes = SCENES "/twelve_cubes.json";
+
+/// A folder that goes with its test.
+class Folder {
+ public:
+  explicit Folder(const std::string& name) : path_(testing::TempDir() + name) {
+    fs::remove_all(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder(Folder&&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  Folder& operator=(Folder&&) = delete;
+  [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::size_t lines(const std::string& file) {
+  return cli::split(fixproof::read_file(file), '\n').size() - 1;
+}
+
+TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
+  const Folder out("report_command_test");
+  const std::string command = std::string("report ") + cubes + " --quick --out " + out.path();
+  const auto run = cli::fixproof(command);
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("report.html"), std::string::npos) << run.out;
+
+  const auto json = nlohmann::json::parse(fixproof::read_file(out.file("report.json")));
+  EXPECT_TRUE(json.at("made").at("quick"));
+  EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes"}));
+  EXPECT_FALSE(json.at("host").at("host").empty());
+  EXPECT_EQ(json.at("findings").size(), 12U);
+  EXPECT_GT(json.at("verify").at("cases").get<int>(), 65'536);
+  EXPECT_EQ(json.at("verify").at("mismatches"), 0);
+  // One line more for the names.
+  EXPECT_EQ(lines(out.file("data/accuracy.csv")), json.at("accuracy").at("accuracy").size() + 1);
+  EXPECT_EQ(lines(out.file("data/drift.csv")), json.at("drift").at("cases").size() * 200 + 1);
+  for (const auto& step : json.at("commands")) {
+    EXPECT_EQ(step.at("command").get<std::string>().substr(0, 9), "fixproof ");
+  }
+  const std::string page = fixproof::read_file(out.file("report.html"));
+  EXPECT_NE(page.find("alt=\"Animation: twelve cubes\""), std::string::npos);
+  EXPECT_NE(page.find("id=\"data\">{\"made\":{"), std::string::npos);
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_NE(fixproof::read_file(out.file("data/accuracy.txt")).find("seed 1994"),
+            std::string::npos);
+
+  // What is there is kept, what is not is measured.
+  const auto again = cli::fixproof(command + " --resume");
+  EXPECT_EQ(again.status, 0) << again.err;
+  for (std::size_t i = 1; i <= 6; ++i) {
+    EXPECT_NE(cli::split(again.out, '\n').at(i - 1).find(": kept, of "), std::string::npos);
+  }
+  fs::remove(out.file("data/accuracy.json"));
+  const auto mended = cli::fixproof(command + " --resume");
+  EXPECT_NE(cli::split(mended.out, '\n').at(0).find(": kept, of "), std::string::npos);
+  EXPECT_EQ(cli::split(mended.out, '\n').at(1).find(": kept, of "), std::string::npos);
+  EXPECT_TRUE(fs::exists(out.file("data/accuracy.json")));
+}
+
+TEST(ReportCommand, LeavesNoPageWhenStopped) {
+  const Folder out("report_stopped_test");
+  // The first step of a whole report takes seconds; the signal comes before it ends.
+  const auto run = cli::run({"timeout", "--preserve-status", "--signal", "INT", "0.5",
+                             FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_NE(run.out.find("STOPPED after 0 of "), std::string::npos) << run.out;
+  EXPECT_FALSE(fs::exists(out.file("report.html")));
+}
+
+TEST(ReportCommand, SaysWhatIsWrong) {
+  const Folder out("report_usage_test");
+  for (const std::string& arguments :
+       {std::string("report no_such_scene.json --out ") + out.path(),
+        std::string("report ") + cubes + " --out /dev/null/x",
+        std::string("report ") + cubes + " --seed -1", std::string("report --out ") + out.path(),
+        std::string("report ") + cubes + " --out "}) {
+    const auto run = cli::fixproof(arguments);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(cli::split(run.err, '\n').size(), 2U) << run.err;
+  }
+}
+
+// A scene may be where the data are to go.
+TEST(ReportCommand, WritesOverNoScene) {
+  const Folder out("report_scene_test");
+  fs::create_directories(out.file("data"));
+  fs::copy_file(cubes, out.file("data/host.json"));
+  const auto run =
+      cli::fixproof("report " + out.file("data/host.json") + " --quick --out " + out.path());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("host.json"), std::string::npos) << run.err;
+  EXPECT_EQ(fixproof::read_file(out.file("data/host.json")), fixproof::read_file(cubes));
+}
+
+}  // namespace

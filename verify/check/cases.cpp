@@ -1,0 +1,146 @@
+#include "verify/check/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+#include <system_error>
+
+#include "verify/arguments.hpp"
+#include "verify/hex.hpp"
+#include "verify/selection.hpp"
+#include "verify/usage_error.hpp"
+
+namespace fixproof {
+
+namespace {
+
+/// Cases made at a time.
+constexpr std::uint64_t cases_of_batch = 1024;
+
+/// The rules of the variant have no say in its cases.
+Variant variant_of(Operation operation) {
+  return {.operation = operation, .target = Target::standard};
+}
+
+/// Two parties: a plan has no cases of what is not compared.
+Plan plan_of(Operation operation, const CaseOptions& options) {
+  return {static_cast<int>(options.level), options.seed, {{variant_of(operation), {"a", "b"}}}};
+}
+
+}  // namespace
+
+void CaseOptions::add_to(CLI::App& command) {
+  command.add_option("--level", level, "of verify, 1: a million cases or so; 2: sixty times that")
+      ->transform(whole_number(1, 2))
+      ->capture_default_str();
+  command.add_option("--seed", seed, "of the random cases")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command.add_option("--shard", shard, "i/n: only the i-th of n parts")
+      ->check(not_empty())
+      ->capture_default_str();
+  command.add_option("--cases", cases, "only so many, evenly spread over all")
+      ->transform(whole_number(1, std::uint64_t{1} << 32U));
+}
+
+std::string CaseOptions::command_line(Operation operation) const {
+  std::string text = fmt::format("fixproof gen {} --level {}", name_of(operation), level);
+  if (seed != CaseOptions{}.seed) text += fmt::format(" --seed {}", seed);
+  if (shard != CaseOptions{}.shard) text += fmt::format(" --shard {}", shard);
+  if (cases) text += fmt::format(" --cases {}", *cases);
+  return text;
+}
+
+GeneratedCases::GeneratedCases(Operation operation, const CaseOptions& options)
+    : variant_(variant_of(operation)),
+      plan_(plan_of(operation, options)),
+      shard_(parse_shard(options.shard)),
+      seed_(options.seed),
+      all_(plan_.cases()),
+      wanted_(std::min(options.cases.value_or(all_), all_)),
+      batch_(cases_of_batch * words_in(operation)) {
+  for (const Job& job : plan_.jobs()) count_ += count_of(name_of(job.stream));
+}
+
+std::uint64_t GeneratedCases::cases_before(const Chunk& chunk) const {
+  std::uint64_t before = chunk.first;
+  for (const Job* job = plan_.jobs().data(); job != chunk.job; ++job) before += job->cases;
+  return before;
+}
+
+// Below 2^64: a plan has less than 2^32 cases.
+std::uint64_t GeneratedCases::taken_of(std::uint64_t cases) const { return cases * wanted_ / all_; }
+
+std::uint64_t GeneratedCases::count_of(std::string_view stream) const {
+  std::uint64_t sum = 0;
+  for (std::uint64_t i = 0; i < plan_.chunks(); ++i) {
+    const Chunk chunk = plan_.chunk(i);
+    if (!shard_.has(i) || name_of(chunk.job->stream) != stream) continue;
+    const std::uint64_t before = cases_before(chunk);
+    sum += taken_of(before + chunk.cases) - taken_of(before);
+  }
+  return sum;
+}
+
+bool GeneratedCases::fill() {
+  while (!chunk_ || in_chunk_ == chunk_->cases) {
+    while (next_chunk_ < plan_.chunks() && !shard_.has(next_chunk_)) ++next_chunk_;
+    if (next_chunk_ == plan_.chunks()) return false;
+    chunk_ = plan_.chunk(next_chunk_++);
+    in_chunk_ = 0;
+    place_ = cases_before(*chunk_);
+    origin_ = name_of(chunk_->job->stream);
+  }
+  const std::uint64_t cases = std::min(cases_of_batch, chunk_->cases - in_chunk_);
+  const auto batch = std::span(batch_).first(cases * words_in(variant_.operation));
+  make_cases(chunk_->job->stream, variant_, seed_, chunk_->first + in_chunk_, batch);
+  in_chunk_ += cases;
+  rest_ = batch;
+  return true;
+}
+
+bool GeneratedCases::next(std::span<std::uint32_t> words) {
+  for (;;) {
+    if (rest_.empty() && !fill()) return false;
+    const auto one = rest_.first(words.size());
+    rest_ = rest_.subspan(words.size());
+    ++place_;
+    if (taken_of(place_) == taken_of(place_ - 1)) continue;
+    std::copy(one.begin(), one.end(), words.begin());
+    return true;
+  }
+}
+
+bool next_line(std::istream& in, std::string& line, std::uint64_t& number) {
+  while (std::getline(in, line)) {
+    ++number;
+    if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (line.back() == '\r') line.pop_back();
+    return true;
+  }
+  if (in.bad()) throw UsageError("cannot read standard input");
+  return false;
+}
+
+FileCases::FileCases(Operation operation, std::string path)
+    : variant_(variant_of(operation)), path_(std::move(path)), file_(path_) {
+  if (!file_) {
+    throw UsageError(
+        fmt::format("cannot read {}: {}", path_, std::generic_category().message(errno)));
+  }
+}
+
+bool FileCases::next(std::span<std::uint32_t> words) {
+  std::string line;
+  if (!next_line(file_, line, line_)) return false;
+  try {
+    parse_words(line, variant_, words);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));
+  }
+  return true;
+}
+
+}  // namespace fixproof

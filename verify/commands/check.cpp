@@ -1,0 +1,218 @@
+// fixproof check: judges what somebody else's arithmetic said of the cases of fixproof gen.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include "verify/arguments.hpp"
+#include "verify/check/cases.hpp"
+#include "verify/check/judge.hpp"
+#include "verify/check/results.hpp"
+#include "verify/check/verdict_text.hpp"
+#include "verify/commands/commands.hpp"
+#include "verify/file.hpp"
+#include "verify/frame_progress.hpp"
+#include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
+
+namespace fixproof {
+
+namespace {
+
+struct CheckOptions {
+  std::string operation;
+  std::string rounding;
+  std::string overflow = "wrap";
+  std::string divide_by_zero = "de";
+  std::string negative_root = "de";
+  std::string results;
+  std::string from;
+  CaseOptions cases;
+  std::size_t shown = 10;
+};
+
+/// The rule of that name; `any` where that is one.
+template <class Rule>
+Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
+                std::optional<Rule> any = std::nullopt) {
+  std::string all;
+  for (const Rule rule : rules) {
+    if (name_of(rule) == name) return rule;
+    all += fmt::format("{}, ", name_of(rule));
+  }
+  if (any && name == "any") return *any;
+  if (any) all += "any, ";
+  all.resize(all.size() - 2);
+  throw UsageError(fmt::format("{} {}: there are {}", option, quoted(name), all));
+}
+
+Rules rules_of(const CheckOptions& options) {
+  Rules rules;
+  rules.operation = operation_named(options.operation);
+  if (rules.operation != Operation::mul && rules.operation != Operation::div &&
+      rules.operation != Operation::sqrt) {
+    throw UsageError(fmt::format("check {}: there are mul, div, sqrt", options.operation));
+  }
+  rules.rounding = rule_named("--rounding", options.rounding, roundings());
+  rules.overflow =
+      rule_named("--overflow", options.overflow, overflow_rules(), std::optional(Overflow::any));
+  // Both are read even where one has no say: a name that is none is a slip of the pen anywhere.
+  const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
+                               no_result_rules(Operation::div), std::optional(NoResult::any));
+  const auto root = rule_named("--negative-root", options.negative_root,
+                               no_result_rules(Operation::sqrt), std::optional(NoResult::any));
+  rules.no_result = rules.operation == Operation::sqrt ? root : zero;
+  return rules;
+}
+
+std::string heading(const Rules& rules, const std::string& cases) {
+  std::string text = fmt::format("{}: {}", name_of(rules.operation), name_of(rules.rounding));
+  if (rules.operation != Operation::sqrt) {
+    text += fmt::format(", overflow {}", name_of(rules.overflow));
+  }
+  if (rules.operation == Operation::div) {
+    text += fmt::format(", divide by zero {}", name_of(rules.no_result));
+  }
+  if (rules.operation == Operation::sqrt) {
+    text += fmt::format(", negative root {}", name_of(rules.no_result));
+  }
+  return text + fmt::format("; cases of {}\n\n", cases);
+}
+
+/// Judges a result for every case. What stops it before the end is thrown, or is an interrupt.
+void judge_all(CaseSource& cases, Results& results, Judge& judge) {
+  const Interrupt interrupt;
+  FrameProgress progress(cases.count().value_or(1), "cases");
+  const auto arity = words_in(judge.rules().operation);
+  JudgedCase one;
+  const auto words = std::span(one.words).first(arity);
+  while (!Interrupt::flag() && cases.next(words)) {
+    const auto said = results.next();
+    if (Interrupt::flag()) return;
+    if (!said) {
+      throw UsageError(fmt::format("{} ends after {} result{}: there are {} cases", results.name(),
+                                   grouped(judge.cases()), judge.cases() == 1 ? "" : "s",
+                                   cases.count() ? grouped(*cases.count()) : "more"));
+    }
+    ++one.number;
+    one.origin = cases.origin();
+    one.said = *said;
+    judge.add(one);
+    if (cases.count() && judge.cases() % 4096 == 0) progress.show(judge.cases());
+  }
+  if (!Interrupt::flag() && results.next()) {
+    throw UsageError(fmt::format("{}, line {}: a result too many: there are {} cases",
+                                 results.name(), results.line(), grouped(judge.cases())));
+  }
+}
+
+int check(const CheckOptions& options) {
+  const Rules rules = rules_of(options);
+  std::unique_ptr<CaseSource> cases;
+  if (options.from.empty()) {
+    cases = std::make_unique<GeneratedCases>(rules.operation, options.cases);
+  } else {
+    cases = std::make_unique<FileCases>(rules.operation, options.from);
+  }
+  std::ifstream file;
+  if (!options.results.empty()) {
+    if (!options.from.empty() && same_file(options.from, options.results)) {
+      throw UsageError(fmt::format("--from {}: is the file of the results", options.from));
+    }
+    file.open(options.results);
+    if (!file) {
+      throw UsageError(fmt::format("cannot read {}: {}", options.results,
+                                   std::generic_category().message(errno)));
+    }
+  }
+  const bool piped = options.results.empty();
+  Results results(piped ? std::cin : file, piped ? "standard input" : options.results);
+  Judge judge(rules, options.shown);
+  std::string failure;
+  try {
+    judge_all(*cases, results, judge);
+  } catch (const UsageError& error) {
+    failure = error.what();
+  }
+  // What has been judged is shown, whatever came then.
+  if (judge.cases() > 0) {
+    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation)
+                                                     : options.from)
+              << verdict_text(judge);
+  }
+  if (Interrupt::flag()) {
+    std::cout << fmt::format("\nSTOPPED after {}{} cases\n", grouped(judge.cases()),
+                             cases->count() ? " of " + grouped(*cases->count()) : "");
+    return judge.wrong().count() > 0 ? 1 : interrupted_status;
+  }
+  if (!failure.empty()) throw UsageError(failure);
+  if (judge.cases() == 0) throw UsageError("there are no cases: nothing has been judged");
+  return judge.wrong().count() > 0 ? 1 : 0;
+}
+
+void add_check_options(CLI::App& command, CheckOptions& options) {
+  command.add_option("operation", options.operation, "mul, div or sqrt")->required();
+  command.add_option("results", options.results, "a file of results; by default standard input")
+      ->check(not_empty());
+  command
+      .add_option("--rounding", options.rounding,
+                  "half-up, half-away, half-even, floor or toward-zero")
+      ->required();
+  command
+      .add_option("--overflow", options.overflow,
+                  "wrap; saturate (7fffffff, 80000000); symmetric (7fffffff, 80000001); maximum "
+                  "(always 7fffffff); minimum (always 80000000); de; or any")
+      ->capture_default_str();
+  command
+      .add_option("--divide-by-zero", options.divide_by_zero,
+                  "of div: de, saturate, symmetric, maximum, minimum, zero or any")
+      ->capture_default_str();
+  command
+      .add_option("--negative-root", options.negative_root,
+                  "of sqrt: de, maximum, minimum, zero, mirror (-sqrt(-x)) or any")
+      ->capture_default_str();
+  auto* from = command
+                   .add_option("--from", options.from,
+                               "a file of cases; by default those of fixproof gen are made again")
+                   ->check(not_empty());
+  options.cases.add_to(command);
+  for (const char* of_gen : {"--level", "--seed", "--shard", "--cases"}) {
+    from->excludes(command.get_option(of_gen));
+  }
+  command.add_option("--show", options.shown, "wrong results shown")
+      ->transform(whole_number(0, 1'000'000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& status) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "judge another program's answers to the cases of gen, and say what rules it follows");
+  add_check_options(*command, *options);
+  command->footer(
+      "The program that is judged reads the lines of `fixproof gen`, passes over those that start\n"
+      "with #, and writes one result a line: 8 lower-case hex digits (no 0x, no decimal), or DE "
+      "for\n"
+      "a divide error. Give check the options --level, --seed, --shard and --cases that gen was\n"
+      "given: it makes the same cases again. With --from it reads cases of your own.\n\n"
+      "A root has no ties: of sqrt the three rules half-... are one, to nearest, and floor and\n"
+      "toward-zero are another. 0 / 0 may be 0 too where a rule goes by the sign.\n\n"
+      "Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 stopped before the "
+      "end.\n\n"
+      "Examples:\n"
+      "  fixproof gen mul | ./mine | fixproof check mul --rounding half-up\n"
+      "  fixproof gen div --level 2 -o cases && ./mine < cases > results\n"
+      "  fixproof check div results --level 2 --rounding toward-zero --overflow saturate\n"
+      "  ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any");
+  command->callback([options, &status] { status = check(*options); });
+}
+
+}  // namespace fixproof

@@ -1,0 +1,251 @@
+#include "verify/html_report/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fixed/fixed.hpp"
+#include "verify/commands/command_line.hpp"
+#include "x86model/call.hpp"
+#include "x86model/forms.hpp"
+#include "x86model/parse.hpp"
+#include "xsharp/arithmetic.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+using FindingJson = nlohmann::ordered_json;
+using fixed::q16_16;
+
+/// One question, and what was answered.
+struct Asked {
+  std::string who;
+  std::string question;
+  std::string answer;
+};
+
+struct Finding {
+  std::string title;
+  std::string test;
+  std::string says;
+  std::vector<Asked> cases;
+};
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  while (!text.empty()) {
+    const auto space = std::min(text.find(' '), text.size());
+    if (space > 0) words.emplace_back(text.substr(0, space));
+    text.remove_prefix(std::min(space + 1, text.size()));
+  }
+  return words;
+}
+
+std::string output_of(const std::string& command, const std::string& input = {}) {
+  Captured captured = run_captured(words_of(command), input);
+  if (captured.status != 0) throw std::runtime_error("cannot run: fixproof " + command);
+  while (captured.out.ends_with('\n')) captured.out.pop_back();
+  return captured.out;
+}
+
+/// A line for `eval`.
+Asked evaluated(std::string who, const std::string& input, const std::string& command) {
+  return {std::move(who), fmt::format("echo {} | fixproof eval {}", input, command),
+          output_of("eval " + command, input)};
+}
+
+/// The lines of a trace that hold `wanted`; the last line where that is empty.
+Asked traced(std::string who, const std::string& command, std::string_view wanted) {
+  std::string text = output_of("trace " + command);
+  Asked asked{std::move(who), "fixproof trace " + command, {}};
+  if (wanted.empty()) {
+    asked.answer = text.substr(text.rfind('\n') + 1);
+    return asked;
+  }
+  text += '\n';
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    if (line.find(wanted) != std::string::npos) {
+      asked.answer += (asked.answer.empty() ? "" : "\n") + line;
+    }
+    at = end + 1;
+  }
+  return asked;
+}
+
+template <class Number>
+std::string hex(Number x) {
+  return fmt::format("{:08x}", static_cast<std::uint32_t>(x.raw()));
+}
+
+q16_16 raw(std::int32_t units) { return q16_16::from_raw(units); }
+
+/// Whether the element of a transform, twelve doublewords in a memory of no more, can be stored.
+std::string stored(std::uint32_t row, std::uint32_t column) {
+  x86::WordMemory<16, 24> transform;
+  return transform.write(4 * (4 * row + column), 0) ? "stored" : "no such place";
+}
+
+std::string has_instruction(x86::Target target) {
+  const auto instruction = x86::parse("shl bx, 2");
+  if (!instruction) throw std::runtime_error("cannot parse shl bx, 2");
+  return x86::is_modelled(*instruction, target) ? "executes it" : "does not have it";
+}
+
+/// XformVec where destination and source are one vector, (1, 2, 3), under the transform that swaps
+/// x and y.
+std::string swapped_in_place(x86::Target target) {
+  constexpr std::uint32_t one = 0x10000;
+  const std::vector<std::uint32_t> in{0, one, 0,   0, one, 0,       0,      0,
+                                      0, 0,   one, 0, one, 2 * one, 3 * one};
+  x86::CallMachine<x86::Routine::xformvec, 16> machine;
+  x86::enter<x86::Routine::xformvec>(machine, in);
+  // Above the return address: WorkingXform, SourceVec, DestVec.
+  const std::uint32_t sp = machine.registers.read(x86::Register::sp, x86::Size::word);
+  std::uint32_t source = 0;
+  machine.memory.read(sp + 4, source);
+  machine.memory.write(sp + 6, source);
+  const x86::Program program =
+      x86::assemble(x86::listing(x86::Routine::xformvec, target), x86::Build{});
+  if (x86::run(program.instructions(), machine).outcome != x86::Outcome::returned) return "broken";
+  std::string words;
+  for (std::uint32_t at = source; at < source + 12; at += 4) {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    machine.memory.read(at, low);
+    machine.memory.read(at + 2, high);
+    words += fmt::format("{}{:08x}", words.empty() ? "" : " ", high << 16U | low);
+  }
+  return words;
+}
+
+std::vector<Finding> first_findings() {
+  return {
+      {"A switch that reads the wrong way round",
+       "Defects.InvertedSwitch",
+       "The 8088 divide rounds where its printed switch says that it does not. 2 / 3, with the "
+       "switches as printed.",
+       {evaluated("386", "00020000 00030000", "div --target i386 --as-printed"),
+        evaluated("8088", "00020000 00030000", "div --target i8088 --as-printed")}},
+      {"Halves",
+       "Defects.Ties",
+       "Halves go up on the 386, away from zero on the 8088; unrounded, one floors and the other "
+       "truncates. Minus one unit times 0.5.",
+       {evaluated("386, rounded", "ffffffff 00008000", "mul --target i386"),
+        evaluated("8088, rounded", "ffffffff 00008000", "mul --target i8088"),
+        evaluated("386, unrounded", "ffffffff 00008000", "mul --target i386 --round off"),
+        evaluated("8088, unrounded", "ffffffff 00008000", "mul --target i8088 --round off"),
+        {"q16_16", "from_raw(-1) * q16_16(0.5)", hex(raw(-1) * q16_16(0.5))}}},
+      {"A fault that vanishes",
+       "Defects.VanishingFault",
+       "Rounded, the 386 divide takes an unsigned quotient for a signed one: two positive numbers "
+       "give a negative one, and no fault.",
+       {evaluated("386, rounded", "00008001 00000001", "div --target i386 --round on"),
+        evaluated("386, unrounded", "00008001 00000001", "div --target i386 --round off"),
+        {"q16_16_saturating", "from_raw(0x8001) / from_raw(1)",
+         hex(fixed::q16_16_saturating::from_raw(0x8001) / fixed::q16_16_saturating::from_raw(1))}}},
+      {"Half of the divisor",
+       "Defects.HalfRangeDivisor",
+       "The 8088 divides by the whole part of the divisor: one just below 2 counts as 1, one below "
+       "1 is a divide error.",
+       {evaluated("386", "0000ffff 0001ffff", "div --target i386"),
+        evaluated("8088", "0000ffff 0001ffff", "div --target i8088"),
+        evaluated("8088", "00010000 0000ffff", "div --target i8088")}},
+      {"One unit too high",
+       "Defects.DoubleToFixed",
+       "The published conversion adds a half and truncates: negative constants become a unit too "
+       "large. The constant -1.0.",
+       {{"published conversion", "-1.0",
+         hex(raw(xsharp::raw_constant(-1.0, xsharp::Conversion::published)))},
+        {"q16_16", "q16_16(-1.0)", hex(q16_16(-1.0))}}},
+      {"The translation in every column",
+       "Defects.TranslationInEveryColumn",
+       "Chapter 52 adds the first transform's translation to all four sums of a row, not to the "
+       "fourth alone. A move by (1, 2, 3) after one by (4, 5, 6).",
+       {evaluated("chapter 54",
+                  "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
+                  "00000000 00000000 00010000 00030000 00010000 00000000 00000000 00040000 "
+                  "00000000 00010000 00000000 00050000 00000000 00000000 00010000 00060000",
+                  "concat"),
+        evaluated("chapter 52",
+                  "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
+                  "00000000 00000000 00010000 00030000 00010000 00000000 00000000 00040000 "
+                  "00000000 00010000 00000000 00050000 00000000 00000000 00010000 00060000",
+                  "concat --chapter 52")}},
+  };
+}
+
+std::vector<Finding> last_findings() {
+  return {
+      {"An element that is not there",
+       "Defects.OutOfBounds",
+       "A transform has twelve elements, three rows of four. Chapter 52 stores into row 3, column "
+       "3, which would be the sixteenth.",
+       {{"model", "row 2, column 3", stored(2, 3)}, {"model", "row 3, column 3", stored(3, 3)}}},
+      {"Not an instruction of the 8088",
+       "Defects.NotAn8088Instruction",
+       "CosSin shifts by two in one instruction in its 8088 branch too. The 8088 shifts by one or "
+       "by CL.",
+       {{"386", "shl bx, 2", has_instruction(x86::Target::i386)},
+        {"8088", "shl bx, 2", has_instruction(x86::Target::i8088)}}},
+      {"Not in place",
+       "Defects.InPlace",
+       "XformVec writes a coordinate before it has read the last. Swapping x and y of (1, 2, 3).",
+       {evaluated("386, apart",
+                  "00000000 00010000 00000000 00000000 00010000 00000000 00000000 00000000 "
+                  "00000000 00000000 00010000 00000000 00010000 00020000 00030000",
+                  "xformvec"),
+        {"386, in place", "the same, destination and source one vector",
+         swapped_in_place(x86::Target::i386)},
+        {"8088, in place", "the same, destination and source one vector",
+         swapped_in_place(x86::Target::i8088)}}},
+      {"A carry that means nothing",
+       "Defects.AdcAfterEndif",
+       "In a scan the last ADC of the 8088 divide stands outside the conditional: it then adds a "
+       "carry that DIV leaves undefined. 2.5 / 2, unrounded.",
+       {traced("8088, as scanned", "div 00028000 00020000 --target i8088 --round off --as-scanned",
+               ""),
+        evaluated("8088, as we read it", "00028000 00020000", "div --target i8088 --round off")}},
+      {"Arguments that are not the callee's",
+       "Defects.ClobberedArguments",
+       "The 8088 divide negates the low words of its operands where the caller pushed them. "
+       "-0.25 / -2.75.",
+       {traced("8088", "div ffffc000 fffd4000 --target i8088", "neg word")}},
+      {"What rounding adds",
+       "Defects.Comments",
+       "One comment has rounding add a unit, another half a unit. Half a unit becomes a unit, what "
+       "is less becomes nothing.",
+       {evaluated("386", "00000001 00008000", "mul"),
+        evaluated("386", "00000001 00007fff", "mul")}},
+  };
+}
+
+}  // namespace
+
+nlohmann::ordered_json computed_findings() {
+  std::vector<Finding> all = first_findings();
+  for (Finding& finding : last_findings()) all.push_back(std::move(finding));
+  FindingJson json = FindingJson::array();
+  for (const Finding& finding : all) {
+    FindingJson cases = FindingJson::array();
+    for (const Asked& asked : finding.cases) {
+      cases.push_back({{"who", asked.who}, {"asked", asked.question}, {"answer", asked.answer}});
+    }
+    json.push_back({{"number", json.size() + 1},
+                    {"title", finding.title},
+                    {"test", finding.test},
+                    {"says", finding.says},
+                    {"cases", std::move(cases)}});
+  }
+  return json;
+}
+
+}  // namespace fixproof

@@ -1,0 +1,192 @@
+#include "verify/html_report/make_report.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "verify/commands/command_line.hpp"
+#include "verify/file.hpp"
+#include "verify/hex.hpp"
+#include "verify/html_report/csv.hpp"
+#include "verify/html_report/findings.hpp"
+#include "verify/html_report/page.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/measure/provenance.hpp"
+#include "verify/scenes/outputs.hpp"
+#include "verify/text.hpp"
+#include "verify/usage_error.hpp"
+#include "xsharp/files/scene_json.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using PageJson = nlohmann::ordered_json;
+
+std::string date_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+class ReportRun {
+ public:
+  explicit ReportRun(const ReportRequest& request) : request_(request) {
+    for (const std::string& file : request.scenes) scenes_.push_back(xsharp::read_scene(file));
+    std::error_code error;
+    std::filesystem::create_directories(request.folder + "/data", error);
+    if (error) {
+      throw UsageError(
+          fmt::format("--out {}: cannot be made a folder: {}", request.folder, error.message()));
+    }
+    steps_ = report_steps(request);
+    for (const char* name : {"/report.html", "/report.json", "/data/steps.json"}) {
+      check(request.folder + name);
+    }
+    for (const ReportStep& step : steps_) {
+      for (const std::string& file : step.files) check(file);
+      check(text_file(step));
+    }
+    made_from_ = fingerprint(scenes_);
+    if (request.resume) earlier_ = read_records(records_file());
+  }
+
+  /// @return 0, or the status of the step that ended it
+  int run_steps() {
+    for (const ReportStep& step : steps_) {
+      const std::string command = command_line_of(step);
+      std::cout << fmt::format("{} of {}: {}", records_.size() + 1, steps_.size(),
+                               printable(command))
+                << std::flush;
+      if (const StepRecord* kept = kept_record(step, command)) {
+        records_.push_back(*kept);
+        std::cout << fmt::format(": kept, of {}\n", kept->date);
+        continue;
+      }
+      const auto begin = std::chrono::steady_clock::now();
+      Captured captured = run_captured(step.arguments);
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+      // verify has found a mismatch: the page is to show it.
+      const bool shows = captured.status == 0 || (step.name == "verify" && captured.status == 1);
+      std::cout << fmt::format(": {}\n", shows ? duration(passed.count()) : "not done");
+      if (!shows) return captured.status;
+      replace_file(text_file(step), captured.out);
+      records_.push_back(
+          {step.name, command, made_from_, date_now(), passed.count(), captured.status});
+      write_records(records_file(), records_);
+    }
+    return 0;
+  }
+
+  void write_page() {
+    PageJson report{{"made", made()}, {"commands", commands()}};
+    for (const char* part : {"verify", "accuracy", "clocks", "host", "drift"}) {
+      report[part] = data_of(part);
+    }
+    report["findings"] = computed_findings();
+
+    std::vector<PagePicture> pictures;
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      pictures.push_back({scenes_[i].name,
+                          read_file(fmt::format("{}/data/scene_{}.png", request_.folder, i + 1))});
+    }
+    const std::string page = assemble_page(page_parts(), report, pictures,
+                                           read_file(request_.folder + "/data/drift.svg"));
+    for (const auto& [name, text] : csv_files(report)) {
+      replace_file(request_.folder + "/data/" + name, text);
+    }
+    replace_file(request_.folder + "/report.json",
+                 report.dump(1, ' ', false, PageJson::error_handler_t::replace) + '\n');
+    replace_file(request_.folder + "/report.html", page);
+  }
+
+  [[nodiscard]] std::string how_far() const {
+    return fmt::format(
+        "STOPPED after {} of {} steps; no page is written. With --resume the same "
+        "command goes on.\n",
+        records_.size(), steps_.size());
+  }
+
+  /// 1 where parties differ.
+  [[nodiscard]] int status() const { return records_.front().status; }
+
+ private:
+  void check(const std::string& file) const {
+    for (const xsharp::Scene& scene : scenes_) refuse_inputs("--out", file, scene.files);
+    check_replaceable(file);
+  }
+
+  [[nodiscard]] std::string records_file() const { return request_.folder + "/data/steps.json"; }
+  [[nodiscard]] std::string text_file(const ReportStep& step) const {
+    return fmt::format("{}/data/{}.txt", request_.folder, step.name);
+  }
+
+  /// What an earlier run has done of the step, if it is what this one would do.
+  [[nodiscard]] const StepRecord* kept_record(const ReportStep& step,
+                                              const std::string& command) const {
+    const auto fits = [&](const StepRecord& r) {
+      return r.name == step.name && r.command == command && r.made_from == made_from_;
+    };
+    const auto found = std::find_if(earlier_.begin(), earlier_.end(), fits);
+    if (found == earlier_.end()) return nullptr;
+    const bool whole =
+        std::all_of(step.files.begin(), step.files.end(),
+                    [](const std::string& file) { return std::filesystem::exists(file); });
+    return whole ? &*found : nullptr;
+  }
+
+  [[nodiscard]] PageJson made() const {
+    PageJson names = PageJson::array();
+    for (const xsharp::Scene& scene : scenes_) names.push_back(scene.name);
+    return {{"version", program_version()},  {"seed", request_.seed}, {"compiler", compiler_name()},
+            {"processor", processor_name()}, {"date", date_now()},    {"quick", request_.quick},
+            {"scenes", std::move(names)}};
+  }
+
+  [[nodiscard]] PageJson commands() const {
+    PageJson list = PageJson::array();
+    for (const StepRecord& r : records_) {
+      list.push_back({{"command", r.command}, {"date", r.date}, {"seconds", r.seconds}});
+    }
+    return list;
+  }
+
+  /// The file of that step; null where this build, or a quick report, does not have it.
+  [[nodiscard]] PageJson data_of(const std::string& part) const {
+    for (const ReportStep& step : steps_) {
+      if (step.name == part) return PageJson::parse(read_file(step.files.front()));
+    }
+    return {};
+  }
+
+  const ReportRequest& request_;
+  std::vector<xsharp::Scene> scenes_;
+  std::vector<ReportStep> steps_;
+  std::string made_from_;
+  std::vector<StepRecord> earlier_;
+  std::vector<StepRecord> records_;
+};
+
+}  // namespace
+
+int make_report(const ReportRequest& request) {
+  ReportRun run(request);
+  const int failed = run.run_steps();
+  if (failed != 0) {
+    std::cout << run.how_far();
+    return failed;
+  }
+  run.write_page();
+  std::cout << fmt::format(
+      "{0}/report.html is the page; {0}/report.json and the tables in "
+      "{0}/data have its figures\n",
+      printable(request.folder));
+  return run.status();
+}
+
+}  // namespace fixproof

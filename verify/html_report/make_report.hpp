@@ -1,0 +1,15 @@
+/// @file
+/// Runs what the report shows and writes the page, its data and its tables.
+#pragma once
+
+#include "verify/html_report/steps.hpp"
+
+namespace fixproof {
+
+/// Says on standard output how far it is.
+/// @return the exit status: 1 where parties differ, else that of a step that did not get to its end
+///         (130 where it was stopped), which leaves no page behind that is not complete
+/// @throws UsageError, xsharp::SceneError or std::runtime_error for what cannot be read or written
+int make_report(const ReportRequest& request);
+
+}  // namespace fixproof

@@ -1,0 +1,130 @@
+#include "verify/html_report/steps.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "verify/commands/command_line.hpp"
+#include "verify/file.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using StepJson = nlohmann::ordered_json;
+
+/// Of --quick.
+constexpr const char* few_operands = "300";
+constexpr const char* few_frames = "3";
+/// Two seconds of an animation.
+constexpr const char* shown_frames = "120";
+
+uLong sum_of(uLong sum, const std::string& text) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): zlib's bytes are unsigned
+  return crc32_z(sum, reinterpret_cast<const Bytef*>(text.data()), text.size());
+}
+
+void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+/// A word of a command line, in quotes where a shell would not take it as it stands.
+std::string shell_word(const std::string& word) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_-./=,+:@").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+std::vector<ReportStep> report_steps(const ReportRequest& request) {
+  const auto file = [&](const std::string& name) { return request.folder + "/data/" + name; };
+  const std::string seed = fmt::to_string(request.seed);
+  std::vector<ReportStep> steps;
+
+  // The smallest routine alone for a quick page.
+  steps.push_back({"verify", {"verify"}, {file("verify.json")}});
+  if (request.quick) append(steps.back().arguments, {"cossin", "sqrt"});
+  append(steps.back().arguments, {"--seed", seed, "--report", file("verify.json")});
+
+  for (const std::string what : {"accuracy", "clocks"}) {
+    steps.push_back({what, {"measure", "--" + what}, {file(what + ".json")}});
+    append(steps.back().arguments, request.scenes);
+    if (request.quick) append(steps.back().arguments, {"--cases", few_operands});
+    append(steps.back().arguments, {"--seed", seed, "--json", file(what + ".json")});
+  }
+  steps.push_back({"host", {"measure", "--host"}, {file("host.json")}});
+  if (request.quick) append(steps.back().arguments, {"--cases", few_operands, "--rounds", "1"});
+  append(steps.back().arguments, {"--seed", seed, "--json", file("host.json")});
+
+  steps.push_back({"drift", {"drift", request.scenes.front()}, {file("drift.json")}});
+  if (request.quick) append(steps.back().arguments, {"--minutes", "1"});
+  append(steps.back().arguments, {"--json", file("drift.json"), "--strip", file("drift.svg")});
+  steps.back().files.push_back(file("drift.svg"));
+
+  for (std::size_t i = 0; i < request.scenes.size(); ++i) {
+    const std::string name = fmt::format("scene_{}", i + 1);
+    steps.push_back({name,
+                     {"render", request.scenes[i], "--frames",
+                      request.quick ? few_frames : shown_frames, "--animate", file(name + ".png")},
+                     {file(name + ".png")}});
+  }
+  return steps;
+}
+
+std::string command_line_of(const ReportStep& step) {
+  std::string line = "fixproof";
+  for (const std::string& argument : step.arguments) line += ' ' + shell_word(argument);
+  return line;
+}
+
+std::string fingerprint(const std::vector<xsharp::Scene>& scenes) {
+  uLong sum = sum_of(0, std::string(program_version()));
+  // Linux has the running program there; elsewhere the version has to do.
+  const std::string program = "/proc/self/exe";
+  if (std::filesystem::exists(program)) sum = sum_of(sum, read_file(program));
+  for (const xsharp::Scene& scene : scenes) {
+    for (const auto& read : scene.files) sum = sum_of(sum, read_file(read.string()));
+  }
+  return fmt::format("{:08x}", sum);
+}
+
+std::vector<StepRecord> read_records(const std::string& file) {
+  std::vector<StepRecord> records;
+  if (!std::filesystem::is_regular_file(file)) return records;
+  try {
+    for (const StepJson& json : StepJson::parse(read_file(file))) {
+      records.push_back({json.at("name").get<std::string>(), json.at("command").get<std::string>(),
+                         json.at("made_from").get<std::string>(),
+                         json.at("date").get<std::string>(), json.at("seconds").get<double>(),
+                         json.at("status").get<int>()});
+    }
+  } catch (const StepJson::exception&) {
+    records.clear();
+  }
+  return records;
+}
+
+void write_records(const std::string& file, const std::vector<StepRecord>& records) {
+  StepJson json = StepJson::array();
+  for (const StepRecord& r : records) {
+    json.push_back({{"name", r.name},
+                    {"command", r.command},
+                    {"made_from", r.made_from},
+                    {"date", r.date},
+                    {"seconds", r.seconds},
+                    {"status", r.status}});
+  }
+  replace_file(file, json.dump(1) + '\n');
+}
+
+}  // namespace fixproof
