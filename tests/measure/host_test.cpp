@@ -164,8 +164,7 @@ TEST(HostContenders, AllKeepTheirRules) {
 TEST(HostContenders, TheirErrorsAreThoseOfTheirRoundings) {
   const HostRow nearest = row_of("mul", "q16_16");
   EXPECT_EQ(nearest.cases, 5U * 1024);
-  EXPECT_EQ(nearest.errors.cases(), 4U * 1024)
-      << "the chain is judged, and has no share in errors";
+  EXPECT_EQ(nearest.errors.cases(), 4U * 1024) << "the chain is judged, and has no share in errors";
   EXPECT_EQ(nearest.exceptions, 0U);
   EXPECT_EQ(nearest.errors.correct(), 1);
   EXPECT_EQ(row_of("mul", "double").errors.max(), 0) << "48 bits have room";

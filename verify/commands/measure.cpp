@@ -36,7 +36,7 @@ void add_measure(CLI::App& app, int& status) {
   command->add_option("--seed", options->request.seed, "of the random operands")
       ->transform(whole_number(0, ~std::uint64_t{0}))
       ->capture_default_str();
-  command->add_option("--rounds", options->request.rounds, "of --host, each of about 0.2 s")
+  command->add_option("--rounds", options->request.rounds, "of --host, each of about 0.07 s")
       ->transform(whole_number(1, 100'000))
       ->capture_default_str()
       ->needs(host);

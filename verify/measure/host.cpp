@@ -13,9 +13,9 @@
 //   vertices   a list of {contender, alike, kind, rounding; ns: {min, median, spread} of a vertex;
 //              per_second: {most, median}; cases, exceptions, accuracy: of its coordinates}
 //
-// Times are nanoseconds of one operation; spread is the third quartile less the first, by the
-// median. Errors are in units of the last place of 16.16; correct is the share, 0 ... 1, within
-// half of one.
+// Times are nanoseconds of processor time of one operation; spread is the third quartile less the
+// first, by the median. Errors are in units of the last place of 16.16; correct is the share, 0 ...
+// 1, within half of one.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -126,13 +126,12 @@ void print_host(const MeasureRequest& request, const std::vector<HostOperation>&
                 const std::vector<HostRow>& rows) {
   std::cout << fmt::format(
       "{} {}, {}\n\n"
-      "Nanoseconds of one operation, over arrays in the first-level cache, and where each result "
-      "is an\noperand of the next; the least and the median of {} rounds, in which all are timed "
-      "in "
-      "turn. The\nspread is the third quartile less the first, by the median. Operands come again "
-      "and again: a\nprocessor may have learnt what branches. Errors in units of the last place of "
-      "16.16, of {}\nresults or more, each held to the rounding that its maker states; correct is "
-      "one within half a unit.\n{}",
+      "Nanoseconds of processor time of one operation, over arrays in the first-level cache, and "
+      "in chains\nwhere each result is an operand of the next; the least and the median of {} "
+      "rounds, in which all are\ntimed in turn. The spread is the third quartile less the first, "
+      "by the median. Operands come again\nand again: a processor may have learnt what branches. "
+      "Errors in units of the last place of 16.16, of\n{} results or more, each held to the "
+      "rounding that its maker states; correct is one within half a\nunit.\n{}",
       made_by(request.seed), compiler_flags(), processor_name(), grouped(request.rounds),
       grouped(operations.front().operands.words.size() / operations.front().words),
       libraries_left_out());

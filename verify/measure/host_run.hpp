@@ -42,7 +42,7 @@ struct HostRow {
 HostRow judge_contender(const HostOperation& operation, const HostContender& contender);
 
 /// A row for each contender of each operation.
-/// @param judged is told when another contender has been judged, `timed` how many rounds are done
+/// @param timed is told how many rounds are done
 /// @return nothing where `stop` ended the run
 /// @throws WrongContender
 std::vector<HostRow> measure_host_rows(const std::vector<HostOperation>& operations,

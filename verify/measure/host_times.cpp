@@ -2,31 +2,42 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace fixproof {
 
 namespace {
 
-using HostClock = std::chrono::steady_clock;
+using std::chrono::nanoseconds;
 
-constexpr std::chrono::nanoseconds sample_length = std::chrono::milliseconds(1);
+/// Asking what was used takes a microsecond: a thousandth of a sample.
+constexpr nanoseconds sample_length = std::chrono::milliseconds(1);
 
-HostClock::duration time_passes(const TimedLoop& loop, std::uint64_t passes) {
+/// What this thread has used of its processor. What others take meanwhile does not count.
+nanoseconds time_used() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
+}
+
+nanoseconds time_passes(const TimedLoop& loop, std::uint64_t passes) {
   loop.pass();
-  const auto begin = HostClock::now();
+  const nanoseconds begin = time_used();
   for (std::uint64_t i = 0; i < passes; ++i) {
     loop.pass();
     // What a pass has written counts as read before the next.
     std::atomic_signal_fence(std::memory_order_seq_cst);
   }
-  return HostClock::now() - begin;
+  return time_used() - begin;
 }
 
-/// How many passes take as long as a sample is to.
+/// How many passes take about as long as a sample is to: two thirds of it to four thirds.
 std::uint64_t passes_of_a_sample(const TimedLoop& loop) {
   std::uint64_t passes = 1;
-  while (time_passes(loop, passes) < sample_length / 2) passes *= 2;
-  return 2 * passes;
+  while (std::min(time_passes(loop, passes), time_passes(loop, passes)) < sample_length * 2 / 3) {
+    passes *= 2;
+  }
+  return passes;
 }
 
 }  // namespace

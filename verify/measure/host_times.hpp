@@ -10,7 +10,7 @@
 
 namespace fixproof {
 
-/// Of many samples, in nanoseconds of one operation.
+/// Of many samples, in nanoseconds of processor time of one operation.
 struct Times {
   double min = 0;
   double median = 0;
