@@ -88,6 +88,12 @@ int run_command_line(std::vector<std::string> arguments) {
     fmt::print(stderr, "fixproof: {}\n", printable(error.what()));
     return 2;
   }
+  // A full disk or a closed pipe shows at the latest here.
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "fixproof: cannot write standard output\n");
+    return 2;
+  }
   return status;
 }
 

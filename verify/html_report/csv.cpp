@@ -11,7 +11,7 @@ using CsvJson = nlohmann::ordered_json;
 std::string field(const CsvJson& value) {
   if (value.is_null()) return {};
   if (!value.is_string()) return value.dump();
-  const auto text = value.get<std::string>();
+  auto text = value.get<std::string>();
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {
@@ -95,15 +95,17 @@ CsvJson claim_rows(const CsvJson& clocks) {
   return rows;
 }
 
-/// Objects in objects become columns, their names joined.
-void flatten(CsvJson& row, const std::string& prefix, const CsvJson& object) {
+/// Fields of an object in the object become columns, the two names joined.
+CsvJson flat(const CsvJson& object) {
+  CsvJson row;
   for (const auto& [key, value] : object.items()) {
-    if (value.is_object()) {
-      flatten(row, prefix + key + "_", value);
-    } else {
-      row[prefix + key] = value;
+    if (!value.is_object()) {
+      row[key] = value;
+      continue;
     }
+    for (const auto& [inner, figure] : value.items()) row[key + '_' + inner] = figure;
   }
+  return row;
 }
 
 /// Columns that only some rows have, such as those of a chain, are empty in the others.
@@ -111,8 +113,7 @@ CsvJson flat_rows(const CsvJson& list) {
   CsvJson rows = CsvJson::array();
   CsvJson columns = CsvJson::object();
   for (const CsvJson& item : list) {
-    CsvJson row;
-    flatten(row, "", item);
+    CsvJson row = flat(item);
     for (const auto& [key, value] : row.items()) {
       if (!item.contains(key) || !item.at(key).is_null()) columns[key] = nullptr;
     }
