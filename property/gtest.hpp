@@ -45,6 +45,8 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 
 }  // namespace fixproof::property
 
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): names of functions become names of tests
+
 /// Rules by their names alone, as enumerators of verify/check/rules.hpp.
 #define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result) \
   ::fixproof::property::subject(                                             \
@@ -65,3 +67,4 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
   FIXPROOF_CHECK(function, div, rounding, overflow, zero_divisor)
 #define FIXPROOF_CHECK_SQRT(function, rounding, negative_operand) \
   FIXPROOF_CHECK(function, sqrt, rounding, any, negative_operand)
+// NOLINTEND(cppcoreguidelines-macro-usage)

@@ -42,6 +42,7 @@ inline bool register_property(const Subject& subject, const char* file, int line
 
 }  // namespace fixproof::property
 
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): names of functions become names of tests
 #define FIXPROOF_PROPERTY(function, operation, rounding, overflow, no_result)             \
   [[maybe_unused]] static const bool fixproof_property_##operation##_##function =         \
       ::fixproof::property::register_property(                                            \
@@ -53,3 +54,4 @@ inline bool register_property(const Subject& subject, const char* file, int line
   FIXPROOF_PROPERTY(function, div, rounding, overflow, zero_divisor)
 #define FIXPROOF_PROPERTY_SQRT(function, rounding, negative_operand) \
   FIXPROOF_PROPERTY(function, sqrt, rounding, any, negative_operand)
+// NOLINTEND(cppcoreguidelines-macro-usage)

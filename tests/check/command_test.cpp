@@ -146,6 +146,8 @@ TEST(CheckCommand, OptionsThatAreNone) {
   refused("check mul --rounding floor --from a --seed 3", "excludes");
   refused("check mul --rounding floor --from no_such_file", "cannot read no_such_file");
   refused("check mul --rounding floor no_such_file", "cannot read no_such_file");
+  refused("check mul --rounding floor /tmp", "cannot read /tmp");
+  refused("check mul --rounding floor --from /tmp", "cannot read /tmp");
   refused("check mul --rounding floor --show -1", "whole number");
   refused("gen", "operation");
   refused("gen add", "unknown operation");

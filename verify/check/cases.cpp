@@ -113,14 +113,14 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
   }
 }
 
-bool next_line(std::istream& in, std::string& line, std::uint64_t& number) {
+bool next_line(std::istream& in, std::string_view name, std::string& line, std::uint64_t& number) {
   while (std::getline(in, line)) {
     ++number;
     if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) continue;
     if (line.back() == '\r') line.pop_back();
     return true;
   }
-  if (in.bad()) throw UsageError("cannot read standard input");
+  if (in.bad()) throw UsageError(fmt::format("cannot read {}", name));
   return false;
 }
 
@@ -134,7 +134,7 @@ FileCases::FileCases(Operation operation, std::string path)
 
 bool FileCases::next(std::span<std::uint32_t> words) {
   std::string line;
-  if (!next_line(file_, line, line_)) return false;
+  if (!next_line(file_, path_, line, line_)) return false;
   try {
     parse_words(line, variant_, words);
   } catch (const UsageError& error) {

@@ -102,6 +102,7 @@ class FileCases final : public CaseSource {
 
 /// The next line that says something, without its line end: blank lines and those that start with #
 /// are passed over. `number` is that of the line, from 1.
-bool next_line(std::istream& in, std::string& line, std::uint64_t& number);
+/// @throws UsageError naming the input, which is called `name`, where it cannot be read
+bool next_line(std::istream& in, std::string_view name, std::string& line, std::uint64_t& number);
 
 }  // namespace fixproof

@@ -19,7 +19,7 @@ Said parse_result(std::string_view line) {
 }
 
 std::optional<Said> Results::next() {
-  if (!next_line(in_, text_, line_)) return std::nullopt;
+  if (!next_line(in_, name_, text_, line_)) return std::nullopt;
   try {
     return parse_result(text_);
   } catch (const UsageError& error) {

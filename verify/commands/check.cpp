@@ -165,8 +165,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       ->required();
   command
       .add_option("--overflow", options.overflow,
-                  "wrap; saturate (7fffffff, 80000000); symmetric (7fffffff, 80000001); maximum "
-                  "(always 7fffffff); minimum (always 80000000); de; or any")
+                  "wrap, saturate, symmetric, maximum, minimum, de or any")
       ->capture_default_str();
   command
       .add_option("--divide-by-zero", options.divide_by_zero,
@@ -174,7 +173,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       ->capture_default_str();
   command
       .add_option("--negative-root", options.negative_root,
-                  "of sqrt: de, maximum, minimum, zero, mirror (-sqrt(-x)) or any")
+                  "of sqrt: de, maximum, minimum, zero, mirror or any")
       ->capture_default_str();
   auto* from = command
                    .add_option("--from", options.from,
@@ -203,6 +202,10 @@ void add_check(CLI::App& app, int& status) {
       "for\n"
       "a divide error. Give check the options --level, --seed, --shard and --cases that gen was\n"
       "given: it makes the same cases again. With --from it reads cases of your own.\n\n"
+      "Of a result that does not fit a word, or that is none: wrap is modulo 2^32; saturate gives\n"
+      "7fffffff, or 80000000 if it is negative; symmetric 7fffffff or 80000001; maximum always\n"
+      "7fffffff; minimum always 80000000; mirror -sqrt(-x); any accepts everything, and is "
+      "counted.\n"
       "A root has no ties: of sqrt the three rules half-... are one, to nearest, and floor and\n"
       "toward-zero are another. 0 / 0 may be 0 too where a rule goes by the sign.\n\n"
       "Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 stopped before the "
