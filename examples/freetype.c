@@ -1,12 +1,14 @@
 /* FreeType as a subject of `fixproof check`: FT_MulFix or FT_DivFix of the cases on standard input.
-   FT_Long has 64 bits on most systems: what a caller keeps in 32 bits is the low half of it. */
+   FT_Long has 64 bits on most systems: what a caller keeps in 32 bits is the low half of it. With
+   `long` after the operation the whole is written, in decimal. */
 #include <freetype/freetype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
 int main(int argc, char** argv) {
-  const char* operation = argc == 2 ? argv[1] : "";
+  const char* operation = argc > 1 ? argv[1] : "";
+  const int whole = argc > 2 && strcmp(argv[2], "long") == 0;
   char line[256];
   while (fgets(line, sizeof line, stdin)) {
     uint32_t a = 0;
@@ -21,7 +23,11 @@ int main(int argc, char** argv) {
     } else {
       return 2;
     }
-    printf("%08" PRIx32 "\n", (uint32_t)result);
+    if (whole) {
+      printf("%ld\n", result);
+    } else {
+      printf("%08" PRIx32 "\n", (uint32_t)result);
+    }
   }
   return 0;
 }
