@@ -148,7 +148,7 @@ TEST(PolicyMutation, Wrapping) {
 }
 
 TEST(PolicyMutation, I386) {
-  expect_all_killed<p::i386>(Target::i386, true, true, {});
+  expect_all_killed<p::i386_rounded>(Target::i386, true, true, {});
   expect_all_killed<p::i386_div_rounded>(Target::i386, false, true, {});
 }
 
@@ -163,7 +163,7 @@ TEST(PolicyMutation, I386WithIdiv) {
 // for those try_divide has no value anyway.
 TEST(PolicyMutation, I8088) {
   const Names same{"none", "unsigned_quotient"};
-  expect_all_killed<p::i8088>(Target::i8088, true, true, same);
+  expect_all_killed<p::i8088_rounded>(Target::i8088, true, true, same);
   expect_all_killed<p::i8088_mul_rounded>(Target::i8088, true, false, same);
   expect_all_killed<p::i8088_div_rounded>(Target::i8088, false, true, same);
   expect_all_killed<p::i8088_unrounded>(Target::i8088, false, false, same);

@@ -119,11 +119,11 @@ void with_policy(const Variant& v, const Batch& batch) {
   namespace p = fixed::policies;
   switch (v.target) {
     case Target::i386:
-      return with_switches<p::i386, p::i386_mul_rounded, p::i386_div_rounded, p::i386_unrounded,
-                           bits>(v, batch);
+      return with_switches<p::i386_rounded, p::i386_mul_rounded, p::i386_div_rounded,
+                           p::i386_unrounded, bits>(v, batch);
     case Target::i8088:
-      return with_switches<p::i8088, p::i8088_mul_rounded, p::i8088_div_rounded, p::i8088_unrounded,
-                           bits>(v, batch);
+      return with_switches<p::i8088_rounded, p::i8088_mul_rounded, p::i8088_div_rounded,
+                           p::i8088_unrounded, bits>(v, batch);
     case Target::standard:
       return each_case<fixed::number<bits, p::wrapping>>(v, batch);
   }
