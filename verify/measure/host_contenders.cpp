@@ -152,6 +152,8 @@ std::string rounding_text(Rounding rounding) {
       return "to nearest, halves up";
     case Rounding::half_away:
       return "to nearest, halves away from zero";
+    case Rounding::half_even:
+      return "to nearest, halves to even";
     case Rounding::floor:
       return "toward minus infinity";
     case Rounding::truncate:
