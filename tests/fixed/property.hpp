@@ -19,8 +19,8 @@ bool holds(int fraction_bits, int operands, const std::function<bool(const Raws&
 /// Whether `check` holds for two lists of numbers.
 bool holds_for_lists(int fraction_bits, const std::function<bool(const Raws&, const Raws&)>& check);
 
-/// Whether `check` holds for what decimal texts are made of: whether it is negative, its whole part,
-/// its fraction's digits.
+/// Whether `check` holds for what decimal texts are made of: whether it is negative, its whole
+/// part, its fraction's digits.
 bool holds_for_parts(const std::function<bool(bool, std::uint16_t, std::uint64_t)>& check);
 
 template <class Number>
