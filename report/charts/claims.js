@@ -1,6 +1,6 @@
 // Verdicts and findings: text with figures from the data.
 
-const verdictKinds = { holds: "holds", "does not hold": "fails", open: "unsure", "holds in part": "unsure" };
+const verdictKinds = { holds: "holds", "does not hold": "fails" };
 const verdictNode = (text) => element("span", { class: `verdict ${verdictKinds[text] ?? "unsure"}` }, text);
 
 function showClaims() {

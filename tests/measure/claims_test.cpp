@@ -12,14 +12,26 @@ using namespace fixproof;
 using x86model::Cpu;
 
 TEST(Claims, AVerdictNeedsAllOfARange) {
+  const auto verdict = [](Bounds measured) { return judge(measured, {2, 3}, Evidence::decides); };
+  EXPECT_EQ(verdict({2, 3}), Verdict::holds);
+  EXPECT_EQ(verdict({2.5, 2.5}), Verdict::holds);
+  EXPECT_EQ(verdict({1, 1.9}), Verdict::does_not_hold);
+  EXPECT_EQ(verdict({3.1, 9}), Verdict::does_not_hold);
+  EXPECT_EQ(verdict({1, 2}), Verdict::open);
+  EXPECT_EQ(verdict({2.9, 3.1}), Verdict::open);
+  EXPECT_EQ(verdict({1, 9}), Verdict::open);
+}
+
+TEST(Claims, EvidenceOfOneSideSaysNothingOfTheOther) {
   const Bounds allowed{2, 3};
-  EXPECT_EQ(judge({2, 3}, allowed), Verdict::holds);
-  EXPECT_EQ(judge({2.5, 2.5}, allowed), Verdict::holds);
-  EXPECT_EQ(judge({1, 1.9}, allowed), Verdict::does_not_hold);
-  EXPECT_EQ(judge({3.1, 9}, allowed), Verdict::does_not_hold);
-  EXPECT_EQ(judge({1, 2}, allowed), Verdict::open);
-  EXPECT_EQ(judge({2.9, 3.1}, allowed), Verdict::open);
-  EXPECT_EQ(judge({1, 9}, allowed), Verdict::open);
+  const Bounds inside{2.5, 2.5};
+  const Bounds outside{1, 1};
+  EXPECT_EQ(judge(inside, allowed, Evidence::can_show), Verdict::holds);
+  EXPECT_EQ(judge(outside, allowed, Evidence::can_show), Verdict::open);
+  EXPECT_EQ(judge(inside, allowed, Evidence::can_refute), Verdict::not_refuted);
+  EXPECT_EQ(judge(outside, allowed, Evidence::can_refute), Verdict::does_not_hold);
+  EXPECT_EQ(judge(inside, allowed, Evidence::neither), Verdict::open);
+  EXPECT_EQ(judge(outside, allowed, Evidence::neither), Verdict::open);
 }
 
 TEST(Claims, FiguresThatAreOpenDecideNothing) {
@@ -123,7 +135,8 @@ TEST(Claims, FiguresOfOneProduct) {
   ASSERT_EQ(at.figures.size(), 1U);
   EXPECT_DOUBLE_EQ(at.figures[0].measured.min, 220.0 / 8 / (63.0 / 33));
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (26.0 / 33));
-  EXPECT_EQ(at.figures[0].verdict, Verdict::does_not_hold);
+  // Of whole animations: the listings decide nothing.
+  EXPECT_EQ(at.figures[0].verdict, Verdict::open);
   // Unrounded, ADD and ADC are left out on a 386: 4 clocks of 57.
   const Claim& rounding = claim_about(claims, "Rounding");
   EXPECT_DOUBLE_EQ(rounding.figures.at(0).measured.min, 100 * (57.0 / 53 - 1));

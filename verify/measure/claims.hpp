@@ -16,11 +16,20 @@ struct Bounds {
   double max = 0;
 };
 
-enum class Verdict { holds, does_not_hold, open, in_part };
+enum class Verdict { holds, does_not_hold, not_refuted, open, in_part };
 
-/// `holds` where all of `measured` is allowed, `does_not_hold` where none is, `open` where the
-/// tables' ranges leave both possible.
-Verdict judge(const Bounds& measured, const Bounds& allowed);
+/// What a measurement of the listings can say of a claim.
+enum class Evidence {
+  decides,
+  can_show,    ///< what is claimed is at least as much as what is measured
+  can_refute,  ///< what is measured is necessary, and not enough
+  neither,     ///< the claim is of more than is measured
+};
+
+/// `holds` where all of `measured` is allowed, `does_not_hold` where none is; `not_refuted` where
+/// it is allowed but not enough; `open` where the tables' ranges leave both possible, and for what
+/// the evidence cannot say.
+Verdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence);
 
 /// One figure.
 struct ClaimFigure {
@@ -38,10 +47,12 @@ struct Claim {
   std::vector<ClaimFigure> figures;
 };
 
-/// A scene as each of four builds of the listings plays it.
+/// A scene as each of five builds of the listings plays it.
 struct RecordedScene {
   std::string name;
-  std::vector<SceneOperands> builds;  ///< for the 386 rounded, unrounded, for the 8088 the same
+  /// For the 386 rounded, unrounded, for the 8088 the same; then for the 386 as printed, which
+  /// rounds multiplies alone. The 8088's as printed rounds both.
+  std::vector<SceneOperands> builds;
 };
 
 /// The builds of RecordedScene, in its order.

@@ -162,8 +162,8 @@ class ClockRun {
     for (const CallClocks& row : rows_) print(row);
     if (!claims_.empty()) {
       std::cout << "\nWhat is published, and what the listings alone show. \"About\" allows a "
-                   "quarter more or less;\nopen: the ranges of Intel's tables leave both "
-                   "possible.\n";
+                   "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
+                   "possible, or the listings cannot decide.\n";
     }
     for (const Claim& claim : claims_) print(claim);
   }

@@ -22,8 +22,9 @@ struct SceneOperands {
 
 /// A scene is recorded in this many frames ...
 inline constexpr std::uint64_t recorded_frames = 30;
-/// ... of which each is this many after the last: what ten seconds show at 60 a second.
-inline constexpr std::uint64_t frames_between = 20;
+/// ... of which each is this many after the last, from eleven seconds at 60 a second. A prime, so
+/// that objects that move every few frames move in as many of these as they should.
+inline constexpr std::uint64_t frames_between = 23;
 
 /// The model under a build of the listings with one setting for both roundings.
 xsharp::ArithmeticChoice listing_choice(const std::string& target, bool round);

@@ -84,6 +84,14 @@ int most_bits(const SceneProfile& profile) {
   return bits;
 }
 
+/// Where a quotient no longer fits: the rounded 386 divide wraps before it faults, as does the
+/// 8088's, which faults for its divisors alone.
+std::string quotient_limit(const SceneProfile& profile) {
+  if (target_of(profile.arithmetic) == Target::i8088) return " (from 32768 they wrap)";
+  return profile.arithmetic.div_round ? " (from 32768 they wrap, from 65536 they fault)"
+                                      : " (from 32768 they fault)";
+}
+
 std::string closeness_text(const SceneProfile& profile) {
   const int bits = most_bits(profile);
   std::string text = fmt::format("{}; the widest word has {} bits, {} to spare.\n",
@@ -93,8 +101,8 @@ std::string closeness_text(const SceneProfile& profile) {
     text += fmt::format("Divide: divisors from {} in magnitude (below 1 the 8088 listing faults)",
                         in_units(*divides.least_divisor));
     if (divides.greatest_quotient) {
-      text += fmt::format(", quotients to {} (from 32768 they fault)",
-                          in_units(*divides.greatest_quotient));
+      text += fmt::format(", quotients to {}{}", in_units(*divides.greatest_quotient),
+                          quotient_limit(profile));
     }
     text += ".\n";
   }
