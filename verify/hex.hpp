@@ -23,7 +23,7 @@ void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_
 void append_hex(std::string& to, std::uint32_t word, std::size_t digits);
 
 /// Text of any origin without what steers a terminal: control characters are shown as ?.
-std::string printable(std::string text);
+std::string printable(const std::string& text);
 
 /// Foreign text as an error message may quote it: short, on one line, and printable.
 std::string quoted(std::string_view text);

@@ -1,11 +1,23 @@
 #include "verify/terminal_line.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 
 namespace fixproof {
+
+namespace {
+
+/// What fits beside the cursor: a line that wraps could not be drawn over.
+std::string_view cut_to_window(std::string_view text) {
+  winsize window{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) return text;
+  return text.substr(0, window.ws_col - 1U);
+}
+
+}  // namespace
 
 TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
@@ -15,7 +27,7 @@ TerminalLine::~TerminalLine() {
 
 void TerminalLine::show(std::string_view text) {
   if (!terminal_) return;
-  fmt::print(stderr, "\r{}\x1b[K", text);
+  fmt::print(stderr, "\r{}\x1b[K", cut_to_window(text));
   drawn_ = true;
 }
 
