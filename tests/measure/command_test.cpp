@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -43,6 +44,8 @@ TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
     std::uint64_t all = 0;
     for (const auto& count : counts) all += count.get<std::uint64_t>();
     EXPECT_EQ(row.at("cases"), all);
+    EXPECT_NEAR(row.at("mean_error").get<double>() * std::sqrt(static_cast<double>(all)),
+                row.at("rms"), 1e-9 * row.at("rms").get<double>());
     if (row.at("operands") == "every angle") continue;
     EXPECT_EQ(all + row.at("left_out").get<std::uint64_t>() + row.at("faults").get<std::uint64_t>(),
               200U);
