@@ -68,6 +68,10 @@ TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
   EXPECT_EQ(json.at("made").at("seed"), 5);
   EXPECT_NE(json.at("made").at("processor"), "");
   EXPECT_EQ(json.at("rounds"), 2);
+  EXPECT_EQ(json.at("operands").at("arrays").at("div"), 1024);
+  EXPECT_EQ(json.at("operands").at("arrays").at("vertex"), 512);
+  EXPECT_EQ(json.at("operands").at("chains"),
+            nlohmann::json::parse(R"({"mul": 1024, "div": 256, "sqrt": 1024})"));
   std::map<std::string, int> found;
   for (const auto& row : json.at("host")) {
     ++found[row.at("contender")];
