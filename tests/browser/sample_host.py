@@ -12,7 +12,8 @@ def row(operation, contender, kind, nanoseconds, chain, rms):
 HOST = {
     "made": {"command": "measure --host", "seed": 1994, "compiler": "none", "date": "2000-01-01T00:00:00Z",
              "flags": "", "processor": "none"},
-    "libraries": {"libfixmath": True, "FreeType": True}, "rounds": 9, "operands": 2048,
+    "libraries": {"libfixmath": True, "FreeType": True}, "rounds": 9,
+    "operands": {"arrays": {"mul": 2048, "div": 2048}, "chains": {"mul": 2048, "div": 2048}},
     "host": [
         row("mul", "q16_16", "type", 0.52, 1.9, 0.289),
         row("mul", "q16_16_i386_unrounded", "type", 0.4, 1.6, 0.577),

@@ -1,6 +1,7 @@
 // FixedDiv: faults that vanish, half of the divisor, an undefined carry, and what the caller loses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -43,15 +44,21 @@ double pixels_off(std::int32_t x, std::int32_t z) {
   return std::abs(static_cast<double>(projected) + pixels_of_unit_slope * x / z);
 }
 
-/// The same on the screen's edge (x = z / 2), at the last depth before a whole distance.
+/// The most on the screen's edge (x = z / 2), at the last depth before a whole distance: the
+/// divisor drops nearly one, and of as many points as it keeps one has the worst rounding.
 template <class Number>
 double pixels_off_before(int distance) {
   const std::int32_t z = distance * 65536 - 1;
-  return pixels_off<Number>(z / 2, z);
+  double most = 0;
+  for (std::int32_t x = z / 2; x > z / 2 - distance; --x) {
+    most = std::max(most, pixels_off<Number>(x, z));
+  }
+  return most;
 }
 
 // The 8088 takes z for its whole part: the picture is larger by z / floor(z), at the edge by
-// 160 (z / floor(z) - 1) pixels. That is half a pixel and more for depths up to 320.
+// 160 (z / floor(z) - 1) pixels, to which half a unit of the quotient adds 160 / 65536 = 0.00244.
+// That is half a pixel and more for depths up to 322; 160 / 322 + 0.00244 = 0.4993.
 TEST(Defects, HalfRangeDivisor) {
   EXPECT_EQ(ask<div>(i8088, defects::rounded, {0x10000, 0xFFFF}), defects::divide_error);
   EXPECT_EQ(ask<div>(i8088, defects::rounded, {0xFFFF, 0x1FFFF}), value(0xFFFF));
@@ -63,16 +70,19 @@ TEST(Defects, HalfRangeDivisor) {
   EXPECT_NEAR(pixels_off_before<On8088>(11), 16, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(5), 40, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(101), 1.6, 0.01);
-  EXPECT_NEAR(pixels_off_before<On8088>(320), 0.503, 0.0005);
-  EXPECT_NEAR(pixels_off_before<On8088>(321), 0.498, 0.0005);
-  for (int distance = 2; distance <= 320; ++distance) {
+  EXPECT_NEAR(pixels_off_before<On8088>(320), 0.504, 0.0001);
+  EXPECT_NEAR(pixels_off_before<On8088>(321), 0.5024, 0.0001);
+  EXPECT_NEAR(pixels_off_before<On8088>(322), 0.5009, 0.0001);
+  EXPECT_NEAR(pixels_off_before<On8088>(323), 0.4993, 0.0001);
+  for (int distance = 2; distance <= 322; ++distance) {
     EXPECT_GT(pixels_off_before<On8088>(distance), 0.5) << distance;
   }
-  for (int distance = 321; distance <= 32767; ++distance) {
+  // From 323 on 160 / 322 + 160 / 65536 bounds them all.
+  for (int distance = 323; distance <= 1000; ++distance) {
     EXPECT_LT(pixels_off_before<On8088>(distance), 0.5) << distance;
   }
   // The whole divisor errs by half a unit of the quotient at most, 320 / 131072 pixels.
-  for (int distance = 2; distance <= 32767; ++distance) {
+  for (int distance = 2; distance <= 1000; ++distance) {
     EXPECT_LE(pixels_off_before<fixed::q16_16>(distance), 320.0 / 131072) << distance;
     EXPECT_LE(pixels_off_before<fixed::q16_16_i386>(distance), 320.0 / 131072) << distance;
   }

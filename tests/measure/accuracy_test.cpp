@@ -1,7 +1,9 @@
 // What is known of each rounding, found by the measurement.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string_view>
 
 #include "fixed/fixed.hpp"
@@ -198,6 +200,34 @@ TEST(Accuracy, PresetsThatAreSaidToBeAlikeAre) {
   expect_same_products_and_quotients<q16_16_i386_unrounded, q16_16_i386_div_rounded>(false);
   expect_same_products_and_quotients<q16_16_i8088, q16_16_i8088_mul_rounded>(false);
   expect_same_products_and_quotients<q16_16_i8088_unrounded, q16_16_i8088_div_rounded>(false);
+}
+
+/// 30000 * 2 - 30000 * 1, by products that are added up: the sum fits, the first product does not.
+template <class N>
+N difference_of_products() {
+  return N(30000) * N(2) + N(-30000) * N(1);
+}
+
+TEST(Accuracy, AlikeWhereTheSumFitsAreThoseThatWrap) {
+  using namespace fixed;
+  EXPECT_EQ(difference_of_products<q16_16>(), q16_16(30000));
+  EXPECT_EQ(difference_of_products<q16_16_i386>(), q16_16_i386(30000));
+  EXPECT_EQ(difference_of_products<q16_16_i386_mul_rounded>(), q16_16_i386_mul_rounded(30000));
+  // The highest word, 32768 less a unit, minus 30000.
+  EXPECT_EQ(difference_of_products<q16_16_saturating>().raw(), 2768 * 65536 - 1);
+  EXPECT_THROW(static_cast<void>(difference_of_products<q16_16_trapping>()), std::overflow_error);
+  const auto alike = [](std::string_view operation) {
+    return operation_named_here(operation).subjects.front().alike;
+  };
+  EXPECT_EQ(alike("dot of rounded products"), "_i386 _i386_mul_rounded");
+  // Rounded once, nothing between need fit.
+  EXPECT_EQ(alike("dot rounded once"), "_saturating _trapping _i386 _i386_mul_rounded");
+  const auto once = []<class N>(N) {
+    return dot(std::array{N(30000), N(-30000)}, std::array{N(2), N(1)});
+  };
+  EXPECT_EQ(once(q16_16()), q16_16(30000));
+  EXPECT_EQ(once(q16_16_saturating()), q16_16_saturating(30000));
+  EXPECT_EQ(once(q16_16_trapping()), q16_16_trapping(30000));
 }
 
 // Its long division begins with an estimate that leaves out a unit of the remainder at most; with

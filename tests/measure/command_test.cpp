@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -43,6 +44,8 @@ TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
     std::uint64_t all = 0;
     for (const auto& count : counts) all += count.get<std::uint64_t>();
     EXPECT_EQ(row.at("cases"), all);
+    EXPECT_NEAR(row.at("mean_error").get<double>() * std::sqrt(static_cast<double>(all)),
+                row.at("rms"), 1e-9 * row.at("rms").get<double>());
     if (row.at("operands") == "every angle") continue;
     EXPECT_EQ(all + row.at("left_out").get<std::uint64_t>() + row.at("faults").get<std::uint64_t>(),
               200U);
@@ -65,6 +68,10 @@ TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
   EXPECT_EQ(json.at("made").at("seed"), 5);
   EXPECT_NE(json.at("made").at("processor"), "");
   EXPECT_EQ(json.at("rounds"), 2);
+  EXPECT_EQ(json.at("operands").at("arrays").at("div"), 1024);
+  EXPECT_EQ(json.at("operands").at("arrays").at("vertex"), 512);
+  EXPECT_EQ(json.at("operands").at("chains"),
+            nlohmann::json::parse(R"({"mul": 1024, "div": 256, "sqrt": 1024})"));
   std::map<std::string, int> found;
   for (const auto& row : json.at("host")) {
     ++found[row.at("contender")];

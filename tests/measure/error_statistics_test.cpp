@@ -14,6 +14,7 @@ TEST(ErrorStatistics, OfNothingAreZero) {
   const ErrorStatistics none;
   EXPECT_EQ(none.cases(), 0U);
   EXPECT_EQ(none.mean(), 0);
+  EXPECT_EQ(none.mean_error(), 0);
   EXPECT_EQ(none.root_mean_square(), 0);
   EXPECT_EQ(none.correct(), 0);
 }
@@ -30,6 +31,17 @@ TEST(ErrorStatistics, OfFourErrors) {
   EXPECT_EQ(four.mean(), 0);
   EXPECT_DOUBLE_EQ(four.root_mean_square(), std::sqrt(11.0 / 32));
   EXPECT_EQ(four.correct(), 0.75);
+}
+
+// Sixteen errors of 3, half of them low: an rms of 3, by four.
+TEST(ErrorStatistics, TheMeanOfSixteenIsKnownToAQuarterOfTheirSize) {
+  ErrorStatistics sixteen;
+  for (int i = 0; i < 8; ++i) {
+    sixteen.add(3, false);
+    sixteen.add(-3, false);
+  }
+  EXPECT_EQ(sixteen.mean(), 0);
+  EXPECT_DOUBLE_EQ(sixteen.mean_error(), 0.75);
 }
 
 TEST(ErrorStatistics, TheBiasKeepsItsSign) {

@@ -1,4 +1,18 @@
 // fixproof measure --accuracy.
+//
+// The file that --json names:
+//
+//   made        {command, seed, compiler, date}
+//   scenes      whose operands were taken; libfixmath, FreeType: whether each was built in
+//   accuracy    a list of {operation, operands, variant; alike: endings of presets that return the
+//               same; cases, left_out, faults; max, mean, mean_error: the standard error of the
+//               mean of random cases, rms / sqrt(cases); rms, correct; histogram: {span, counts}}
+//   pixels      {constant, half_width; variants: a list of {variant; safe_from: the distance from
+//               which no point is half a pixel off; octaves: a list of {from, to, max, mean,
+//               half_a_pixel: the share of points half a pixel off or more}}}
+//
+// Errors are in units of the last place of 16.16, those of points in pixels; correct is the share,
+// 0 ... 1, within half a unit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,11 +61,11 @@ void print(const AccuracyRow& row) {
     std::cout << fmt::format("  {:<24}no case has a result that fits\n", row.subject.name);
     return;
   }
-  std::cout << fmt::format("  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>11}  {:>6} |{}|\n",
-                           row.subject.name, grouped(e.cases()), grouped(row.beyond),
-                           grouped(row.faults), largest_text(e.max()), error_text(e.mean(), true),
-                           error_text(e.root_mean_square()), share_text(e.correct()),
-                           fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
+  std::cout << fmt::format(
+      "  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6} |{}|\n", row.subject.name,
+      grouped(e.cases()), grouped(row.beyond), grouped(row.faults), largest_text(e.max()),
+      error_text(e.mean(), true), error_text(e.mean_error()), error_text(e.root_mean_square()),
+      share_text(e.correct()), fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
 }
 
 AccuracyJson json_of(const AccuracyRow& row) {
@@ -65,6 +79,7 @@ AccuracyJson json_of(const AccuracyRow& row) {
           {"faults", row.faults},
           {"max", e.max()},
           {"mean", e.mean()},
+          {"mean_error", e.mean_error()},
           {"rms", e.root_mean_square()},
           {"correct", e.correct()},
           {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
@@ -117,14 +132,16 @@ class AccuracyRun {
         << "Errors in units of the last place, each a result less the exact one. Correct is a "
            "result within\nhalf a unit of it: a word than which none is nearer. Left out are cases "
            "whose exact result does\nnot fit, or that have none; #DE cases whose result would fit. "
-           "The mean is the bias. The histogram\ngoes from -span to span, its tallest column the "
-           "fullest.\n";
+           "The mean is the bias, and +- its\nstandard error where cases are random: a mean of two "
+           "or three times that may be chance. The\nhistogram goes from -span to span, its tallest "
+           "column the fullest.\n";
     std::cout << libraries_left_out();
     if (scenes_.empty()) {
       std::cout << "Without a SCENE there are no operands of a scene.\n";
     }
-    std::cout << fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>11}  {:>6}\n", "",
-                             "cases", "left out", "#DE", "max", "mean", "rms", "correct", "span");
+    std::cout << fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6}\n", "",
+                             "cases", "left out", "#DE", "max", "mean", "+-", "rms", "correct",
+                             "span");
     std::string heading;
     for (const AccuracyRow& row : rows_) {
       const std::string here = fmt::format("{}, {}", row.operation, printable(row.operands));

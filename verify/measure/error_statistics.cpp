@@ -37,6 +37,7 @@ double ErrorStatistics::of_cases(double sum) const {
   return cases_ == 0 ? 0 : sum / static_cast<double>(cases_);
 }
 double ErrorStatistics::mean() const { return of_cases(sum_); }
+double ErrorStatistics::mean_error() const { return std::sqrt(of_cases(of_cases(squares_))); }
 double ErrorStatistics::root_mean_square() const { return std::sqrt(of_cases(squares_)); }
 double ErrorStatistics::correct() const { return of_cases(static_cast<double>(correct_)); }
 

@@ -40,6 +40,9 @@ class ErrorStatistics {
   [[nodiscard]] double max() const { return max_; }
   /// The bias: of the errors with their signs.
   [[nodiscard]] double mean() const;
+  /// The standard error of that mean, of cases taken at random: rms / sqrt(cases), a little more
+  /// where there is a bias.
+  [[nodiscard]] double mean_error() const;
   [[nodiscard]] double root_mean_square() const;
   /// The share correctly rounded, 0 ... 1.
   [[nodiscard]] double correct() const;

@@ -4,7 +4,9 @@
 //
 //   made       {command, seed, compiler, date} as of --accuracy, and {flags, processor}
 //   libraries  {libfixmath, FreeType}: whether each was built in
-//   rounds     how often every loop was timed; operands: how many its arrays have
+//   rounds     how often every loop was timed
+//   operands   {arrays, chains}: by operation, how many cases the arrays of its loop have (of
+//              "vertex" how many vertices), and how many steps its chain, where there is one
 //   host       a list of {operation: mul, div, sqrt or cos; contender; alike: presets that run the
 //              same code; kind: type, plain, library or floating; rounding: as its maker states it;
 //              throughput_ns: {min, median, spread}; chain_ns: the same, or null where there is no
@@ -138,13 +140,23 @@ void print_host(const MeasureRequest& request, const std::vector<HostOperation>&
   for (const HostOperation& operation : operations) print_operation(operation, rows);
 }
 
-void write_host_json(const MeasureRequest& request, const std::vector<HostRow>& rows) {
+HostJson json_of(const std::vector<HostOperation>& operations) {
+  HostJson json{{"arrays", HostJson::object()}, {"chains", HostJson::object()}};
+  for (const HostOperation& o : operations) {
+    json["arrays"][o.name] = o.operands.block / o.words;
+    if (!o.chain_is.empty()) json["chains"][o.name] = o.operands.taken.size();
+  }
+  return json;
+}
+
+void write_host_json(const MeasureRequest& request, const std::vector<HostOperation>& operations,
+                     const std::vector<HostRow>& rows) {
   HostJson json{{"made", made_by_json(request.seed, "measure --host")}};
   json["made"]["flags"] = compiler_flags();
   json["made"]["processor"] = processor_name();
   json["libraries"] = {{"libfixmath", has_libfixmath()}, {"FreeType", has_freetype()}};
   json["rounds"] = request.rounds;
-  json["operands"] = host_block;
+  json["operands"] = json_of(operations);
   json["host"] = HostJson::array();
   json["vertices"] = HostJson::array();
   for (const HostRow& row : rows) {
@@ -176,7 +188,7 @@ int measure_host(const MeasureRequest& request) {
     return interrupted_status;
   }
   print_host(request, operations, rows);
-  if (!request.json.empty()) write_host_json(request, rows);
+  if (!request.json.empty()) write_host_json(request, operations, rows);
   return 0;
 }
 

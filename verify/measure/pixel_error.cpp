@@ -1,11 +1,9 @@
 #include "verify/measure/pixel_error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fixed/fixed.hpp"
-#include "oracle/integer.hpp"
 #include "verify/draw.hpp"
 
 namespace fixproof {
@@ -15,23 +13,22 @@ namespace {
 constexpr std::int64_t unit = 65536;
 /// Distances from 1 to 32768: fifteen octaves.
 constexpr int octave_count = 15;
-/// Points looked at beside the edge of the page: rounding makes one or the other the worst.
-constexpr std::int32_t beside_edge = 4;
 
 /// The furthest x that is on the page at distance `z`, both in units.
 std::int32_t edge(const PageProjection& page, std::int32_t z) {
   return static_cast<std::int32_t>(std::int64_t{page.half_width} * z / std::abs(page.constant));
 }
 
-/// How many pixels too far right the point x at distance z is drawn.
+/// How many pixels too far right the point x at distance z is drawn. Where a word holds what is
+/// drawn, 64 bits hold its product with the distance.
 template <class N>
 double error_of(const PageProjection& page, std::int32_t x, std::int32_t z) {
   const N depth = N::from_raw(-z);
   const auto quotient = fixed::try_divide(N::from_raw(x), depth);
   // No divide faults: |z| is 1 at least, and |x| less.
   const N drawn = *quotient * N(page.constant);
-  const oracle::Integer off =
-      oracle::Integer(drawn.raw()) * depth.raw() - oracle::Integer(x) * page.constant * unit;
+  const std::int64_t off =
+      std::int64_t{drawn.raw()} * depth.raw() - std::int64_t{x} * page.constant * unit;
   return static_cast<double>(off) / (static_cast<double>(depth.raw()) * unit);
 }
 
@@ -57,14 +54,24 @@ DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponen
   return o;
 }
 
+/// Whether no point can be half a pixel off at a distance of `whole` to one more. What the divisor
+/// drops puts a point half_width / whole too far out at most, the quotient's rounding a unit of it.
+bool bounded_below_half(const PageProjection& page, std::int32_t whole) {
+  const std::int64_t off = page.half_width * unit + std::int64_t{std::abs(page.constant)} * whole;
+  return 2 * off < whole * unit;
+}
+
 /// From where on no point is half a pixel off. An 8088 divides by the whole part of the distance:
-/// between two whole distances the worst point is the farthest, at the edge of the page.
+/// between two whole distances the farthest is the worst. There a point nearer the middle by
+/// `whole` units has a quotient less by one unit, rounded the same way, and is less far off: the
+/// worst point is among so many at the edge of the page.
 template <class N>
 std::int32_t safe_distance(const PageProjection& page, const std::atomic<bool>& stop) {
   for (std::int32_t whole = 32767; whole > 0 && !stop; --whole) {
+    if (bounded_below_half(page, whole)) continue;
     const auto z = static_cast<std::int32_t>(whole * unit + (unit - 1));
     const std::int32_t most = edge(page, z);
-    for (std::int32_t x = most; x > most - beside_edge && x > 0; --x) {
+    for (std::int32_t x = most; x > most - whole && x > 0; --x) {
       if (std::max(std::fabs(error_of<N>(page, x, z)), std::fabs(error_of<N>(page, -x, z))) >= 0.5)
         return whole + 1;
     }
