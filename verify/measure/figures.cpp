@@ -14,6 +14,7 @@ std::string error_text(double x, bool with_sign) {
 
 std::string largest_text(double x) {
   if (x >= 1000) return fmt::format("{:.2e}", x);
+  if (x > 0 && x < 1e-5) return fmt::format("{:.0e}", x);
   return fmt::format("{:.5f}", std::floor(x * 1e5) / 1e5);
 }
 
