@@ -10,6 +10,8 @@
 
 #include "verify/commands/command_line.hpp"
 #include "verify/file.hpp"
+#include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
 
 namespace fixproof {
 
@@ -30,6 +32,11 @@ uLong sum_of(uLong sum, const std::string& text) {
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
   to.insert(to.end(), more.begin(), more.end());
+}
+
+/// Names of files need not be UTF-8.
+std::string dumped(const StepJson& json) {
+  return json.dump(1, ' ', false, StepJson::error_handler_t::replace);
 }
 
 /// A word of a command line, in quotes where a shell would not take it as it stands.
@@ -87,8 +94,24 @@ std::string command_line_of(const ReportStep& step) {
   return line;
 }
 
-std::string fingerprint(const std::vector<xsharp::Scene>& scenes) {
+bool page_shows(const ReportStep& step, int status) {
+  // verify has found a mismatch.
+  return status == 0 || (step.name == "verify" && status == 1);
+}
+
+int report_status(int status) { return status == interrupted_status ? status : 2; }
+
+std::string stopped_text(const ReportStep& step, int status, std::size_t done, std::size_t all) {
+  std::string text = fmt::format("STOPPED after {} of {} steps; no page is written.", done, all);
+  if (status == interrupted_status) return text + " With --resume the same command goes on.\n";
+  text += fmt::format(" It ended with status {}: {}", status, printable(command_line_of(step)));
+  if (step.name == "host" && status == 1) text += "\nA number that it times breaks its own rule.";
+  return text + '\n';
+}
+
+std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::string& processor) {
   uLong sum = sum_of(0, std::string(program_version()));
+  sum = sum_of(sum, processor);
   // Linux has the running program there; elsewhere the version has to do.
   const std::string program = "/proc/self/exe";
   if (std::filesystem::exists(program)) sum = sum_of(sum, read_file(program));
@@ -96,6 +119,10 @@ std::string fingerprint(const std::vector<xsharp::Scene>& scenes) {
     for (const auto& read : scene.files) sum = sum_of(sum, read_file(read.string()));
   }
   return fmt::format("{:08x}", sum);
+}
+
+std::string as_recorded(const std::string& command) {
+  return StepJson::parse(dumped(command)).get<std::string>();
 }
 
 std::vector<StepRecord> read_records(const std::string& file) {
@@ -124,7 +151,7 @@ void write_records(const std::string& file, const std::vector<StepRecord>& recor
                     {"seconds", r.seconds},
                     {"status", r.status}});
   }
-  replace_file(file, json.dump(1) + '\n');
+  replace_file(file, dumped(json) + '\n');
 }
 
 }  // namespace fixproof
