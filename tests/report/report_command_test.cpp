@@ -84,7 +84,10 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
 TEST(ReportCommand, TakesNamesThatAreNoUtf8) {
   const Folder out("report_\xff_test");
   fs::create_directories(out.path());
-  fs::copy_file(cubes, out.file("\xfe.json"));
+  // Without a name of its own it is called as its file.
+  fixproof::replace_file(out.file("\xfe.json"),
+                         R"({"objects": [{"shape": {"cube": {"half_edge": 15}},
+      "paint": 1, "position": [20, -30, -200], "spin": {"tenths": [0, 60, 60]}}]})");
   const std::string command = "report " + out.file("\xfe.json") + " --quick --out " + out.path();
   const auto run = cli::fixproof(command);
   ASSERT_EQ(run.status, 0) << run.out << run.err;

@@ -18,6 +18,7 @@
 #include "verify/html_report/findings.hpp"
 #include "verify/html_report/page.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 #include "verify/measure/provenance.hpp"
 #include "verify/scenes/outputs.hpp"
 #include "verify/text.hpp"
@@ -104,8 +105,7 @@ class ReportRun {
     for (const auto& [name, text] : csv_files(report)) {
       replace_file(request_.folder + "/data/" + name, text);
     }
-    replace_file(request_.folder + "/report.json",
-                 report.dump(1, ' ', false, PageJson::error_handler_t::replace) + '\n');
+    replace_file(request_.folder + "/report.json", json_text(report));
     replace_file(request_.folder + "/report.html", page);
   }
 

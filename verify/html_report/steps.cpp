@@ -12,6 +12,7 @@
 #include "verify/file.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 
 namespace fixproof {
 
@@ -32,11 +33,6 @@ uLong sum_of(uLong sum, const std::string& text) {
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
   to.insert(to.end(), more.begin(), more.end());
-}
-
-/// Names of files need not be UTF-8.
-std::string dumped(const StepJson& json) {
-  return json.dump(1, ' ', false, StepJson::error_handler_t::replace);
 }
 
 /// A word of a command line, in quotes where a shell would not take it as it stands.
@@ -122,7 +118,7 @@ std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::str
 }
 
 std::string as_recorded(const std::string& command) {
-  return StepJson::parse(dumped(command)).get<std::string>();
+  return StepJson::parse(json_text(command)).get<std::string>();
 }
 
 std::vector<StepRecord> read_records(const std::string& file) {
@@ -151,7 +147,7 @@ void write_records(const std::string& file, const std::vector<StepRecord>& recor
                     {"seconds", r.seconds},
                     {"status", r.status}});
   }
-  replace_file(file, dumped(json) + '\n');
+  replace_file(file, json_text(json));
 }
 
 }  // namespace fixproof
