@@ -101,11 +101,16 @@ function chart(label, draw) {
     place.replaceChildren(svg, readout);
   };
   new ResizeObserver(() => { if (Math.floor(place.clientWidth) !== drawn) render(); }).observe(place);
-  // As wide as paper is, so that nothing is shrunk on it.
-  addEventListener("beforeprint", () => { if (place.isConnected) render(680); });
-  addEventListener("afterprint", () => { if (place.isConnected) render(); });
+  renderers.set(place, render);
   return { place, render };
 }
+
+// A change of choice makes new charts: keyed weakly, those that it replaces can be collected.
+const renderers = new WeakMap();
+const renderAll = (most) => document.querySelectorAll(".chart").forEach((place) => renderers.get(place)?.(most));
+// As wide as paper is, so that nothing is shrunk on it.
+addEventListener("beforeprint", () => renderAll(680));
+addEventListener("afterprint", () => renderAll());
 
 function speak(svg, label, points, readout) {
   svg.setAttribute("tabindex", "0");

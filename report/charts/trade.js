@@ -37,8 +37,8 @@ function clockPoints(choice) {
     });
 }
 
-// Those than which none is as fast and more exact, by more than how halves are rounded could make. Where a
-// time is a range, its middle counts.
+// Those that are more exact, by a hundredth, than everything as fast or faster: how halves are rounded makes
+// less. Where a time is a range, its middle counts.
 const noticeable = 0.99;
 const middle = (p) => (p.time + p.most) / 2;
 function frontierOf(points) {

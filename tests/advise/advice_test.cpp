@@ -5,8 +5,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
 
 #include "verify/advise/advice_text.hpp"
+#include "verify/measure/provenance.hpp"
 
 namespace fixproof {
 namespace {
@@ -42,6 +45,53 @@ TEST(Advice, OfTheSameCostTakesTheMoreAccurate) {
   std::vector<Tried> all{tried(100, 0.4), tried(100, 0.3)};
   sort_by_cost(all);
   EXPECT_EQ(all.at(*advise(all, 0.5).take).error.pixels, 0.3);
+}
+
+Tried timed(double median, double spread, double pixels) {
+  Tried t = tried(median, pixels);
+  t.cost.spread = spread;
+  return t;
+}
+
+// 200, 200.5 and 204 are 5 or less apart; 209 is noisy, and dearer; 201 is as cheap, but over the
+// budget.
+TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
+  std::vector<Tried> all{timed(209, 50, 0.1),   timed(200, 5, 0.4), timed(204, 5, 0.3),
+                         timed(200.5, 5, 0.45), timed(201, 5, 9),   timed(150, 5, 8)};
+  sort_by_cost(all);
+  const Advice advice = advise(all, 0.5);
+  ASSERT_TRUE(advice.take && advice.runner_up && advice.next_cheaper);
+  EXPECT_EQ(all[*advice.take].cost.ranked, 204);
+  EXPECT_EQ(all[*advice.runner_up].cost.ranked, 200);
+  EXPECT_EQ(all[*advice.next_cheaper].cost.ranked, 150);
+  EXPECT_EQ(advice.as_cheap, 2U);
+}
+
+TEST(Advice, SaysWhatCostsTheSame) {
+  AdviceReport report{
+      .scene = "a scene", .budget = 0.5, .tried = {timed(200, 5, 0.4), timed(204, 5, 0.3)}};
+  EXPECT_NE(sentences_of(report).find("1 other within the budget costs the same"),
+            std::string::npos)
+      << sentences_of(report);
+  EXPECT_NE(sentences_of(report).find("which costs the same, at most 0.400"), std::string::npos);
+  report.tried = {timed(200, 1, 0.4), timed(204, 1, 0.3)};
+  EXPECT_EQ(sentences_of(report).find("the same"), std::string::npos) << sentences_of(report);
+}
+
+TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
+  AdviceReport report{
+      .scene = "a scene",
+      .budget = 0.5,
+      .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
+  const auto json = nlohmann::json::parse(json_of(report));
+  EXPECT_EQ(json.at("made").at("command"), "advise");
+  EXPECT_EQ(json.at("made").at("processor"), processor_name());
+  EXPECT_FALSE(json.at("made").contains("seed"));
+  EXPECT_TRUE(json.at("variants").at(0).at("worst_pixels").is_null());
+  EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);
+  EXPECT_EQ(json.at("variants").at(1).at("cost_spread"), 5);
+  report.cpu = x86model::Cpu::i386;
+  EXPECT_TRUE(nlohmann::json::parse(json_of(report)).at("made").at("processor").is_null());
 }
 
 TEST(Advice, IsNoneWhereNoneFits) {

@@ -219,10 +219,16 @@ def choices(driver):
         faster = [o["accuracy"]["rms"] for o in rows if o["throughput_ns"]["median"] < row["throughput_ns"]["median"]]
         on = not faster or row["accuracy"]["rms"] < 0.99 * min(faster)
         expect_equal(row["contender"] in names, on, f"{row['contender']} on the line of {caption!r}")
-    fixed = {"q16_16_i386_unrounded", "plain 64-bit product"}
+    fixed = {"q16_16_i386_unrounded", "idiom"}
     expect_equal(set(caption.split("dotted: ")[1].rstrip(".").split("; ")), fixed, "the line of fixed point")
+    # Exact stands on the floor of the logarithmic scale.
+    floors = driver.execute_script("return [...document.querySelectorAll('#trade .chart svg text')].map((t) => t.textContent)")
+    expect("0" in floors, f"no place for what is exact: {floors}")
     picture(driver, "known_host")
     box = driver.find_element(By.ID, "trade")
+    Select(box.find_element(By.NAME, "operation")).select_by_value("vertex")
+    expect_equal(number(driver, "#trade .points path, #trade .points circle"), 1, "points of vertices")
+    Select(box.find_element(By.NAME, "operation")).select_by_value("mul")
     Select(box.find_element(By.NAME, "time")).select_by_value("chain_ns")
     chained = [r for r in rows if r["chain_ns"]]
     expect_equal(number(driver, "#trade .points path, #trade .points circle"), len(chained), "points with a chain")

@@ -75,6 +75,37 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   EXPECT_NE(cli::split(mended.out, '\n').at(0).find(": kept, of "), std::string::npos);
   EXPECT_EQ(cli::split(mended.out, '\n').at(1).find(": kept, of "), std::string::npos);
   EXPECT_TRUE(fs::exists(out.file("data/accuracy.json")));
+  fs::remove(out.file("data/accuracy.txt"));
+  EXPECT_EQ(cli::fixproof(command + " --resume").status, 0);
+  EXPECT_TRUE(fs::exists(out.file("data/accuracy.txt")));
+}
+
+// Systems that keep names as bytes may have any.
+TEST(ReportCommand, TakesNamesThatAreNoUtf8) {
+  const Folder out("report_\xff_test");
+  fs::create_directories(out.path());
+  // Without a name of its own it is called as its file.
+  fixproof::replace_file(out.file("\xfe.json"),
+                         R"({"objects": [{"shape": {"cube": {"half_edge": 15}},
+      "paint": 1, "position": [20, -30, -200], "spin": {"tenths": [0, 60, 60]}}]})");
+  const std::string command = "report " + out.file("\xfe.json") + " --quick --out " + out.path();
+  const auto run = cli::fixproof(command);
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_TRUE(fs::exists(out.file("report.html")));
+  const auto again = cli::fixproof(command + " --resume");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(cli::split(again.out, '\n').at(0).find(": kept, of "), std::string::npos) << again.out;
+}
+
+TEST(ReportCommand, MeasuresNothingOfASceneWithoutObjects) {
+  const Folder out("report_empty_test");
+  fs::create_directories(out.path());
+  fixproof::replace_file(out.file("empty.json"), R"({"name": "nothing", "objects": []})");
+  const auto run =
+      cli::fixproof("report " + out.file("empty.json") + " --quick --out " + out.path());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("nothing has no objects"), std::string::npos) << run.err;
 }
 
 TEST(ReportCommand, LeavesNoPageWhenStopped) {
@@ -84,6 +115,7 @@ TEST(ReportCommand, LeavesNoPageWhenStopped) {
                              FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.out.find("STOPPED after 0 of "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("goes on"), std::string::npos) << run.out;
   EXPECT_FALSE(fs::exists(out.file("report.html")));
 }
 

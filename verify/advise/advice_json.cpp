@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "verify/advise/advice_text.hpp"
+#include "verify/json_text.hpp"
+#include "verify/measure/provenance.hpp"
 
 namespace fixproof {
 
@@ -19,6 +21,8 @@ AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
   json["restore_every"] = choice.turning.restore_every;
   json["cost_least"] = tried.cost.least;
   json["cost_most"] = tried.cost.most;
+  json["cost_ranked"] = tried.cost.ranked;
+  json["cost_spread"] = tried.cost.spread;
   json["worst_pixels"] = tried.error.pixels;
   json["worst_frame"] = tried.error.frame;
   json["worst_object"] = tried.error.object;
@@ -37,6 +41,8 @@ AdviceJson place(const std::optional<std::size_t>& index) {
 std::string json_of(const AdviceReport& report) {
   const Advice advice = advise(report.tried, report.budget);
   AdviceJson json;
+  json["made"] = made_by_json("advise");
+  json["made"]["processor"] = report.cpu ? AdviceJson() : AdviceJson(processor_name());
   json["scene"] = report.scene;
   json["frames"] = report.frames;
   json["frames_per_second"] = advised_rate;
@@ -49,7 +55,7 @@ std::string json_of(const AdviceReport& report) {
   json["runner_up"] = place(advice.runner_up);
   json["next_cheaper"] = place(advice.next_cheaper);
   json["drift_pixels"] = report.drift_pixels ? AdviceJson(*report.drift_pixels) : AdviceJson();
-  return json.dump(1) + '\n';
+  return json_text(json);
 }
 
 }  // namespace fixproof

@@ -61,6 +61,13 @@ std::string sentences_of(const AdviceReport& report) {
   const Tried take = at(*advice.take);
   std::string text = fmt::format("Take {}: {}, at most {:.3f} pixels off.\n", name_of(take.choice),
                                  cost_text(report, take.cost), take.error.pixels);
+  if (advice.as_cheap > 0 && take.cost.spread > 0) {
+    text += fmt::format(
+        "Within the spread of the times, {} {} within the budget {} the same; this one is the most "
+        "exact.\n",
+        advice.as_cheap, advice.as_cheap == 1 ? "other" : "others",
+        advice.as_cheap == 1 ? "costs" : "cost");
+  }
   if (report.drift_pixels) {
     text += fmt::format(
         "Its motion alone, as drift measures it over all these frames, is at most {:.3f} pixels "
@@ -71,9 +78,11 @@ std::string sentences_of(const AdviceReport& report) {
   }
   if (advice.runner_up) {
     const Tried next = at(*advice.runner_up);
-    text +=
-        fmt::format("Runner-up: {}, {} dearer, at most {:.3f} pixels off.\n", name_of(next.choice),
-                    percent_text(next.cost.ranked / take.cost.ranked - 1), next.error.pixels);
+    const bool same = next.cost.ranked <= take.cost.ranked || costs_the_same(next.cost, take.cost);
+    text += fmt::format("Runner-up: {}, {}, at most {:.3f} pixels off.\n", name_of(next.choice),
+                        same ? "which costs the same"
+                             : percent_text(next.cost.ranked / take.cost.ranked - 1) + " dearer",
+                        next.error.pixels);
   } else {
     text += "No other stays within the budget.\n";
   }

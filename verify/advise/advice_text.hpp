@@ -33,6 +33,8 @@ std::string table_of(const AdviceReport& report);
 /// What to take, in sentences.
 std::string sentences_of(const AdviceReport& report);
 
+/// made: {command, compiler, date; processor: null where clocks are counted}. worst_pixels is null
+/// where the projection has no place for a corner, infinitely far off: JSON has no such number.
 std::string json_of(const AdviceReport& report);
 
 }  // namespace fixproof

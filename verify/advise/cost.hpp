@@ -18,6 +18,7 @@ struct Cost {
   double least = 0;
   double most = 0;
   double ranked = 0;  ///< what choices are ranked by
+  double spread = 0;  ///< of what ranks, from round to round: less than that is no difference
 };
 
 /// The frames that are looked at for clocks: so many in a row, so that delays of 2, 3 and 4 frames
@@ -26,6 +27,12 @@ struct ClockSample {
   static constexpr std::uint64_t in_a_row = 12;
   static constexpr std::uint64_t places = 5;
   static constexpr std::uint64_t apart = 720;
+};
+
+/// The frames that are timed: the first minute, in every round anew.
+struct TimeSample {
+  static constexpr std::uint64_t frames = 3600;
+  static constexpr std::uint64_t rounds = 15;
 };
 
 /// Clocks of the listings alone, not of the C around them, as the mean of a sample of frames. Two
@@ -41,7 +48,8 @@ std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Cho
                                  x86model::Cpu cpu, const std::atomic<bool>& stop);
 
 /// Nanoseconds of this processor for moving, transforming, projecting, hiding and sorting by the
-/// type: the least, which ranks, and the median of several rounds, which take the choices in turn.
+/// type: the least and the median, which ranks, of rounds that take the choices in turn. The spread
+/// is the third quartile less the first. Restoring is shared out as clocks are.
 /// @return fewer than there are choices when `stop` ended the run
 std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
                                       const std::atomic<bool>& stop);

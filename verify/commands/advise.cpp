@@ -81,9 +81,11 @@ std::string heading(const AdviceReport& report) {
         "turns.\n",
         x86model::name_of(*report.cpu), ClockSample::in_a_row * ClockSample::places);
   } else {
-    text +=
-        "Least and most: nanoseconds a frame by the type on this processor, least and median of "
-        "the rounds.\n";
+    text += fmt::format(
+        "Least and most: nanoseconds a frame by the type on this processor, least and "
+        "median of {} rounds over the\nfirst minute; medians nearer than the spread from round to "
+        "round count as the same, and the more exact\nis taken first.\n",
+        TimeSample::rounds);
   }
   return text + '\n';
 }
@@ -170,7 +172,9 @@ void add_advise(CLI::App& app, int& status) {
   command->footer(
       "Tries the code of both processors where both run, with multiplies and divides rounded or\n"
       "not, orientations made from scratch, or by appending rotations and restoring orthogonality\n"
-      "never or after every 600, 60, 10 or 1 rotations.\n\n"
+      "never or after every 600, 60, 10 or 1 rotations. Of those that cost the same, the most\n"
+      "exact is taken: with --host, those whose times differ by less than they do from round to\n"
+      "round, between the quartiles.\n\n"
       "Exit status: 0 one stays within the budget, 1 none does, 2 bad usage or a scene that is\n"
       "refused, 130 stopped before the end.\n\n"
       "Examples:\n"

@@ -41,14 +41,15 @@ void add_report(CLI::App& app, int& status) {
       ->transform(whole_number(0, ~std::uint64_t{0}))
       ->capture_default_str();
   command->add_flag("--quick", options->quick, "a little of everything, in seconds, to try it");
-  command->add_flag("--resume", options->resume,
-                    "keep what an earlier run of the same program has measured of the same scenes");
+  command->add_flag(
+      "--resume", options->resume,
+      "keep what an earlier run of the same program has measured of the same scenes on "
+      "the same processor");
   command->footer(
       "Runs verify, measure, drift and render, and keeps what they say in the folder `data` in\n"
       "DIR, with their figures as JSON and CSV. The page needs nothing but itself.\n\n"
-      "Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage or a scene that "
-      "is\n"
-      "refused, 130 stopped before the end.\n\n"
+      "Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage, a scene that is\n"
+      "refused or a step that does not succeed, 130 stopped before the end.\n\n"
       "Examples:\n"
       "  fixproof report\n"
       "  fixproof report scenes/shaded_ball.json --out ball --quick");

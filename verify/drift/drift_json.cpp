@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "verify/json_text.hpp"
 #include "verify/measure/provenance.hpp"
 
 namespace fixproof {
@@ -44,10 +45,8 @@ DriftJson json_of(const DriftCase& c, const DriftResult& r) {
 std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
                        const std::vector<DriftCase>& cases,
                        const std::vector<DriftResult>& results) {
-  DriftJson made = made_by_json(0, "drift");
-  made.erase("seed");  // nothing is drawn at random
   DriftJson json{
-      {"made", std::move(made)},
+      {"made", made_by_json("drift")},
       {"scene", scene},
       {"frames", frames},
       {"frames_a_second", rate},
@@ -58,7 +57,7 @@ std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint
   for (std::size_t i = 0; i < cases.size(); ++i) {
     json["cases"].push_back(json_of(cases[i], results[i]));
   }
-  return json.dump(1) + '\n';
+  return json_text(json);
 }
 
 }  // namespace fixproof

@@ -18,6 +18,7 @@
 #include "verify/html_report/findings.hpp"
 #include "verify/html_report/page.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 #include "verify/measure/provenance.hpp"
 #include "verify/scenes/outputs.hpp"
 #include "verify/text.hpp"
@@ -38,6 +39,8 @@ class ReportRun {
  public:
   explicit ReportRun(const ReportRequest& request) : request_(request) {
     for (const std::string& file : request.scenes) scenes_.push_back(xsharp::read_scene(file));
+    // The drift of the first is measured, after all that takes long.
+    if (scenes_.front().objects.empty()) throw UsageError(scenes_.front().name + " has no objects");
     std::error_code error;
     std::filesystem::create_directories(request.folder + "/data", error);
     if (error) {
@@ -52,11 +55,11 @@ class ReportRun {
       for (const std::string& file : step.files) check(file);
       check(text_file(step));
     }
-    made_from_ = fingerprint(scenes_);
+    made_from_ = fingerprint(scenes_, processor_name());
     if (request.resume) earlier_ = read_records(records_file());
   }
 
-  /// @return 0, or the status of the step that ended it
+  /// @return 0, or the exit status where a step ended it
   int run_steps() {
     for (const ReportStep& step : steps_) {
       const std::string command = command_line_of(step);
@@ -71,10 +74,12 @@ class ReportRun {
       const auto begin = std::chrono::steady_clock::now();
       Captured captured = run_captured(step.arguments);
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-      // verify has found a mismatch: the page is to show it.
-      const bool shows = captured.status == 0 || (step.name == "verify" && captured.status == 1);
+      const bool shows = page_shows(step, captured.status);
       std::cout << fmt::format(": {}\n", shows ? duration(passed.count()) : "not done");
-      if (!shows) return captured.status;
+      if (!shows) {
+        std::cout << stopped_text(step, captured.status, records_.size(), steps_.size());
+        return report_status(captured.status);
+      }
       replace_file(text_file(step), captured.out);
       records_.push_back(
           {step.name, command, made_from_, date_now(), passed.count(), captured.status});
@@ -100,16 +105,8 @@ class ReportRun {
     for (const auto& [name, text] : csv_files(report)) {
       replace_file(request_.folder + "/data/" + name, text);
     }
-    replace_file(request_.folder + "/report.json",
-                 report.dump(1, ' ', false, PageJson::error_handler_t::replace) + '\n');
+    replace_file(request_.folder + "/report.json", json_text(report));
     replace_file(request_.folder + "/report.html", page);
-  }
-
-  [[nodiscard]] std::string how_far() const {
-    return fmt::format(
-        "STOPPED after {} of {} steps; no page is written. With --resume the same "
-        "command goes on.\n",
-        records_.size(), steps_.size());
   }
 
   /// 1 where parties differ.
@@ -130,13 +127,13 @@ class ReportRun {
   [[nodiscard]] const StepRecord* kept_record(const ReportStep& step,
                                               const std::string& command) const {
     const auto fits = [&](const StepRecord& r) {
-      return r.name == step.name && r.command == command && r.made_from == made_from_;
+      return r.name == step.name && r.command == as_recorded(command) && r.made_from == made_from_;
     };
     const auto found = std::find_if(earlier_.begin(), earlier_.end(), fits);
     if (found == earlier_.end()) return nullptr;
+    const auto exists = [](const std::string& file) { return std::filesystem::exists(file); };
     const bool whole =
-        std::all_of(step.files.begin(), step.files.end(),
-                    [](const std::string& file) { return std::filesystem::exists(file); });
+        std::all_of(step.files.begin(), step.files.end(), exists) && exists(text_file(step));
     return whole ? &*found : nullptr;
   }
 
@@ -177,10 +174,7 @@ class ReportRun {
 int make_report(const ReportRequest& request) {
   ReportRun run(request);
   const int failed = run.run_steps();
-  if (failed != 0) {
-    std::cout << run.how_far();
-    return failed;
-  }
+  if (failed != 0) return failed;
   run.write_page();
   std::cout << fmt::format(
       "{0}/report.html is the page; {0}/report.json and the tables in "

@@ -7,8 +7,8 @@
 namespace fixproof {
 
 /// Says on standard output how far it is.
-/// @return the exit status: 1 where parties differ, else that of a step that did not get to its end
-///         (130 where it was stopped), which leaves no page behind that is not complete
+/// @return the exit status: 1 where parties differ, 130 where it was stopped and 2 where a step did
+///         not succeed, both without a page
 /// @throws UsageError, xsharp::SceneError or std::runtime_error for what cannot be read or written
 int make_report(const ReportRequest& request);
 

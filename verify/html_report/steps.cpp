@@ -10,6 +10,9 @@
 
 #include "verify/commands/command_line.hpp"
 #include "verify/file.hpp"
+#include "verify/hex.hpp"
+#include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 
 namespace fixproof {
 
@@ -87,8 +90,24 @@ std::string command_line_of(const ReportStep& step) {
   return line;
 }
 
-std::string fingerprint(const std::vector<xsharp::Scene>& scenes) {
+bool page_shows(const ReportStep& step, int status) {
+  // verify has found a mismatch.
+  return status == 0 || (step.name == "verify" && status == 1);
+}
+
+int report_status(int status) { return status == interrupted_status ? status : 2; }
+
+std::string stopped_text(const ReportStep& step, int status, std::size_t done, std::size_t all) {
+  std::string text = fmt::format("STOPPED after {} of {} steps; no page is written.", done, all);
+  if (status == interrupted_status) return text + " With --resume the same command goes on.\n";
+  text += fmt::format(" It ended with status {}: {}", status, printable(command_line_of(step)));
+  if (step.name == "host" && status == 1) text += "\nA number that it times breaks its own rule.";
+  return text + '\n';
+}
+
+std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::string& processor) {
   uLong sum = sum_of(0, std::string(program_version()));
+  sum = sum_of(sum, processor);
   // Linux has the running program there; elsewhere the version has to do.
   const std::string program = "/proc/self/exe";
   if (std::filesystem::exists(program)) sum = sum_of(sum, read_file(program));
@@ -96,6 +115,10 @@ std::string fingerprint(const std::vector<xsharp::Scene>& scenes) {
     for (const auto& read : scene.files) sum = sum_of(sum, read_file(read.string()));
   }
   return fmt::format("{:08x}", sum);
+}
+
+std::string as_recorded(const std::string& command) {
+  return StepJson::parse(json_text(command)).get<std::string>();
 }
 
 std::vector<StepRecord> read_records(const std::string& file) {
@@ -124,7 +147,7 @@ void write_records(const std::string& file, const std::vector<StepRecord>& recor
                     {"seconds", r.seconds},
                     {"status", r.status}});
   }
-  replace_file(file, json.dump(1) + '\n');
+  replace_file(file, json_text(json));
 }
 
 }  // namespace fixproof

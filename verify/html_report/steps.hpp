@@ -2,6 +2,7 @@
 /// The commands whose figures the report shows.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,6 +33,16 @@ std::vector<ReportStep> report_steps(const ReportRequest& request);
 /// `fixproof measure --host`, as a shell would be given it.
 std::string command_line_of(const ReportStep& step);
 
+/// Whether the page can be made of what a step with that exit status left behind.
+bool page_shows(const ReportStep& step, int status);
+
+/// The exit status of a report that such a step ended: 130 where it was stopped, else 2, since 1 is
+/// for parties that differ.
+int report_status(int status);
+
+/// What is said where a step ended the report.
+std::string stopped_text(const ReportStep& step, int status, std::size_t done, std::size_t all);
+
 /// What was done, kept in the folder's data/steps.json.
 struct StepRecord {
   std::string name;
@@ -42,8 +53,11 @@ struct StepRecord {
   int status = 0;
 };
 
-/// Stands for the program and the scenes: another sum where either is not the same.
-std::string fingerprint(const std::vector<xsharp::Scene>& scenes);
+/// Stands for the program, the scenes and the processor: another sum where one is not the same.
+std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::string& processor);
+
+/// A command as it comes back from the records: bytes that are no UTF-8 are replaced.
+std::string as_recorded(const std::string& command);
 
 /// Nothing for a file that is not there, or that no report has written.
 std::vector<StepRecord> read_records(const std::string& file);

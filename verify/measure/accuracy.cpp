@@ -25,6 +25,7 @@
 #include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 #include "verify/measure/accuracy_run.hpp"
 #include "verify/measure/figures.hpp"
 #include "verify/measure/measure.hpp"
@@ -164,7 +165,7 @@ class AccuracyRun {
     json["pixels"] = {{"constant", page_.constant}, {"half_width", page_.half_width}};
     json["pixels"]["variants"] = AccuracyJson::array();
     for (const PixelErrors& e : pixels_) json["pixels"]["variants"].push_back(json_of(e));
-    replace_file(request_.json, json.dump(1) + '\n');
+    replace_file(request_.json, json_text(json));
   }
 
   [[nodiscard]] std::string how_far() const {

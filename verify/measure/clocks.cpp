@@ -9,6 +9,7 @@
 #include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 #include "verify/measure/call_clocks.hpp"
 #include "verify/measure/claims.hpp"
 #include "verify/measure/measure.hpp"
@@ -176,7 +177,7 @@ class ClockRun {
     for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
     json["claims"] = ClockJson::array();
     for (const Claim& claim : claims_) json["claims"].push_back(json_of(claim));
-    replace_file(request_.json, json.dump(1) + '\n');
+    replace_file(request_.json, json_text(json));
   }
 
   [[nodiscard]] std::string how_far() const {

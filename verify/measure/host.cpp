@@ -26,6 +26,7 @@
 #include "verify/file.hpp"
 #include "verify/frame_progress.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/json_text.hpp"
 #include "verify/measure/figures.hpp"
 #include "verify/measure/host_run.hpp"
 #include "verify/measure/measure.hpp"
@@ -162,7 +163,7 @@ void write_host_json(const MeasureRequest& request, const std::vector<HostOperat
   for (const HostRow& row : rows) {
     json[row.operation == vertex ? "vertices" : "host"].push_back(json_of(row));
   }
-  replace_file(request.json, json.dump(1) + '\n');
+  replace_file(request.json, json_text(json));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "verify/measure/host_times.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 
 namespace fixproof {
@@ -13,22 +12,15 @@ using std::chrono::nanoseconds;
 /// Asking what was used takes a microsecond: a thousandth of a sample.
 constexpr nanoseconds sample_length = std::chrono::milliseconds(1);
 
-/// What this thread has used of its processor. What others take meanwhile does not count.
-nanoseconds time_used() {
-  std::timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
-}
-
 nanoseconds time_passes(const TimedLoop& loop, std::uint64_t passes) {
   loop.pass();
-  const nanoseconds begin = time_used();
+  const nanoseconds begin = thread_time();
   for (std::uint64_t i = 0; i < passes; ++i) {
     loop.pass();
     // What a pass has written counts as read before the next.
     std::atomic_signal_fence(std::memory_order_seq_cst);
   }
-  return time_used() - begin;
+  return thread_time() - begin;
 }
 
 /// How many passes take about as long as a sample is to: two thirds of it to four thirds.
@@ -41,6 +33,12 @@ std::uint64_t passes_of_a_sample(const TimedLoop& loop) {
 }
 
 }  // namespace
+
+nanoseconds thread_time() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
+}
 
 Times times_of(std::vector<double> samples) {
   std::ranges::sort(samples);

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace fixproof {
+
+/// What this thread has used of its processor. What others take meanwhile does not count.
+std::chrono::nanoseconds thread_time();
 
 /// Of many samples, in nanoseconds of processor time of one operation.
 struct Times {

@@ -44,4 +44,10 @@ nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& comma
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
 }
 
+nlohmann::ordered_json made_by_json(const std::string& command) {
+  nlohmann::ordered_json made = made_by_json(0, command);
+  made.erase("seed");
+  return made;
+}
+
 }  // namespace fixproof

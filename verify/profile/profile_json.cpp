@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "verify/json_text.hpp"
+#include "verify/measure/provenance.hpp"
 #include "verify/profile/places.hpp"
 #include "verify/profile/profile_text.hpp"
 #include "x86model/text.hpp"
@@ -57,6 +59,7 @@ ProfileJson number(const std::optional<Number>& value) {
 
 std::string json_of(const SceneProfile& profile, const std::string& scene) {
   ProfileJson json;
+  json["made"] = made_by_json("profile");
   json["scene"] = scene;
   json["target"] = profile.arithmetic.target;
   json["mul_round"] = profile.arithmetic.mul_round;
@@ -74,7 +77,7 @@ std::string json_of(const SceneProfile& profile, const std::string& scene) {
   const FormUse forms = forms_of(profile);
   json["forms_executed"] = forms.executed;
   json["forms_never_executed"] = forms.never;
-  return json.dump(1) + '\n';
+  return json_text(json);
 }
 
 }  // namespace fixproof
