@@ -242,6 +242,10 @@ def choices(driver):
     cosines = [r for r in DATA["accuracy"]["accuracy"] if r["operation"] == "cos"]
     cosines = [r for r in cosines if r["operands"] == cosines[0]["operands"]]
     expect_equal(number(driver, "#errors .bars rect"), 16 * len(cosines), "bars of cosines")
+    # Charts that are replaced leave nothing behind.
+    window = driver.execute_cdp_cmd("Runtime.evaluate", {"expression": "window"})["result"]["objectId"]
+    listeners = driver.execute_cdp_cmd("DOMDebugger.getEventListeners", {"objectId": window})["listeners"]
+    expect_equal([e["type"] for e in listeners].count("beforeprint"), 1, "who waits for printing")
     drift = driver.find_element(By.ID, "drift")
     Select(drift.find_element(By.NAME, "group")).select_by_value("sources")
     sources = [c for c in DATA["drift"]["cases"]
