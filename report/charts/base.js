@@ -80,6 +80,9 @@ function legend(names) {
   }));
 }
 
+// In ems: a tip stands beside its point, and has half of a narrow chart.
+const tipWidth = (width) => Math.max(8, Math.min(24, (width / 2 - 24) / 12));
+
 // A chart that says its points to a mouse, a finger and the arrow keys. draw(width) returns
 // { options: for Plot, points: [{ x, y, text }], upright: whether the nearest across is the one meant }.
 function chart(label, draw) {
@@ -95,7 +98,7 @@ function chart(label, draw) {
       width, ...options,
       style: { fontSize: "12px", background: "transparent", ...options.style },
       marks: [...options.marks, Plot.tip(points,
-        (upright ? Plot.pointerX : Plot.pointer)({ x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineHeight: 1.25, lineWidth: 24 }))],
+        (upright ? Plot.pointerX : Plot.pointer)({ x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineHeight: 1.25, lineWidth: tipWidth(width) }))],
     });
     speak(svg, label, points, readout);
     place.replaceChildren(svg, readout);

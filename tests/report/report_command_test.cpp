@@ -136,12 +136,16 @@ TEST(ReportCommand, SaysWhatIsWrong) {
 TEST(ReportCommand, WritesOverNoScene) {
   const Folder out("report_scene_test");
   fs::create_directories(out.file("data"));
-  fs::copy_file(cubes, out.file("data/host.json"));
-  const auto run =
-      cli::fixproof("report " + out.file("data/host.json") + " --quick --out " + out.path());
-  EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find("host.json"), std::string::npos) << run.err;
-  EXPECT_EQ(fixproof::read_file(out.file("data/host.json")), fixproof::read_file(cubes));
+  // A step's file, and a table that is written at the end.
+  for (const std::string name : {"host.json", "drift.csv"}) {
+    const std::string scene = out.file("data/" + name);
+    fs::copy_file(cubes, scene);
+    const auto run = cli::fixproof("report " + scene + " --quick --out " + out.path());
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find(name), std::string::npos) << run.err;
+    EXPECT_EQ(fixproof::read_file(scene), fixproof::read_file(cubes));
+    fs::remove(scene);
+  }
 }
 
 }  // namespace

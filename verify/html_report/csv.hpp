@@ -2,6 +2,7 @@
 /// The figures of the report as tables for other programs.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -14,6 +15,10 @@ namespace fixproof {
 /// @param rows a list of flat objects with the same keys, which become the first line; null is an
 /// empty field. Empty for no rows.
 std::string csv_text(const nlohmann::ordered_json& rows);
+
+/// All that csv_files() may write.
+inline constexpr std::array csv_names{"accuracy.csv", "pixels.csv",   "clocks.csv", "claims.csv",
+                                      "host.csv",     "vertices.csv", "drift.csv"};
 
 /// `accuracy.csv` and so on, with their contents, from the report's data; nothing for what has not
 /// been measured.

@@ -55,6 +55,7 @@ class ReportRun {
       for (const std::string& file : step.files) check(file);
       check(text_file(step));
     }
+    for (const char* name : csv_names) check(fmt::format("{}/data/{}", request.folder, name));
     made_from_ = fingerprint(scenes_, processor_name());
     if (request.resume) earlier_ = read_records(records_file());
   }
@@ -64,18 +65,19 @@ class ReportRun {
     for (const ReportStep& step : steps_) {
       const std::string command = command_line_of(step);
       std::cout << fmt::format("{} of {}: {}", records_.size() + 1, steps_.size(),
-                               printable(command))
-                << std::flush;
+                               printable(command));
       if (const StepRecord* kept = kept_record(step, command)) {
         records_.push_back(*kept);
         std::cout << fmt::format(": kept, of {}\n", kept->date);
         continue;
       }
+      // Progress and errors have lines of their own.
+      std::cout << '\n' << std::flush;
       const auto begin = std::chrono::steady_clock::now();
       Captured captured = run_captured(step.arguments);
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
       const bool shows = page_shows(step, captured.status);
-      std::cout << fmt::format(": {}\n", shows ? duration(passed.count()) : "not done");
+      std::cout << fmt::format("  {}\n", shows ? duration(passed.count()) : "not done");
       if (!shows) {
         std::cout << stopped_text(step, captured.status, records_.size(), steps_.size());
         return report_status(captured.status);
