@@ -87,7 +87,7 @@ int most_bits(const SceneProfile& profile) {
 /// Where a quotient no longer fits: the rounded 386 divide wraps before it faults, as does the
 /// 8088's, which faults for its divisors alone.
 std::string quotient_limit(const SceneProfile& profile) {
-  if (target_of(profile.arithmetic) == Target::i8088) return " (from 32768 they wrap)";
+  if (profile.arithmetic.target == "i8088") return " (from 32768 they wrap)";
   return profile.arithmetic.div_round ? " (from 32768 they wrap, from 65536 they fault)"
                                       : " (from 32768 they fault)";
 }
