@@ -1,11 +1,9 @@
 #include "verify/html_report/make_report.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -30,10 +28,6 @@ namespace fixproof {
 namespace {
 
 using PageJson = nlohmann::ordered_json;
-
-std::string date_now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-}
 
 class ReportRun {
  public:

@@ -22,36 +22,32 @@ std::vector<HostContender> contender_list(All... all) {
   return contenders;
 }
 
-std::vector<HostContender> multipliers() {
+/// The numbers that differ in their products. `make` is called with a number and its rounding as
+/// template arguments.
+template <class Make>
+std::vector<HostContender> by_product(Make make) {
   using namespace fixed;
   using enum HostKind;
   return contender_list(
-      product_contender<q16_16, Rounding::half_up>("q16_16", "_i386 _i386_mul_rounded", type),
-      product_contender<q16_16_saturating, Rounding::half_up>("q16_16_saturating", "", type),
-      product_contender<q16_16_trapping, Rounding::half_up>("q16_16_trapping", "", type),
-      product_contender<q16_16_i386_unrounded, Rounding::floor>("q16_16_i386_unrounded",
-                                                                "_i386_div_rounded", type),
-      product_contender<q16_16_i8088, Rounding::half_away>("q16_16_i8088", "_i8088_mul_rounded",
-                                                           type),
-      product_contender<q16_16_i8088_unrounded, Rounding::truncate>("q16_16_i8088_unrounded",
-                                                                    "_i8088_div_rounded", type),
-      product_contender<PlainNumber, Rounding::half_up>("idiom", "", plain));
+      make.template operator()<q16_16, Rounding::half_up>("q16_16", "_i386 _i386_mul_rounded",
+                                                          type),
+      make.template operator()<q16_16_saturating, Rounding::half_up>("q16_16_saturating", "", type),
+      make.template operator()<q16_16_trapping, Rounding::half_up>("q16_16_trapping", "", type),
+      make.template operator()<q16_16_i386_unrounded, Rounding::floor>("q16_16_i386_unrounded",
+                                                                       "_i386_div_rounded", type),
+      make.template operator()<q16_16_i8088, Rounding::half_away>("q16_16_i8088",
+                                                                  "_i8088_mul_rounded", type),
+      make.template operator()<q16_16_i8088_unrounded, Rounding::truncate>(
+          "q16_16_i8088_unrounded", "_i8088_div_rounded", type),
+      make.template operator()<PlainNumber, Rounding::half_up>("idiom", "", plain));
+}
+
+std::vector<HostContender> multipliers() {
+  return by_product([]<class N, Rounding R>(auto... of) { return product_contender<N, R>(of...); });
 }
 
 std::vector<HostContender> vertex_makers() {
-  using namespace fixed;
-  using enum HostKind;
-  return contender_list(
-      vertex_contender<q16_16, Rounding::half_up>("q16_16", "_i386 _i386_mul_rounded", type),
-      vertex_contender<q16_16_saturating, Rounding::half_up>("q16_16_saturating", "", type),
-      vertex_contender<q16_16_trapping, Rounding::half_up>("q16_16_trapping", "", type),
-      vertex_contender<q16_16_i386_unrounded, Rounding::floor>("q16_16_i386_unrounded",
-                                                               "_i386_div_rounded", type),
-      vertex_contender<q16_16_i8088, Rounding::half_away>("q16_16_i8088", "_i8088_mul_rounded",
-                                                          type),
-      vertex_contender<q16_16_i8088_unrounded, Rounding::truncate>("q16_16_i8088_unrounded",
-                                                                   "_i8088_div_rounded", type),
-      vertex_contender<PlainNumber, Rounding::half_up>("idiom", "", plain));
+  return by_product([]<class N, Rounding R>(auto... of) { return vertex_contender<N, R>(of...); });
 }
 
 template <class N>

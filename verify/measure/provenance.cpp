@@ -33,15 +33,17 @@ std::string processor_name() {
   return "unknown";
 }
 
+std::string date_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
 std::string made_by(std::uint64_t seed) {
   return fmt::format("seed {}, {}", seed, compiler_name());
 }
 
 nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& command) {
-  return {{"command", command},
-          {"seed", seed},
-          {"compiler", compiler_name()},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+  return {
+      {"command", command}, {"seed", seed}, {"compiler", compiler_name()}, {"date", date_now()}};
 }
 
 nlohmann::ordered_json made_by_json(const std::string& command) {

@@ -17,6 +17,9 @@ std::string compiler_flags();
 /// As the system calls this processor; `unknown` where it does not say.
 std::string processor_name();
 
+/// Now, in UTC, as ISO 8601 writes it.
+std::string date_now();
+
 /// `seed 1994, g++ 12.2.0`: the first line of what is printed.
 std::string made_by(std::uint64_t seed);
 
