@@ -127,6 +127,12 @@ std::string swapped_in_place(x86::Target target) {
   return words;
 }
 
+/// A move by (4, 5, 6), then one by (1, 2, 3): two transforms, row by row.
+constexpr const char* two_moves =
+    "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
+    "00000000 00000000 00010000 00030000 00010000 00000000 00000000 00040000 "
+    "00000000 00010000 00000000 00050000 00000000 00000000 00010000 00060000";
+
 std::vector<Finding> first_findings() {
   return {
       {"A switch that reads the wrong way round",
@@ -170,16 +176,8 @@ std::vector<Finding> first_findings() {
        "Defects.TranslationInEveryColumn",
        "Chapter 52 adds the first transform's translation to all four sums of a row, not to the "
        "fourth alone. A move by (1, 2, 3) after one by (4, 5, 6).",
-       {evaluated("chapter 54",
-                  "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
-                  "00000000 00000000 00010000 00030000 00010000 00000000 00000000 00040000 "
-                  "00000000 00010000 00000000 00050000 00000000 00000000 00010000 00060000",
-                  "concat"),
-        evaluated("chapter 52",
-                  "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
-                  "00000000 00000000 00010000 00030000 00010000 00000000 00000000 00040000 "
-                  "00000000 00010000 00000000 00050000 00000000 00000000 00010000 00060000",
-                  "concat --chapter 52")}},
+       {evaluated("chapter 54", two_moves, "concat"),
+        evaluated("chapter 52", two_moves, "concat --chapter 52")}},
   };
 }
 
