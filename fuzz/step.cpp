@@ -39,13 +39,15 @@ struct Left {
 /// instruction has a place of its own; when all places are used there is a new emulator.
 class Executor {
  public:
-  Left execute(const fuzz::StepCase& step) {
+  /// @param length bytes of the instruction; what is drawn behind it Unicorn may not be able to
+  /// translate
+  Left execute(const fuzz::StepCase& step, std::size_t length) {
     if (place_ + place_size > segment_size) renew();
     const std::size_t place = place_;
     place_ += place_size;
     std::uint8_t* code = emulator_->memory() + place;
     std::fill_n(code, place_size, nop);
-    std::copy(step.code.begin(), step.code.end(), code);
+    std::copy_n(step.code.begin(), length, code);
 
     SegmentMachine m(emulator_->memory());
     m.registers.write(Register::sp, Size::dword, stack);
@@ -138,7 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                          step.replay(decoded->instruction));
   }
   static Executor unicorn;
-  if (const auto found = difference(model, unicorn.execute(step))) {
+  if (const auto found = difference(model, unicorn.execute(step, decoded->length))) {
     fuzz::report_finding(fmt::format("{}\n  {}\n  replay: {}", x86::text_of(decoded->instruction),
                                      *found, step.replay(decoded->instruction)));
   }

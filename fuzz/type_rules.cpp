@@ -5,9 +5,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "fixed/fixed.hpp"
 #include "oracle/decimal.hpp"
@@ -23,260 +23,290 @@ using oracle::Integer;
 using oracle::Word;
 /// A word, or nothing where there is an exception.
 using Said = std::optional<Word>;
+using Words = std::span<const std::uint32_t, 3>;
 
-constexpr oracle::Rounding rule_of(fixed::rounding rule) {
-  switch (rule) {
-    case fixed::rounding::half_up:
-      return oracle::Rounding::half_up;
-    case fixed::rounding::half_away:
-      return oracle::Rounding::half_away;
-    case fixed::rounding::floor:
-      return oracle::Rounding::floor;
-    case fixed::rounding::truncate:
-      break;
-  }
-  return oracle::Rounding::truncate;
+/// What is asked of a, b and c, in the order of the answers below.
+constexpr auto questions = std::to_array<std::string_view>({
+    "a / b",
+    "try_divide(a, b)",
+    "a /= b",
+    "a + b",
+    "a += b",
+    "a - b",
+    "a -= b",
+    "-a",
+    "a * b",
+    "a *= b",
+    "mul_add(a, b, c)",
+    "lerp(a, b, c)",
+    "dot({a, b, c}, {b, c, a})",
+    "floor(a)",
+    "ceil(a)",
+    "trunc(a)",
+    "round(a)",
+    "abs(a)",
+    "sqrt(a)",
+    "a to an integer by the policy's rule",
+    "a as an int",
+    "a < b",
+    "a == b",
+    "min(a, b)",
+    "max(a, b)",
+    "whether a as a double is exact",
+    "whether a as a float is the nearest",
+    "a number of the double whose bits are those of a and b",
+    "a number of the float whose bits are those of b",
+    "a number of the integer whose bits are those of a and b",
+    "a number of the other width, of the bits of b",
+});
+
+std::uint64_t joined(Words words) { return std::uint64_t{words[0]} << 32U | words[1]; }
+
+double exact_double(Word word, int bits) {
+  return std::ldexp(oracle::ulps(word, bits).convert_to<double>(), -bits);
 }
 
-/// One width and policy on one case.
+/// What the type says.
 template <int F, policy P>
-class Trial {
+class TypeAnswers {
  public:
-  explicit Trial(std::span<const std::uint32_t, 3> words) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      words_[i] = words[i] & mask;
-      numbers_[i] = Number::from_raw(static_cast<typename Number::raw_type>(words_[i]));
-      units_[i] = oracle::ulps(words_[i], F);
-    }
-    wide_ = std::uint64_t{words[0]} << 32U | words[1];
+  using Number = fixed::number<F, P>;
+  using Other = fixed::number<24 - F, P>;
+
+  static std::vector<Said> quotients(Words words) {
+    const Number a = number(words[0]);
+    const Number b = number(words[1]);
+    const auto tried = fixed::try_divide(a, b);
+    return {said([=] { return a / b; }), tried ? Said(word(*tried)) : Said(),
+            said([=] { return Number(a) /= b; })};
   }
 
-  std::optional<std::string> all() {
-    quotient();
-    sums();
-    whole_numbers();
-    comparisons();
-    from_elsewhere();
-    return difference_;
-  }
-
-  std::optional<std::string> quotient_only() {
-    quotient();
-    return difference_;
+  static std::vector<Said> all(Words words) {
+    auto answers = quotients(words);
+    const Number a = number(words[0]);
+    const Number b = number(words[1]);
+    const Number c = number(words[2]);
+    const auto add = [&](Said answer) { answers.push_back(answer); };
+    add(said([=] { return a + b; }));
+    add(said([=] { return Number(a) += b; }));
+    add(said([=] { return a - b; }));
+    add(said([=] { return Number(a) -= b; }));
+    add(said([=] { return -a; }));
+    add(said([=] { return a * b; }));
+    add(said([=] { return Number(a) *= b; }));
+    add(said([=] { return mul_add(a, b, c); }));
+    add(said([=] { return lerp(a, b, c); }));
+    add(said([=] { return dot(std::array{a, b, c}, std::array{b, c, a}); }));
+    add(said([=] { return floor(a); }));
+    add(said([=] { return ceil(a); }));
+    add(said([=] { return trunc(a); }));
+    add(said([=] { return round(a); }));
+    add(said([=] { return abs(a); }));
+    add(said([=] { return sqrt(a); }));
+    add(static_cast<Word>(fixed::to_integer<P.multiply>(a)));
+    add(static_cast<Word>(static_cast<int>(a)));
+    add(a < b ? 1 : 0);
+    add(a == b ? 1 : 0);
+    add(word(fixed::min(a, b)));
+    add(word(fixed::max(a, b)));
+    const double exact = exact_double(words[0], F);
+    add(static_cast<double>(a) == exact ? 1 : 0);
+    add(static_cast<float>(a) == static_cast<float>(exact) ? 1 : 0);
+    const std::uint64_t wide = joined(words);
+    add(said([=] { return Number(std::bit_cast<double>(wide)); }));
+    add(said([=] { return Number(std::bit_cast<float>(static_cast<std::uint32_t>(wide))); }));
+    add(said([=] { return Number(static_cast<std::int64_t>(wide)); }));
+    add(said([=] { return Number(Other::from_raw(static_cast<typename Other::raw_type>(wide))); }));
+    return answers;
   }
 
  private:
-  using Number = fixed::number<F, P>;
-  static constexpr int bits = 2 * F;
-  static constexpr Word mask = ~Word{0} >> (32 - bits);
-  static constexpr oracle::Rounding multiply = rule_of(P.multiply);
-
-  static Said in_range(const Integer& exact) {
-    switch (P.range) {
-      case overflow::wrap:
-        break;
-      case overflow::saturate:
-        return oracle::saturate(exact, bits);
-      case overflow::trap:
-        if (!oracle::fits(exact, bits)) return std::nullopt;
-    }
-    return oracle::wrap(exact, bits);
+  static Number number(Word word) {
+    return Number::from_raw(static_cast<typename Number::raw_type>(word));
   }
-
-  /// The end of the range that stands for what has no value.
-  static Said end(bool negative) {
-    if (P.range == overflow::trap) return std::nullopt;
-    return oracle::saturate(negative ? Integer(-1) << bits : Integer(1) << bits, bits);
-  }
-
-  static Word word_of(Number x) {
+  static Word word(Number x) {
     return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
   }
-
   template <class Make>
   static Said said(Make make) {
     try {
-      return word_of(make());
+      return word(make());
     } catch (const fixed::overflow_error&) {
     } catch (const fixed::divide_error&) {
     } catch (const fixed::domain_error&) {
     }
     return std::nullopt;
   }
+};
 
-  template <class Make>
-  void expect(std::string_view what, Said expected, Make make) {
-    const Said got = said(make);
-    if (got == expected || difference_) return;
-    const auto text = [](Said word) {
-      return word ? fmt::format("{:0{}x}", *word, bits / 4) : std::string("an exception");
-    };
-    difference_ = fmt::format(
-        "fixed::number<{}, policy{{.multiply = {}, .divide = {}, .range = {}}}>: {} is {}, the "
-        "oracle says {}\n  a b c       {:08x} {:08x} {:08x}",
-        F, static_cast<int>(P.multiply), static_cast<int>(P.divide), static_cast<int>(P.range),
-        what, text(got), text(expected), words_[0], words_[1], words_[2]);
-  }
-
-  void expect_true(std::string_view what, bool holds) {
-    expect(what, Said(0), [holds] { return Number::from_raw(holds ? 0 : 1); });
-  }
-
-  void quotient() {
-    const Number a = numbers_[0], b = numbers_[1];
-    const auto exact = oracle::exact_quotient(words_[0], words_[1], rule_of(P.divide), F);
-    const Said by_zero = units_[0] == 0 && P.range != overflow::trap ? Said(0) : end(units_[0] < 0);
-    const Said expected = exact ? in_range(*exact) : by_zero;
-    expect("a / b", expected, [&] { return a / b; });
-    const auto tried = fixed::try_divide(a, b);
-    expect_true("whether try_divide(a, b) has a value",
-                tried.has_value() == (exact && expected.has_value()));
-    if (tried) expect("try_divide(a, b)", expected, [&] { return *tried; });
-  }
-
-  void sums() {
-    const Number a = numbers_[0], b = numbers_[1], c = numbers_[2];
-    const Integer& x = units_[0];
-    const Integer& y = units_[1];
-    expect("a + b", in_range(x + y), [&] { return a + b; });
-    expect("a - b", in_range(x - y), [&] { return a - b; });
-    expect("-a", in_range(-x), [&] { return -a; });
-    expect("a * b", in_range(oracle::exact_product(words_[0], words_[1], multiply, F)),
-           [&] { return a * b; });
-    expect("mul_add(a, b, c)",
-           in_range(oracle::exact_mul_add(words_[0], words_[1], words_[2], multiply, F)),
-           [&] { return mul_add(a, b, c); });
-    expect("lerp(a, b, c)",
-           in_range(oracle::exact_lerp(words_[0], words_[1], words_[2], multiply, F)),
-           [&] { return lerp(a, b, c); });
-    const std::array<Number, 3> turned{b, c, a};
-    const std::array<Word, 3> turned_words{words_[1], words_[2], words_[0]};
-    expect("dot({a, b, c}, {b, c, a})",
-           in_range(oracle::exact_dot(words_, turned_words, multiply, F)),
-           [&] { return dot(numbers_, turned); });
-    const auto assigned = [&](auto operation) {
-      return [this, operation] {
-        Number changed = numbers_[0];
-        operation(changed);
-        return changed;
-      };
-    };
-    expect("a += b", in_range(x + y), assigned([&](Number& n) { n += b; }));
-    expect("a -= b", in_range(x - y), assigned([&](Number& n) { n -= b; }));
-    expect("a *= b", in_range(oracle::exact_product(words_[0], words_[1], multiply, F)),
-           assigned([&](Number& n) { n *= b; }));
-    if (const auto exact = oracle::exact_quotient(words_[0], words_[1], rule_of(P.divide), F)) {
-      expect("a /= b", in_range(*exact), assigned([&](Number& n) { n /= b; }));
+/// What is right.
+class OracleAnswers {
+ public:
+  OracleAnswers(int fraction_bits, const policy& rules, Words words)
+      : fraction_bits_(fraction_bits),
+        rules_(rules),
+        multiply_(rule_of(rules.multiply)),
+        wide_(joined(words)) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      words_.at(i) = words[i] & (~Word{0} >> (32 - bits()));
+      units_.at(i) = oracle::ulps(words_.at(i), fraction_bits);
     }
   }
 
-  void whole_numbers() {
-    const Number a = numbers_[0];
-    const Integer& x = units_[0];
-    const Integer one = oracle::one(F);
+  [[nodiscard]] std::vector<Said> quotients() const {
+    const auto exact =
+        oracle::exact_quotient(words_[0], words_[1], rule_of(rules_.divide), fraction_bits_);
+    if (!exact) {
+      const Said limit = traps() || units_[0] != 0 ? end(units_[0] < 0) : Said(0);
+      return {limit, std::nullopt, limit};
+    }
+    return {in_range(*exact), in_range(*exact), in_range(*exact)};
+  }
+
+  [[nodiscard]] std::vector<Said> all() const {
     using enum oracle::Rounding;
-    const auto whole = [&](oracle::Rounding rule) { return oracle::rounded(x, one, rule); };
-    expect("floor(a)", in_range(whole(floor) * one), [&] { return fixed::floor(a); });
-    expect("ceil(a)", in_range(-oracle::rounded(-x, one, floor) * one),
-           [&] { return fixed::ceil(a); });
-    expect("trunc(a)", in_range(whole(truncate) * one), [&] { return fixed::trunc(a); });
-    expect("round(a)", in_range(whole(multiply == half_away ? half_away : half_up) * one),
-           [&] { return fixed::round(a); });
-    expect("abs(a)", in_range(abs(x)), [&] { return fixed::abs(a); });
-    const auto root = oracle::exact_root(words_[0], half_up, F);
-    const Said no_root = P.range == overflow::trap ? Said() : Said(0);
-    expect("sqrt(a)", root ? in_range(*root) : no_root, [&] { return fixed::sqrt(a); });
-    expect_true("to_integer by the policy's rule",
-                fixed::to_integer<P.multiply>(a) == whole(multiply));
-    expect_true("a as an int", static_cast<int>(a) == whole(truncate));
+    auto answers = quotients();
+    const auto add = [&](Said answer) { answers.push_back(answer); };
+    const auto add_twice = [&](const Integer& exact) {
+      add(in_range(exact));
+      add(in_range(exact));
+    };
+    const auto& [x, y, z] = units_;
+    const auto& [a, b, c] = words_;
+    const int f = fraction_bits_;
+    add_twice(x + y);
+    add_twice(x - y);
+    add(in_range(-x));
+    add_twice(oracle::exact_product(a, b, multiply_, f));
+    add(in_range(oracle::exact_mul_add(a, b, c, multiply_, f)));
+    add(in_range(oracle::exact_lerp(a, b, c, multiply_, f)));
+    add(in_range(oracle::exact_dot(std::array{a, b, c}, std::array{b, c, a}, multiply_, f)));
+    const Integer one = oracle::one(f);
+    add(in_range(oracle::rounded(x, one, floor) * one));
+    add(in_range(-oracle::rounded(-x, one, floor) * one));
+    add(in_range(oracle::rounded(x, one, truncate) * one));
+    add(in_range(oracle::rounded(x, one, multiply_ == half_away ? half_away : half_up) * one));
+    add(in_range(abs(x)));
+    const auto root = oracle::exact_root(a, half_up, f);
+    add(root ? in_range(*root) : traps() ? Said() : Said(0));
+    add(oracle::wrap(oracle::rounded(x, one, multiply_), 32));
+    add(oracle::wrap(oracle::rounded(x, one, truncate), 32));
+    add(x < y ? 1 : 0);
+    add(x == y ? 1 : 0);
+    add(x < y ? a : b);
+    add(x < y ? b : a);
+    add(1);
+    add(1);
+    add(of_float(std::bit_cast<double>(wide_)));
+    add(of_float(static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(wide_)))));
+    add(in_range(Integer(static_cast<std::int64_t>(wide_)) * one));
+    const int other = 24 - f;
+    const Integer other_units = oracle::ulps(static_cast<Word>(wide_), other);
+    add(in_range(oracle::rounded(other_units * one, oracle::one(other), multiply_)));
+    return answers;
   }
 
-  void comparisons() {
-    const Number a = numbers_[0], b = numbers_[1];
-    const bool less = units_[0] < units_[1];
-    expect_true("a < b", (a < b) == less);
-    expect_true("a == b", (a == b) == (words_[0] == words_[1]));
-    expect("min(a, b)", words_[less ? 0 : 1], [&] { return fixed::min(a, b); });
-    expect("max(a, b)", words_[less ? 1 : 0], [&] { return fixed::max(a, b); });
+ private:
+  static oracle::Rounding rule_of(fixed::rounding rule) {
+    switch (rule) {
+      case fixed::rounding::half_up:
+        return oracle::Rounding::half_up;
+      case fixed::rounding::half_away:
+        return oracle::Rounding::half_away;
+      case fixed::rounding::floor:
+        return oracle::Rounding::floor;
+      case fixed::rounding::truncate:
+        break;
+    }
+    return oracle::Rounding::truncate;
   }
 
-  /// @tparam Float float or double
-  template <class Float>
-  void from_float(std::string_view what, Float value) {
-    const auto exact = oracle::from_double(static_cast<double>(value), multiply, F);
-    Said expected = end(value < 0);
-    if (exact) expected = in_range(*exact);
-    if (std::isnan(value) && P.range != overflow::trap) expected = 0;
-    expect(what, expected, [value] { return Number(value); });
+  [[nodiscard]] int bits() const { return 2 * fraction_bits_; }
+  [[nodiscard]] bool traps() const { return rules_.range == overflow::trap; }
+
+  [[nodiscard]] Said in_range(const Integer& exact) const {
+    if (rules_.range == overflow::saturate) return oracle::saturate(exact, bits());
+    if (traps() && !oracle::fits(exact, bits())) return std::nullopt;
+    return oracle::wrap(exact, bits());
   }
 
-  void from_elsewhere() {
-    const Number a = numbers_[0];
-    const double value = std::ldexp(units_[0].template convert_to<double>(), -F);
-    expect_true("a as a double", static_cast<double>(a) == value);
-    expect_true("a as a float", static_cast<float>(a) == static_cast<float>(value));
-    from_float("number(double of a's and b's bits)", std::bit_cast<double>(wide_));
-    from_float("number(float of b's bits)",
-               std::bit_cast<float>(static_cast<std::uint32_t>(wide_)));
-    const auto integer = static_cast<std::int64_t>(wide_);
-    expect("number(integer of a's and b's bits)", in_range(Integer(integer) * oracle::one(F)),
-           [integer] { return Number(integer); });
-    const auto other = fixed::number<24 - F, P>::from_raw(
-        static_cast<typename fixed::number<24 - F, P>::raw_type>(wide_));
-    const Word other_word = static_cast<Word>(wide_) & (~Word{0} >> (32 - 2 * (24 - F)));
-    expect("number(another width's)",
-           in_range(oracle::rounded(oracle::ulps(other_word, 24 - F) * oracle::one(F),
-                                    oracle::one(24 - F), multiply)),
-           [other] { return Number(other); });
+  /// The end of the range that stands for what has no value.
+  [[nodiscard]] Said end(bool negative) const {
+    if (traps()) return std::nullopt;
+    const Integer far = Integer(1) << bits();
+    return oracle::saturate(negative ? -far : far, bits());
   }
 
+  [[nodiscard]] Said of_float(double value) const {
+    if (std::isnan(value)) return traps() ? Said() : Said(0);
+    const auto exact = oracle::from_double(value, multiply_, fraction_bits_);
+    return exact ? in_range(*exact) : end(value < 0);
+  }
+
+  int fraction_bits_;
+  policy rules_;
+  oracle::Rounding multiply_;
+  std::uint64_t wide_;
   std::array<Word, 3> words_{};
-  std::array<Number, 3> numbers_{};
   std::array<Integer, 3> units_;
-  std::uint64_t wide_ = 0;
-  std::optional<std::string> difference_;
 };
 
-using fixed::rounding;
-constexpr policy saturating_away{
-    .multiply = rounding::half_away, .divide = rounding::half_away, .range = overflow::saturate};
-constexpr policy trapping_floor{
-    .multiply = rounding::floor, .divide = rounding::floor, .range = overflow::trap};
-constexpr policy saturating_truncate{
-    .multiply = rounding::truncate, .divide = rounding::truncate, .range = overflow::saturate};
-constexpr policy wrapping_away{.multiply = rounding::half_away, .divide = rounding::half_away};
+std::optional<std::string> difference(int fraction_bits, const policy& rules, Words words,
+                                      const std::vector<Said>& type,
+                                      const std::vector<Said>& oracle) {
+  const auto text = [](Said word) { return word ? fmt::format("{:08x}", *word) : "an exception"; };
+  for (std::size_t i = 0; i < type.size(); ++i) {
+    if (type[i] == oracle[i]) continue;
+    return fmt::format(
+        "fixed::number<{}, policy{{.multiply = rounding({}), .divide = rounding({}), .range = "
+        "overflow({})}}>: {}\n  a b c      {:08x} {:08x} {:08x}\n  type       {}\n  must be    {}",
+        fraction_bits, static_cast<int>(rules.multiply), static_cast<int>(rules.divide),
+        static_cast<int>(rules.range), questions.at(i), words[0], words[1], words[2], text(type[i]),
+        text(oracle[i]));
+  }
+  return std::nullopt;
+}
 
-/// `ask(trial)` of every width and policy until one differs.
-template <class Ask>
-std::optional<std::string> each_trial(std::span<const std::uint32_t, 3> words, Ask ask) {
+template <int F, policy P>
+std::optional<std::string> difference_of(Words words, bool quotients_only) {
+  const OracleAnswers oracle(F, P, words);
+  if (quotients_only) {
+    return difference(F, P, words, TypeAnswers<F, P>::quotients(words), oracle.quotients());
+  }
+  return difference(F, P, words, TypeAnswers<F, P>::all(words), oracle.all());
+}
+
+/// Of every width and policy.
+std::optional<std::string> first_difference(Words words, bool quotients_only) {
+  using fixed::rounding;
   using namespace fixed::policies;
-  std::optional<std::string> found;
-  const auto try_one = [&]<int F, policy P>(Trial<F, P> trial) {
-    if (!found) found = ask(trial);
-  };
-  const auto try_policy = [&]<policy P>(std::integral_constant<policy, P>) {
-    try_one(Trial<16, P>(words));
-    try_one(Trial<8, P>(words));
-  };
-  try_policy(std::integral_constant<policy, wrapping>());
-  try_policy(std::integral_constant<policy, saturating>());
-  try_policy(std::integral_constant<policy, trapping>());
-  try_policy(std::integral_constant<policy, saturating_away>());
-  try_policy(std::integral_constant<policy, trapping_floor>());
-  try_policy(std::integral_constant<policy, saturating_truncate>());
-  try_policy(std::integral_constant<policy, wrapping_away>());
-  return found;
+  constexpr policy saturating_away{
+      .multiply = rounding::half_away, .divide = rounding::half_away, .range = overflow::saturate};
+  constexpr policy trapping_floor{
+      .multiply = rounding::floor, .divide = rounding::floor, .range = overflow::trap};
+  constexpr policy wrapping_truncate{.multiply = rounding::truncate, .divide = rounding::truncate};
+  for (const auto of : {
+           difference_of<16, wrapping>,
+           difference_of<8, wrapping>,
+           difference_of<16, saturating>,
+           difference_of<8, saturating>,
+           difference_of<16, trapping>,
+           difference_of<8, trapping>,
+           difference_of<16, saturating_away>,
+           difference_of<8, trapping_floor>,
+           difference_of<16, wrapping_truncate>,
+       }) {
+    if (auto found = of(words, quotients_only)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> type_difference(std::span<const std::uint32_t, 3> words) {
-  return each_trial(words, [](auto& trial) { return trial.all(); });
-}
+std::optional<std::string> type_difference(Words words) { return first_difference(words, false); }
 
 std::optional<std::string> quotient_difference(std::uint32_t n, std::uint32_t d) {
-  const std::array<std::uint32_t, 3> words{n, d, 0};
-  return each_trial(words, [](auto& trial) { return trial.quotient_only(); });
+  return first_difference(std::array<std::uint32_t, 3>{n, d, 0}, true);
 }
 
 }  // namespace fixproof::fuzz
