@@ -114,6 +114,16 @@ std::optional<std::string> difference(const Left& model, const Left& unicorn) {
                      unicorn.length.value_or(0));
 }
 
+/// Whether the emulator would end the whole process: Unicorn 2.0.1 divides -2^63 by -1 with the
+/// host's own IDIV. What is right is #DE, as for every quotient that does not fit.
+bool ends_unicorn(const x86::Instruction& instruction, const StepMachine& m) {
+  const auto& divisor = instruction.operands[0];
+  return instruction.mnemonic == x86::Mnemonic::idiv && divisor.size == Size::dword &&
+         m.registers.read(Register::dx, Size::dword) == 0x80000000U &&
+         m.registers.read(Register::ax, Size::dword) == 0 &&
+         m.registers.read(divisor.reg, Size::dword) == 0xFFFFFFFFU;
+}
+
 bool reads_back(const x86::Instruction& instruction) {
   const auto again = x86::parse(x86::text_of(instruction));
   return again && x86::text_of(*again) == x86::text_of(instruction);
@@ -140,7 +150,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                          step.replay(decoded->instruction));
   }
   static Executor unicorn;
-  if (const auto found = difference(model, unicorn.execute(step, decoded->length))) {
+  Left expected;
+  if (ends_unicorn(decoded->instruction, step.machine)) {
+    expected.divide_error = true;
+  } else {
+    expected = unicorn.execute(step, decoded->length);
+  }
+  if (const auto found = difference(model, expected)) {
     fuzz::report_finding(fmt::format("{}\n  {}\n  replay: {}", x86::text_of(decoded->instruction),
                                      *found, step.replay(decoded->instruction)));
   }
