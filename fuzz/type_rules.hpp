@@ -10,10 +10,11 @@
 
 namespace fixproof::fuzz {
 
-/// The first operation that is not what the oracle says, in 16.16 or, of the low halves, in 8.8.
+/// The first operation on a, b and c that is not what the oracle says, in 16.16 or, of the low
+/// halves, in 8.8, under one policy, which c chooses.
 std::optional<std::string> type_difference(std::span<const std::uint32_t, 3> words);
 
-/// The same of n / d alone.
+/// The same of n / d alone, under every policy.
 std::optional<std::string> quotient_difference(std::uint32_t n, std::uint32_t d);
 
 }  // namespace fixproof::fuzz

@@ -31,15 +31,19 @@ std::int64_t units(std::uint32_t word, const Format& format) {
   return raw < format.limit() ? raw : raw - 2 * format.limit();
 }
 
-/// The dividend of the divisor at an edge: of its whole part, as the 8088 divides, or of all of it.
+/// The dividend at an edge of the divisor: of its whole part, as the 8088 divides, or of all of it.
 void aim_quotient(const Format& format, std::span<std::uint32_t> words, Draw& draw) {
-  const std::int64_t d = units(words[1], format);
-  const bool whole = draw.coin();
-  const std::int64_t divisor = whole ? d / format.one() : d;
-  const int scale = whole ? 0 : format.fraction_bits;
   const std::array<std::int64_t, 4> edges{0, 1, format.limit(), 2 * format.limit()};
   const std::int64_t quotient =
       draw.coin() ? draw.magnitude(format.word_bits - 1) : edges[draw.below(edges.size())];
+  const bool whole = draw.coin();
+  // Only below 1/2 do quotients of twice the range have a dividend.
+  if (!whole && quotient >= format.limit()) {
+    words[1] = format.word(draw.either_sign(draw.magnitude(format.fraction_bits - 1)));
+  }
+  const std::int64_t d = units(words[1], format);
+  const std::int64_t divisor = whole ? d / format.one() : d;
+  const int scale = whole ? 0 : format.fraction_bits;
   // Twice the quotient, so that a half is a whole number. Far beyond it the dividend is no word.
   const std::int64_t twice = 2 * quotient + static_cast<std::int64_t>(draw.below(3)) - 1;
   if (divisor == 0 || std::abs(twice) > (std::int64_t{1} << 62) / std::abs(divisor)) return;
@@ -80,7 +84,7 @@ const std::vector<Seat>& seats_of(WordTarget target) {
   static const std::array<std::vector<Seat>, 4> all{
       hear({div}), hear({mul}), hear({concat, xformvec}),
       seats_of({mul, div, cossin, xformvec, concat, sqrt, decimal, binary64},
-               {"oracle", "fast", "type", "model", "interpreter", "silicon", "unicorn"})};
+               {"oracle", "fast", "type", "model", "interpreter", "silicon"})};
   return all.at(static_cast<std::size_t>(target));
 }
 
@@ -99,7 +103,10 @@ void mutate_case(const Variant& variant, std::span<std::uint32_t> words, Draw& d
       break;
     case 1: {
       static const auto wide = boundary_lattice(32);
-      word = format.word(wide[draw.below(wide.size())]);
+      const std::array<std::int64_t, 4> ends{-format.limit(), format.limit() - 1, -format.one(),
+                                             -1};
+      word = draw.below(4) == 0 ? format.word(ends[draw.below(ends.size())])
+                                : format.word(wide[draw.below(wide.size())]);
       break;
     }
     case 2:
