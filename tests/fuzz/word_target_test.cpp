@@ -55,7 +55,7 @@ TEST(MutateInput, SeeksTheEdgesOfTheDivide) {
     edges.count(words[0], words[1]);
   }
   // Of words drawn evenly not one in a thousand is on any of these.
-  constexpr int some = inputs / 200;
+  constexpr int some = inputs / 400;
   EXPECT_GT(edges.ties, some);
   EXPECT_GT(edges.ties_of_8088, some);
   EXPECT_GT(edges.near_2_31, some);
