@@ -87,7 +87,7 @@ void write_words_of(const fs::path& root, std::string_view name, fuzz::WordTarge
 
 void write_steps(const fs::path& root) {
   Corpus corpus(root, "step");
-  for (std::uint32_t i = 0; i < 400; ++i) {
+  for (std::uint32_t i = 0; i < 150; ++i) {
     fuzz::StepCase step;
     if (i % 2 == 1) step.cpu = x86model::Target::i8088;
     fuzz::mutate_step_case(step, i);
