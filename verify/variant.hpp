@@ -18,6 +18,8 @@ enum class Operation : std::uint8_t {
   xformvec,
   concat,
   sqrt,      ///< square root; a negative operand gives 0
+  sin,       ///< sine of an angle in radians
+  cos,       ///< cosine of an angle in radians
   decimal,   ///< to decimal text and back: the identity
   binary64,  ///< to double and back: the identity
 };
