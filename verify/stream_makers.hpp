@@ -45,6 +45,9 @@ Pair fault_edge(Draw& draw, const Format& format);
 
 std::uint32_t root_tie(Draw& draw, const Format& format);
 
+std::uint32_t quarter_turn(Draw& draw, const Format& format);
+std::uint32_t hard_angle(Draw& draw, const Format& format);
+
 // Transforms: 12 words of a matrix, then 3 of a point or 12 of a second matrix.
 void rotation(Draw& draw, const Format& format, std::span<std::uint32_t> words);
 void axes(Draw& draw, const Format& format, std::span<std::uint32_t> words);

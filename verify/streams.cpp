@@ -14,7 +14,7 @@ namespace fixproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 17> stream_names{"uniform",
+constexpr std::array<std::string_view, 19> stream_names{"uniform",
                                                         "scaled",
                                                         "lattice",
                                                         "every",
@@ -30,7 +30,9 @@ constexpr std::array<std::string_view, 17> stream_names{"uniform",
                                                         "axes",
                                                         "lattice_words",
                                                         "transform_ties",
-                                                        "root_ties"};
+                                                        "root_ties",
+                                                        "quarter_turns",
+                                                        "hard_angles"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
   throw std::invalid_argument(
@@ -107,9 +109,12 @@ bool is_stream_of(Stream stream, Operation operation) {
     case Stream::transform_ties:
       return operation == Operation::xformvec || operation == Operation::concat;
     case Stream::root_ties:
+      return operation == Operation::sqrt;
+    case Stream::quarter_turns:
+    case Stream::hard_angles:
       break;
   }
-  return operation == Operation::sqrt;
+  return operation == Operation::sin || operation == Operation::cos;
 }
 
 }  // namespace
@@ -204,6 +209,10 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
       return cases([&](Draw& draw, auto one_case) { transform_tie(draw, format, one_case); });
     case Stream::root_ties:
       return cases([&](Draw& draw, auto one_case) { one_case[0] = root_tie(draw, format); });
+    case Stream::quarter_turns:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = quarter_turn(draw, format); });
+    case Stream::hard_angles:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = hard_angle(draw, format); });
   }
 }
 

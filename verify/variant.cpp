@@ -70,9 +70,9 @@ std::vector<Variant> all_variants() {
   for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
     all.push_back({.operation = o, .target = Target::i386, .chapter_52 = true});
   }
-  for (const Operation o : {Operation::mul, Operation::div, Operation::xformvec, Operation::concat,
-                            Operation::sqrt, Operation::sin, Operation::cos, Operation::decimal,
-                            Operation::binary64}) {
+  for (const Operation o :
+       {Operation::mul, Operation::div, Operation::xformvec, Operation::concat, Operation::sqrt,
+        Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {
     all.push_back({.operation = o, .target = Target::standard});
   }
   return all;
