@@ -85,6 +85,9 @@ constexpr int operand_bits(const Variant& v) {
   return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
 }
 
+/// Whether FIXED.ASM has it.
+constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
+
 std::string_view name_of(Operation o);
 std::string_view name_of(Target t);
 /// The name on the command line; throws std::invalid_argument for any other.

@@ -61,12 +61,6 @@ constexpr std::uint64_t careful_sine(std::int32_t angle, std::uint64_t ahead) no
   return static_cast<std::uint64_t>(cosine(multiply_high(from_peak << 1, half_pi << 1)));
 }
 
-/// The angle in units of 2^-16 radians, which 32 bits hold.
-template <int FractionBits>
-constexpr std::int32_t wide_angle(raw_t<FractionBits> raw) noexcept {
-  return std::int32_t{raw} * (1 << (16 - FractionBits));
-}
-
 /// How a quick_cosine() becomes a result in units of 2^-FractionBits.
 template <int FractionBits>
 struct quick_rounding {
@@ -89,7 +83,7 @@ inline constexpr std::uint64_t turns_bias = std::uint64_t{1} << 30;
 template <int FractionBits>
 constexpr std::int32_t nearest_sine(raw_t<FractionBits> raw, std::uint64_t ahead) noexcept {
   using rounding = quick_rounding<FractionBits>;
-  const std::int32_t angle = wide_angle<FractionBits>(raw);
+  const std::int32_t angle = std::int32_t{raw} * (1 << (16 - FractionBits));
   const std::uint64_t turns =
       static_cast<std::uint64_t>(std::int64_t{angle}) * turns_of_unit + turns_bias + ahead;
   // Off by 1/2 of its units by rounding, and by 0.021 by the error of turns_of_unit.
