@@ -78,7 +78,6 @@ std::vector<Contender> contenders() {
   };
 #if defined(FIXPROOF_LIBFIXMATH)
   all.push_back({"sin/libfixmath", each(fix16_sin), false, 600, 5000});
-  all.push_back({"sin/libfixmath_parabola", each(fix16_sin_parabola), false, 5000, 10000});
 #endif
   return all;
 }

@@ -1,9 +1,9 @@
 /// \file
 /// Sines and cosines of many angles in radians: the results of fixed/trig.hpp, to the bit, several
-/// times as fast where the processor has AVX2 or AVX-512. Not part of fixed/fixed.hpp.
+/// times as fast where the processor has AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
 ///
-/// Which instructions are used is found out at run time; FIXED_NO_VECTORS, defined before this is
-/// included, leaves them all out.
+/// Which of the first two there is, is found out at run time. FIXED_NO_VECTORS, defined before this
+/// is included, leaves out all three.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,14 @@
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
 
-#if defined(__x86_64__) && defined(__GNUC__) && __STDC_HOSTED__ && !defined(FIXED_NO_VECTORS)
+#if defined(__GNUC__) && __STDC_HOSTED__ && !defined(FIXED_NO_VECTORS)
+#if defined(__x86_64__)
 #define FIXED_RADIAN_X86
 #include <immintrin.h>
+#elif defined(__AARCH64EL__)
+#define FIXED_RADIAN_NEON
+#include <arm_neon.h>
+#endif
 #endif
 
 namespace fixed::detail {
@@ -44,8 +49,9 @@ void nearest_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
 
 }  // namespace fixed::detail
 
-#if defined(FIXED_RADIAN_X86)
 #define FIXED_RADIAN_FUNCTION FIXED_RADIAN_TARGET __attribute__((always_inline)) inline
+
+#if defined(FIXED_RADIAN_X86)
 
 #define FIXED_RADIAN_LANES radian_avx2
 #define FIXED_RADIAN_BYTES 32
@@ -63,8 +69,17 @@ void nearest_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
 #undef FIXED_RADIAN_BYTES
 #undef FIXED_RADIAN_TARGET
 
-#undef FIXED_RADIAN_FUNCTION
+#elif defined(FIXED_RADIAN_NEON)
+#define FIXED_RADIAN_LANES radian_neon
+#define FIXED_RADIAN_BYTES 16
+#define FIXED_RADIAN_TARGET
+#include "fixed/detail/radian_lanes.hpp"
+#undef FIXED_RADIAN_LANES
+#undef FIXED_RADIAN_BYTES
+#undef FIXED_RADIAN_TARGET
 #endif
+
+#undef FIXED_RADIAN_FUNCTION
 
 namespace fixed::detail {
 
@@ -79,6 +94,8 @@ void all_sines(const raw_t<F>* angles, raw_t<F>* results, std::size_t count,
   } else if (__builtin_cpu_supports("avx2")) {
     done = radian_avx2::sines<F>(angles, results, count, ahead);
   }
+#elif defined(FIXED_RADIAN_NEON)
+  done = radian_neon::sines<F>(angles, results, count, ahead);
 #endif
   nearest_sines<F>(angles + done, results + done, count - done, ahead);
 }
@@ -94,6 +111,8 @@ void all_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
   } else if (__builtin_cpu_supports("avx2")) {
     done = radian_avx2::both<F>(angles, cosines, sines, count);
   }
+#elif defined(FIXED_RADIAN_NEON)
+  done = radian_neon::both<F>(angles, cosines, sines, count);
 #endif
   nearest_of_both<F>(angles + done, cosines + done, sines + done, count - done);
 }

@@ -21,7 +21,9 @@ using narrow_i16 [[gnu::vector_size(FIXED_RADIAN_BYTES / 2)]] = std::int16_t;
 // product(a, b)           of the lower halves of 64-bit lanes
 // signed_product(a, b)    the same, as signed integers
 // interleaved(even, odd)  the lower halves of one, the upper halves of the other
-// zero_bits(x)            a bit for each lane that is zero
+// any_zero(x)             whether a lane is zero
+// unknown(x)              x, of which the compiler knows nothing: where clang can prove that
+//                         operands have 32 bits it forgets it, and multiplies 64 in three products
 
 #if FIXED_RADIAN_BYTES == 64
 
@@ -35,11 +37,15 @@ FIXED_RADIAN_FUNCTION u64 signed_product(u64 a, u64 b) {
 FIXED_RADIAN_FUNCTION i32 interleaved(u64 even, u64 odd) {
   return i32(_mm512_mask_blend_epi32(0xaaaa, __m512i(even), __m512i(odd)));
 }
-FIXED_RADIAN_FUNCTION std::uint32_t zero_bits(i32 x) {
-  return _mm512_testn_epi32_mask(__m512i(x), __m512i(x));
+FIXED_RADIAN_FUNCTION bool any_zero(i32 x) {
+  return _mm512_testn_epi32_mask(__m512i(x), __m512i(x)) != 0;
+}
+FIXED_RADIAN_FUNCTION u64 unknown(u64 x) {
+  asm("" : "+v"(x));
+  return x;
 }
 
-#else
+#elif FIXED_RADIAN_BYTES == 32
 
 FIXED_RADIAN_FUNCTION u64 product(u64 a, u64 b) {
   return u64(_mm256_mul_epu32(__m256i(a), __m256i(b)));
@@ -50,9 +56,25 @@ FIXED_RADIAN_FUNCTION u64 signed_product(u64 a, u64 b) {
 FIXED_RADIAN_FUNCTION i32 interleaved(u64 even, u64 odd) {
   return i32(_mm256_blend_epi32(__m256i(even), __m256i(odd), 0xaa));
 }
-FIXED_RADIAN_FUNCTION std::uint32_t zero_bits(i32 x) {
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(x == 0)));
+FIXED_RADIAN_FUNCTION bool any_zero(i32 x) { return _mm256_movemask_ps(__m256(x == 0)) != 0; }
+FIXED_RADIAN_FUNCTION u64 unknown(u64 x) {
+  asm("" : "+x"(x));
+  return x;
 }
+
+#else
+
+FIXED_RADIAN_FUNCTION u64 product(u64 a, u64 b) {
+  return u64(vmull_u32(vmovn_u64(uint64x2_t(a)), vmovn_u64(uint64x2_t(b))));
+}
+FIXED_RADIAN_FUNCTION u64 signed_product(u64 a, u64 b) {
+  return u64(vmull_s32(vmovn_s64(int64x2_t(a)), vmovn_s64(int64x2_t(b))));
+}
+FIXED_RADIAN_FUNCTION i32 interleaved(u64 even, u64 odd) {
+  return i32(vbslq_u64(uint64x2_t(u64{} + 0xffffffff), uint64x2_t(even), uint64x2_t(odd)));
+}
+FIXED_RADIAN_FUNCTION bool any_zero(i32 x) { return vminvq_u32(uint32x4_t(x)) == 0; }
+FIXED_RADIAN_FUNCTION u64 unknown(u64 x) { return x; }
 
 #endif
 
@@ -79,13 +101,6 @@ FIXED_RADIAN_FUNCTION void store(raw_t<F>* to, i32 x) {
   }
 }
 
-/// The same value, of which the compiler knows nothing. Where clang can prove that operands have
-/// 32 bits it forgets that they do, and multiplies 64 bits with three products.
-FIXED_RADIAN_FUNCTION u64 unknown(u64 x) {
-  asm("" : "+v"(x));
-  return x;
-}
-
 /// The turns of the angles in the lower halves.
 FIXED_RADIAN_FUNCTION u64 turns_of(u64 angle) {
   const u64 lower = signed_product(angle, u64{} + (turns_of_unit & 0xffffffff));
@@ -103,9 +118,9 @@ FIXED_RADIAN_FUNCTION u64 quick_cosine_of(u64 d) {
   return quick_coefficients[0] - product(z, factor);
 }
 
-/// The sines of a block whose turns these are, but for those that `doubtful` has a bit for.
+/// The sines of a block whose turns these are; `doubtful` is set if one of them may be wrong.
 template <int F>
-FIXED_RADIAN_FUNCTION i32 sines_of(u64 even, u64 odd, std::uint32_t& doubtful) {
+FIXED_RADIAN_FUNCTION i32 sines_of(u64 even, u64 odd, bool& doubtful) {
   using rounding = quick_rounding<F>;
   const i32 sign = interleaved(even >> 32, odd) >> 31;
   even = quick_cosine_of((even - quarter_turn) >> 31) + rounding::bias;
@@ -113,7 +128,7 @@ FIXED_RADIAN_FUNCTION i32 sines_of(u64 even, u64 odd, std::uint32_t& doubtful) {
   // The bits of quick_rounding::doubtful, brought into 32.
   constexpr int unneeded = 34;
   constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
-  doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask);
+  doubtful |= any_zero(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask);
   const i32 magnitude = interleaved(even >> rounding::dropped, odd >> (rounding::dropped - 32));
   return (magnitude ^ sign) - sign;
 }
@@ -126,9 +141,9 @@ FIXED_RADIAN_TARGET std::size_t sines(const raw_t<F>* angles, raw_t<F>* results,
   std::size_t i = 0;
   for (; i + width <= count; i += width) {
     const i32 x = load<F>(angles + i);
-    std::uint32_t doubtful = 0;
+    bool doubtful = false;
     const i32 y = sines_of<F>(turns_of(u64(x)) + ahead, turns_of(u64(x) >> 32) + ahead, doubtful);
-    if (doubtful == 0) [[likely]] {
+    if (!doubtful) [[likely]] {
       store<F>(results + i, y);
     } else {
       nearest_sines<F>(angles + i, results + i, width, ahead);
@@ -146,10 +161,10 @@ FIXED_RADIAN_TARGET std::size_t both(const raw_t<F>* angles, raw_t<F>* cosines, 
     const i32 x = load<F>(angles + i);
     const u64 even = turns_of(u64(x));
     const u64 odd = turns_of(u64(x) >> 32);
-    std::uint32_t doubtful = 0;
+    bool doubtful = false;
     const i32 sin = sines_of<F>(even, odd, doubtful);
     const i32 cos = sines_of<F>(even + quarter_turn, odd + quarter_turn, doubtful);
-    if (doubtful == 0) [[likely]] {
+    if (!doubtful) [[likely]] {
       store<F>(sines + i, sin);
       store<F>(cosines + i, cos);
     } else {
