@@ -128,16 +128,19 @@ TEST(BatchRadian, InPlace) {
   const std::vector<q16_16> angles = numbers<q16_16>(50'000);
   std::vector<q16_16> sines = angles;
   batch::sin(sines, sines);
-  std::vector<q16_16> cosines = angles;
-  std::vector<q16_16> others(angles.size());
-  batch::sin_cos(cosines, cosines, others);
-  std::vector<q16_16> also_sines = angles;
-  batch::sin_cos(also_sines, others, also_sines);
+  std::vector<q16_16> cosines_there = angles;
+  std::vector<q16_16> sines_elsewhere(angles.size());
+  batch::sin_cos(cosines_there, cosines_there, sines_elsewhere);
+  std::vector<q16_16> sines_there = angles;
+  std::vector<q16_16> cosines_elsewhere(angles.size());
+  batch::sin_cos(sines_there, cosines_elsewhere, sines_there);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    ASSERT_EQ(sines[i], fixed::sin(angles[i]));
-    ASSERT_EQ(cosines[i], fixed::cos(angles[i]));
-    ASSERT_EQ(also_sines[i], fixed::sin(angles[i]));
-    ASSERT_EQ(others[i], fixed::cos(angles[i]));
+    const auto [cos, sin] = fixed::sin_cos(angles[i]);
+    ASSERT_EQ(sines[i], sin);
+    ASSERT_EQ(sines_elsewhere[i], sin);
+    ASSERT_EQ(sines_there[i], sin);
+    ASSERT_EQ(cosines_there[i], cos);
+    ASSERT_EQ(cosines_elsewhere[i], cos);
   }
 }
 
