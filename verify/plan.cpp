@@ -90,7 +90,7 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::uniform, sample},
               {Stream::scaled, sample},
               {Stream::quarter_turns, sample},
-              {Stream::hard_angles, sample}};
+              {Stream::hard_angles}};
     case Operation::decimal:
     case Operation::binary64:
       break;

@@ -23,9 +23,7 @@ std::uint64_t inverse(std::uint64_t a) {
   return x;
 }
 
-/// Every 16.16 word of which the sine or the cosine is less than 2^-27 units from halfway, without
-/// the negative ones, as a look at all 2^31 has found them.
-constexpr std::array<std::int64_t, 62> hard_angles{
+constexpr std::array<std::uint32_t, 62> hard_words{
     0x01faf7eb, 0x046936f4, 0x06772dbb, 0x0c54eeec, 0x0cc9a52c, 0x0cd31bf4, 0x0d518b65, 0x0db520b1,
     0x10e4c31e, 0x112256a7, 0x11776e51, 0x12a821f9, 0x12b212c2, 0x138e71de, 0x13c02e71, 0x15ee4b90,
     0x1d0d85b5, 0x1e70a1b9, 0x24f7478a, 0x25fa3386, 0x26e5159d, 0x2f385ad3, 0x307d4dca, 0x378b3a20,
@@ -174,9 +172,7 @@ std::uint32_t quarter_turn(Draw& draw, const Format& format) {
   return format.word(draw.either_sign(nearest + beside(draw)));
 }
 
-std::uint32_t hard_angle(Draw& draw, const Format& format) {
-  return format.word(draw.either_sign(hard_angles.at(draw.below(hard_angles.size()))));
-}
+std::span<const std::uint32_t> hard_angles() { return hard_words; }
 
 void rotation(Draw& draw, const Format& format, std::span<std::uint32_t> words) {
   write_matrix(rotation_of(random_quaternion(draw), format), draw, format, words.first(12));

@@ -346,8 +346,9 @@ TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
 }
 
 TEST(Streams, HardAnglesAreNearHalfway) {
-  const auto cases =
-      cases_of(Stream::hard_angles, {.operation = Operation::cos, .target = Target::standard});
+  const Variant cosine{.operation = Operation::cos, .target = Target::standard};
+  ASSERT_EQ(size_of(Stream::hard_angles, cosine), 124U);
+  const auto cases = cases_of(Stream::hard_angles, cosine, 124);
   const auto from_half = [](long double exact) {
     const long double units = exact * 65536;
     return std::abs(units - std::floor(units) - 0.5L);
