@@ -11,6 +11,8 @@ build_packages=(cmake ninja-build g++ libboost-dev libcli11-dev libfmt-dev nlohm
 test_packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev dosbox cvc5)
 # shellcheck disable=SC2034  # used by ./test
 browser_packages=(chromium chromium-driver python3-selenium)
+# shellcheck disable=SC2034
+scale_packages=(parallel slurmctld slurmd slurm-client munge python3-yaml)
 # clang-format and clang-tidy judge differently from version to version: one version for every machine.
 # shellcheck disable=SC2034  # used by the scripts that source this one
 llvm=14
