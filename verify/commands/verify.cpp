@@ -174,7 +174,7 @@ int verify(const VerifyOptions& options) {
 void add_options(CLI::App& command, VerifyOptions& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
-                     "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64 (all)");
+                     "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64 (all)");
   command
       .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
       ->transform(whole_number(1, 3))

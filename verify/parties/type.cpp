@@ -53,6 +53,10 @@ bool one_case(const Variant& v, std::span<const std::uint32_t> in, std::span<std
     }
   } else if constexpr (operation == Operation::sqrt) {
     out[0] = word_of(fixed::sqrt(operand(0)));
+  } else if constexpr (operation == Operation::sin) {
+    out[0] = word_of(fixed::sin(operand(0)));
+  } else if constexpr (operation == Operation::cos) {
+    out[0] = word_of(fixed::cos(operand(0)));
   } else if constexpr (operation == Operation::decimal) {
     std::array<char, fixed::max_chars<Number>> text{};
     const auto written = fixed::to_chars(text.data(), text.data() + text.size(), operand(0));
@@ -94,6 +98,10 @@ void each_case(const Variant& v, const Batch& batch) {
       return each_case<Number, concat>(v, batch);
     case sqrt:
       return each_case<Number, sqrt>(v, batch);
+    case sin:
+      return each_case<Number, sin>(v, batch);
+    case cos:
+      return each_case<Number, cos>(v, batch);
     case decimal:
       return each_case<Number, decimal>(v, batch);
     case binary64:
