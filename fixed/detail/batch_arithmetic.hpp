@@ -114,35 +114,14 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
 struct divisor_lanes {
   std::uint32_t zeros;
   f64 value;
-#if defined(FIXED_LANES_AVX512)
-  f64 reciprocal;
-#endif
 };
-
-#if defined(FIXED_LANES_AVX512)
-inline constexpr int nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
-
-/// 1 / d, off by less than 2^-27.9 of it: the estimate of the processor, off by 2^-14 at most, and
-/// one step of Newton's, which squares that. 1 <= |d| <= 2^31.
-FIXED_LANE_FUNCTION f64 reciprocal_of(f64 d) {
-  const f64 r = _mm512_maskz_rcp14_pd(0xff, d);
-  const f64 error = _mm512_fnmadd_round_pd(d, r, f64{} + 1.0, nearest);
-  return _mm512_fmadd_round_pd(r, error, r, nearest);
-}
-#endif
 
 template <int F, policy P>
 FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
   if constexpr (P.divisor == divisor_width::whole_part) {
     d = (d + ((d >> 31) & ((1 << F) - 1))) >> F;
   }
-  divisor_lanes result;
-  result.zeros = zero_bits(d);
-  result.value = doubles(d - (d == 0));
-#if defined(FIXED_LANES_AVX512)
-  result.reciprocal = reciprocal_of(result.value);
-#endif
-  return result;
+  return {zero_bits(d), doubles(d - (d == 0))};
 }
 
 FIXED_LANE_FUNCTION f64 magnitude_of(f64 x) {
@@ -153,36 +132,18 @@ FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
   return f64(i64(magnitude) | (i64(sign) & std::numeric_limits<std::int64_t>::min()));
 }
 
-/// detail::quotient_sum() on lanes: floor or trunc of it is the rounded quotient.
-///
-/// With AVX-512 by multiplication, rounded to nearest whatever the mode of the processor is. Let
-/// Q = n / d, r the reciprocal with |d r - 1| < 2^-27.9 and q0 = n r, rounded: off by less than
-/// |Q| 2^-27.8. The remainder n - q0 d, rounded once, is its error times d. q = q0 + remainder * r
-/// before it is rounded is then off by less than |Q| 2^-27.8 2^-27.8 + |Q| 2^-80 < |Q| 2^-55.5.
-/// Rounding adds at most |Q| 2^-53 (1 + 2^-55): in all less than |Q| 2^-52. And where Q is a
-/// double, as integers and halves are, the next doubles are at least |Q| 2^-53 away, so that q is
-/// Q. This is all that the proof of detail::quotient_sum() asks of a quotient; scaling q by a power
-/// of two and adding a half is one rounding more here as there.
+/// detail::quotient_sum(), which proves it, on lanes: floor or trunc of it is the rounded quotient.
 template <rounding R, int Shift>
-FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 n, const divisor_lanes& d) {
+FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   constexpr double scale = std::int64_t{1} << Shift;
-#if defined(FIXED_LANES_AVX512)
-  const f64 estimate = _mm512_maskz_mul_round_pd(0xff, n, d.reciprocal, nearest);
-  const f64 remainder = _mm512_fnmadd_round_pd(estimate, d.value, n, nearest);
-  const f64 q = _mm512_fmadd_round_pd(remainder, d.reciprocal, estimate, nearest);
-  if constexpr (R == rounding::half_up || R == rounding::half_away) {
-    f64 half = f64{} + 0.5;
-    if constexpr (R == rounding::half_away) half = with_sign_of(half, q);
-    return _mm512_fmadd_round_pd(q, f64{} + scale, half, nearest);
+  const f64 q = numerator * scale / divisor;
+  if constexpr (R == rounding::half_up) {
+    return q + 0.5;
+  } else if constexpr (R == rounding::half_away) {
+    return q + with_sign_of(f64{} + 0.5, q);
   } else {
-    return q * scale;
+    return q;
   }
-#else
-  const f64 q = n * scale / d.value;
-  if constexpr (R == rounding::half_up) return q + 0.5;
-  if constexpr (R == rounding::half_away) return q + with_sign_of(f64{} + 0.5, q);
-  return q;
-#endif
 }
 
 /// Half a block of quotients by policy. The bits of what is a divide error go into `errors`, those
@@ -195,7 +156,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   constexpr double low = std::numeric_limits<raw_t<F>>::min();
   constexpr double high = std::numeric_limits<raw_t<F>>::max();
   const f64 numerator = doubles(n);
-  f64 sum = sum_before_rounding<P.divide, shift>(numerator, d);
+  f64 sum = sum_before_rounding<P.divide, shift>(numerator, d.value);
 
   errors = d.zeros;
   if constexpr (P.fault == divide_fault::unsigned_quotient) {

@@ -68,9 +68,7 @@ FIXED_LANE_FUNCTION i32 join(half_i32 low, half_i32 high) {
 FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
   return half_i32(_mm512_maskz_cvtepi64_epi32(0xff, __m512i(x)));
 }
-FIXED_LANE_FUNCTION f64 doubles(half_i32 x) {
-  return _mm512_maskz_cvtepi32_pd(0xff, __m256i(x));
-}
+FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm512_maskz_cvtepi32_pd(0xff, __m256i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) { return _mm512_movepi32_mask(__m512i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return _mm256_movepi32_mask(__m256i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) {
