@@ -95,9 +95,9 @@ class Marked {
     for (std::size_t i = 0; i < faults.size(); ++i) {
       ASSERT_EQ(marks_[i], faults[i] != Fault::none) << "element " << i;
       if (faults[i] == Fault::none) continue;
-      whole.divide_errors += faults[i] == Fault::divide_error ? 1 : 0;
-      whole.overflows += faults[i] == Fault::overflow ? 1 : 0;
-      whole.domain_errors += faults[i] == Fault::domain_error ? 1 : 0;
+      whole.divide_errors += faults[i] == Fault::divide_error ? 1U : 0U;
+      whole.overflows += faults[i] == Fault::overflow ? 1U : 0U;
+      whole.domain_errors += faults[i] == Fault::domain_error ? 1U : 0U;
       whole.first = std::min(whole.first, i);
     }
     EXPECT_EQ(report.divide_errors, whole.divide_errors);
