@@ -46,7 +46,7 @@ struct Row {
   Cell i486 = absent;
 };
 
-constexpr std::array table{
+constexpr std::array clock_table{
     // kind, shape, 8088, transfers, 286, 386, 486
     Row{Kind::mov, Shape::rr, 2, 0, 2, 2, 1},
     Row{Kind::mov, Shape::rm, 8, 1, 5, 4, 1},
@@ -230,10 +230,10 @@ Cell control_flow(Cpu cpu, const Execution& e) {
 }
 
 Cell look_up(Cpu cpu, const Instruction& i) {
-  const auto* row = std::find_if(table.begin(), table.end(), [&](const Row& r) {
+  const auto* row = std::find_if(clock_table.begin(), clock_table.end(), [&](const Row& r) {
     return r.kind == kind_of(i.mnemonic) && r.shape == shape_of(i);
   });
-  if (row == table.end()) return absent;
+  if (row == clock_table.end()) return absent;
   switch (cpu) {
     case Cpu::i8088:
       if (row->i8088.is_absent()) return absent;

@@ -70,7 +70,8 @@ TEST(Usage, RoundingsThatMayContradictEachOther) {
 TEST(Usage, UnknownParty) {
   expect_usage_error("eval mul --by chance", "'chance'");
   expect_usage_error("eval mul --by chance",
-                     "model, interpreter, oracle, fast, type, silicon, unicorn");
+                     "model, interpreter, oracle, fast, type, batch, batch-portable, batch-neon, "
+                     "batch-avx2, batch-avx512, silicon, unicorn");
 }
 
 TEST(Usage, PartyWithoutAnAnswer) {

@@ -1,0 +1,210 @@
+// Target `command_lines`: the first byte chooses a command, the rest is what it reads. Bad lines
+// are refused with a UsageError and nothing else. Answers are judged too: eval by model and by
+// oracle say the same; what step answers for an 8088 it answers for a 386; check passes what the
+// oracle passes.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/finding.hpp"
+#include "fuzz/memory_file.hpp"
+#include "oracle/exact.hpp"
+#include "verify/check/cases.hpp"
+#include "verify/check/results.hpp"
+#include "verify/commands/commands.hpp"
+#include "verify/singlestep/judge.hpp"
+#include "verify/usage_error.hpp"
+
+using namespace fixproof;
+
+namespace {
+
+/// What a command wrote, its status, and what it refused, if anything.
+struct Said {
+  std::string out;
+  int status = 0;
+  std::string refused;
+
+  friend bool operator==(const Said&, const Said&) = default;
+};
+
+/// One command of `fixproof`, alone: the whole command line would take most of the time.
+class Command {
+ public:
+  explicit Command(void (*add)(CLI::App&, int&)) { add(app_, status_); }
+
+  Said run(const std::string& arguments, const std::string& input) {
+    std::istringstream in(input);
+    std::ostringstream out;
+    std::streambuf* const cin = std::cin.rdbuf(in.rdbuf());
+    std::streambuf* const cout = std::cout.rdbuf(out.rdbuf());
+    Said said;
+    try {
+      app_.parse(arguments);
+      said.status = status_;
+    } catch (const UsageError& error) {
+      said.refused = error.what();
+    } catch (const std::exception& error) {
+      std::cin.rdbuf(cin);
+      std::cout.rdbuf(cout);
+      fuzz::report_finding(
+          fmt::format("fixproof {}: not a UsageError: {}", arguments, error.what()));
+    }
+    std::cin.rdbuf(cin);
+    std::cout.rdbuf(cout);
+    said.out = out.str();
+    return said;
+  }
+
+ private:
+  CLI::App app_;
+  int status_ = 0;
+};
+
+[[noreturn]] void report(const std::string& command, const std::string& other,
+                         const std::string& input, const std::string& what) {
+  fuzz::report_finding(fmt::format("{}\n  replay: fixproof {} <INPUT, against: {}; INPUT is\n{}",
+                                   what, command, other, input));
+}
+
+void eval(const std::string& options, const std::string& input) {
+  static Command command(add_eval);
+  const std::string by_model = "eval " + options + " --by model";
+  const std::string by_oracle = "eval " + options + " --by oracle";
+  if (command.run(by_model, input) != command.run(by_oracle, input)) {
+    report(by_model, "fixproof " + by_oracle, input, "model and oracle are not of one mind");
+  }
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+void step(const std::string& input) {
+  static Command command(add_step);
+  const Said narrow = command.run("step --cpu 8088", input);
+  const Said wide = command.run("step --cpu 386", input);
+  command.run("step --cpu 386 --clocks 486", input);
+  const auto narrow_lines = lines_of(narrow.out);
+  const auto wide_lines = lines_of(wide.out);
+  if (wide_lines.size() < narrow_lines.size()) {
+    report("step --cpu 386", "--cpu 8088", input, "the 386 refuses what the 8088 takes");
+  }
+  for (std::size_t i = 0; i < narrow_lines.size(); ++i) {
+    if (narrow_lines[i] != "unmodelled" && narrow_lines[i] != wide_lines[i]) {
+      report("step --cpu 386", "--cpu 8088", input, "the 386 answers otherwise: " + wide_lines[i]);
+    }
+  }
+}
+
+/// What is right of a case: halves up, wrapped, DE for a zero divisor and a negative radicand.
+std::optional<std::uint32_t> right(Operation operation, std::span<const std::uint32_t> words) {
+  constexpr auto rule = oracle::Rounding::half_up;
+  if (operation == Operation::mul) return oracle::mul(words[0], words[1], rule, 16);
+  if (operation == Operation::div) return oracle::quotient(words[0], words[1], rule, 16);
+  return oracle::sqrt(words[0], 16);
+}
+
+/// Whether every result is right; nothing where a line is refused or one of the two ends early.
+std::optional<bool> all_right(Operation operation, const std::string& cases,
+                              const std::string& results) {
+  const fuzz::MemoryFile file(cases);
+  FileCases source(operation, file.path());
+  std::istringstream in(results);
+  Results said(in, "results");
+  std::array<std::uint32_t, 2> words{};
+  const auto one_case = std::span(words).first(words_in(operation));
+  bool all = true;
+  bool any = false;
+  try {
+    while (source.next(one_case)) {
+      const auto result = said.next();
+      if (!result) return std::nullopt;
+      all = all && *result == right(operation, one_case);
+      any = true;
+    }
+    if (!any || said.next()) return std::nullopt;
+  } catch (const UsageError&) {
+    return std::nullopt;
+  }
+  return all;
+}
+
+/// Cases, a line `--`, and results.
+void check(Operation operation, const std::string& input) {
+  static Command command(add_check);
+  constexpr std::string_view bar = "\n--\n";
+  const auto at = input.find(bar);
+  const std::string cases = at == std::string::npos ? input : input.substr(0, at + 1);
+  const std::string results = at == std::string::npos ? "" : input.substr(at + bar.size());
+  const fuzz::MemoryFile file(cases);
+  const std::string arguments =
+      fmt::format("check {} --rounding half-up --from {}", name_of(operation), file.path());
+  const Said said = command.run(arguments, results);
+  const auto expected = all_right(operation, cases, results);
+  const bool refused = !said.refused.empty();
+  if (refused == expected.has_value() || (expected && (said.status == 0) != *expected)) {
+    report(arguments, "the oracle", input,
+           fmt::format("status {}, {}; expected {}", said.status, said.refused,
+                       !expected   ? "a refusal"
+                       : *expected ? "0"
+                                   : "1"));
+  }
+}
+
+void single_steps(x86model::Target cpu, const std::string& input) {
+  const fuzz::MemoryFile file(input);
+  try {
+    singlestep::read_cases(file.path(), cpu,
+                           [cpu](const singlestep::Case& c) { singlestep::judge(c, cpu); });
+  } catch (const UsageError&) {
+    // Refused, as it may be.
+  } catch (const std::exception& error) {
+    fuzz::report_finding(fmt::format("--singlestep: not a UsageError: {}", error.what()));
+  }
+}
+
+using Try = std::function<void(const std::string& input)>;
+
+const std::vector<Try>& tries() {
+  static const auto all = [] {
+    std::vector<Try> made;
+    for (const char* options : {"mul", "mul --target i8088", "div", "div --target i8088",
+                                "div --round off", "cossin", "xformvec", "concat --chapter 52"}) {
+      made.emplace_back([options](const std::string& input) { eval(options, input); });
+    }
+    made.emplace_back(step);
+    for (const Operation operation : {Operation::mul, Operation::div, Operation::sqrt}) {
+      made.emplace_back([operation](const std::string& input) { check(operation, input); });
+    }
+    for (const auto cpu : {x86model::Target::i8088, x86model::Target::i386}) {
+      made.emplace_back([cpu](const std::string& input) { single_steps(cpu, input); });
+    }
+    return made;
+  }();
+  return all;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  // A letter, a for the first.
+  const std::size_t chosen = (data[0] - std::size_t{'a'}) % tries().size();
+  tries()[chosen](std::string(data + 1, data + size));
+  return 0;
+}

@@ -1,0 +1,175 @@
+// Target `decimal_text`: the input as text read into numbers, and its first four bytes as a word
+// written out, in every way the type has, against the oracle's decimal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+#include "fixed/fixed.hpp"
+#include "fixed/format.hpp"
+#include "fuzz/finding.hpp"
+#include "fuzz/words.hpp"
+#include "oracle/decimal.hpp"
+#include "oracle/unbounded.hpp"
+
+using namespace fixproof;
+
+namespace {
+
+using oracle::Word;
+
+constexpr std::size_t longest_text = 600;
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The length of the longest prefix that is `[sign]digits[.digits]`; 0 if there is none.
+std::size_t number_at_start(std::string_view text) {
+  const auto digits_from = [text](std::size_t at) {
+    while (at < text.size() && is_digit(text[at])) ++at;
+    return at;
+  };
+  const bool has_sign = !text.empty() && (text[0] == '-' || text[0] == '+');
+  const std::size_t first = has_sign ? 1 : 0;
+  const std::size_t whole = digits_from(first);
+  if (whole == first) return 0;
+  if (whole == text.size() || text[whole] != '.') return whole;
+  const std::size_t end = digits_from(whole + 1);
+  return end == whole + 1 ? whole : end;
+}
+
+std::string shown(std::string_view text) { return fmt::format("\"{}\"", text.substr(0, 200)); }
+
+template <class Number>
+constexpr oracle::Rounding rule() {
+  switch (Number::rules.multiply) {
+    case fixed::rounding::half_up:
+      return oracle::Rounding::half_up;
+    case fixed::rounding::half_away:
+      return oracle::Rounding::half_away;
+    case fixed::rounding::floor:
+      return oracle::Rounding::floor;
+    case fixed::rounding::truncate:
+      break;
+  }
+  return oracle::Rounding::truncate;
+}
+
+template <class Number>
+Word word_of(Number x) {
+  return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
+}
+
+/// The word that the text stands for, if it is a number in range.
+template <class Number>
+std::optional<Word> expected_word(std::string_view number) {
+  constexpr int bits = 2 * Number::fraction_bits;
+  const auto exact = oracle::from_decimal(number, rule<Number>(), Number::fraction_bits);
+  if (!exact || !oracle::fits(*exact, bits)) return std::nullopt;
+  return oracle::wrap(*exact, bits);
+}
+
+template <class Number>
+void read_text(std::string_view text) {
+  const Number before = Number::from_raw(0x55);
+  Number read = before;
+  const auto result = fixed::from_chars(text.data(), text.data() + text.size(), read);
+  const std::size_t length = number_at_start(text);
+  const auto expected = expected_word<Number>(text.substr(0, length));
+  std::errc error{};
+  if (length == 0) {
+    error = std::errc::invalid_argument;
+  } else if (!expected) {
+    error = std::errc::result_out_of_range;
+  }
+  const Word word = expected.value_or(word_of(before));
+  if (result.ec != error || result.ptr != text.data() + length || word_of(read) != word) {
+    fuzz::report_finding(fmt::format(
+        "from_chars of {}, {} fraction bits: {:08x}, error {}, {} characters; the oracle says "
+        "{:08x}, error {}, {}",
+        shown(text), Number::fraction_bits, word_of(read), static_cast<int>(result.ec),
+        result.ptr - text.data(), word, static_cast<int>(error), length));
+  }
+}
+
+/// What `>>` takes: from_chars() after white space, but for a point without a digit after it.
+template <class Number>
+void read_stream(std::string_view text) {
+  std::istringstream in{std::string(text)};
+  Number read = Number::from_raw(0x55);
+  in >> read;
+  const std::size_t start = text.find_first_not_of(" \t\n\v\f\r");
+  std::optional<Word> expected;
+  if (start != std::string_view::npos) {
+    const std::string_view rest = text.substr(start);
+    const std::size_t length = number_at_start(rest);
+    const std::string_view number = rest.substr(0, length);
+    const bool point_left = length < rest.size() && rest[length] == '.' && length > 0 &&
+                            number.find('.') == std::string_view::npos;
+    if (!point_left) expected = expected_word<Number>(number);
+  }
+  if (in.fail() == expected.has_value() || word_of(read) != expected.value_or(0x55)) {
+    fuzz::report_finding(
+        fmt::format("stream of {}, {} fraction bits: {:08x}, fail {}; the oracle "
+                    "says {}",
+                    shown(text), Number::fraction_bits, word_of(read), in.fail(),
+                    expected ? fmt::format("{:08x}", *expected) : "fail"));
+  }
+}
+
+template <class Number>
+void write_word(Word word) {
+  const auto x = Number::from_raw(static_cast<typename Number::raw_type>(word));
+  const std::string expected = oracle::to_decimal(word_of(x), Number::fraction_bits);
+  const auto demand = [&](std::string_view how, std::string_view text) {
+    if (text == expected) return;
+    fuzz::report_finding(fmt::format(
+        "{} of {:08x}, {} fraction bits: {}; the oracle says {}\n  replay: fixproof verify decimal "
+        "--case {:08x}",
+        how, word_of(x), Number::fraction_bits, shown(text), expected, word_of(x)));
+  };
+  demand("to_string", fixed::to_string(x));
+  demand("format", fmt::format("{}", x));
+  std::ostringstream out;
+  out << x;
+  demand("<<", out.str());
+  std::array<char, fixed::max_chars<Number>> buffer{};
+  for (std::size_t room = 0; room <= buffer.size(); ++room) {
+    buffer.fill('#');
+    const auto written = fixed::to_chars(buffer.data(), buffer.data() + room, x);
+    const auto length = static_cast<std::size_t>(written.ptr - buffer.data());
+    if (room >= expected.size()) {
+      demand("to_chars", {buffer.data(), length});
+    } else if (written.ec != std::errc::value_too_large || length != room || buffer[0] != '#') {
+      fuzz::report_finding(fmt::format("to_chars of {:08x} into {} characters", word_of(x), room));
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  // The oracle's time grows with the square of the digits.
+  const std::string text(data, data + std::min(size, longest_text));
+  read_text<fixed::q16_16>(text);
+  read_text<fixed::q16_16_saturating>(text);
+  read_text<fixed::q16_16_i8088>(text);
+  read_text<fixed::q16_16_i386_unrounded>(text);
+  read_text<fixed::q16_16_i8088_unrounded>(text);
+  read_text<fixed::q8_8>(text);
+  read_stream<fixed::q16_16>(text);
+  read_stream<fixed::q8_8_i8088>(text);
+  std::array<std::uint32_t, 1> word{};
+  fuzz::read_words({data, size}, word);
+  write_word<fixed::q16_16>(word[0]);
+  write_word<fixed::q8_8>(word[0]);
+  return 0;
+}

@@ -1,0 +1,111 @@
+#include "fuzz/jury.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "verify/engine.hpp"
+#include "verify/plan.hpp"
+#include "verify/shrink.hpp"
+#include "verify/text.hpp"
+
+namespace fixproof::fuzz {
+
+namespace {
+
+std::vector<Answer> answers_of(const Seat& seat, std::span<const std::uint32_t> words) {
+  std::vector<Answer> answers;
+  for (const Party* party : seat.parties) answers.push_back(ask(*party, seat.variant, words));
+  return answers;
+}
+
+/// Whether all give one answer, a value or #DE; agree() without memory of its own, for it is asked
+/// of every input.
+bool all_agree(const Seat& seat, std::span<const std::uint32_t> words) {
+  using Out = std::array<std::uint32_t, most_words_out>;
+  Out expected{};
+  Ending expected_ending{};
+  for (const Party* party : seat.parties) {
+    Out out{};
+    std::array<Ending, 1> ending{Ending::broken};
+    const auto used = std::span(out).first(words_out(seat.variant.operation));
+    party->answer(seat.variant, {words, used, ending});
+    if (ending[0] != Ending::value) out = {};
+    if (party == seat.parties.front()) {
+      expected = out;
+      expected_ending = ending[0];
+    }
+    const bool answered = ending[0] == Ending::value || ending[0] == Ending::divide_error;
+    if (!answered || ending[0] != expected_ending || out != expected) return false;
+  }
+  return true;
+}
+
+std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
+  const int bits = operand_bits(seat.variant);
+  const auto smallest = shrink({words.begin(), words.end()}, bits,
+                               [&](auto fewer) { return !agree(answers_of(seat, fewer)); });
+  const auto answers = answers_of(seat, smallest);
+  const int result_bits = 2 * seat.variant.fraction_bits;
+  std::string text = fmt::format("{}: not all parties agree\n", name_of(seat.variant));
+  Row row{seat.variant, {}};
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const std::string name(seat.parties[i]->name());
+    text += fmt::format("  {:<11} {}\n", name, answers[i].text(result_bits));
+    // The party that is to be asked again comes first.
+    const bool first_liar = answers[i] != answers.front() && row.parties.front() == "oracle";
+    row.parties.insert(first_liar ? row.parties.begin() : row.parties.end(), name);
+  }
+  return text + fmt::format("  found with  {}\n  replay:     {}\n  must print  {}",
+                            hex_words(words, bits), replay(row, smallest),
+                            answers.front().text(result_bits));
+}
+
+}  // namespace
+
+std::vector<Seat> seats_of(std::initializer_list<Operation> operations,
+                           std::initializer_list<std::string_view> names) {
+  std::vector<Seat> seats;
+  const auto add = [&](const Variant& variant) {
+    Seat seat{variant, {}};
+    for (const std::string_view name : names) {
+      const auto found = std::find_if(parties().begin(), parties().end(),
+                                      [&](const auto& party) { return party->name() == name; });
+      if (found != parties().end() && (*found)->absence().empty() && (*found)->answers(variant)) {
+        seat.parties.push_back(found->get());
+      }
+    }
+    if (seat.parties.size() > 1) seats.push_back(std::move(seat));
+  };
+  for (const Variant& variant : all_variants()) {
+    if (std::find(operations.begin(), operations.end(), variant.operation) == operations.end()) {
+      continue;
+    }
+    add(variant);
+    const auto half = at_level(3, variant);
+    if (half && half->fraction_bits == 8) add(*half);
+  }
+  return seats;
+}
+
+std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words) {
+  std::array<std::uint32_t, most_words_in> own{};
+  const auto one_case = std::span(own).first(words_in(seat.variant.operation));
+  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - operand_bits(seat.variant));
+  for (std::size_t i = 0; i < one_case.size() && i < words.size(); ++i) {
+    one_case[i] = words[i] & mask;
+  }
+  if (all_agree(seat, one_case)) return std::nullopt;
+  return text_of(seat, one_case);
+}
+
+std::optional<std::string> disagreement(std::span<const Seat> seats,
+                                        std::span<const std::uint32_t> words) {
+  for (const Seat& seat : seats) {
+    if (auto found = disagreement(seat, words)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fixproof::fuzz

@@ -1,0 +1,26 @@
+// Target `matrix`: 24 words, two transforms and their product under every build that has a
+// ConcatXforms; the first 15 are a transform and a point for every XformVec.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "fuzz/finding.hpp"
+#include "fuzz/jury.hpp"
+#include "fuzz/word_target.hpp"
+#include "fuzz/words.hpp"
+
+using namespace fixproof;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const auto& seats = fuzz::seats_of(fuzz::WordTarget::matrix);
+  std::array<std::uint32_t, most_words_in> words{};
+  fuzz::read_words({data, size}, words);
+  fuzz::demand_none(fuzz::disagreement(seats, words));
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t room, unsigned seed) {
+  return fuzz::mutate_input(fuzz::WordTarget::matrix, {data, room}, size, seed);
+}

@@ -1,0 +1,26 @@
+// Target `multiply`: two words, their product under every build of FIXED.ASM, under the type's
+// standard rules, at half width too.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "fuzz/finding.hpp"
+#include "fuzz/jury.hpp"
+#include "fuzz/word_target.hpp"
+#include "fuzz/words.hpp"
+
+using namespace fixproof;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const auto& seats = fuzz::seats_of(fuzz::WordTarget::multiply);
+  std::array<std::uint32_t, 2> words{};
+  fuzz::read_words({data, size}, words);
+  fuzz::demand_none(fuzz::disagreement(seats, words));
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t room, unsigned seed) {
+  return fuzz::mutate_input(fuzz::WordTarget::multiply, {data, room}, size, seed);
+}

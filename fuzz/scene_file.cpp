@@ -1,0 +1,57 @@
+// Target `scene_file`: the input as the JSON of a scene. It is refused with a SceneError, or
+// accepted: then it keeps every limit, the other way round it is accepted again, and frames of it
+// can be drawn.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <string>
+
+#include "fixed/fixed.hpp"
+#include "fuzz/finding.hpp"
+#include "xsharp/animation.hpp"
+#include "xsharp/files/scene_json.hpp"
+#include "xsharp/validate.hpp"
+
+namespace {
+
+/// Frames are drawn where that is quick.
+constexpr std::size_t most_faces_drawn = 200;
+constexpr std::int32_t longest_side_drawn = 400;
+
+std::size_t faces_of(const xsharp::Scene& scene) {
+  std::size_t faces = 0;
+  for (const auto& object : scene.objects) faces += object.mesh.faces.size();
+  return faces;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(data, data + size);
+  try {
+    const xsharp::Scene scene = xsharp::parse_scene(text, "fuzz", FIXPROOF_SCENES);
+    try {
+      xsharp::validate(scene);
+    } catch (const xsharp::SceneError& error) {
+      fixproof::fuzz::report_finding(fmt::format("accepted, then refused: {}", error.what()));
+    }
+    if (faces_of(scene) > most_faces_drawn || scene.width > longest_side_drawn ||
+        scene.height > longest_side_drawn) {
+      return 0;
+    }
+    xsharp::Animation<fixed::q16_16> animation(scene);
+    for (int frame = 0; frame < 2; ++frame) {
+      xsharp::Picture picture;
+      animation.draw(picture);
+      animation.move();
+    }
+  } catch (const xsharp::SceneError&) {
+    // Refused, as it may be.
+  } catch (const std::exception& error) {
+    fixproof::fuzz::report_finding(fmt::format("not a SceneError: {}", error.what()));
+  }
+  return 0;
+}

@@ -1,0 +1,151 @@
+#include "fuzz/word_target.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include "fuzz/words.hpp"
+#include "verify/plan.hpp"
+#include "verify/stream_makers.hpp"
+#include "verify/streams.hpp"
+
+namespace fixproof::fuzz {
+
+namespace {
+
+/// A case of one of the streams that a verification has for the variant.
+void draw_fresh(const Variant& variant, std::span<std::uint32_t> words, Draw& draw) {
+  static std::map<std::pair<Operation, int>, Plan> plans;
+  const auto key = std::pair(variant.operation, variant.fraction_bits);
+  const Plan& plan =
+      plans.try_emplace(key, 1, 1994, std::vector<Row>{{variant, {"a", "b"}}}).first->second;
+  const Job& job = plan.jobs()[draw.below(plan.jobs().size())];
+  make_cases(job.stream, variant, draw.bits(), draw.below(job.cases), words);
+}
+
+/// A word in units of the last place.
+std::int64_t units(std::uint32_t word, const Format& format) {
+  const auto raw = static_cast<std::int64_t>(word);
+  return raw < format.limit() ? raw : raw - 2 * format.limit();
+}
+
+/// The dividend at an edge of the divisor: of its whole part, as the 8088 divides, or of all of it.
+void aim_quotient(const Format& format, std::span<std::uint32_t> words, Draw& draw) {
+  const std::array<std::int64_t, 4> edges{0, 1, format.limit(), 2 * format.limit()};
+  const std::int64_t quotient =
+      draw.coin() ? draw.magnitude(format.word_bits - 1) : edges[draw.below(edges.size())];
+  const bool whole = draw.coin();
+  // Only below 1/2 do quotients of twice the range have a dividend.
+  if (!whole && quotient >= format.limit()) {
+    words[1] = format.word(draw.either_sign(draw.magnitude(format.fraction_bits - 1)));
+  }
+  const std::int64_t d = units(words[1], format);
+  const std::int64_t divisor = whole ? d / format.one() : d;
+  const int scale = whole ? 0 : format.fraction_bits;
+  // Twice the quotient, so that a half is a whole number. Far beyond it the dividend is no word.
+  const std::int64_t twice = 2 * quotient + static_cast<std::int64_t>(draw.below(3)) - 1;
+  if (divisor == 0 || std::abs(twice) > (std::int64_t{1} << 62) / std::abs(divisor)) return;
+  const std::int64_t n =
+      (twice * divisor >> (scale + 1)) + static_cast<std::int64_t>(draw.below(3)) - 1;
+  words[0] = format.word(draw.either_sign(n));
+}
+
+void step_word(const Format& format, std::uint32_t& word, Draw& draw) {
+  const std::int64_t value = units(word, format);
+  const auto small = static_cast<std::int64_t>(draw.below(4));
+  switch (draw.below(5)) {
+    case 0:
+      word = format.word(value + draw.either_sign(small + 1));
+      break;
+    case 1:
+      word = format.word(-value);
+      break;
+    case 2:
+      word = format.word(value ^ std::int64_t{1}
+                                     << draw.below(static_cast<std::uint64_t>(format.word_bits)));
+      break;
+    case 3:
+      word = format.word(value * 2 + (small & 1));
+      break;
+    default:
+      word = format.word(value / 2);
+  }
+}
+
+}  // namespace
+
+const std::vector<Seat>& seats_of(WordTarget target) {
+  using enum Operation;
+  constexpr auto hear = [](std::initializer_list<Operation> operations) {
+    return seats_of(operations, {"oracle", "fast", "type", "model", "interpreter"});
+  };
+  static const std::array<std::vector<Seat>, 4> all{
+      hear({div}), hear({mul}), hear({concat, xformvec}),
+      seats_of({mul, div, cossin, xformvec, concat, sqrt, decimal, binary64},
+               {"oracle", "fast", "type", "model", "interpreter", "silicon"})};
+  return all.at(static_cast<std::size_t>(target));
+}
+
+std::size_t input_size(WordTarget target) {
+  const bool pair = target == WordTarget::divide || target == WordTarget::multiply;
+  const std::size_t words = pair ? 2 : most_words_in;
+  return (target == WordTarget::agreement ? 1 : 0) + words * bytes_of_word;
+}
+
+void mutate_case(const Variant& variant, std::span<std::uint32_t> words, Draw& draw) {
+  const Format format{variant.fraction_bits, operand_bits(variant)};
+  std::uint32_t& word = words[draw.below(words.size())];
+  switch (draw.below(variant.operation == Operation::div ? 5 : 4)) {
+    case 0:
+      draw_fresh(variant, words, draw);
+      break;
+    case 1: {
+      static const auto wide = boundary_lattice(32);
+      const std::array<std::int64_t, 4> ends{-format.limit(), format.limit() - 1, -format.one(),
+                                             -1};
+      word = draw.below(4) == 0 ? format.word(ends[draw.below(ends.size())])
+                                : format.word(wide[draw.below(wide.size())]);
+      break;
+    }
+    case 2:
+      step_word(format, word, draw);
+      break;
+    case 3:
+      std::swap(word, words[draw.below(words.size())]);
+      step_word(format, word, draw);
+      break;
+    default:
+      aim_quotient(format, words, draw);
+  }
+}
+
+std::size_t mutate_input(WordTarget target, std::span<std::uint8_t> room, std::size_t size,
+                         std::uint32_t seed) {
+  const std::size_t whole = input_size(target);
+  if (room.size() < whole) return std::min(size, room.size());
+  std::fill(room.begin() + static_cast<std::ptrdiff_t>(std::min(size, whole)),
+            room.begin() + static_cast<std::ptrdiff_t>(whole), std::uint8_t{0});
+  Draw draw(seed, 0);
+  const auto& seats = seats_of(target);
+  std::size_t seat = draw.below(seats.size());
+  auto bytes = room.first(whole);
+  if (target == WordTarget::agreement) {
+    if (draw.below(4) == 0) bytes[0] = static_cast<std::uint8_t>(seat);
+    seat = bytes[0] % seats.size();
+    bytes = bytes.subspan(1);
+  }
+  std::array<std::uint32_t, most_words_in> words{};
+  const auto all = std::span(words).first(bytes.size() / bytes_of_word);
+  read_words(bytes, all);
+  const Variant& variant = seats[seat].variant;
+  const auto one_case = all.first(words_in(variant.operation));
+  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - operand_bits(variant));
+  for (auto& word : one_case) word &= mask;
+  for (auto more = draw.below(3) + 1; more > 0; --more) mutate_case(variant, one_case, draw);
+  write_words(all, bytes);
+  return whole;
+}
+
+}  // namespace fixproof::fuzz

@@ -1,0 +1,101 @@
+// What the jury says of a party that lies.
+#include "fuzz/jury.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "fuzz/finding.hpp"
+#include "fuzz/type_rules.hpp"
+#include "fuzz/word_target.hpp"
+#include "tests/verify/saboteur.hpp"
+
+namespace {
+
+using namespace fixproof;
+
+constexpr Variant div_i8088{.operation = Operation::div, .target = Target::i8088};
+
+/// Divides as the fast oracle does, but for exact ties of the 8088's divide.
+test::Saboteur lost_tie() {
+  return test::saboteur([](auto in, auto out, Ending& ending) {
+    const std::uint32_t whole = in[1] >> 16U;
+    const bool positive = in[0] < 0x80000000U && in[1] < 0x80000000U;
+    if (ending == Ending::value && positive && in[0] % whole * 2 == whole) --out[0];
+  });
+}
+
+TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
+  const auto liar = lost_tie();
+  const fuzz::Seat seat{div_i8088, {&party_named("oracle"), &liar}};
+  const std::array<std::uint32_t, 2> words{0x0005A5A5, 0x0002FFFF};
+  const auto found = fuzz::disagreement(seat, words);
+  ASSERT_TRUE(found);
+  // 1 / 2, the smallest tie there is: half a unit, which goes away from zero.
+  EXPECT_NE(found->find("oracle      00000001"), std::string::npos) << *found;
+  EXPECT_NE(found->find("saboteur    00000000"), std::string::npos) << *found;
+  EXPECT_NE(
+      found->find("echo '00000001 00020000' | fixproof eval div --target i8088 --div-round on "
+                  "--by saboteur"),
+      std::string::npos)
+      << *found;
+  EXPECT_NE(found->find("must print  00000001"), std::string::npos) << *found;
+  EXPECT_NE(found->find("found with  0005a5a5 0002ffff"), std::string::npos) << *found;
+}
+
+TEST(Jury, HasNothingToSayWhereAllAgree) {
+  const auto liar = lost_tie();
+  const fuzz::Seat seat{div_i8088, {&party_named("oracle"), &liar}};
+  EXPECT_FALSE(fuzz::disagreement(seat, std::array<std::uint32_t, 2>{0x0005A5A4, 0x0002FFFF}));
+  // #DE is an answer.
+  EXPECT_FALSE(fuzz::disagreement(seat, std::array<std::uint32_t, 2>{1, 0xFFFF}));
+  for (const auto target : {fuzz::WordTarget::divide, fuzz::WordTarget::multiply}) {
+    EXPECT_FALSE(fuzz::disagreement(fuzz::seats_of(target),
+                                    std::array<std::uint32_t, 2>{0x80000000, 0xFFFFFFFF}));
+  }
+}
+
+TEST(Jury, HearsEveryVariantAtBothWidths) {
+  const auto& seats = fuzz::seats_of(fuzz::WordTarget::divide);
+  // Two processors, rounded and not; chapter 52; the standard rules: all but chapter 52 in 8.8 too.
+  EXPECT_EQ(seats.size(), 11U);
+  EXPECT_EQ(std::count_if(seats.begin(), seats.end(),
+                          [](const auto& seat) { return seat.variant.fraction_bits == 8; }),
+            5);
+  for (const auto& seat : seats) EXPECT_EQ(seat.parties.front()->name(), "oracle");
+  const auto& all = fuzz::seats_of(fuzz::WordTarget::agreement);
+  const auto heard = [&](std::string_view name) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& seat) {
+      return std::any_of(seat.parties.begin(), seat.parties.end(),
+                         [&](const Party* party) { return party->name() == name; });
+    });
+  };
+  for (const auto& party : parties()) {
+    if (party->name() == "unicorn") continue;
+    EXPECT_EQ(heard(party->name()), party->absence().empty()) << party->name();
+  }
+}
+
+TEST(TypeRules, HoldOnTheEdges) {
+  constexpr auto edges =
+      std::to_array<std::uint32_t>({0, 1, 0x7FFF, 0x8000, 0xFFFF, 0x10000, 0x7FFFFFFF, 0x80000000,
+                                    0xFFFF0000, 0xFFFF8000, 0xFFFFFFFF, 0x7FF80000, 0xFFF00000});
+  for (const auto a : edges) {
+    for (const auto b : edges) {
+      EXPECT_EQ(fuzz::quotient_difference(a, b).value_or(""), "");
+      for (std::uint32_t c = 0; c < 9; ++c) {
+        EXPECT_EQ(fuzz::type_difference(std::array<std::uint32_t, 3>{a, b, c}).value_or(""), "");
+        EXPECT_EQ(fuzz::type_difference(std::array<std::uint32_t, 3>{a, b, 0xFFFFFFF7U - c}).value_or(""),
+                  "");
+      }
+    }
+  }
+}
+
+TEST(Finding, Aborts) {
+  EXPECT_DEATH(fuzz::report_finding("of this"), "FINDING: of this");
+  fuzz::demand_none(std::nullopt);
+}
+
+}  // namespace
