@@ -2,8 +2,7 @@
 /// Sines and cosines of many angles in radians: the results of fixed/trig.hpp, to the bit, several
 /// times as fast where the processor has AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
 ///
-/// Which of the first two there is, is found out at run time. FIXED_NO_VECTORS, defined before this
-/// is included, leaves out all three.
+/// Paths are those of fixed/batch.hpp.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/batch_targets.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
-
-#if defined(__GNUC__) && __STDC_HOSTED__ && !defined(FIXED_NO_VECTORS)
-#if defined(__x86_64__)
-#define FIXED_RADIAN_X86
-#include <immintrin.h>
-#elif defined(__AARCH64EL__)
-#define FIXED_RADIAN_NEON
-#include <arm_neon.h>
-#endif
-#endif
 
 namespace fixed::detail {
 
@@ -51,7 +41,7 @@ void nearest_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
 
 #define FIXED_RADIAN_FUNCTION FIXED_RADIAN_TARGET __attribute__((always_inline)) inline
 
-#if defined(FIXED_RADIAN_X86)
+#if defined(FIXED_BATCH_X86)
 
 #define FIXED_RADIAN_LANES radian_avx2
 #define FIXED_RADIAN_BYTES 32
@@ -69,7 +59,7 @@ void nearest_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
 #undef FIXED_RADIAN_BYTES
 #undef FIXED_RADIAN_TARGET
 
-#elif defined(FIXED_RADIAN_NEON)
+#elif defined(FIXED_BATCH_NEON)
 #define FIXED_RADIAN_LANES radian_neon
 #define FIXED_RADIAN_BYTES 16
 #define FIXED_RADIAN_TARGET
@@ -83,36 +73,39 @@ void nearest_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
 
 namespace fixed::detail {
 
-/// nearest_sine() of every angle; `results` may be `angles`.
+/// nearest_sine() of every angle; `results` may be `angles`. A path that is not to be had is
+/// replaced by the portable one.
 template <int F>
-void all_sines(const raw_t<F>* angles, raw_t<F>* results, std::size_t count,
+void all_sines(batch::path use, const raw_t<F>* angles, raw_t<F>* results, std::size_t count,
                std::uint64_t ahead) noexcept {
   std::size_t done = 0;
-#if defined(FIXED_RADIAN_X86)
-  if (__builtin_cpu_supports("avx512f")) {
+  static_cast<void>(use);
+#if defined(FIXED_BATCH_X86)
+  if (use == batch::path::avx512 && batch::has(use)) {
     done = radian_avx512::sines<F>(angles, results, count, ahead);
-  } else if (__builtin_cpu_supports("avx2")) {
+  } else if (use == batch::path::avx2 && batch::has(use)) {
     done = radian_avx2::sines<F>(angles, results, count, ahead);
   }
-#elif defined(FIXED_RADIAN_NEON)
-  done = radian_neon::sines<F>(angles, results, count, ahead);
+#elif defined(FIXED_BATCH_NEON)
+  if (use == batch::path::neon) done = radian_neon::sines<F>(angles, results, count, ahead);
 #endif
   nearest_sines<F>(angles + done, results + done, count - done, ahead);
 }
 
 /// Both of every angle; one of the results may be `angles`.
 template <int F>
-void all_of_both(const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
+void all_of_both(batch::path use, const raw_t<F>* angles, raw_t<F>* cosines, raw_t<F>* sines,
                  std::size_t count) noexcept {
   std::size_t done = 0;
-#if defined(FIXED_RADIAN_X86)
-  if (__builtin_cpu_supports("avx512f")) {
+  static_cast<void>(use);
+#if defined(FIXED_BATCH_X86)
+  if (use == batch::path::avx512 && batch::has(use)) {
     done = radian_avx512::both<F>(angles, cosines, sines, count);
-  } else if (__builtin_cpu_supports("avx2")) {
+  } else if (use == batch::path::avx2 && batch::has(use)) {
     done = radian_avx2::both<F>(angles, cosines, sines, count);
   }
-#elif defined(FIXED_RADIAN_NEON)
-  done = radian_neon::both<F>(angles, cosines, sines, count);
+#elif defined(FIXED_BATCH_NEON)
+  if (use == batch::path::neon) done = radian_neon::both<F>(angles, cosines, sines, count);
 #endif
   nearest_of_both<F>(angles + done, cosines + done, sines + done, count - done);
 }
@@ -141,32 +134,32 @@ namespace fixed::batch {
 ///     fixed::batch::sin(angles, sines);
 template <detail::number_range Angles, detail::number_range Results>
 requires std::same_as<detail::element_t<Angles>, detail::element_t<Results>>
-void sin(const Angles& angles, Results&& results) noexcept {
+void sin(const Angles& angles, Results&& results, path use = best()) noexcept {
   constexpr int bits = detail::element_t<Angles>::fraction_bits;
   const std::size_t count = std::min<std::size_t>(std::size(angles), std::size(results));
-  detail::all_sines<bits>(detail::raws(std::data(angles)), detail::raws(std::data(results)), count,
-                          0);
+  detail::all_sines<bits>(use, detail::raws(std::data(angles)), detail::raws(std::data(results)),
+                          count, 0);
 }
 
 /// As sin(), with fixed::cos.
 template <detail::number_range Angles, detail::number_range Results>
 requires std::same_as<detail::element_t<Angles>, detail::element_t<Results>>
-void cos(const Angles& angles, Results&& results) noexcept {
+void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
   constexpr int bits = detail::element_t<Angles>::fraction_bits;
   const std::size_t count = std::min<std::size_t>(std::size(angles), std::size(results));
-  detail::all_sines<bits>(detail::raws(std::data(angles)), detail::raws(std::data(results)), count,
-                          detail::quarter_turn);
+  detail::all_sines<bits>(use, detail::raws(std::data(angles)), detail::raws(std::data(results)),
+                          count, detail::quarter_turn);
 }
 
 /// cosines[i] and sines[i] = fixed::sin_cos(angles[i]), as sin() otherwise. The angles may be where
 /// one of the results is to be.
 template <detail::number_range Angles, detail::number_range Results>
 requires std::same_as<detail::element_t<Angles>, detail::element_t<Results>>
-void sin_cos(const Angles& angles, Results&& cosines, Results&& sines) noexcept {
+void sin_cos(const Angles& angles, Results&& cosines, Results&& sines, path use = best()) noexcept {
   constexpr int bits = detail::element_t<Angles>::fraction_bits;
   const std::size_t count = std::min<std::size_t>(
       std::size(angles), std::min<std::size_t>(std::size(cosines), std::size(sines)));
-  detail::all_of_both<bits>(detail::raws(std::data(angles)), detail::raws(std::data(cosines)),
+  detail::all_of_both<bits>(use, detail::raws(std::data(angles)), detail::raws(std::data(cosines)),
                             detail::raws(std::data(sines)), count);
 }
 

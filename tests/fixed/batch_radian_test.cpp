@@ -29,21 +29,21 @@ struct way {
 template <int F>
 std::vector<way<F>> ways() {
   std::vector<way<F>> all;
-#if defined(FIXED_RADIAN_X86)
-  if (__builtin_cpu_supports("avx2")) {
+#if defined(FIXED_BATCH_X86)
+  if (batch::has(batch::path::avx2)) {
     all.push_back({"avx2", detail::radian_avx2::sines<F>, detail::radian_avx2::both<F>});
   }
-  if (__builtin_cpu_supports("avx512f")) {
+  if (batch::has(batch::path::avx512)) {
     all.push_back({"avx512", detail::radian_avx512::sines<F>, detail::radian_avx512::both<F>});
   }
 #endif
   all.push_back({"best",
                  [](const auto* angles, auto* results, std::size_t count, std::uint64_t ahead) {
-                   detail::all_sines<F>(angles, results, count, ahead);
+                   detail::all_sines<F>(batch::best(), angles, results, count, ahead);
                    return count;
                  },
                  [](const auto* angles, auto* cosines, auto* sines, std::size_t count) {
-                   detail::all_of_both<F>(angles, cosines, sines, count);
+                   detail::all_of_both<F>(batch::best(), angles, cosines, sines, count);
                    return count;
                  }});
   return all;

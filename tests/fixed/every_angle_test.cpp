@@ -54,17 +54,17 @@ void expect_same_bits(Path path) {
   EXPECT_EQ(different, none);
 }
 
-#if defined(FIXED_RADIAN_X86)
+#if defined(FIXED_BATCH_X86)
 TEST(EveryAngle, Avx2) {
-  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
+  if (!batch::has(batch::path::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   expect_same_bits(detail::radian_avx2::both<16>);
 }
 
 TEST(EveryAngle, Avx512) {
-  if (!__builtin_cpu_supports("avx512f")) GTEST_SKIP() << "this processor has no AVX-512";
+  if (!batch::has(batch::path::avx512)) GTEST_SKIP() << "this processor has no AVX-512";
   expect_same_bits(detail::radian_avx512::both<16>);
 }
-#elif defined(FIXED_RADIAN_NEON)
+#elif defined(FIXED_BATCH_NEON)
 TEST(EveryAngle, Neon) { expect_same_bits(detail::radian_neon::both<16>); }
 #endif
 

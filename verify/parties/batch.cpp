@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fixed/batch_radian.hpp"
 #include "verify/parties/parties.hpp"
 #include "verify/parties/with_number.hpp"
 
@@ -60,8 +61,12 @@ void answer_column(Operation operation, fixed::batch::path path, const Batch& ba
     report = fixed::batch::multiply(a, column<Number>(batch, words, 1), results, how);
   } else if (operation == Operation::div) {
     report = fixed::batch::divide(a, column<Number>(batch, words, 1), results, how);
-  } else {
+  } else if (operation == Operation::sqrt) {
     report = fixed::batch::sqrt(a, results, how);
+  } else if (operation == Operation::sin) {
+    fixed::batch::sin(a, results, path);
+  } else {
+    fixed::batch::cos(a, results, path);
   }
   const bool sound = marks.agree(report);
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -118,8 +123,9 @@ class BatchParty final : public Party {
   }
   [[nodiscard]] bool answers(const Variant& v) const override {
     using enum Operation;
-    return absence().empty() && (v.operation == mul || v.operation == div || v.operation == sqrt ||
-                                 v.operation == xformvec);
+    return absence().empty() &&
+           (v.operation == mul || v.operation == div || v.operation == sqrt || v.operation == sin ||
+            v.operation == cos || v.operation == xformvec);
   }
   void answer(const Variant& v, const Batch& batch) const override {
     with_number(v, [&]<class Number>(std::type_identity<Number> /*type*/) {
