@@ -56,12 +56,12 @@ FIXED_LANE_FUNCTION i32 narrowed_8(i32 sum, i32& bad) {
 /// Biased sums of 2^-32, of the even and of the odd lanes, brought into the range of 16.16.
 template <policy P>
 FIXED_LANE_FUNCTION i32 narrowed_16(i64 even, i64 odd, i32& bad) {
-  constexpr unsigned odds = 0xaaaa;
-  const i32 low = blend<odds>(i32(u64(even) >> 16), i32(u64(odd) << 16));
+  const i32 low = middle(even, odd);
   if constexpr (P.range == overflow::wrap) {
     return low;
   } else {
     // In range if the upper 17 of the 48 bits that are left are all the sign.
+    constexpr unsigned odds = 0xaaaa;
     const i32 high = blend<odds>(i32(u64(even) >> 32), i32(odd));
     const i32 out = i32((high >> 15) != (low >> 31));
     bad |= out;

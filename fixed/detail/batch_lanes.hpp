@@ -26,7 +26,17 @@ using half_i32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int32_t;
 using narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int16_t;
 using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
 
+/// One integer for each lane.
+using lane_array = std::array<std::int32_t, width>;
+
+FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
+  i32 x;
+  __builtin_memcpy(&x, &values, sizeof x);
+  return x;
+}
+
 // mul_even(a, b)        the lower halves multiplied, signed, in 64-bit lanes
+// middle(even, odd)     bits 16 to 47 of 64-bit lanes, in the even and in the odd lanes
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b where bit i of mask is set, else of a
 // permute(x, from)      lane i is x[from[i]]
@@ -47,6 +57,23 @@ using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
 // The forms with a full mask: without one, g++ 12 warns of undefined values in its own headers.
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(_mm512_maskz_mul_epi32(0xff, __m512i(a), __m512i(b)));
+}
+/// The 16-bit words that middle() takes of each pair of registers.
+inline constexpr std::array<std::int16_t, 32> middle_words = [] {
+  std::array<std::int16_t, 32> from{};
+  for (std::int16_t i = 0; i < 32; i += 4) {
+    const auto at = static_cast<std::size_t>(i);
+    from[at] = static_cast<std::int16_t>(i + 1);
+    from[at + 1] = static_cast<std::int16_t>(i + 2);
+    from[at + 2] = static_cast<std::int16_t>(32 + i + 1);
+    from[at + 3] = static_cast<std::int16_t>(32 + i + 2);
+  }
+  return from;
+}();
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+  i32 from;
+  __builtin_memcpy(&from, &middle_words, sizeof from);
+  return i32(_mm512_permutex2var_epi16(__m512i(even), __m512i(from), __m512i(odd)));
 }
 FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
 template <unsigned mask>
@@ -105,6 +132,9 @@ template <unsigned mask>
 FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
   return i32(_mm256_blend_epi32(__m256i(a), __m256i(b), mask & 0xff));
 }
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+  return blend<0xaa>(i32(u64(even) >> 16), i32(u64(odd) << 16));
+}
 FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
   return i32(_mm256_permutevar8x32_epi32(__m256i(x), __m256i(from)));
 }
@@ -156,6 +186,9 @@ FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
   const u32 from_b = {mask & 1 ? ~0U : 0U, mask & 2 ? ~0U : 0U, mask & 4 ? ~0U : 0U,
                       mask & 8 ? ~0U : 0U};
   return i32(vbslq_s32(uint32x4_t(from_b), int32x4_t(b), int32x4_t(a)));
+}
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+  return blend<0xaa>(i32(u64(even) >> 16), i32(u64(odd) << 16));
 }
 FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
   return i32{x[from[0]], x[from[1]], x[from[2]], x[from[3]]};
@@ -239,15 +272,6 @@ FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x) {
     const half_narrow_i16 low = __builtin_convertvector(x, half_narrow_i16);
     __builtin_memcpy(to, &low, sizeof low);
   }
-}
-
-/// One integer for each lane.
-using lane_array = std::array<std::int32_t, width>;
-
-FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
-  i32 x;
-  __builtin_memcpy(&x, &values, sizeof x);
-  return x;
 }
 
 }  // namespace fixed::detail::FIXED_LANES
