@@ -87,7 +87,7 @@ void add(const std::string& name, const std::function<Loop(std::size_t)>& make) 
   benchmark::RegisterBenchmark(name.c_str(),
                                [make](benchmark::State& state) { time_loop(state, make); })
       ->Arg(1024)
-      ->Arg(1 << 20);
+      ->Arg(1'000'000);
 }
 
 /// The operations, for one element, as each kind of number has them.
