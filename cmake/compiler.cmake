@@ -9,7 +9,9 @@ add_library(fixproof_compile_options INTERFACE)
 target_compile_options(fixproof_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast
   -Wcast-align -Wcast-qual -Wformat=2 -Wnon-virtual-dtor -Woverloaded-virtual
-  -Wnull-dereference -Wdouble-promotion -Wimplicit-fallthrough -Wundef -Werror
+  -Wnull-dereference -Wdouble-promotion -Wimplicit-fallthrough -Wundef
+  # A later compiler's warnings are no business of a project that Fixproof is a part of.
+  $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>
   $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wduplicated-branches -Wlogical-op -Wuseless-cast>)
 if(FIXPROOF_SANITIZE)
   # -O1: instrumented code that is optimised further takes many times longer to compile than to run.

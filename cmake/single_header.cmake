@@ -3,6 +3,7 @@
 #     cmake -D OUT=fixed.hpp -P cmake/single_header.cmake
 #
 # writes fixed/fixed.hpp with every header of this library in the place where it is included first.
+# fixed/batch.hpp, which compiles one source again for each instruction set, is not part of it.
 # fixed/format.hpp comes last and outside the include guard: including the file again after fmt gives
 # fmt's formatter, as including that header again does.
 cmake_minimum_required(VERSION 3.22)

@@ -1,5 +1,5 @@
 /// \file
-/// Everything of namespace fixed, but for fixed/rapidcheck.hpp.
+/// Everything of namespace fixed, but for fixed/batch_radian.hpp and fixed/rapidcheck.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
@@ -8,6 +8,7 @@
 ///     constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
 ///     static_assert(x == q16_16(4) && x.raw() == 0x40000);
 ///     const auto [cos, sin] = fixed::sin_cos<q16_16>(450);  // 45.0 degrees
+///     static_assert(fixed::sin(half).raw() == 31420);       // of half a radian
 ///     std::cout << x * cos << '\n';                    // exact decimal: 2.82843017578125
 ///     fixed::q16_16_saturating far(1e9);               // 32767.9999847412109375
 ///     if (auto q = fixed::try_divide(x, q16_16())) {}  // no quotient by zero

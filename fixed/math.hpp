@@ -155,6 +155,32 @@ concept number_range = is_number<element_t<Range>> && requires(const Range& rang
   std::size(range);
 };
 
+/// Whether neither the wrap nor the rounding asks for the upper bits of a sum of products.
+template <policy P>
+inline constexpr bool rounds_modulo = P.range == overflow::wrap&& rounds_by_floor<P.multiply>;
+
+/// What a sum of products, known modulo 2^64, becomes under such a policy.
+template <int F, policy P>
+requires rounds_modulo<P>
+constexpr number<F, P> rounded_sum(std::uint64_t sum) noexcept {
+  const auto half = static_cast<std::uint64_t>(bias<P.multiply>(false, std::int64_t{1} << F));
+  return number<F, P>::from_raw(static_cast<raw_t<F>>((sum + half) >> F));
+}
+
+/// What a sum of products becomes, rounded once. \param terms how many, for the text of an error
+template <int F, policy P>
+constexpr number<F, P> rounded_sum(wide_sum sum,
+                                   std::size_t terms) noexcept(number<F, P>::never_throws) {
+  sum.add(bias<P.multiply>(sum.negative(), std::int64_t{1} << F));
+  if constexpr (P.range == overflow::wrap) {
+    return number<F, P>::from_raw(static_cast<raw_t<F>>(sum.low_shifted_right(F)));
+  } else {
+    return number<F, P>::from_raw(narrow<P.range, raw_t<F>>(sum.clamped_shifted_right(F), [terms] {
+      raise<overflow_error>("overflow", "dot", term_count{terms});
+    }));
+  }
+}
+
 }  // namespace detail
 
 /// The sum of a[i] * b[i], exact until it is rounded once, as a product. Where one is longer, its
@@ -168,33 +194,22 @@ requires std::same_as<detail::element_t<A>, detail::element_t<B>>
 constexpr detail::element_t<A> dot(const A& a,
                                    const B& b) noexcept(detail::element_t<A>::never_throws) {
   using result = detail::element_t<A>;
-  using raw = typename result::raw_type;
   constexpr policy rules = result::rules;
   constexpr int bits = result::fraction_bits;
-  constexpr std::int64_t unit = std::int64_t{1} << bits;
 
   const auto* x = std::data(a);
   const auto* y = std::data(b);
   const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
   const auto product = [x, y](std::size_t i) { return std::int64_t{x[i].raw()} * y[i].raw(); };
 
-  if constexpr (rules.range == overflow::wrap && detail::rounds_by_floor<rules.multiply>) {
-    // Neither the wrap nor the rounding asks for the upper bits of the sum.
-    auto sum = static_cast<std::uint64_t>(detail::bias<rules.multiply>(false, unit));
+  if constexpr (detail::rounds_modulo<rules>) {
+    std::uint64_t sum = 0;
     for (std::size_t i = 0; i < terms; ++i) sum += static_cast<std::uint64_t>(product(i));
-    return result::from_raw(static_cast<raw>(sum >> bits));
+    return detail::rounded_sum<bits, rules>(sum);
   } else {
     detail::wide_sum sum;
     for (std::size_t i = 0; i < terms; ++i) sum.add(product(i));
-    sum.add(detail::bias<rules.multiply>(sum.negative(), unit));
-    if constexpr (rules.range == overflow::wrap) {
-      return result::from_raw(static_cast<raw>(sum.low_shifted_right(bits)));
-    } else {
-      return result::from_raw(
-          detail::narrow<rules.range, raw>(sum.clamped_shifted_right(bits), [terms] {
-            detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms});
-          }));
-    }
+    return detail::rounded_sum<bits, rules>(sum, terms);
   }
 }
 

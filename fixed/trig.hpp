@@ -1,5 +1,6 @@
 /// \file
-/// Sine and cosine of an angle in tenths of a degree, as CosSin of FIXED.ASM returns them.
+/// Sine and cosine: of a number, which is in radians as elsewhere, and of an integer, which counts
+/// tenths of a degree as CosSin of FIXED.ASM does and names the type of the result.
 #pragma once
 
 #include <concepts>
@@ -7,6 +8,7 @@
 #include <cstdint>
 
 #include "fixed/detail/cosine_table.hpp"
+#include "fixed/detail/radian.hpp"
 #include "fixed/number.hpp"
 
 namespace fixed {
@@ -62,6 +64,33 @@ constexpr Number cos(std::integral auto angle) noexcept {
 template <class Number>
 constexpr Number sin(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).sin;
+}
+
+/// The number nearest to the sine of any angle in radians, under every policy; there are no ties.
+///
+///     static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
+///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
+template <int F, policy P>
+constexpr number<F, P> sin(number<F, P> angle) noexcept {
+  return number<F, P>::from_raw(
+      static_cast<detail::raw_t<F>>(detail::nearest_sine<F>(angle.raw(), 0)));
+}
+
+/// The number nearest to the cosine of any angle in radians, under every policy; there are no ties.
+///
+///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
+template <int F, policy P>
+constexpr number<F, P> cos(number<F, P> angle) noexcept {
+  return number<F, P>::from_raw(
+      static_cast<detail::raw_t<F>>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
+}
+
+/// cos() and sin() of an angle in radians.
+///
+///     const auto [cos, sin] = fixed::sin_cos(fixed::q16_16(0.5));
+template <int F, policy P>
+constexpr cos_sin<number<F, P>> sin_cos(number<F, P> angle) noexcept {
+  return {cos(angle), sin(angle)};
 }
 
 }  // namespace fixed

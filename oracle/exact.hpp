@@ -35,6 +35,13 @@ namespace oracle {
 /// half-integer is no integer); empty for a negative operand.
 [[nodiscard]] std::optional<Word> sqrt(Word x, int fraction_bits);
 
+/// The sine of an angle in radians, rounded to nearest. Neither it nor the cosine is ever halfway
+/// between two ulps: of a rational angle other than 0 both are transcendental (Lindemann).
+[[nodiscard]] Word sin(Word angle, int fraction_bits);
+
+/// The cosine of an angle in radians, rounded to nearest.
+[[nodiscard]] Word cos(Word angle, int fraction_bits);
+
 /// A point moved by a 3x4 transform given row by row: m[i][0] x + m[i][1] y + m[i][2] z + m[i][3],
 /// every product rounded on its own, sums modulo 2^2F.
 [[nodiscard]] std::array<Word, 3> xform_vec(std::span<const Word, 12> m, std::span<const Word, 3> v,

@@ -19,6 +19,8 @@ Integer scaled(const Decimal50& value, int digits) {
   return Integer(floor(ldexp(value, 16 + digits)));
 }
 
+Decimal50 radians(Word angle) { return ldexp(Decimal50(ulps(angle, 16)), -16); }
+
 }  // namespace
 
 Integer scaled_sqrt(Word x, int digits) {
@@ -56,8 +58,12 @@ Integer scaled_cos(std::int32_t angle_tenths, int digits) {
 
 Integer scaled_sin_of_radians(Word angle, int digits) {
   require_digits(digits);
-  const Decimal50 radians = ldexp(Decimal50(ulps(angle, 16)), -16);
-  return scaled(sin(radians), digits);
+  return scaled(sin(radians(angle)), digits);
+}
+
+Integer scaled_cos_of_radians(Word angle, int digits) {
+  require_digits(digits);
+  return scaled(cos(radians(angle)), digits);
 }
 
 }  // namespace oracle

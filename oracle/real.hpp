@@ -19,4 +19,7 @@ namespace oracle {
 /// The sine of an angle in radians, itself a 16.16 word.
 [[nodiscard]] Integer scaled_sin_of_radians(Word angle, int digits);
 
+/// The cosine of an angle in radians, itself a 16.16 word.
+[[nodiscard]] Integer scaled_cos_of_radians(Word angle, int digits);
+
 }  // namespace oracle

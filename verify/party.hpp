@@ -51,6 +51,7 @@ class Party {
 
 /// The parties of this build: model (compiled run), interpreter (the same programs step by step),
 /// oracle (big integers), fast (the oracle's answers from built-in integers), type (fixed::number),
+/// batch (fixed/batch.hpp) and batch-portable, batch-neon, batch-avx2, batch-avx512 (its paths),
 /// silicon (the listings as machine code on this processor), unicorn (the same code on
 /// an emulator); the absent ones too.
 const std::vector<std::unique_ptr<Party>>& parties();

@@ -18,7 +18,7 @@ struct Share {
 
 /// Random cases of one stream at level 1, which is to take less than 20 seconds on two slow
 /// processors: an exact answer from big integers takes 0.2 us for a product, ten times that for a
-/// transform.
+/// transform, 5 us for a sine.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
     case Operation::mul:
@@ -29,6 +29,9 @@ std::uint64_t sample_of(Operation operation) {
       return 50'000;
     case Operation::concat:
       return 15'000;
+    case Operation::sin:
+    case Operation::cos:
+      return 25'000;
     default:
       return 100'000;
   }
@@ -81,6 +84,13 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::uniform, sample},
               {Stream::scaled, sample},
               {Stream::root_ties, sample}};
+    case Operation::sin:
+    case Operation::cos:
+      return {{Stream::lattice},
+              {Stream::uniform, sample},
+              {Stream::scaled, sample},
+              {Stream::quarter_turns, sample},
+              {Stream::hard_angles}};
     case Operation::decimal:
     case Operation::binary64:
       break;

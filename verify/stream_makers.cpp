@@ -23,6 +23,16 @@ std::uint64_t inverse(std::uint64_t a) {
   return x;
 }
 
+constexpr std::array<std::uint32_t, 62> hard_words{
+    0x01faf7eb, 0x046936f4, 0x06772dbb, 0x0c54eeec, 0x0cc9a52c, 0x0cd31bf4, 0x0d518b65, 0x0db520b1,
+    0x10e4c31e, 0x112256a7, 0x11776e51, 0x12a821f9, 0x12b212c2, 0x138e71de, 0x13c02e71, 0x15ee4b90,
+    0x1d0d85b5, 0x1e70a1b9, 0x24f7478a, 0x25fa3386, 0x26e5159d, 0x2f385ad3, 0x307d4dca, 0x378b3a20,
+    0x3c7a30eb, 0x4162745d, 0x44e9eb75, 0x46f017e3, 0x490df2e2, 0x4a5eabdf, 0x4a5f5825, 0x4d82c570,
+    0x4da561d9, 0x4e638194, 0x4ee059f8, 0x5052868b, 0x52345ddb, 0x57e413ee, 0x5aa1c663, 0x5ba9cfa5,
+    0x5c941e7f, 0x5d12f515, 0x6020f394, 0x60cf72d8, 0x6130d234, 0x650cf7f4, 0x66583d37, 0x6847fe84,
+    0x6873a725, 0x6c6b7c74, 0x6e6a8d98, 0x6eeb24cd, 0x6f29ca6b, 0x6ff9118d, 0x734c79ae, 0x776c1f1d,
+    0x7b11621d, 0x7b81a8ae, 0x7d40e938, 0x7d9430e1, 0x7eb7204d, 0x7ee9956a};
+
 using Quaternion = std::array<std::int64_t, 4>;
 
 /// The rotation that a quaternion (w, x, y, z) gives, row by row in units, rounded to nearest. It
@@ -151,6 +161,18 @@ std::uint32_t root_tie(Draw& draw, const Format& format) {
   const std::int64_t x = ((r * r + r) >> format.fraction_bits) + (draw.coin() ? 1 : 0);
   return format.word(std::min(x, format.limit() - 1));
 }
+
+std::uint32_t quarter_turn(Draw& draw, const Format& format) {
+  constexpr int bits = 46;
+  constexpr std::int64_t half_pi = 0x6487ed5110b4;  // pi/2 * 2^46: below 2^-15 units off
+  const std::int64_t most = (format.limit() << (bits - format.fraction_bits)) / half_pi;
+  const auto turns = static_cast<std::int64_t>(draw.below(static_cast<std::uint64_t>(most) + 1));
+  const int dropped = bits - format.fraction_bits;
+  const std::int64_t nearest = (turns * half_pi + (std::int64_t{1} << (dropped - 1))) >> dropped;
+  return format.word(draw.either_sign(nearest + beside(draw)));
+}
+
+std::span<const std::uint32_t> hard_angles() { return hard_words; }
 
 void rotation(Draw& draw, const Format& format, std::span<std::uint32_t> words) {
   write_matrix(rotation_of(random_quaternion(draw), format), draw, format, words.first(12));

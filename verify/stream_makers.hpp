@@ -45,6 +45,12 @@ Pair fault_edge(Draw& draw, const Format& format);
 
 std::uint32_t root_tie(Draw& draw, const Format& format);
 
+std::uint32_t quarter_turn(Draw& draw, const Format& format);
+
+/// Every 16.16 word of which the sine or the cosine is less than 2^-27 units from halfway, without
+/// the negative ones, as a look at all 2^31 has found them.
+std::span<const std::uint32_t> hard_angles();
+
 // Transforms: 12 words of a matrix, then 3 of a point or 12 of a second matrix.
 void rotation(Draw& draw, const Format& format, std::span<std::uint32_t> words);
 void axes(Draw& draw, const Format& format, std::span<std::uint32_t> words);

@@ -14,7 +14,7 @@ namespace fixproof {
 
 namespace {
 
-constexpr std::array<std::string_view, 17> stream_names{"uniform",
+constexpr std::array<std::string_view, 19> stream_names{"uniform",
                                                         "scaled",
                                                         "lattice",
                                                         "every",
@@ -30,7 +30,9 @@ constexpr std::array<std::string_view, 17> stream_names{"uniform",
                                                         "axes",
                                                         "lattice_words",
                                                         "transform_ties",
-                                                        "root_ties"};
+                                                        "root_ties",
+                                                        "quarter_turns",
+                                                        "hard_angles"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
   throw std::invalid_argument(
@@ -82,6 +84,16 @@ void count_every(std::size_t arity, const Format& format, std::uint64_t first,
   }
 }
 
+/// Each of them, then its negative.
+void count_hard_angles(const Format& format, std::uint64_t first, std::span<std::uint32_t> words) {
+  const auto angles = hard_angles();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::uint64_t number = first + i;
+    const std::int64_t angle = angles[number / 2 % angles.size()];
+    words[i] = format.word(number % 2 == 0 ? angle : -angle);
+  }
+}
+
 bool is_stream_of(Stream stream, Operation operation) {
   const std::size_t arity = words_in(operation);
   switch (stream) {
@@ -107,9 +119,12 @@ bool is_stream_of(Stream stream, Operation operation) {
     case Stream::transform_ties:
       return operation == Operation::xformvec || operation == Operation::concat;
     case Stream::root_ties:
+      return operation == Operation::sqrt;
+    case Stream::quarter_turns:
+    case Stream::hard_angles:
       break;
   }
-  return operation == Operation::sqrt;
+  return operation == Operation::sin || operation == Operation::cos;
 }
 
 }  // namespace
@@ -140,6 +155,7 @@ std::vector<std::uint32_t> boundary_lattice(int word_bits) {
 }
 
 std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
+  if (stream == Stream::hard_angles) return 2 * hard_angles().size();
   if (stream != Stream::lattice && stream != Stream::every) return std::nullopt;
   const std::size_t arity = words_in(variant.operation);
   const int bits = operand_bits(variant);
@@ -204,6 +220,10 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
       return cases([&](Draw& draw, auto one_case) { transform_tie(draw, format, one_case); });
     case Stream::root_ties:
       return cases([&](Draw& draw, auto one_case) { one_case[0] = root_tie(draw, format); });
+    case Stream::quarter_turns:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = quarter_turn(draw, format); });
+    case Stream::hard_angles:
+      return count_hard_angles(format, first, words);
   }
 }
 

@@ -39,6 +39,9 @@ enum class Stream : std::uint8_t {
   transform_ties,  ///< every product of a coefficient and a coordinate is an exact tie
   // sqrt.
   root_ties,  ///< the operands whose roots come nearest to halfway
+  // sin and cos.
+  quarter_turns,  ///< the words next to multiples of a quarter turn, and one unit beside them
+  hard_angles,    ///< the 16.16 words whose sine or cosine comes nearest to halfway
 };
 
 /// The lower-case name of a stream.

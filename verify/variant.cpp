@@ -11,13 +11,15 @@ namespace fixproof {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 8> operations{{
+constexpr std::array<std::pair<std::string_view, Operation>, 10> operations{{
     {"mul", Operation::mul},
     {"div", Operation::div},
     {"cossin", Operation::cossin},
     {"xformvec", Operation::xformvec},
     {"concat", Operation::concat},
     {"sqrt", Operation::sqrt},
+    {"sin", Operation::sin},
+    {"cos", Operation::cos},
     {"decimal", Operation::decimal},
     {"binary64", Operation::binary64},
 }};
@@ -68,8 +70,9 @@ std::vector<Variant> all_variants() {
   for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
     all.push_back({.operation = o, .target = Target::i386, .chapter_52 = true});
   }
-  for (const Operation o : {Operation::mul, Operation::div, Operation::xformvec, Operation::concat,
-                            Operation::sqrt, Operation::decimal, Operation::binary64}) {
+  for (const Operation o :
+       {Operation::mul, Operation::div, Operation::xformvec, Operation::concat, Operation::sqrt,
+        Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {
     all.push_back({.operation = o, .target = Target::standard});
   }
   return all;

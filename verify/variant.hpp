@@ -18,6 +18,8 @@ enum class Operation : std::uint8_t {
   xformvec,
   concat,
   sqrt,      ///< square root; a negative operand gives 0
+  sin,       ///< sine of an angle in radians
+  cos,       ///< cosine of an angle in radians
   decimal,   ///< to decimal text and back: the identity
   binary64,  ///< to double and back: the identity
 };
@@ -82,6 +84,9 @@ inline constexpr std::size_t most_words_out = 12;
 constexpr int operand_bits(const Variant& v) {
   return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
 }
+
+/// Whether FIXED.ASM has it.
+constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
 
 std::string_view name_of(Operation o);
 std::string_view name_of(Target t);

@@ -2,6 +2,7 @@
 /// A scene in motion: the stages in their order.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "xsharp/crew.hpp"
 #include "xsharp/depth.hpp"
 #include "xsharp/object.hpp"
 #include "xsharp/player.hpp"
@@ -21,8 +23,11 @@ namespace xsharp {
 template <Scalar N>
 class Animation final : public Player {
  public:
-  explicit Animation(const Scene& scene)
-      : key_(scene.depth_key),
+  /// @param threads that prepare the objects; the pictures do not depend on how many
+  explicit Animation(const Scene& scene, std::size_t threads = 1)
+      : crew_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
+        tallies_(crew_.workers()),
+        key_(scene.depth_key),
         view_(view_of<N>(scene)),
         lighting_(lighting_of<N>(scene.lights, scene.conversion, turn_to_view(scene.camera))) {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
@@ -40,20 +45,27 @@ class Animation final : public Player {
   }
 
   Tally draw(Picture& picture) override {
-    Tally tally;
-    depths_.clear();
-    for (const auto& object : objects_) {
-      object->prepare(view_, tally);
-      depths_.push_back(object->depth(key_));
-    }
+    depths_.resize(objects_.size());
+    tallies_.assign(crew_.workers(), {});
+    crew_.run([this](std::size_t worker) {
+      const auto [first, end] = crew_.part(objects_.size(), worker);
+      Tally tally;
+      for (std::size_t i = first; i < end; ++i) {
+        objects_[i]->prepare(view_, tally);
+        depths_[i] = objects_[i]->depth(key_);
+      }
+      tallies_[worker] = tally;
+    });
     if (key_ != DepthKey::none) sort_by_depth(order_, std::span<const N>(depths_));
-    picture.clear();
-    for (const std::size_t i : order_) objects_[i]->draw(lighting_, picture);
-    return tally;
+    draw_in_order(picture);
+    return std::accumulate(tallies_.begin(), tallies_.end(), Tally{});
   }
 
   void move() override {
-    for (const auto& object : objects_) object->move();
+    crew_.run([this](std::size_t worker) {
+      const auto [first, end] = crew_.part(objects_.size(), worker);
+      for (std::size_t i = first; i < end; ++i) objects_[i]->move();
+    });
   }
 
   [[nodiscard]] std::span<const std::size_t> order() const override { return order_; }
@@ -70,6 +82,21 @@ class Animation final : public Player {
   }
 
  private:
+  void draw_in_order(Picture& picture) {
+    parts_.resize(crew_.workers());
+    crew_.run([&](std::size_t worker) {
+      // The first begins the picture, the others' parts are added to it.
+      Picture& mine = worker == 0 ? picture : parts_[worker];
+      mine.clear();
+      const auto [first, end] = crew_.part(order_.size(), worker);
+      for (std::size_t i = first; i < end; ++i) objects_[order_[i]]->draw(lighting_, mine);
+    });
+    for (std::size_t worker = 1; worker < parts_.size(); ++worker) picture.add(parts_[worker]);
+  }
+
+  Crew crew_;
+  std::vector<Tally> tallies_;
+  std::vector<Picture> parts_;
   DepthKey key_;
   View<N> view_;
   Lighting<N> lighting_;

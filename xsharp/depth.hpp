@@ -2,6 +2,8 @@
 /// Depth sorting.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,9 +11,15 @@
 namespace xsharp {
 
 /// Sorts `order`, indices into `depths`, by ascending depth: view z, so the farthest first. Objects
-/// of equal depth keep their places. By insertion: from one frame to the next little changes.
+/// of equal depth keep their places.
+///
+/// By insertion, for from one frame to the next little changes: n steps and one more for each pair
+/// that changes places. Where that comes to more than 8 n log2 n, a merge sort takes over: it finds
+/// the same order, for insertion has left objects of equal depth as they were.
 template <class N>
 void sort_by_depth(std::vector<std::size_t>& order, std::span<const N> depths) {
+  const std::size_t most = 8 * order.size() * std::bit_width(order.size());
+  std::size_t moves = 0;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::size_t moved = order[i];
     std::size_t place = i;
@@ -19,6 +27,11 @@ void sort_by_depth(std::vector<std::size_t>& order, std::span<const N> depths) {
       order[place] = order[place - 1];
     }
     order[place] = moved;
+    moves += i - place;
+    if (moves <= most) continue;
+    std::stable_sort(order.begin(), order.end(),
+                     [&depths](std::size_t a, std::size_t b) { return depths[a] < depths[b]; });
+    return;
   }
 }
 

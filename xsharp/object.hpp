@@ -19,6 +19,10 @@ namespace xsharp {
 struct Tally {
   std::uint64_t faults = 0;        ///< divides that faulted: none, as long as clipping works
   std::uint64_t out_of_reach = 0;  ///< objects not drawn, too far away for 16.16
+
+  friend constexpr Tally operator+(const Tally& a, const Tally& b) {
+    return {a.faults + b.faults, a.out_of_reach + b.out_of_reach};
+  }
 };
 
 /// An object's state for people and files, in units of 2^-16. Nothing, and a transform of 0, for

@@ -52,6 +52,16 @@ struct Picture {
     return std::span(points).subspan(polygon.first, polygon.points);
   }
 
+  /// Adds the polygons of another picture, in front of its own.
+  void add(const Picture& other) {
+    const auto before = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    for (Polygon polygon : other.polygons) {
+      polygon.first += before;
+      polygons.push_back(polygon);
+    }
+  }
+
   void clear() {
     points.clear();
     polygons.clear();

@@ -16,6 +16,13 @@ class wide_sum {
     high_ += (term < 0 ? -1 : 0) + (low_ < low ? 1 : 0);
   }
 
+  /// Adds term * 2^32.
+  constexpr void add_shifted_32(std::int64_t term) noexcept {
+    const auto low = static_cast<std::uint64_t>(term) << 32;
+    low_ += low;
+    high_ += (term >> 32) + (low_ < low ? 1 : 0);
+  }
+
   [[nodiscard]] constexpr bool negative() const noexcept { return high_ < 0; }
 
   /// The sum / 2^bits toward -infinity modulo 2^64, for 0 < bits < 64.

@@ -181,6 +181,24 @@ TEST(EvalChapter52, HasOnlyRounded386Routines) {
   }
 }
 
+TEST(EvalType, WhatIsNoRoutine) {
+  const auto expect = [](std::string_view operation, std::string_view word,
+                         std::string_view answer) {
+    for (const std::string_view by : {"", " --by oracle", " --by fast", " --by type"}) {
+      const auto run =
+          cli::fixproof(fmt::format("eval {}{}", operation, by), std::string(word) + '\n');
+      EXPECT_EQ(run.out, std::string(answer) + '\n') << operation << by << ' ' << word;
+    }
+  };
+  expect("sqrt", "00020000", "00016a0a");  // 92681.90
+  expect("sin", "00010000", "0000d76b");   // 55146.64
+  expect("cos", "00010000", "00008a51");   // 35409.25
+  expect("sin", "80000000", "ffff1278");   // -60807.99
+  expect("cos", "00000000", "00010000");
+  expect("decimal", "80000001", "80000001");
+  expect("binary64", "7fffffff", "7fffffff");
+}
+
 TEST(EvalOptions, EachRoundingAppliesToItsOwnRoutine) {
   expect_from_all("mul --mul-round off --div-round on", "ffffffff 00008000", "ffffffff");
   expect_from_all("mul --mul-round on --div-round off", "ffffffff 00008000", "00000000");

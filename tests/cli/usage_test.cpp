@@ -38,15 +38,19 @@ TEST(Usage, UnknownOperation) {
 }
 
 TEST(Usage, OperationsThatAreNoRoutines) {
-  for (const std::string_view name : {"sqrt", "decimal", "binary64"}) {
-    for (const std::string_view command : {"eval ", "list ", "trace "}) {
+  for (const std::string_view name : {"sqrt", "sin", "cos", "decimal", "binary64"}) {
+    for (const std::string_view command : {"list ", "trace "}) {
       expect_usage_error(std::string(command) + std::string(name), name);
     }
+    for (const std::string_view option : {"--target i386", "--round on", "--chapter 52"}) {
+      expect_usage_error(fmt::format("eval {} {}", name, option), "is no routine");
+    }
+    expect_usage_error(fmt::format("eval {} --by model", name), "model does not answer");
   }
 }
 
 TEST(Usage, WhatTakesRoutinesNamesTheRoutines) {
-  for (const std::string_view command : {"eval ", "list ", "trace ", "dos ", "prove ", "mutate "}) {
+  for (const std::string_view command : {"list ", "trace ", "dos ", "prove ", "mutate "}) {
     for (const std::string_view name : {"add", "sqrt"}) {
       expect_usage_error(std::string(command) + std::string(name),
                          "there are mul, div, cossin, xformvec, concat\n");
@@ -66,7 +70,8 @@ TEST(Usage, RoundingsThatMayContradictEachOther) {
 TEST(Usage, UnknownParty) {
   expect_usage_error("eval mul --by chance", "'chance'");
   expect_usage_error("eval mul --by chance",
-                     "model, interpreter, oracle, fast, type, silicon, unicorn");
+                     "model, interpreter, oracle, fast, type, batch, batch-portable, batch-neon, "
+                     "batch-avx2, batch-avx512, silicon, unicorn");
 }
 
 TEST(Usage, PartyWithoutAnAnswer) {

@@ -66,7 +66,7 @@ class Draws {
 
 /// Every operation of the type, told apart by its place. A trapping type takes part where it does
 /// not throw: what it throws is for the tests.
-constexpr std::uint64_t operations = 16;
+constexpr std::uint64_t operations = 17;
 
 template <class N>
 void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
@@ -141,6 +141,12 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
       N back;
       from_chars(text.data(), end, back);
       digest.add(back);
+      return;
+    }
+    case 15: {
+      const auto [cosine, sine] = sin_cos(a);
+      digest.add(cosine);
+      digest.add(sine);
       return;
     }
     default:

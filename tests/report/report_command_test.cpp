@@ -8,6 +8,7 @@
 
 #include "tests/cli/command.hpp"
 #include "verify/file.hpp"
+#include "verify/folder_lock.hpp"
 
 namespace {
 
@@ -78,6 +79,29 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   fs::remove(out.file("data/accuracy.txt"));
   EXPECT_EQ(cli::fixproof(command + " --resume").status, 0);
   EXPECT_TRUE(fs::exists(out.file("data/accuracy.txt")));
+
+  // Somebody else's figures are not kept.
+  fixproof::replace_file(out.file("data/clocks.json"), "{}");
+  const auto remade = cli::fixproof(command + " --resume");
+  EXPECT_EQ(remade.status, 0) << remade.err;
+  EXPECT_GT(fs::file_size(out.file("data/clocks.json")), 2U);
+}
+
+TEST(ReportCommand, KeepsASecondRunOutOfItsFolder) {
+  const Folder out("report_twice_test");
+  fs::create_directories(out.path());
+  const fixproof::FolderLock lock("--out", out.path());
+  const auto run = cli::fixproof(std::string("report ") + cubes + " --quick --out " + out.path());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("another run is writing there"), std::string::npos) << run.err;
+}
+
+TEST(ReportCommand, TellsScenesApartByTheirNames) {
+  const Folder out("report_names_test");
+  const auto run =
+      cli::fixproof(std::string("report ") + cubes + " " + cubes + " --quick --out " + out.path());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("both named twelve cubes"), std::string::npos) << run.err;
 }
 
 // Systems that keep names as bytes may have any.

@@ -326,6 +326,42 @@ TEST(Streams, TransformTiesMakeEveryProductATie) {
   }
 }
 
+TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
+  for (const int bits : {16, 8}) {
+    const auto cases =
+        cases_of(Stream::quarter_turns,
+                 {.operation = Operation::sin, .target = Target::standard, .fraction_bits = bits});
+    const double quarter = std::ldexp(std::acos(0.0), bits);
+    std::set<double> seen;
+    for (const Case& c : cases) {
+      const auto angle = static_cast<double>(c[0]);
+      const double turns = std::round(angle / quarter);
+      ASSERT_LT(std::abs(angle - turns * quarter), 1.501) << c[0];
+      seen.insert(turns);
+    }
+    EXPECT_GT(seen.size(), std::min<std::size_t>(sample / 2, 160)) << bits;
+    EXPECT_GT(*seen.rbegin(), bits == 16 ? 20'000 : 80);
+    EXPECT_LT(*seen.begin(), bits == 16 ? -20'000 : -80);
+  }
+}
+
+TEST(Streams, HardAnglesAreNearHalfway) {
+  const Variant cosine{.operation = Operation::cos, .target = Target::standard};
+  ASSERT_EQ(size_of(Stream::hard_angles, cosine), 124U);
+  const auto cases = cases_of(Stream::hard_angles, cosine, 124);
+  const auto from_half = [](long double exact) {
+    const long double units = exact * 65536;
+    return std::abs(units - std::floor(units) - 0.5L);
+  };
+  std::set<std::int64_t> seen;
+  for (const Case& c : cases) {
+    const auto radians = static_cast<long double>(c[0]) / 65536;
+    ASSERT_LT(std::min(from_half(std::sin(radians)), from_half(std::cos(radians))), 0x1p-27L);
+    seen.insert(c[0]);
+  }
+  EXPECT_EQ(seen.size(), 124U);
+}
+
 TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
   const auto cases =
       cases_of(Stream::root_ties, {.operation = Operation::sqrt, .target = Target::standard});

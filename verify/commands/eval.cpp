@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/commands/lines.hpp"
 #include "verify/hex.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 struct EvalOptions {
   std::string operation;
-  std::string by = "model";
+  std::string by;
   VariantOptions variant;
 };
 
@@ -33,13 +34,26 @@ void append_answer(std::string& output, Ending ending, std::span<const std::uint
   }
 }
 
+Variant chosen(const EvalOptions& options) {
+  const Operation operation = operation_named(options.operation);
+  if (is_routine(operation)) return options.variant.choose(operation);
+  const VariantOptions& v = options.variant;
+  if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
+    throw UsageError(fmt::format("{} is no routine: it has neither target, rounding nor chapter",
+                                 options.operation));
+  }
+  return {.operation = operation, .target = Target::standard};
+}
+
 int run(const EvalOptions& options) {
-  const Operation operation = routine_named(options.operation);
-  const Variant variant = options.variant.choose(operation);
-  const Party& party = party_named(options.by);
+  const Variant variant = chosen(options);
+  const Operation operation = variant.operation;
+  const std::string by = !options.by.empty()     ? options.by
+                         : is_routine(operation) ? "model"
+                                                 : "type";
+  const Party& party = party_named(by);
   if (!party.answers(variant)) {
-    throw UsageError(
-        fmt::format("{} does not answer this variant of {}", options.by, options.operation));
+    throw UsageError(fmt::format("{} does not answer this variant of {}", by, options.operation));
   }
   std::array<std::uint32_t, most_words_in> in{};
   std::array<std::uint32_t, most_words_out> out{};
@@ -60,12 +74,16 @@ void add_eval(CLI::App& app, int& status) {
   auto options = std::make_shared<EvalOptions>();
   CLI::App* command =
       app.add_subcommand("eval", "answer one case a line, read from standard input");
-  command->add_option("operation", options->operation, "mul, div, cossin, xformvec or concat")
+  command
+      ->add_option("operation", options->operation,
+                   "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal or binary64")
       ->required();
   command
-      ->add_option("--by", options->by,
-                   "model, interpreter, oracle, fast, type, silicon or unicorn")
-      ->capture_default_str();
+      ->add_option(
+          "--by", options->by,
+          "model, interpreter, oracle, fast, type, silicon or unicorn; by default model, or "
+          "type for what is no routine")
+      ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(
       "Words are 8 lower-case hex digits of two's complement, single spaces between:\n"
@@ -73,10 +91,12 @@ void add_eval(CLI::App& app, int& status) {
       "  cossin     an angle in tenths, 4 digits    -> cosine and sine\n"
       "  xformvec   12 words by rows, then x y z    -> 3 words\n"
       "  concat     12 words, then 12               -> 12 words\n"
+      "  the others a word                          -> one word; sin and cos take radians\n"
       "Blank lines and lines that start with # are passed over.\n\n"
       "Examples:\n"
       "  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000\n"
       "  echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE\n"
+      "  echo 00010000 | fixproof eval sin                     # of one radian: 0000d76b\n"
       "  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees");
   command->callback([options, &status] { status = run(*options); });
 }

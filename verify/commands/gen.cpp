@@ -109,7 +109,7 @@ void add_gen(CLI::App& app, int& status) {
       app.add_subcommand("gen", "write the cases of a verification, for another program to answer");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, sqrt, cossin, xformvec, concat, decimal or binary64")
+                   "mul, div, sqrt, sin, cos, cossin, xformvec, concat, decimal or binary64")
       ->required();
   options->cases.add_to(*command);
   command->add_option("-o,--output", options->file, "the file; by default standard output")

@@ -174,7 +174,7 @@ int verify(const VerifyOptions& options) {
 void add_options(CLI::App& command, VerifyOptions& options) {
   Selection& selection = options.selection;
   command.add_option("operations", selection.operations,
-                     "mul, div, cossin, xformvec, concat, sqrt, decimal, binary64 (all)");
+                     "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64 (all)");
   command
       .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
       ->transform(whole_number(1, 3))
@@ -228,7 +228,9 @@ void add_verify(CLI::App& app, int& status) {
       "Parties: model (the listings, compiled), interpreter (the listings, step by step), oracle\n"
       "(big integers), fast (the same answers from 64-bit integers), type (fixed::number), "
       "silicon\n"
-      "(the listings, assembled, on this processor), unicorn (the same code on an emulator).\n"
+      "(the listings, assembled, on this processor), unicorn (the same code on an emulator), batch\n"
+      "(fixed/batch.hpp on the quickest path; mul, div, xformvec and sqrt), batch-portable,\n"
+      "batch-neon, batch-avx2, batch-avx512 (its paths).\n"
       "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
       "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
       "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
@@ -242,6 +244,7 @@ void add_verify(CLI::App& app, int& status) {
       "  fixproof verify                                   # every row, in seconds\n"
       "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
       "  fixproof verify --target both --against silicon   # every routine, on this processor\n"
+      "  fixproof verify mul div --by oracle --against batch  # the batch operations\n"
       "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
       "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
       "  fixproof verify div --case '00010000 00000003'    # who says what of one case");

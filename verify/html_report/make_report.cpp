@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "verify/commands/command_line.hpp"
 #include "verify/file.hpp"
+#include "verify/folder_lock.hpp"
 #include "verify/hex.hpp"
 #include "verify/html_report/csv.hpp"
 #include "verify/html_report/findings.hpp"
@@ -33,6 +35,7 @@ class ReportRun {
  public:
   explicit ReportRun(const ReportRequest& request) : request_(request) {
     for (const std::string& file : request.scenes) scenes_.push_back(xsharp::read_scene(file));
+    refuse_one_name_for_two();
     // The drift of the first is measured, after all that takes long.
     if (scenes_.front().objects.empty()) throw UsageError(scenes_.front().name + " has no objects");
     std::error_code error;
@@ -41,6 +44,7 @@ class ReportRun {
       throw UsageError(
           fmt::format("--out {}: cannot be made a folder: {}", request.folder, error.message()));
     }
+    lock_.emplace("--out", request.folder);
     steps_ = report_steps(request);
     for (const char* name : {"/report.html", "/report.json", "/data/steps.json"}) {
       check(request.folder + name);
@@ -77,9 +81,14 @@ class ReportRun {
         return report_status(captured.status);
       }
       replace_file(text_file(step), captured.out);
-      records_.push_back(
-          {step.name, command, made_from_, date_now(), passed.count(), captured.status});
+      records_.push_back({step.name, command, made_from_, date_now(), passed.count(),
+                          captured.status, sum_of_files(left_by(step))});
       write_records(records_file(), records_);
+    }
+    std::vector<xsharp::Scene> now;
+    for (const std::string& file : request_.scenes) now.push_back(xsharp::read_scene(file));
+    if (fingerprint(now, processor_name()) != made_from_) {
+      throw UsageError("report: a scene has changed while it was measured; no page is written");
     }
     return 0;
   }
@@ -114,9 +123,26 @@ class ReportRun {
     check_replaceable(file);
   }
 
+  /// Figures and pictures go by the names of the scenes.
+  void refuse_one_name_for_two() const {
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (scenes_[i].name != scenes_[j].name) continue;
+        throw UsageError(fmt::format("{} and {} are both named {}: give one another name",
+                                     request_.scenes[j], request_.scenes[i], scenes_[i].name));
+      }
+    }
+  }
+
   [[nodiscard]] std::string records_file() const { return request_.folder + "/data/steps.json"; }
   [[nodiscard]] std::string text_file(const ReportStep& step) const {
     return fmt::format("{}/data/{}.txt", request_.folder, step.name);
+  }
+
+  [[nodiscard]] std::vector<std::string> left_by(const ReportStep& step) const {
+    std::vector<std::string> files = step.files;
+    files.push_back(text_file(step));
+    return files;
   }
 
   /// What an earlier run has done of the step, if it is what this one would do.
@@ -127,10 +153,8 @@ class ReportRun {
     };
     const auto found = std::find_if(earlier_.begin(), earlier_.end(), fits);
     if (found == earlier_.end()) return nullptr;
-    const auto exists = [](const std::string& file) { return std::filesystem::exists(file); };
-    const bool whole =
-        std::all_of(step.files.begin(), step.files.end(), exists) && exists(text_file(step));
-    return whole ? &*found : nullptr;
+    const std::string sum = sum_of_files(left_by(step));
+    return !sum.empty() && sum == found->left ? &*found : nullptr;
   }
 
   [[nodiscard]] PageJson made() const {
@@ -159,6 +183,7 @@ class ReportRun {
 
   const ReportRequest& request_;
   std::vector<xsharp::Scene> scenes_;
+  std::optional<FolderLock> lock_;
   std::vector<ReportStep> steps_;
   std::string made_from_;
   std::vector<StepRecord> earlier_;

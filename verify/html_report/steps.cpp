@@ -105,6 +105,16 @@ std::string stopped_text(const ReportStep& step, int status, std::size_t done, s
   return text + '\n';
 }
 
+std::string sum_of_files(const std::vector<std::string>& files) {
+  uLong sum = 0;
+  for (const std::string& file : files) {
+    if (!std::filesystem::is_regular_file(file)) return {};
+    const std::string contents = read_file(file);
+    sum = sum_of(sum, fmt::format("{} ", contents.size()) + contents);
+  }
+  return fmt::format("{:08x}", sum);
+}
+
 std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::string& processor) {
   uLong sum = sum_of(0, std::string(program_version()));
   sum = sum_of(sum, processor);
@@ -129,7 +139,7 @@ std::vector<StepRecord> read_records(const std::string& file) {
       records.push_back({json.at("name").get<std::string>(), json.at("command").get<std::string>(),
                          json.at("made_from").get<std::string>(),
                          json.at("date").get<std::string>(), json.at("seconds").get<double>(),
-                         json.at("status").get<int>()});
+                         json.at("status").get<int>(), json.at("left").get<std::string>()});
     }
   } catch (const StepJson::exception&) {
     records.clear();
@@ -145,7 +155,8 @@ void write_records(const std::string& file, const std::vector<StepRecord>& recor
                     {"made_from", r.made_from},
                     {"date", r.date},
                     {"seconds", r.seconds},
-                    {"status", r.status}});
+                    {"status", r.status},
+                    {"left", r.left}});
   }
   replace_file(file, json_text(json));
 }

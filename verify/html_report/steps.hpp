@@ -51,7 +51,11 @@ struct StepRecord {
   std::string date;       ///< in UTC, as ISO 8601 writes it
   double seconds = 0;
   int status = 0;
+  std::string left;  ///< sum_of_files() of what it left behind
 };
+
+/// Another sum where the contents of one of the files are not the same. Empty where one is missing.
+std::string sum_of_files(const std::vector<std::string>& files);
 
 /// Stands for the program, the scenes and the processor: another sum where one is not the same.
 std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::string& processor);

@@ -40,6 +40,9 @@ constexpr auto cosine = []<class N>(CaseWords in) {
 constexpr auto sine = []<class N>(CaseWords in) {
   return word(fixed::sin<N>(static_cast<std::int32_t>(in[0])));
 };
+constexpr auto sine_of_radians = []<class N>(CaseWords in) {
+  return word(fixed::sin(operand<N>(in, 0)));
+};
 constexpr auto rounded_products = []<class N>(CaseWords in) {
   N sum;
   for (std::size_t k = 0; k < 3; ++k) sum += operand<N>(in, k) * operand<N>(in, 3 + k);
@@ -136,7 +139,7 @@ std::vector<MeasuredOperation> measured_operations() {
       {"sqrt", radicand, 1, exact_root, by_none(root)},
       {"cos", angle, 1, exact_cosine, by_none(cosine)},
       {"sin", angle, 1, exact_sine, by_none(sine)},
-      {"sin of radians", radians, 1, exact_sine_of_radians, {}},
+      {"sin of radians", radians, 1, exact_sine_of_radians, by_none(sine_of_radians)},
       {"dot of rounded products", terms, 6, exact_dot, by_product(rounded_products, wrapping)},
       {"dot rounded once", terms, 6, exact_dot, by_product(rounded_sum, one_rounding)},
   };

@@ -8,6 +8,7 @@
 #include "oracle/decimal.hpp"
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
+#include "oracle/fast_sine.hpp"
 #include "oracle/unbounded.hpp"
 #include "verify/parties/parties.hpp"
 
@@ -106,6 +107,10 @@ class Oracle final : public Party {
               oracle::concat(in.first<12>(), in.last<12>(), rounding, translation(v), bits), out);
         case Operation::sqrt:
           return store(oracle::sqrt(in[0], bits).value_or(0), out);
+        case Operation::sin:
+          return store(oracle::sin(in[0], bits), out);
+        case Operation::cos:
+          return store(oracle::cos(in[0], bits), out);
         case Operation::decimal:
           return store(
               word_of(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits), bits),
@@ -158,6 +163,14 @@ class FastOracle final : public Party {
       case Operation::sqrt:
         return each_case(v, batch, [&](auto in, auto out) {
           return store(oracle::fast::sqrt(in[0], bits).value_or(0), out);
+        });
+      case Operation::sin:
+        return each_case(v, batch, [&](auto in, auto out) {
+          return store(oracle::fast::sin(in[0], bits), out);
+        });
+      case Operation::cos:
+        return each_case(v, batch, [&](auto in, auto out) {
+          return store(oracle::fast::cos(in[0], bits), out);
         });
       default:
         return each_case(v, batch, [](auto in, auto out) { return store(in[0], out); });

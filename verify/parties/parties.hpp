@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "verify/party.hpp"
 
@@ -13,6 +14,8 @@ std::unique_ptr<Party> make_interpreter();
 std::unique_ptr<Party> make_oracle();
 std::unique_ptr<Party> make_fast_oracle();
 std::unique_ptr<Party> make_type();
+/// fixed/batch.hpp on every path there is, the best one first.
+std::vector<std::unique_ptr<Party>> make_batch_parties();
 std::unique_ptr<Party> make_silicon();
 std::unique_ptr<Party> make_unicorn();
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "verify/parties/parties.hpp"
 
@@ -15,6 +16,7 @@ const std::vector<std::unique_ptr<Party>>& parties() {
     made.push_back(make_oracle());
     made.push_back(make_fast_oracle());
     made.push_back(make_type());
+    for (auto& party : make_batch_parties()) made.push_back(std::move(party));
     made.push_back(make_silicon());
     made.push_back(make_unicorn());
     return made;

@@ -4,20 +4,11 @@
 
 #include "fixed/fixed.hpp"
 #include "verify/parties/parties.hpp"
+#include "verify/parties/with_number.hpp"
 
 namespace fixproof {
 
 namespace {
-
-template <class Number>
-Number number_of(std::uint32_t word) {
-  return Number::from_raw(static_cast<typename Number::raw_type>(word));
-}
-
-template <class Number>
-std::uint32_t word_of(Number x) {
-  return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
-}
 
 /// One case of one operation with numbers of one type; false where there is no value.
 template <class Number, Operation operation>
@@ -53,6 +44,10 @@ bool one_case(const Variant& v, std::span<const std::uint32_t> in, std::span<std
     }
   } else if constexpr (operation == Operation::sqrt) {
     out[0] = word_of(fixed::sqrt(operand(0)));
+  } else if constexpr (operation == Operation::sin) {
+    out[0] = word_of(fixed::sin(operand(0)));
+  } else if constexpr (operation == Operation::cos) {
+    out[0] = word_of(fixed::cos(operand(0)));
   } else if constexpr (operation == Operation::decimal) {
     std::array<char, fixed::max_chars<Number>> text{};
     const auto written = fixed::to_chars(text.data(), text.data() + text.size(), operand(0));
@@ -94,38 +89,14 @@ void each_case(const Variant& v, const Batch& batch) {
       return each_case<Number, concat>(v, batch);
     case sqrt:
       return each_case<Number, sqrt>(v, batch);
+    case sin:
+      return each_case<Number, sin>(v, batch);
+    case cos:
+      return each_case<Number, cos>(v, batch);
     case decimal:
       return each_case<Number, decimal>(v, batch);
     case binary64:
       return each_case<Number, binary64>(v, batch);
-  }
-}
-
-/// The policy that the variant's rules name.
-template <fixed::policy both, fixed::policy mul_only, fixed::policy div_only, fixed::policy neither,
-          int bits>
-void with_switches(const Variant& v, const Batch& batch) {
-  if (v.mul_round) {
-    v.div_round ? each_case<fixed::number<bits, both>>(v, batch)
-                : each_case<fixed::number<bits, mul_only>>(v, batch);
-  } else {
-    v.div_round ? each_case<fixed::number<bits, div_only>>(v, batch)
-                : each_case<fixed::number<bits, neither>>(v, batch);
-  }
-}
-
-template <int bits>
-void with_policy(const Variant& v, const Batch& batch) {
-  namespace p = fixed::policies;
-  switch (v.target) {
-    case Target::i386:
-      return with_switches<p::i386_rounded, p::i386_mul_rounded, p::i386_div_rounded,
-                           p::i386_unrounded, bits>(v, batch);
-    case Target::i8088:
-      return with_switches<p::i8088_rounded, p::i8088_mul_rounded, p::i8088_div_rounded,
-                           p::i8088_unrounded, bits>(v, batch);
-    case Target::standard:
-      return each_case<fixed::number<bits, p::wrapping>>(v, batch);
   }
 }
 
@@ -136,7 +107,8 @@ class Type final : public Party {
     return v.operation != Operation::cossin || v.fraction_bits == 16;
   }
   void answer(const Variant& v, const Batch& batch) const override {
-    v.fraction_bits == 8 ? with_policy<8>(v, batch) : with_policy<16>(v, batch);
+    with_number(
+        v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
   }
 };
 

@@ -62,6 +62,21 @@ Scene moved_to(const Page3& page) {
   return scene;
 }
 
+TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
+  for (const std::size_t threads : {2U, 3U, 9U}) {
+    Animation<TypeParam> alone(moved_to({0, 0, 0}));
+    Animation<TypeParam> shared(moved_to({0, 0, 0}), threads);
+    for (int frame = 0; frame < 20; ++frame) {
+      Picture one;
+      Picture other;
+      EXPECT_EQ(alone.draw(one).out_of_reach, shared.draw(other).out_of_reach);
+      expect_same(one, other);
+      alone.move();
+      shared.move();
+    }
+  }
+}
+
 TYPED_TEST(AnimationOf, AFarPageIsSeenAsTheFirstIs) {
   Animation<TypeParam> here(moved_to({0, 0, 0}));
   for (const Page3& page : {Page3{1000000, -1000000, 999999}, {1, 0, -1}, {-7, 300000, 12}}) {

@@ -156,5 +156,55 @@ TYPED_TEST(Depth, IsTheListOfObjectsFrameAfterFrame) {
   }
 }
 
+/// A depth that counts how often it is compared.
+struct Counted {
+  int depth = 0;
+  static inline std::size_t comparisons = 0;
+
+  friend bool operator<(const Counted& a, const Counted& b) {
+    ++comparisons;
+    return a.depth < b.depth;
+  }
+};
+
+/// How often depths of that many objects are compared, sorted in this order of the objects.
+std::size_t comparisons_for(Order& order, const std::vector<Counted>& depths) {
+  Counted::comparisons = 0;
+  sort_by_depth(order, std::span<const Counted>(depths));
+  return Counted::comparisons;
+}
+
+TEST(DepthSort, IsAsLongAsWhatHasChanged) {
+  constexpr std::size_t objects = 10'000;
+  std::vector<Counted> depths(objects);
+  for (std::size_t i = 0; i < objects; ++i) depths[i].depth = static_cast<int>(i / 2);
+  Order order = from_zero(objects);
+  EXPECT_LT(comparisons_for(order, depths), objects);
+  // Every hundredth falls behind the ten before it.
+  for (std::size_t i = 100; i < objects; i += 100) depths[i].depth -= 10;
+  EXPECT_LT(comparisons_for(order, depths), 2 * objects);
+  // All turned about: 50 million pairs.
+  for (std::size_t i = 0; i < objects; ++i) depths[i].depth = -static_cast<int>(i / 2);
+  EXPECT_LT(comparisons_for(order, depths), 10 * objects * 14);
+  Order expected = from_zero(objects);
+  std::stable_sort(expected.begin(), expected.end(),
+                   [&](std::size_t a, std::size_t b) { return depths[a].depth < depths[b].depth; });
+  // The pairs that were equal had changed places in the sorts before; both orders begin alike.
+  for (std::size_t i = 0; i < objects; ++i) {
+    ASSERT_EQ(depths[order[i]].depth, depths[expected[i]].depth);
+  }
+}
+
+TEST(DepthSort, KeepsEqualDepthsWhenItMerges) {
+  constexpr std::size_t objects = 3'000;
+  std::vector<std::int32_t> depths(objects);
+  for (std::size_t i = 0; i < objects; ++i) depths[i] = -static_cast<std::int32_t>(i / 3);
+  Order order = from_zero(objects);
+  sort_raws<double>(order, depths);
+  for (std::size_t i = 0; i < objects; ++i) {
+    ASSERT_EQ(order[i], objects - 3 - i / 3 * 3 + i % 3);
+  }
+}
+
 }  // namespace
 }  // namespace xsharp

@@ -1,0 +1,371 @@
+/// \file
+/// The operations of numbers over whole spans, as quick as the processor allows, to the same bits.
+///
+/// Not part of fixed/fixed.hpp, and not for -ffreestanding.
+///
+///     #include "fixed/batch.hpp"
+///
+///     std::vector<fixed::q16_16> a, b, quotients;                // as long as one another
+///     const auto report = fixed::batch::divide(a, b, quotients);
+///     if (!report.clean()) std::cout << report.divide_errors << " zero divisors\n";
+///
+/// **Results** are those of the number type under its policy, element by element. Where the number
+/// type throws, a batch is finished first; the elements concerned get what overflow::wrap and
+/// divide_fault::none would give, and are counted. Then the error of the first of them is thrown,
+/// with its index in the text. Whoever passes `options::marks` gets marks instead of an exception.
+///
+/// **Reports** count elements, see batch::report. They are complete: nothing is lost where several
+/// elements have faults.
+///
+/// **Spans** are vectors, arrays, std::span and what else has std::data and std::size. The shortest
+/// of those that a function is given, marks too, is the length of the batch; nothing beyond it is
+/// read or written. An output may be an input itself: the elements are then replaced. Where it
+/// overlaps an input otherwise, results are unspecified. No alignment is asked for.
+///
+/// **Vertices** are three numbers x, y, z, points two: std::array of numbers, or a struct of
+/// nothing but them.
+///
+/// **Paths**: the functions are there for AVX2 and for AVX-512, whatever the program is compiled
+/// for, and the processor is asked once which it has; with NEON where that is compiled for; and as
+/// a plain loop. All have the same results and reports. Under -ffast-math and the like, where
+/// doubles are not exact, divide, sqrt and project take the plain loop.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <span>
+#include <type_traits>
+
+#include "fixed/detail/batch_element.hpp"
+#include "fixed/detail/batch_report.hpp"
+#include "fixed/detail/batch_targets.hpp"
+#include "fixed/detail/wide_sum.hpp"
+#include "fixed/math.hpp"
+#include "fixed/number.hpp"
+
+namespace fixed::batch {
+
+/// What may be asked of a batch beside its results.
+struct options {
+  /// Where it is computed. What the processor does not have is replaced by path::portable.
+  path use = best();
+  /// If not empty: set to whether the report counts the element, for each of them, and nothing is
+  /// thrown.
+  std::span<bool> marks = {};
+};
+
+}  // namespace fixed::batch
+
+namespace fixed::detail {
+
+/// What can be written as numbers N.
+template <class Range, class N>
+concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
+    requires(Range& range) {
+  { *std::data(range) } -> std::same_as<N&>;
+};
+
+/// What can be read as numbers N.
+template <class Range, class N>
+concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
+
+/// Elements that are `size` numbers N and nothing else.
+template <class Range, class N, std::size_t size>
+concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
+                        std::is_standard_layout_v<element_t<Range>> &&
+                        sizeof(element_t<Range>) == size * sizeof(N) &&
+                    requires(const Range& range) {
+  std::size(range);
+};
+
+template <class Range, class N, std::size_t size>
+concept output_tuples_of = tuples_of<Range, N, size> &&
+    !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
+
+inline std::size_t batch_length(const batch::options& how,
+                                std::initializer_list<std::size_t> sizes) noexcept {
+  const std::size_t shortest = std::min(sizes);
+  return how.marks.empty() ? shortest : std::min(shortest, how.marks.size());
+}
+
+inline std::span<bool> batch_marks(const batch::options& how, std::size_t count) noexcept {
+  return how.marks.empty() ? how.marks : how.marks.first(count);
+}
+
+/// The stored integers of an element of `size` numbers.
+template <int F, std::size_t size>
+std::array<raw_t<F>, size> load_tuple(const void* base, std::size_t index) noexcept {
+  std::array<raw_t<F>, size> tuple;
+  std::memcpy(tuple.data(), static_cast<const char*>(base) + index * sizeof tuple, sizeof tuple);
+  return tuple;
+}
+
+template <int F, std::size_t size>
+void store_tuple(void* base, std::size_t index, const std::array<raw_t<F>, size>& tuple) noexcept {
+  std::memcpy(static_cast<char*>(base) + index * sizeof tuple, tuple.data(), sizeof tuple);
+}
+
+template <int F, policy P>
+raw_transform<F> raws_of(const std::array<std::array<number<F, P>, 4>, 3>& rows) noexcept {
+  raw_transform<F> raws;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) raws[i][k] = rows[i][k].raw();
+  }
+  return raws;
+}
+
+/// A transformed vertex, and the first fault in its coordinates.
+template <int F, policy P>
+std::array<raw_t<F>, 3> transformed_vertex(const raw_transform<F>& by,
+                                           const std::array<raw_t<F>, 3>& v, std::size_t index,
+                                           fault_recorder& found) noexcept {
+  std::array<raw_t<F>, 3> result;
+  fault what = fault::none;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const outcome<F> coordinate = transformed<F, P>(by[i], v);
+    result[i] = coordinate.raw;
+    what = first_of(what, coordinate.what);
+  }
+  found.note(what, index);
+  return result;
+}
+
+/// A projected point. A divide error in either coordinate comes before an overflow in the other.
+template <int F, policy P>
+std::array<raw_t<F>, 2> projected_point(raw_t<F> constant, const std::array<raw_t<F>, 3>& v,
+                                        std::size_t index, fault_recorder& found) noexcept {
+  const outcome<F> x = projected<F, P>(v[0], v[2], constant);
+  const outcome<F> y = projected<F, P>(v[1], v[2], constant);
+  const bool error = x.what == fault::divide_error || y.what == fault::divide_error;
+  found.note(error ? fault::divide_error : first_of(x.what, y.what), index);
+  return {x.raw, y.raw};
+}
+
+}  // namespace fixed::detail
+
+namespace fixed::batch {
+
+/// out[i] = a[i] * b[i].
+template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
+          detail::output_of<detail::element_t<A>> Out>
+report multiply(const A& a, const B& b, Out&& out,
+                const options& how = {}) noexcept(detail::element_t<A>::never_throws) {
+  using N = detail::element_t<A>;
+  constexpr int F = N::fraction_bits;
+  constexpr policy P = N::rules;
+  const N* const x = std::data(a);
+  const N* const y = std::data(b);
+  N* const to = std::data(out);
+  const std::size_t count = detail::batch_length(how, {std::size(a), std::size(b), std::size(out)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(
+      how.use, [&](auto on) { return on.template multiply<F, P>(x, y, to, count, found); });
+  for (; i < count; ++i) {
+    const auto product = detail::multiplied<F, P>(x[i].raw(), y[i].raw());
+    to[i] = N::from_raw(product.raw);
+    found.note(product.what, i);
+  }
+  return found.template finish<P>("multiply");
+}
+
+/// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
+template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
+          detail::input_of<detail::element_t<A>> C, detail::output_of<detail::element_t<A>> Out>
+report mul_add(const A& a, const B& b, const C& c, Out&& out,
+               const options& how = {}) noexcept(detail::element_t<A>::never_throws) {
+  using N = detail::element_t<A>;
+  constexpr int F = N::fraction_bits;
+  constexpr policy P = N::rules;
+  const N* const x = std::data(a);
+  const N* const y = std::data(b);
+  const N* const z = std::data(c);
+  N* const to = std::data(out);
+  const std::size_t count =
+      detail::batch_length(how, {std::size(a), std::size(b), std::size(c), std::size(out)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(
+      how.use, [&](auto on) { return on.template mul_add<F, P>(x, y, z, to, count, found); });
+  for (; i < count; ++i) {
+    const auto sum = detail::multiplied_and_added<F, P>(x[i].raw(), y[i].raw(), z[i].raw());
+    to[i] = N::from_raw(sum.raw);
+    found.note(sum.what, i);
+  }
+  return found.template finish<P>("mul_add");
+}
+
+/// out[i] = n[i] / d[i]. What try_divide would not return is counted, also where operator/ returns
+/// something for it.
+template <detail::number_range Numerators, detail::input_of<detail::element_t<Numerators>> Divisors,
+          detail::output_of<detail::element_t<Numerators>> Out>
+report divide(const Numerators& n, const Divisors& d, Out&& out, const options& how = {}) noexcept(
+    detail::element_t<Numerators>::divide_never_throws) {
+  using N = detail::element_t<Numerators>;
+  constexpr int F = N::fraction_bits;
+  constexpr policy P = N::rules;
+  const N* const x = std::data(n);
+  const N* const y = std::data(d);
+  N* const to = std::data(out);
+  const std::size_t count = detail::batch_length(how, {std::size(n), std::size(d), std::size(out)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(
+      how.use, [&](auto on) { return on.template divide<F, P>(x, y, to, count, found); });
+  for (; i < count; ++i) {
+    const auto quotient = detail::divided<F, P>(x[i].raw(), y[i].raw());
+    to[i] = N::from_raw(quotient.raw);
+    found.note(quotient.what, i);
+  }
+  return found.template finish<P>("divide");
+}
+
+/// out[i] = sqrt(x[i]). Negative numbers are counted, under every policy.
+template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
+report sqrt(const X& x, Out&& out,
+            const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
+  using N = detail::element_t<X>;
+  constexpr int F = N::fraction_bits;
+  const N* const from = std::data(x);
+  N* const to = std::data(out);
+  const std::size_t count = detail::batch_length(how, {std::size(x), std::size(out)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(
+      how.use, [&](auto on) { return on.template sqrt<F>(from, to, count, found); });
+  for (; i < count; ++i) {
+    const auto root = detail::rooted<F>(from[i].raw());
+    to[i] = N::from_raw(root.raw);
+    found.note(root.what, i);
+  }
+  return found.template finish<N::rules>("sqrt");
+}
+
+/// fixed::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Out of range, in the
+/// end only, by the policy; throws as fixed::dot does.
+template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
+detail::element_t<A> dot(const A& a, const B& b,
+                         path use = best()) noexcept(detail::element_t<A>::never_throws) {
+  using N = detail::element_t<A>;
+  constexpr int F = N::fraction_bits;
+  constexpr policy P = N::rules;
+  constexpr std::size_t at_once = std::size_t{1} << 30;  // what loops::dot() has room for
+  const N* const x = std::data(a);
+  const N* const y = std::data(b);
+  const std::size_t count = std::min(std::size(a), std::size(b));
+  std::conditional_t<detail::rounds_modulo<P>, std::uint64_t, detail::wide_sum> sum{};
+  for (std::size_t done = 0; done < count;) {
+    const std::size_t end = done + std::min(count - done, at_once);
+    done += detail::on_path(
+        use, [&](auto on) { return on.template dot<F>(x + done, y + done, end - done, sum); });
+    for (; done < end; ++done) {
+      const std::int64_t product = std::int64_t{x[done].raw()} * y[done].raw();
+      if constexpr (detail::rounds_modulo<P>) {
+        sum += static_cast<std::uint64_t>(product);
+      } else {
+        sum.add(product);
+      }
+    }
+  }
+  if constexpr (detail::rounds_modulo<P>) {
+    return detail::rounded_sum<F, P>(sum);
+  } else {
+    return detail::rounded_sum<F, P>(sum, count);
+  }
+}
+
+/// out[i] = the vertex in[i] by the rows of a transform: each product rounded, then
+/// row[0] x + row[1] y + row[2] z + row[3] summed from the left, as XformVec does.
+template <int F, policy P, detail::tuples_of<number<F, P>, 3> In,
+          detail::output_tuples_of<number<F, P>, 3> Out>
+report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const In& in, Out&& out,
+                 const options& how = {}) noexcept(number<F, P>::never_throws) {
+  const detail::raw_transform<F> by = detail::raws_of(rows);
+  const void* const from = std::data(in);
+  void* const to = std::data(out);
+  const std::size_t count = detail::batch_length(how, {std::size(in), std::size(out)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(
+      how.use, [&](auto on) { return on.template transform<F, P>(by, from, to, count, found); });
+  for (; i < count; ++i) {
+    const auto v = detail::load_tuple<F, 3>(from, i);
+    detail::store_tuple<F, 3>(to, i, detail::transformed_vertex<F, P>(by, v, i, found));
+  }
+  return found.template finish<P>("transform");
+}
+
+/// The same with each coordinate in a span of its own.
+template <int F, policy P, detail::input_of<number<F, P>> X, detail::input_of<number<F, P>> Y,
+          detail::input_of<number<F, P>> Z, detail::output_of<number<F, P>> ToX,
+          detail::output_of<number<F, P>> ToY, detail::output_of<number<F, P>> ToZ>
+report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X& x, const Y& y,
+                 const Z& z, ToX&& to_x, ToY&& to_y, ToZ&& to_z,
+                 const options& how = {}) noexcept(number<F, P>::never_throws) {
+  using N = number<F, P>;
+  const detail::raw_transform<F> by = detail::raws_of(rows);
+  const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
+  const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
+  const std::size_t count =
+      detail::batch_length(how, {std::size(x), std::size(y), std::size(z), std::size(to_x),
+                                 std::size(to_y), std::size(to_z)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(how.use, [&](auto on) {
+    return on.template transform<F, P>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
+                                       std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
+  });
+  for (; i < count; ++i) {
+    const auto v = detail::transformed_vertex<F, P>(
+        by, {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()}, i, found);
+    for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
+  }
+  return found.template finish<P>("transform");
+}
+
+/// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]: a quotient and a
+/// product, each by the policy. An element has a divide error if one of its quotients has.
+template <int F, policy P, detail::tuples_of<number<F, P>, 3> In,
+          detail::output_tuples_of<number<F, P>, 2> Out>
+report project(const In& in, number<F, P> constant, Out&& out,
+               const options& how = {}) noexcept(number<F, P>::divide_never_throws) {
+  const void* const from = std::data(in);
+  void* const to = std::data(out);
+  const std::size_t count = detail::batch_length(how, {std::size(in), std::size(out)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(how.use, [&](auto on) {
+    return on.template project<F, P>(constant.raw(), from, to, count, found);
+  });
+  for (; i < count; ++i) {
+    const auto v = detail::load_tuple<F, 3>(from, i);
+    detail::store_tuple<F, 2>(to, i, detail::projected_point<F, P>(constant.raw(), v, i, found));
+  }
+  return found.template finish<P>("project");
+}
+
+/// The same with each coordinate in a span of its own.
+template <int F, policy P, detail::input_of<number<F, P>> X, detail::input_of<number<F, P>> Y,
+          detail::input_of<number<F, P>> Z, detail::output_of<number<F, P>> ToX,
+          detail::output_of<number<F, P>> ToY>
+report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& to_x, ToY&& to_y,
+               const options& how = {}) noexcept(number<F, P>::divide_never_throws) {
+  using N = number<F, P>;
+  const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
+  const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
+  const std::size_t count = detail::batch_length(
+      how, {std::size(x), std::size(y), std::size(z), std::size(to_x), std::size(to_y)});
+  detail::fault_recorder found(detail::batch_marks(how, count));
+  std::size_t i = detail::on_path(how.use, [&](auto on) {
+    return on.template project<F, P>(constant.raw(),
+                                     std::array<const void*, 3>{from[0], from[1], from[2]},
+                                     std::array<void*, 2>{to[0], to[1]}, count, found);
+  });
+  for (; i < count; ++i) {
+    const auto point = detail::projected_point<F, P>(
+        constant.raw(), {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()}, i, found);
+    to[0][i] = N::from_raw(point[0]);
+    to[1][i] = N::from_raw(point[1]);
+  }
+  return found.template finish<P>("project");
+}
+
+}  // namespace fixed::batch

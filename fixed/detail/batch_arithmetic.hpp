@@ -1,0 +1,203 @@
+/// \file
+/// The rules of fixed/policy.hpp on blocks of numbers; see fixed/detail/batch_lanes.hpp.
+///
+/// Lanes of `bad` are set to ones, and bits of `faults` to one, where a result is out of range or
+/// none at all.
+
+#if defined(FIXED_LANES)
+namespace fixed::detail::FIXED_LANES {
+
+/// What detail::bias() adds to 64-bit sums of 2^-32 before their last 16 bits are dropped.
+template <rounding R>
+FIXED_LANE_FUNCTION i64 biased(i64 sum) {
+  constexpr std::int64_t unit = 1 << 16;
+  if constexpr (R == rounding::half_up) {
+    return sum + unit / 2;
+  } else if constexpr (R == rounding::half_away) {
+    return sum + unit / 2 + negative(sum);
+  } else if constexpr (R == rounding::truncate) {
+    return sum + (negative(sum) & (unit - 1));
+  } else {
+    static_assert(R == rounding::floor);
+    return sum;
+  }
+}
+
+/// The same of 32-bit sums of 2^-16 and their last 8 bits, which are dropped.
+template <rounding R>
+FIXED_LANE_FUNCTION i32 rounded_8(i32 sum) {
+  constexpr std::int32_t unit = 1 << 8;
+  if constexpr (R == rounding::half_up) sum += unit / 2;
+  if constexpr (R == rounding::half_away) sum += unit / 2 + (sum >> 31);
+  if constexpr (R == rounding::truncate) sum += (sum >> 31) & (unit - 1);
+  return sum >> 8;
+}
+
+/// `x` where `bad` is zero, else the end of the range of F on the side of `sign`.
+template <int F>
+FIXED_LANE_FUNCTION i32 saturated(i32 x, i32 bad, i32 sign) {
+  const i32 end = (sign >> 31) ^ std::int32_t{std::numeric_limits<raw_t<F>>::max()};
+  return (x & ~bad) | (end & bad);
+}
+
+/// Sums in units of the last place, in range of 32 bits, brought into that of 8.8.
+template <policy P>
+FIXED_LANE_FUNCTION i32 narrowed_8(i32 sum, i32& bad) {
+  const i32 low = (sum << 16) >> 16;
+  if constexpr (P.range == overflow::wrap) {
+    return low;
+  } else {
+    const i32 out = i32(low != sum);
+    bad |= out;
+    return P.range == overflow::saturate ? saturated<8>(low, out, sum) : low;
+  }
+}
+
+/// Biased sums of 2^-32, of the even and of the odd lanes, brought into the range of 16.16.
+template <policy P>
+FIXED_LANE_FUNCTION i32 narrowed_16(i64 even, i64 odd, i32& bad) {
+  const i32 low = middle(even, odd);
+  if constexpr (P.range == overflow::wrap) {
+    return low;
+  } else {
+    // In range if the upper 17 of the 48 bits that are left are all the sign.
+    constexpr unsigned odds = 0xaaaa;
+    const i32 high = blend<odds>(i32(u64(even) >> 32), i32(odd));
+    const i32 out = i32((high >> 15) != (low >> 31));
+    bad |= out;
+    return P.range == overflow::saturate ? saturated<16>(low, out, high) : low;
+  }
+}
+
+FIXED_LANE_FUNCTION i64 odd_lanes(i32 x) { return i64(u64(x) >> 32); }
+
+template <int F, policy P>
+FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
+  if constexpr (F == 8) {
+    return narrowed_8<P>(rounded_8<P.multiply>(a * b), bad);
+  } else {
+    return narrowed_16<P>(biased<P.multiply>(mul_even(i64(a), i64(b))),
+                          biased<P.multiply>(mul_even(odd_lanes(a), odd_lanes(b))), bad);
+  }
+}
+
+template <int F, policy P>
+FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
+  if constexpr (F == 8) {
+    return narrowed_8<P>(rounded_8<P.multiply>(a * b + (c << 8)), bad);
+  } else {
+    const i64 one = i64{} + (1 << 16);
+    const i64 even = mul_even(i64(a), i64(b)) + mul_even(i64(c), one);
+    const i64 odd = mul_even(odd_lanes(a), odd_lanes(b)) + mul_even(odd_lanes(c), one);
+    return narrowed_16<P>(biased<P.multiply>(even), biased<P.multiply>(odd), bad);
+  }
+}
+
+template <int F, policy P>
+FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
+  if constexpr (F == 8) {
+    return narrowed_8<P>(a + b, bad);
+  } else {
+    const i32 sum = i32(u32(a) + u32(b));
+    if constexpr (P.range == overflow::wrap) {
+      return sum;
+    } else {
+      // Out of range if the sum has the sign of neither.
+      const i32 out = ((a ^ sum) & (b ^ sum)) >> 31;
+      bad |= out;
+      return P.range == overflow::saturate ? saturated<16>(sum, out, a) : sum;
+    }
+  }
+}
+
+/// A divisor as far as the policy looks at it, and 1 in its place where that is zero.
+struct divisor_lanes {
+  std::uint32_t zeros;
+  f64 value;
+};
+
+template <int F, policy P>
+FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
+  if constexpr (P.divisor == divisor_width::whole_part) {
+    d = (d + ((d >> 31) & ((1 << F) - 1))) >> F;
+  }
+  return {zero_bits(d), doubles(d - (d == 0))};
+}
+
+FIXED_LANE_FUNCTION f64 magnitude_of(f64 x) {
+  return f64(i64(x) & std::numeric_limits<std::int64_t>::max());
+}
+
+FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
+  return f64(i64(magnitude) | (i64(sign) & std::numeric_limits<std::int64_t>::min()));
+}
+
+/// detail::quotient_sum(), which proves it, on lanes: floor or trunc of it is the rounded quotient.
+template <rounding R, int Shift>
+FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
+  constexpr double scale = std::int64_t{1} << Shift;
+  const f64 q = numerator * scale / divisor;
+  if constexpr (R == rounding::half_up) {
+    return q + 0.5;
+  } else if constexpr (R == rounding::half_away) {
+    return q + with_sign_of(f64{} + 0.5, q);
+  } else {
+    return q;
+  }
+}
+
+/// Half a block of quotients by policy. The bits of what is a divide error go into `errors`, those
+/// of what only is out of range into `overflows`.
+template <int F, policy P>
+FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
+                                      std::uint32_t& overflows) {
+  constexpr int shift = numerator_shift<F, P>;
+  constexpr bool by_floor = rounds_by_floor<P.divide>;
+  constexpr double low = std::numeric_limits<raw_t<F>>::min();
+  constexpr double high = std::numeric_limits<raw_t<F>>::max();
+  const f64 numerator = doubles(n);
+  f64 sum = sum_before_rounding<P.divide, shift>(numerator, d.value);
+
+  errors = d.zeros;
+  if constexpr (P.fault == divide_fault::unsigned_quotient) {
+    // |n| 2^shift / |d| >= 2^(2 F); both sides are exact.
+    constexpr double units = std::int64_t{1} << (2 * F - shift);
+    errors |= bits_at_least(magnitude_of(numerator), magnitude_of(d.value) * units);
+  }
+  overflows = 0;
+  if constexpr (P.fault == divide_fault::signed_quotient || P.range != overflow::wrap) {
+    // What floor or trunc of the sum will be above `high` or below `low`.
+    const std::uint32_t above = bits_at_least(sum, f64{} + (high + 1));
+    const std::uint32_t below =
+        by_floor ? bits_below(sum, f64{} + low) : bits_at_least(f64{} + (low - 1), sum);
+    if constexpr (P.fault == divide_fault::signed_quotient) errors |= above | below;
+    if constexpr (P.range != overflow::wrap) overflows = (above | below) & ~errors;
+  }
+  if constexpr (P.range == overflow::saturate) sum = clamp(sum, f64{} + low, f64{} + high);
+  half_i32 result = low_words(whole<by_floor>(sum));
+  if constexpr (F == 8) result = (result << 16) >> 16;
+  if (d.zeros != 0) [[unlikely]] {
+    for (std::size_t i = 0; i < width / 2; ++i) {
+      if ((d.zeros >> i & 1U) != 0) {
+        result[i] = limit_toward_zero(n[i], std::numeric_limits<raw_t<F>>::max());
+      }
+    }
+  }
+  return result;
+}
+
+/// The nearest square roots; 0 of what is negative, whose bits go into `errors`.
+///
+/// The hardware root of n = x 2^F < 2^47 is off by less than 2^-28, and no root is nearer than
+/// 1 / (8 sqrt(n)) > 2^-27 to a half (see detail::nearest_sqrt), in every rounding mode: so the
+/// root plus a half, truncated, is the nearest integer.
+template <int F>
+FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
+  errors = bits(x);
+  constexpr double units = 1 << F;
+  const f64 n = doubles(x & ~(x >> 31)) * units;
+  return low_words(whole<false>(root(n) + 0.5));
+}
+
+}  // namespace fixed::detail::FIXED_LANES
+#endif

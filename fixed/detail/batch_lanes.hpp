@@ -1,0 +1,278 @@
+/// \file
+/// Vector registers and the few instructions that the vector types of the compiler do not reach.
+///
+/// fixed/detail/batch_targets.hpp includes this file once for each instruction set: FIXED_LANES is
+/// the namespace, FIXED_LANE_BYTES the size of a register, FIXED_LANE_TARGET what makes the
+/// compiler use the instructions in a function. Every function here has to carry that attribute,
+/// which is why these are no templates on the instruction set.
+///
+/// A block is `width` elements: one register of 32-bit lanes, also for 8.8, whose stored integers
+/// are widened when loaded. Where 64 bits are needed a register has the even or the odd lanes, or
+/// half a block.
+
+#if defined(FIXED_LANES)
+#define FIXED_LANE_FUNCTION FIXED_LANE_TARGET __attribute__((always_inline)) inline
+
+namespace fixed::detail::FIXED_LANES {
+
+inline constexpr std::size_t width = FIXED_LANE_BYTES / 4;
+
+using i32 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::int32_t;
+using u32 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::uint32_t;
+using i64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::int64_t;
+using u64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::uint64_t;
+using f64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = double;
+using half_i32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int32_t;
+using narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int16_t;
+using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
+
+/// One integer for each lane.
+using lane_array = std::array<std::int32_t, width>;
+
+FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
+  i32 x;
+  __builtin_memcpy(&x, &values, sizeof x);
+  return x;
+}
+
+// mul_even(a, b)        the lower halves multiplied, signed, in 64-bit lanes
+// middle(even, odd)     bits 16 to 47 of 64-bit lanes, in the even and in the odd lanes
+// negative(x)           all ones in the lanes below zero
+// blend<mask>(a, b)     lane i of b where bit i of mask is set, else of a
+// permute(x, from)      lane i is x[from[i]]
+// lower, upper, join    the halves of a block
+// low_words(x)          the lower halves of 64-bit lanes
+// doubles(x)            the same numbers
+// bits(x)               the sign bits, one for each lane
+// zero_bits(x)          a bit for each lane that is zero
+// bits_at_least(a, b)   a bit for each lane with a >= b
+// bits_below(a, b)      a bit for each lane with a < b
+// clamp(x, low, high)   x brought into [low, high]
+// root(x)               the square root, rounded once
+// whole<by_floor>(x)    floor(x) or trunc(x) of |x| < 2^51 modulo 2^32 in the lower halves, in
+//                       every rounding mode
+
+#if defined(FIXED_LANES_AVX512)
+
+// The forms with a full mask: without one, g++ 12 warns of undefined values in its own headers.
+FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
+  return i64(_mm512_maskz_mul_epi32(0xff, __m512i(a), __m512i(b)));
+}
+/// The 16-bit words that middle() takes of each pair of registers.
+inline constexpr std::array<std::int16_t, 32> middle_words = [] {
+  std::array<std::int16_t, 32> from{};
+  for (std::int16_t i = 0; i < 32; i += 4) {
+    const auto at = static_cast<std::size_t>(i);
+    from[at] = static_cast<std::int16_t>(i + 1);
+    from[at + 1] = static_cast<std::int16_t>(i + 2);
+    from[at + 2] = static_cast<std::int16_t>(32 + i + 1);
+    from[at + 3] = static_cast<std::int16_t>(32 + i + 2);
+  }
+  return from;
+}();
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+  i32 from;
+  __builtin_memcpy(&from, &middle_words, sizeof from);
+  return i32(_mm512_permutex2var_epi16(__m512i(even), __m512i(from), __m512i(odd)));
+}
+FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
+template <unsigned mask>
+FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
+  return i32(_mm512_mask_blend_epi32(mask, __m512i(a), __m512i(b)));
+}
+FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
+  return i32(_mm512_maskz_permutexvar_epi32(0xffff, __m512i(from), __m512i(x)));
+}
+FIXED_LANE_FUNCTION half_i32 lower(i32 x) {
+  return half_i32(_mm512_maskz_extracti64x4_epi64(0xf, __m512i(x), 0));
+}
+FIXED_LANE_FUNCTION half_i32 upper(i32 x) {
+  return half_i32(_mm512_maskz_extracti64x4_epi64(0xf, __m512i(x), 1));
+}
+FIXED_LANE_FUNCTION i32 join(half_i32 low, half_i32 high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
+  return half_i32(_mm512_maskz_cvtepi64_epi32(0xff, __m512i(x)));
+}
+FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm512_maskz_cvtepi32_pd(0xff, __m256i(x)); }
+FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) { return _mm512_movepi32_mask(__m512i(x)); }
+FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return _mm256_movepi32_mask(__m256i(x)); }
+FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) {
+  return _mm256_testn_epi32_mask(__m256i(x), __m256i(x));
+}
+FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_GE_OQ);
+}
+FIXED_LANE_FUNCTION std::uint32_t bits_below(f64 a, f64 b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
+  return _mm512_maskz_min_pd(0xff, _mm512_maskz_max_pd(0xff, x, low), high);
+}
+FIXED_LANE_FUNCTION f64 root(f64 x) { return _mm512_maskz_sqrt_pd(0xff, x); }
+template <bool by_floor>
+FIXED_LANE_FUNCTION i64 whole(f64 x) {
+  if constexpr (by_floor) {
+    return i64(_mm512_maskz_cvt_roundpd_epi64(0xff, x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
+  } else {
+    return i64(_mm512_maskz_cvtt_roundpd_epi64(0xff, x, _MM_FROUND_NO_EXC));
+  }
+}
+
+#elif defined(FIXED_LANES_AVX2)
+
+FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
+  return i64(_mm256_mul_epi32(__m256i(a), __m256i(b)));
+}
+FIXED_LANE_FUNCTION i64 negative(i64 x) {
+  return i64(_mm256_cmpgt_epi64(_mm256_setzero_si256(), __m256i(x)));
+}
+template <unsigned mask>
+FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
+  return i32(_mm256_blend_epi32(__m256i(a), __m256i(b), mask & 0xff));
+}
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+  return blend<0xaa>(i32(u64(even) >> 16), i32(u64(odd) << 16));
+}
+FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
+  return i32(_mm256_permutevar8x32_epi32(__m256i(x), __m256i(from)));
+}
+FIXED_LANE_FUNCTION half_i32 lower(i32 x) { return half_i32(_mm256_castsi256_si128(__m256i(x))); }
+FIXED_LANE_FUNCTION half_i32 upper(i32 x) {
+  return half_i32(_mm256_extracti128_si256(__m256i(x), 1));
+}
+FIXED_LANE_FUNCTION i32 join(half_i32 low, half_i32 high) {
+  return i32(_mm256_inserti128_si256(_mm256_castsi128_si256(__m128i(low)), __m128i(high), 1));
+}
+FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
+  const i32 even_first = {0, 2, 4, 6, 0, 2, 4, 6};
+  return lower(permute(i32(x), even_first));
+}
+FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm256_cvtepi32_pd(__m128i(x)); }
+FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(x)));
+}
+FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) {
+  return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(x)));
+}
+FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
+FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
+  return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GE_OQ)));
+}
+FIXED_LANE_FUNCTION std::uint32_t bits_below(f64 a, f64 b) {
+  return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
+}
+FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
+  return _mm256_min_pd(_mm256_max_pd(x, low), high);
+}
+FIXED_LANE_FUNCTION f64 root(f64 x) { return _mm256_sqrt_pd(x); }
+template <bool by_floor>
+FIXED_LANE_FUNCTION i64 whole(f64 x) {
+  constexpr int mode = by_floor ? _MM_FROUND_TO_NEG_INF : _MM_FROUND_TO_ZERO;
+  const f64 integer = _mm256_round_pd(x, mode | _MM_FROUND_NO_EXC);
+  // Exact: the last bit of the sum counts ones, and those of the constant are zero.
+  return i64(integer + 0x1.8p52);
+}
+
+#elif defined(FIXED_LANES_NEON)
+
+FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
+  return i64(vmull_s32(vmovn_s64(int64x2_t(a)), vmovn_s64(int64x2_t(b))));
+}
+FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
+template <unsigned mask>
+FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
+  const u32 from_b = {mask & 1 ? ~0U : 0U, mask & 2 ? ~0U : 0U, mask & 4 ? ~0U : 0U,
+                      mask & 8 ? ~0U : 0U};
+  return i32(vbslq_s32(uint32x4_t(from_b), int32x4_t(b), int32x4_t(a)));
+}
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+  return blend<0xaa>(i32(u64(even) >> 16), i32(u64(odd) << 16));
+}
+FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
+  return i32{x[from[0]], x[from[1]], x[from[2]], x[from[3]]};
+}
+FIXED_LANE_FUNCTION half_i32 lower(i32 x) { return half_i32(vget_low_s32(int32x4_t(x))); }
+FIXED_LANE_FUNCTION half_i32 upper(i32 x) { return half_i32(vget_high_s32(int32x4_t(x))); }
+FIXED_LANE_FUNCTION i32 join(half_i32 low, half_i32 high) {
+  return i32(vcombine_s32(int32x2_t(low), int32x2_t(high)));
+}
+FIXED_LANE_FUNCTION half_i32 low_words(i64 x) { return half_i32(vmovn_s64(int64x2_t(x))); }
+FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return __builtin_convertvector(x, f64); }
+FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
+  const u32 places = {1, 2, 4, 8};
+  return vaddvq_u32(uint32x4_t(u32(x >> 31) & places));
+}
+FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return bits(join(x, half_i32{})); }
+FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
+FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
+  return bits(low_words(i64(vcgeq_f64(float64x2_t(a), float64x2_t(b)))));
+}
+FIXED_LANE_FUNCTION std::uint32_t bits_below(f64 a, f64 b) {
+  return bits(low_words(i64(vcltq_f64(float64x2_t(a), float64x2_t(b)))));
+}
+FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
+  return f64(vminq_f64(vmaxq_f64(float64x2_t(x), float64x2_t(low)), float64x2_t(high)));
+}
+FIXED_LANE_FUNCTION f64 root(f64 x) { return f64(vsqrtq_f64(float64x2_t(x))); }
+template <bool by_floor>
+FIXED_LANE_FUNCTION i64 whole(f64 x) {
+  return i64(by_floor ? vcvtmq_s64_f64(float64x2_t(x)) : vcvtq_s64_f64(float64x2_t(x)));
+}
+
+#endif
+
+/// Numbers as the program keeps them: `base` has stored integers from element 0 on.
+template <int F>
+FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index) {
+  const auto* from = static_cast<const raw_t<F>*>(base) + index;
+  if constexpr (F == 16) {
+    i32 x;
+    __builtin_memcpy(&x, from, sizeof x);
+    return x;
+  } else {
+    narrow_i16 x;
+    __builtin_memcpy(&x, from, sizeof x);
+    return __builtin_convertvector(x, i32);
+  }
+}
+
+template <int F>
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
+  auto* to = static_cast<raw_t<F>*>(base) + index;
+  if constexpr (F == 16) {
+    __builtin_memcpy(to, &x, sizeof x);
+  } else {
+    const narrow_i16 low = __builtin_convertvector(x, narrow_i16);
+    __builtin_memcpy(to, &low, sizeof low);
+  }
+}
+
+template <int F>
+FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index) {
+  const auto* from = static_cast<const raw_t<F>*>(base) + index;
+  if constexpr (F == 16) {
+    half_i32 x;
+    __builtin_memcpy(&x, from, sizeof x);
+    return x;
+  } else {
+    half_narrow_i16 x;
+    __builtin_memcpy(&x, from, sizeof x);
+    return __builtin_convertvector(x, half_i32);
+  }
+}
+
+template <int F>
+FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x) {
+  auto* to = static_cast<raw_t<F>*>(base) + index;
+  if constexpr (F == 16) {
+    __builtin_memcpy(to, &x, sizeof x);
+  } else {
+    const half_narrow_i16 low = __builtin_convertvector(x, half_narrow_i16);
+    __builtin_memcpy(to, &low, sizeof low);
+  }
+}
+
+}  // namespace fixed::detail::FIXED_LANES
+#endif

@@ -1,0 +1,115 @@
+/// \file
+/// What a batch says of the elements that have no proper result.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "fixed/detail/batch_element.hpp"
+#include "fixed/detail/raise.hpp"
+#include "fixed/error.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixed::batch {
+
+/// What became of a batch: how many elements (vertices, where it is of vertices) had which fault,
+/// and where the first was. An element counts once, for the first fault of its calculation.
+struct report {
+  /// `first` of a batch without a fault.
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+  /// Quotients that fixed::try_divide does not return, but for those that only overflow: zero
+  /// divisors, and what else policy::fault calls an error.
+  std::size_t divide_errors = 0;
+  /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Under
+  /// overflow::wrap nothing is out of range.
+  std::size_t overflows = 0;
+  /// Square roots of negative numbers.
+  std::size_t domain_errors = 0;
+  /// The index of the first element that is counted above.
+  std::size_t first = nowhere;
+
+  /// Whether nothing is counted.
+  [[nodiscard]] constexpr bool clean() const noexcept { return first == nowhere; }
+  /// Whether everything is the same.
+  friend constexpr bool operator==(const report&, const report&) = default;
+};
+
+}  // namespace fixed::batch
+
+namespace fixed::detail {
+
+/// The faults of one kind in a batch; an operand of raise().
+struct fault_count {
+  std::size_t count = 0;
+  std::size_t first = batch::report::nowhere;
+};
+
+inline std::string describe(const fault_count& x) {
+  return "element " + std::to_string(x.first) + ", " + std::to_string(x.count) + " in all";
+}
+
+/// Counts the faults of one batch.
+class fault_recorder {
+ public:
+  /// \param marks one for each element, or none at all
+  explicit fault_recorder(std::span<bool> marks) noexcept : marks_(marks) {
+    std::fill(marks.begin(), marks.end(), false);
+  }
+
+  void note(fault what, std::size_t index) noexcept {
+    if (what != fault::none) note_bits(what, 1, index);
+  }
+
+  /// Elements index, index + 1, ... whose bits are set, from the lowest.
+  /// \param bits not zero
+  void note_bits(fault what, std::uint32_t bits, std::size_t index) noexcept {
+    fault_count& found = found_[static_cast<std::size_t>(what)];
+    found.count += static_cast<std::size_t>(std::popcount(bits));
+    found.first = std::min(found.first, index + static_cast<std::size_t>(std::countr_zero(bits)));
+    if (marks_.empty()) return;
+    for (; bits != 0; bits &= bits - 1) {
+      marks_[index + static_cast<std::size_t>(std::countr_zero(bits))] = true;
+    }
+  }
+
+  /// What was found. Throws, unless there are marks, what policy P throws for the first element
+  /// that it throws for.
+  /// \param operation as the text of the error names it
+  template <policy P>
+  [[nodiscard]] batch::report finish(const char* operation) const {
+    const fault_count& divides = of(fault::divide_error);
+    const fault_count& ranges = of(fault::overflow);
+    const fault_count& domains = of(fault::domain_error);
+    constexpr bool traps = P.range == overflow::trap;
+    if constexpr (traps || P.fault != divide_fault::none) {
+      const bool before = !traps || divides.first < ranges.first;
+      if (marks_.empty() && divides.count > 0 && before) {
+        raise<divide_error>("divide error", operation, divides);
+      }
+    }
+    if constexpr (traps) {
+      if (marks_.empty() && ranges.count > 0) raise<overflow_error>("overflow", operation, ranges);
+      if (marks_.empty() && domains.count > 0) {
+        raise<domain_error>("domain error", operation, domains);
+      }
+    }
+    return {divides.count, ranges.count, domains.count,
+            std::min({divides.first, ranges.first, domains.first})};
+  }
+
+ private:
+  [[nodiscard]] const fault_count& of(fault what) const {
+    return found_[static_cast<std::size_t>(what)];
+  }
+
+  std::array<fault_count, 4> found_;
+  std::span<bool> marks_;
+};
+
+}  // namespace fixed::detail

@@ -1,0 +1,159 @@
+/// \file
+/// The loops of fixed/batch.hpp for each instruction set that the compiler can be asked for, and
+/// which of them the processor has.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "fixed/detail/batch_report.hpp"
+#include "fixed/detail/divide.hpp"
+#include "fixed/detail/hardware.hpp"
+#include "fixed/detail/quotient.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/detail/wide_sum.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixed::batch {
+
+/// How a batch is computed. Results and reports are the same, to the bit.
+enum class path : std::uint8_t {
+  portable,  ///< the number type in a loop, with any compiler on any processor
+  neon,      ///< where compiled for AArch64 in little-endian order
+  avx2,      ///< x86-64 processors that have it
+  avx512,    ///< x86-64 processors that have its parts F, BW, DQ and VL
+};
+
+}  // namespace fixed::batch
+
+namespace fixed::detail {
+
+/// The rows of a transform as stored integers; the fourth column is added.
+template <int FractionBits>
+using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
+
+}  // namespace fixed::detail
+
+// g++ 12 or clang: vector types, conversions between them, and functions for other processors than
+// the file is compiled for. Whatever else the compiler is, it takes the portable path.
+#if defined(__GNUC__) && defined(__has_builtin)
+#if __has_builtin(__builtin_convertvector)
+#if defined(__x86_64__)
+#define FIXED_BATCH_X86
+#elif defined(__aarch64__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define FIXED_BATCH_NEON
+#endif
+#endif
+#endif
+
+#if defined(FIXED_BATCH_X86)
+#include <immintrin.h>
+
+#define FIXED_LANES avx2
+#define FIXED_LANES_AVX2
+#define FIXED_LANE_BYTES 32
+#define FIXED_LANE_TARGET __attribute__((target("avx2")))
+#include "fixed/detail/batch_lanes.hpp"
+//
+#include "fixed/detail/batch_arithmetic.hpp"
+//
+#include "fixed/detail/batch_loops.hpp"
+#undef FIXED_LANES
+#undef FIXED_LANES_AVX2
+#undef FIXED_LANE_BYTES
+#undef FIXED_LANE_TARGET
+#undef FIXED_LANE_FUNCTION
+
+#define FIXED_LANES avx512
+#define FIXED_LANES_AVX512
+#define FIXED_LANE_BYTES 64
+#define FIXED_LANE_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
+#include "fixed/detail/batch_lanes.hpp"
+//
+#include "fixed/detail/batch_arithmetic.hpp"
+//
+#include "fixed/detail/batch_loops.hpp"
+#undef FIXED_LANES
+#undef FIXED_LANES_AVX512
+#undef FIXED_LANE_BYTES
+#undef FIXED_LANE_TARGET
+#undef FIXED_LANE_FUNCTION
+
+#elif defined(FIXED_BATCH_NEON)
+#include <arm_neon.h>
+
+#define FIXED_LANES neon
+#define FIXED_LANES_NEON
+#define FIXED_LANE_BYTES 16
+#define FIXED_LANE_TARGET
+#include "fixed/detail/batch_lanes.hpp"
+//
+#include "fixed/detail/batch_arithmetic.hpp"
+//
+#include "fixed/detail/batch_loops.hpp"
+#undef FIXED_LANES
+#undef FIXED_LANES_NEON
+#undef FIXED_LANE_BYTES
+#undef FIXED_LANE_TARGET
+#undef FIXED_LANE_FUNCTION
+#endif
+
+namespace fixed::batch {
+
+/// Whether this program can take a path: the compiler knew it, and the processor has it.
+inline bool has(path which) noexcept {
+  switch (which) {
+    case path::portable:
+      return true;
+    case path::neon:
+#if defined(FIXED_BATCH_NEON)
+      return true;
+#else
+      return false;
+#endif
+#if defined(FIXED_BATCH_X86)
+    case path::avx2:
+      return __builtin_cpu_supports("avx2") != 0;
+    case path::avx512:
+      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+             __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+#else
+    default:
+      return false;
+#endif
+  }
+  return false;
+}
+
+/// The quickest path that this program can take.
+inline path best() noexcept {
+  static const path found = has(path::avx512) ? path::avx512
+                            : has(path::avx2) ? path::avx2
+                            : has(path::neon) ? path::neon
+                                              : path::portable;
+  return found;
+}
+
+}  // namespace fixed::batch
+
+namespace fixed::detail {
+
+/// What call(loops) returns for the loops of a path; 0, for no element done, on the portable one
+/// and on those that are not to be had.
+template <class Call>
+std::size_t on_path(batch::path which, const Call& call) {
+#if defined(FIXED_BATCH_X86)
+  if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});
+  if (which == batch::path::avx2 && batch::has(which)) return call(avx2::loops{});
+#elif defined(FIXED_BATCH_NEON)
+  if (which == batch::path::neon) return call(neon::loops{});
+#endif
+  (void)which;
+  (void)call;
+  return 0;
+}
+
+}  // namespace fixed::detail

@@ -1,0 +1,99 @@
+/// \file
+/// The number nearest to the sine or cosine of an angle in radians.
+///
+/// Nearest needs no rule for halves: by the theorem of Lindemann and Weierstrass the sine of a
+/// rational angle other than 0 is transcendental, and so is the cosine, so that neither is a half;
+/// those of 0 are 0 and 1.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "fixed/detail/cosine.hpp"
+#include "fixed/detail/storage.hpp"
+
+namespace fixed::detail {
+
+/// 2^-16 radians in units of 2^-64 of a turn, that is 2^48 / (2 pi), to nearest; then what is
+/// missing, in units of 2^-96 of a turn. The first alone is 2^-38.5 of a turn off at most.
+inline constexpr std::uint64_t turns_of_unit = 0x28be60db9391;
+inline constexpr std::int64_t rest_of_unit = 88768266;
+
+inline constexpr std::uint64_t quarter_turn = std::uint64_t{1} << 62;
+inline constexpr std::uint64_t half_turn = std::uint64_t{1} << 63;
+
+/// How far quick_cosine() may be off, in units of 2^-62: 2^-29.
+inline constexpr std::uint64_t quick_error = std::uint64_t{1} << 33;
+
+/// Of a minimax polynomial in the square z of d: c0 - z (c1 - z (c2 - ...)). c0 has 62 bits after
+/// the point, c1 31, the others 32.
+inline constexpr std::array<std::uint64_t, 6> quick_coefficients{
+    0x3fffffff74bfd230, 0x9de9e62b, 0x40f07905, 0x55741d4, 0x3c24de, 0x18fb7};
+
+/// The cosine of d / 2^31 quarter turns in units of 2^-62, modulo 2^64, within 2^-29 even if d is
+/// 0.53 units off. Multiplies only words of 32 bits, as vector units can.
+///
+/// The polynomial with the coefficients as they are is off by less than 4.3e-10; d by 0.53 *
+/// pi/2^32 = 3.9e-10; and what is lost below the last place, half of which the coefficients make
+/// good, is 2^-32 * c1 = 2.9e-10 in z, 2^-32 in the first factor and 2^-33 in the others. Together
+/// that is less than 1.8e-9.
+constexpr std::uint64_t quick_cosine(std::int32_t d) noexcept {
+  const auto& c = quick_coefficients;
+  const std::uint64_t z = static_cast<std::uint64_t>(std::int64_t{d} * d) >> 31;
+  std::uint64_t factor = c[4] - (z * c[5] >> 31);
+  factor = c[3] - (z * factor >> 31);
+  factor = c[2] - (z * factor >> 31);
+  factor = c[1] - (z * factor >> 32);
+  return c[0] - z * factor;
+}
+
+/// The magnitude of the sine of an angle in units of 2^-16 radians, `ahead` / 2^64 turns on, in
+/// units of 2^-62, within 2^-56.
+constexpr std::uint64_t careful_sine(std::int32_t angle, std::uint64_t ahead) noexcept {
+  constexpr std::int64_t half = std::int64_t{1} << 31;
+  const std::uint64_t turns =
+      static_cast<std::uint64_t>(std::int64_t{angle}) * turns_of_unit +
+      static_cast<std::uint64_t>((std::int64_t{angle} * rest_of_unit + half) >> 32) + ahead;
+  const std::uint64_t in_half = turns & (half_turn - 1);
+  const std::uint64_t from_peak =
+      in_half < quarter_turn ? quarter_turn - in_half : in_half - quarter_turn;
+  // 2^-64 of a turn is pi/2 units of 2^-62; `from_peak` is within 0.6 of the former.
+  return static_cast<std::uint64_t>(cosine(multiply_high(from_peak << 1, half_pi << 1)));
+}
+
+/// How a quick_cosine() becomes a result in units of 2^-FractionBits.
+template <int FractionBits>
+struct quick_rounding {
+  /// Bits that have no place in the result.
+  static constexpr int dropped = 62 - FractionBits;
+  /// Added first: a half, and the error, so that a sum of which the bits `doubtful` are zero is of
+  /// a cosine that may lie on either side of a half.
+  static constexpr std::uint64_t bias = (std::uint64_t{1} << (dropped - 1)) + quick_error;
+  static constexpr std::uint64_t doubtful = (std::uint64_t{1} << dropped) - 2 * quick_error;
+};
+
+/// Added to the turns of an angle, for what is left of them above the lower 31 bits to be nearest.
+inline constexpr std::uint64_t turns_bias = std::uint64_t{1} << 30;
+
+/// The sine of an angle in units of 2^-FractionBits radians, `ahead` / 2^64 turns on, in the same
+/// units, to nearest.
+///
+/// Of all 2^32 sines and 2^32 cosines, the one nearest to a half is cos(24783.448608...), stored
+/// integer 0x60cf72d8: it is 2^-48.8 beside it, 140 times the error of careful_sine().
+template <int FractionBits>
+constexpr std::int32_t nearest_sine(raw_t<FractionBits> raw, std::uint64_t ahead) noexcept {
+  using rounding = quick_rounding<FractionBits>;
+  const std::int32_t angle = std::int32_t{raw} * (1 << (16 - FractionBits));
+  const std::uint64_t turns =
+      static_cast<std::uint64_t>(std::int64_t{angle}) * turns_of_unit + turns_bias + ahead;
+  // Off by 1/2 of its units by rounding, and by 0.021 by the error of turns_of_unit.
+  const auto from_peak = static_cast<std::int32_t>((turns - quarter_turn) >> 31);
+  std::uint64_t sum = quick_cosine(from_peak) + rounding::bias;
+  if ((sum & rounding::doubtful) == 0) {
+    sum = careful_sine(angle, ahead) + (std::uint64_t{1} << (rounding::dropped - 1));
+  }
+  const auto magnitude = static_cast<std::int32_t>(sum >> rounding::dropped);
+  return turns < half_turn ? magnitude : -magnitude;
+}
+
+}  // namespace fixed::detail

@@ -1,0 +1,130 @@
+/// Multiply, multiply-add, divide and square root: every path against the operators of the type, at
+/// every length and from addresses of every kind.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/batch/expected.hpp"
+#include "tests/fixed/types.hpp"
+
+namespace batch_test {
+namespace {
+
+using fixed::batch::path;
+
+/// `call(out, options)` computes a batch of `want`, on every path.
+template <class Number, class Call>
+void check(const std::vector<Expected<Number>>& want, const Call& call) {
+  std::vector<Fault> faults;
+  for (const auto& one : want) faults.push_back(one.fault);
+  for (const path on : paths()) {
+    Guarded<Number> out(want.size());
+    Marked marked(want.size());
+    const auto report = call(out.inside(), marked.how(on));
+    for (std::size_t i = 0; i < want.size(); ++i) {
+      ASSERT_EQ(out.inside()[i].raw(), want[i].value.raw())
+          << "path " << static_cast<int>(on) << ", element " << i << " of " << want.size();
+    }
+    marked.check(report, faults);
+    ASSERT_TRUE(out.intact());
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+/// Operands of `n` elements that begin at different elements of their arrays.
+template <class Number>
+struct Operands {
+  std::vector<Number> all = operands<Number>(3 * 1100, 8);
+
+  [[nodiscard]] std::span<const Number> of(std::size_t which, std::size_t n) const {
+    return std::span(all).subspan(1100 * which + n % (which + 5), n);
+  }
+};
+
+template <class Number>
+class Elements : public testing::Test {};
+TYPED_TEST_SUITE(Elements, fixed::all_types);
+
+TYPED_TEST(Elements, Multiply) {
+  const Operands<TypeParam> drawn;
+  for (const std::size_t n : lengths()) {
+    const auto a = drawn.of(0, n);
+    const auto b = drawn.of(1, n);
+    std::vector<Expected<TypeParam>> want;
+    for (std::size_t i = 0; i < n; ++i) {
+      want.push_back(expected<TypeParam>([](auto x, auto y) { return x * y; }, a[i], b[i]));
+    }
+    check(want, [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
+  }
+}
+
+TYPED_TEST(Elements, Divide) {
+  const Operands<TypeParam> drawn;
+  for (const std::size_t n : lengths()) {
+    const auto a = drawn.of(0, n);
+    const auto b = drawn.of(1, n);
+    std::vector<Expected<TypeParam>> want;
+    for (std::size_t i = 0; i < n; ++i) want.push_back(expected_quotient(a[i], b[i]));
+    check(want, [&](auto out, auto how) { return fixed::batch::divide(a, b, out, how); });
+  }
+}
+
+template <class Number>
+class SomeElements : public testing::Test {};
+TYPED_TEST_SUITE(SomeElements, fixed::some_types);
+
+TYPED_TEST(SomeElements, MulAdd) {
+  const Operands<TypeParam> drawn;
+  for (const std::size_t n : lengths()) {
+    const auto a = drawn.of(0, n);
+    const auto b = drawn.of(1, n);
+    const auto c = drawn.of(2, n);
+    std::vector<Expected<TypeParam>> want;
+    for (std::size_t i = 0; i < n; ++i) {
+      want.push_back(expected<TypeParam>(
+          [](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a[i], b[i], c[i]));
+    }
+    check(want, [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
+  }
+}
+
+TYPED_TEST(SomeElements, SquareRoot) {
+  const Operands<TypeParam> drawn;
+  for (const std::size_t n : lengths()) {
+    const auto a = drawn.of(0, n);
+    std::vector<Expected<TypeParam>> want;
+    for (std::size_t i = 0; i < n; ++i) {
+      auto one = expected<TypeParam>([](auto x) { return fixed::sqrt(x); }, a[i]);
+      if (a[i].raw() < 0) one.fault = Fault::domain_error;
+      want.push_back(one);
+    }
+    check(want, [&](auto out, auto how) { return fixed::batch::sqrt(a, out, how); });
+  }
+}
+
+// Every pair of 8.8 operands of which one is near a place where something changes.
+TEST(AllOf88, MultiplyAndDivide) {
+  using fixed::q8_8;
+  std::vector<q8_8> all;
+  for (int raw = -32768; raw <= 32767; raw += 1) {
+    all.push_back(q8_8::from_raw(static_cast<std::int16_t>(raw)));
+  }
+  std::vector<q8_8> out(all.size());
+  std::vector<q8_8> other(all.size());
+  for (const int raw : {-32768, -32767, -257, -256, -255, -129, -128, -3,  -2,  -1,   0,    1,
+                        2,      3,      127,  128,  129,  181,  255,  256, 257, 1000, 32767}) {
+    const auto b = q8_8::from_raw(static_cast<std::int16_t>(raw));
+    std::fill(other.begin(), other.end(), b);
+    for (const path on : paths()) {
+      fixed::batch::multiply(all, other, out, {on, {}});
+      for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(out[i], all[i] * b);
+      fixed::batch::divide(all, other, out, {on, {}});
+      for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(out[i], all[i] / b);
+      fixed::batch::divide(other, all, out, {on, {}});
+      for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(out[i], b / all[i]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace batch_test

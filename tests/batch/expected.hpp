@@ -1,0 +1,177 @@
+/// \file
+/// What a batch has to say of one element, by the number type: its operators under the policy, and
+/// under the policies that differ from it in what happens to a fault.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <ostream>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "fixed/batch.hpp"
+#include "fixed/fixed.hpp"
+
+namespace batch_test {
+
+enum class Fault { none, divide_error, overflow, domain_error };
+
+template <class Number>
+struct Expected {
+  Number value;
+  Fault fault = Fault::none;
+};
+
+/// The policy that never throws: what is written where there is no proper result.
+constexpr fixed::policy quiet(fixed::policy p) {
+  if (p.range == fixed::overflow::trap) p.range = fixed::overflow::wrap;
+  p.fault = fixed::divide_fault::none;
+  return p;
+}
+
+/// The policy that tells of everything that is counted.
+constexpr fixed::policy loud(fixed::policy p) {
+  if (p.range == fixed::overflow::saturate) p.range = fixed::overflow::trap;
+  return p;
+}
+
+template <class Number, fixed::policy P>
+auto as(Number x) {
+  return fixed::number<Number::fraction_bits, P>::from_raw(x.raw());
+}
+
+/// `operation` of the numbers, which is given them under either policy.
+template <class Number, class Operation, class... Numbers>
+Expected<Number> expected(const Operation& operation, Numbers... numbers) {
+  constexpr fixed::policy P = Number::rules;
+  Expected<Number> result{as<fixed::number<Number::fraction_bits, quiet(P)>, P>(
+      operation(as<Number, quiet(P)>(numbers)...))};
+  try {
+    static_cast<void>(operation(as<Number, loud(P)>(numbers)...));
+  } catch (const fixed::divide_error&) {
+    result.fault = Fault::divide_error;
+  } catch (const fixed::overflow_error&) {
+    result.fault = Fault::overflow;
+  } catch (const fixed::domain_error&) {
+    result.fault = Fault::domain_error;
+  }
+  return result;
+}
+
+/// A quotient: the fault of a zero divisor is counted, whatever becomes of it.
+template <class Number>
+Expected<Number> expected_quotient(Number n, Number d) {
+  auto result = expected<Number>([](auto a, auto b) { return a / b; }, n, d);
+  if constexpr (Number::rules.range == fixed::overflow::wrap) {
+    if (!fixed::try_divide(n, d)) result.fault = Fault::divide_error;
+  }
+  return result;
+}
+
+/// The first fault of a calculation is the one of the element.
+template <class Number>
+Fault first_fault(std::initializer_list<Expected<Number>> steps) {
+  for (const auto& step : steps) {
+    if (step.fault != Fault::none) return step.fault;
+  }
+  return Fault::none;
+}
+
+/// What elements have been marked, and the report, both beginning with noise.
+class Marked {
+ public:
+  explicit Marked(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {
+    for (std::size_t i = 0; i < count; ++i) marks_[i] = i % 3 == 0;
+  }
+  fixed::batch::options how(fixed::batch::path path) { return {path, {marks_.get(), size_}}; }
+
+  /// Holds marks and report against the faults of the elements.
+  void check(const fixed::batch::report& report, const std::vector<Fault>& faults) const {
+    fixed::batch::report whole;
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+      ASSERT_EQ(marks_[i], faults[i] != Fault::none) << "element " << i;
+      if (faults[i] == Fault::none) continue;
+      whole.divide_errors += faults[i] == Fault::divide_error ? 1U : 0U;
+      whole.overflows += faults[i] == Fault::overflow ? 1U : 0U;
+      whole.domain_errors += faults[i] == Fault::domain_error ? 1U : 0U;
+      whole.first = std::min(whole.first, i);
+    }
+    EXPECT_EQ(report.divide_errors, whole.divide_errors);
+    EXPECT_EQ(report.overflows, whole.overflows);
+    EXPECT_EQ(report.domain_errors, whole.domain_errors);
+    EXPECT_EQ(report.first, whole.first);
+  }
+
+ private:
+  std::size_t size_;
+  std::unique_ptr<bool[]> marks_;
+};
+
+/// The paths of this processor.
+inline std::vector<fixed::batch::path> paths() {
+  using enum fixed::batch::path;
+  std::vector<fixed::batch::path> there;
+  for (const auto path : {portable, neon, avx2, avx512}) {
+    if (fixed::batch::has(path)) there.push_back(path);
+  }
+  return there;
+}
+
+/// Lengths with and without a rest on every path, and some that take many blocks.
+inline std::vector<std::size_t> lengths() {
+  std::vector<std::size_t> all;
+  for (std::size_t n = 0; n <= 70; ++n) all.push_back(n);
+  all.insert(all.end(), {127, 128, 1000});
+  return all;
+}
+
+/// Operands: small and large ones alike, ends, zeros and ones among them.
+template <class Number>
+std::vector<Number> operands(std::size_t count, unsigned seed) {
+  using raw = typename Number::raw_type;
+  using limits = std::numeric_limits<raw>;
+  std::mt19937 random(seed);
+  constexpr std::array<std::int32_t, 9> special{0,
+                                                1,
+                                                -1,
+                                                limits::max(),
+                                                limits::min(),
+                                                1 << Number::fraction_bits,
+                                                -(1 << Number::fraction_bits),
+                                                limits::min() + 1,
+                                                3};
+  std::vector<Number> all(count);
+  for (Number& x : all) {
+    const auto word = static_cast<std::int32_t>(random());
+    const std::int32_t drawn =
+        random() % 8 == 0 ? special[random() % special.size()]
+                          : (word >> (32 - limits::digits - 1)) >> (random() % limits::digits);
+    x = Number::from_raw(static_cast<raw>(drawn));
+  }
+  return all;
+}
+
+/// Room for results, with one more at either end that nobody may write.
+template <class T>
+class Guarded {
+ public:
+  explicit Guarded(std::size_t count) : all_(count + 2) {
+    std::memset(static_cast<void*>(all_.data()), 0x5a, all_.size() * sizeof(T));
+  }
+  std::span<T> inside() { return std::span(all_).subspan(1, all_.size() - 2); }
+  [[nodiscard]] bool intact() const {
+    T noise;
+    std::memset(static_cast<void*>(&noise), 0x5a, sizeof(T));
+    return std::memcmp(&noise, &all_.front(), sizeof(T)) == 0 &&
+           std::memcmp(&noise, &all_.back(), sizeof(T)) == 0;
+  }
+
+ private:
+  std::vector<T> all_;
+};
+
+}  // namespace batch_test

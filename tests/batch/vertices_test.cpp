@@ -1,0 +1,160 @@
+/// Transform and project: every path against the operators of the type, with vertices interleaved
+/// and with coordinates in arrays of their own.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "tests/batch/expected.hpp"
+#include "tests/fixed/types.hpp"
+
+namespace batch_test {
+namespace {
+
+template <class Number>
+using Vertex = std::array<Number, 3>;
+template <class Number>
+using Point = std::array<Number, 2>;
+template <class Number>
+using Rows = std::array<std::array<Number, 4>, 3>;
+
+template <class Number, std::size_t size>
+struct Coordinates {
+  std::array<Number, size> values;
+  Fault fault = Fault::none;
+};
+
+/// The vertices, and the same as three arrays.
+template <class Number>
+struct Vertices {
+  std::vector<Vertex<Number>> all;
+  std::array<std::vector<Number>, 3> columns;
+
+  explicit Vertices(std::size_t count) {
+    for (unsigned c = 0; c < 3; ++c) columns[c] = operands<Number>(count, 30 + c);
+    for (std::size_t i = 0; i < count; ++i) {
+      all.push_back({columns[0][i], columns[1][i], columns[2][i]});
+    }
+  }
+};
+
+template <class Number, std::size_t size, class Call>
+void check(const std::vector<Coordinates<Number, size>>& want, const Call& call) {
+  std::vector<Fault> faults;
+  for (const auto& one : want) faults.push_back(one.fault);
+  for (const auto path : paths()) {
+    Marked marked(want.size());
+    const auto [report, got] = call(marked.how(path));
+    for (std::size_t i = 0; i < want.size(); ++i) {
+      for (std::size_t c = 0; c < size; ++c) {
+        ASSERT_EQ(got[i][c].raw(), want[i].values[c].raw())
+            << "path " << static_cast<int>(path) << ", element " << i << " of " << want.size()
+            << ", coordinate " << c;
+      }
+    }
+    marked.check(report, faults);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+/// Tuples of columns.
+template <class Number, std::size_t size>
+std::vector<std::array<Number, size>> gathered(
+    const std::array<std::vector<Number>, size>& columns) {
+  std::vector<std::array<Number, size>> all(columns[0].size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t c = 0; c < size; ++c) all[i][c] = columns[c][i];
+  }
+  return all;
+}
+
+template <class Number>
+class Transforms : public testing::Test {};
+TYPED_TEST_SUITE(Transforms, fixed::some_types);
+
+template <class Number>
+Coordinates<Number, 3> expected_vertex(const Rows<Number>& rows, const Vertex<Number>& v) {
+  Coordinates<Number, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = rows[i];
+    const auto one = expected<Number>([](auto a, auto b, auto c, auto t, auto x, auto y,
+                                         auto z) { return a * x + b * y + c * z + t; },
+                                      row[0], row[1], row[2], row[3], v[0], v[1], v[2]);
+    result.values[i] = one.value;
+    if (result.fault == Fault::none) result.fault = one.fault;
+  }
+  return result;
+}
+
+TYPED_TEST(Transforms, EveryLayout) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const auto drawn = operands<TypeParam>(12, seed);
+    Rows<TypeParam> rows;
+    for (std::size_t k = 0; k < 12; ++k) rows[k / 4][k % 4] = drawn[k];
+    for (const std::size_t n : lengths()) {
+      const Vertices<TypeParam> v(n);
+      std::vector<Coordinates<TypeParam, 3>> want;
+      for (const auto& vertex : v.all) want.push_back(expected_vertex(rows, vertex));
+      check<TypeParam, 3>(want, [&](auto how) {
+        std::vector<Vertex<TypeParam>> out(n);
+        const auto report = fixed::batch::transform(rows, v.all, out, how);
+        return std::pair(report, out);
+      });
+      check<TypeParam, 3>(want, [&](auto how) {
+        auto in_place = v.all;
+        const auto report = fixed::batch::transform(rows, in_place, in_place, how);
+        return std::pair(report, in_place);
+      });
+      check<TypeParam, 3>(want, [&](auto how) {
+        std::array<std::vector<TypeParam>, 3> out{
+            std::vector<TypeParam>(n), std::vector<TypeParam>(n), std::vector<TypeParam>(n)};
+        const auto& [x, y, z] = v.columns;
+        const auto report = fixed::batch::transform(rows, x, y, z, out[0], out[1], out[2], how);
+        return std::pair(report, gathered<TypeParam, 3>(out));
+      });
+    }
+  }
+}
+
+template <class Number>
+class Projections : public testing::Test {};
+TYPED_TEST_SUITE(Projections, fixed::all_types);
+
+template <class Number>
+Coordinates<Number, 2> expected_point(const Vertex<Number>& v, Number constant) {
+  const auto times = [](auto a, auto b) { return a * b; };
+  const auto x = expected_quotient(v[0], v[2]);
+  const auto y = expected_quotient(v[1], v[2]);
+  const auto to_x = expected<Number>(times, x.value, constant);
+  const auto to_y = expected<Number>(times, y.value, constant);
+  const bool error = x.fault == Fault::divide_error || y.fault == Fault::divide_error;
+  return {{to_x.value, to_y.value},
+          error ? Fault::divide_error : first_fault<Number>({x, y, to_x, to_y})};
+}
+
+TYPED_TEST(Projections, EveryLayout) {
+  for (const double factor : {-160.0, 0.5, 1.0 / 256}) {
+    const auto constant =
+        TypeParam(fixed::number<TypeParam::fraction_bits, fixed::policies::saturating>(factor));
+    for (const std::size_t n : lengths()) {
+      const Vertices<TypeParam> v(n);
+      std::vector<Coordinates<TypeParam, 2>> want;
+      for (const auto& vertex : v.all) want.push_back(expected_point(vertex, constant));
+      check<TypeParam, 2>(want, [&](auto how) {
+        std::vector<Point<TypeParam>> out(n);
+        const auto report = fixed::batch::project(v.all, constant, out, how);
+        return std::pair(report, out);
+      });
+      check<TypeParam, 2>(want, [&](auto how) {
+        std::array<std::vector<TypeParam>, 2> out{std::vector<TypeParam>(n),
+                                                  std::vector<TypeParam>(n)};
+        const auto& [x, y, z] = v.columns;
+        const auto report = fixed::batch::project(x, y, z, constant, out[0], out[1], how);
+        return std::pair(report, gathered<TypeParam, 2>(out));
+      });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace batch_test

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""usage: workflow.py ROOT
+
+Holds ROOT/.github/workflows/*.yml to what can be told without running them: they parse, ask for no rights, take
+actions by major version, and run nothing but scripts of the tree, with presets, labels and processors
+that there are. Status 1 for any breach.
+"""
+
+import itertools
+import json
+import os
+import re
+import shlex
+import sys
+from pathlib import Path
+
+import yaml
+
+root = Path(sys.argv[1])
+breaches = []
+
+
+def expanded(text, matrix):
+    """The text under each choice of the matrix."""
+    for choice in itertools.product(*matrix.values()):
+        values = dict(zip(matrix, choice))
+        yield re.sub(r"\$\{\{ matrix\.(\w+) \}\}", lambda name: str(values[name[1]]), text)
+
+
+
+presets = {preset["name"] for preset in json.loads((root / "CMakePresets.json").read_text())["testPresets"]}
+labels = set(re.findall(r"LABELS (\w+)", " ".join(path.read_text() for path in root.glob("tests/*/CMakeLists.txt"))))
+processors = set(re.findall(r'^  "(\w+) [\w-]+-linux-gnu', (root / "scripts/platforms").read_text(), re.M))
+
+
+def check_command(place, command):
+    """One command of a step; the commands of prepare.sh are known once it is read."""
+    words = shlex.split(command)
+    if words[0] == "install_packages":
+        return
+    script = words[1] if words[0] == "source" else words[0]
+    if not (root / script).is_file():
+        breaches.append(f"{place}: no script {script}")
+    elif words[0] != "source" and not os.access(root / script, os.X_OK):
+        breaches.append(f"{place}: {script} cannot be run")
+    if script == "./test":
+        preset, *options = words[1:]
+        if preset not in presets:
+            breaches.append(f"{place}: no preset {preset}")
+        if options and (options[0] != "-L" or options[1] not in labels):
+            breaches.append(f"{place}: no label {' '.join(options)}")
+    if script == "scripts/platforms":
+        breaches.extend(f"{place}: no processor {word}" for word in words[3:] if word not in processors)
+        return words[3:]
+
+
+def check_workflow(path):
+    workflow = yaml.safe_load(path.read_text(encoding="utf-8"))
+    if workflow.get("permissions") != {"contents": "read"}:
+        breaches.append(f"{path.name}: permissions are not contents: read")
+    commands = 0
+    tried = set()
+    for name, job in workflow["jobs"].items():
+        place = f"{path.name}: {name}"
+        if "permissions" in job:
+            breaches.append(f"{place}: asks for rights of its own")
+        if "timeout-minutes" not in job:
+            breaches.append(f"{place}: may hang for hours")
+        matrix = job.get("strategy", {}).get("matrix", {})
+        for step in job["steps"]:
+            if "uses" in step and not re.fullmatch(r"actions/[\w/-]+@v\d+", step["uses"]):
+                breaches.append(f"{place}: {step['uses']} is no major version of an action")
+            for line in step.get("run", "").splitlines():
+                for run in expanded(line, matrix):
+                    for command in run.split("&&"):
+                        tried.update(check_command(place, command) or ())
+                        commands += 1
+    if tried != processors:
+        breaches.append(f"{path.name}: not tried: {' '.join(sorted(processors - tried))}")
+    print(f"{path.name}: {len(workflow['jobs'])} jobs, {commands} commands")
+    return commands
+
+
+commands = sum(check_workflow(path) for path in sorted((root / ".github/workflows").glob("*.yml")))
+if not (commands and presets and labels and processors):
+    breaches.append("nothing was checked")
+print("\n".join(breaches))
+sys.exit(1 if breaches else 0)

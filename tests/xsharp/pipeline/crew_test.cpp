@@ -1,0 +1,58 @@
+/// Threads that share a loop.
+#include "xsharp/crew.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace xsharp {
+namespace {
+
+TEST(Crew, PartsAreEachThingOnceAndAlike) {
+  for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
+    const Crew crew(workers);
+    for (const std::size_t count : {0U, 1U, 6U, 7U, 8U, 1000U}) {
+      std::size_t next = 0;
+      for (std::size_t worker = 0; worker < workers; ++worker) {
+        const auto part = crew.part(count, worker);
+        EXPECT_EQ(part.first, next);
+        EXPECT_LE(part.end - part.first, count / workers + 1);
+        next = part.end;
+      }
+      EXPECT_EQ(next, count);
+    }
+  }
+}
+
+TEST(Crew, EveryWorkerWorksOnceEachTime) {
+  Crew crew(4);
+  std::vector<int> worked(4);
+  for (int i = 1; i <= 100; ++i) {
+    crew.run([&](std::size_t worker) { ++worked[worker]; });
+    EXPECT_EQ(worked, std::vector<int>(4, i));
+  }
+}
+
+TEST(Crew, NobodyIsOne) { EXPECT_EQ(Crew(0).workers(), 1U); }
+
+TEST(Crew, AnErrorReachesTheCallerAndWorkGoesOn) {
+  for (const std::size_t workers : {1U, 3U}) {
+    Crew crew(workers);
+    std::atomic<std::size_t> ended = 0;
+    const auto fails = [&](std::size_t worker) {
+      ++ended;
+      if (worker == workers - 1) throw std::runtime_error("worker " + std::to_string(worker));
+    };
+    EXPECT_THROW(crew.run(fails), std::runtime_error);
+    EXPECT_EQ(ended, workers);
+    crew.run([&](std::size_t) { ++ended; });
+    EXPECT_EQ(ended, 2 * workers);
+  }
+}
+
+}  // namespace
+}  // namespace xsharp
