@@ -86,8 +86,9 @@ TEST(TypeRules, HoldOnTheEdges) {
       EXPECT_EQ(fuzz::quotient_difference(a, b).value_or(""), "");
       for (std::uint32_t c = 0; c < 9; ++c) {
         EXPECT_EQ(fuzz::type_difference(std::array<std::uint32_t, 3>{a, b, c}).value_or(""), "");
-        EXPECT_EQ(fuzz::type_difference(std::array<std::uint32_t, 3>{a, b, 0xFFFFFFF7U - c}).value_or(""),
-                  "");
+        EXPECT_EQ(
+            fuzz::type_difference(std::array<std::uint32_t, 3>{a, b, 0xFFFFFFF7U - c}).value_or(""),
+            "");
       }
     }
   }
