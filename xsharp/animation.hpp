@@ -23,6 +23,7 @@ class Animation final : public Player {
  public:
   explicit Animation(const Scene& scene)
       : key_(scene.depth_key),
+        front_to_back_(scene.depth_buffer != DepthBuffering::off),
         view_(view_of<N>(scene)),
         lighting_(lighting_of<N>(scene.lights, scene.conversion, turn_to_view(scene.camera))) {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
@@ -30,6 +31,7 @@ class Animation final : public Player {
     for (const ObjectDescription& object : scene.objects) {
       add(std::make_unique<Polyhedron<N>>(object, static_cast<std::uint32_t>(objects_.size()),
                                           style));
+      shades_pixels_ = shades_pixels_ || object.surface.kind == SurfaceKind::phong;
     }
   }
 
@@ -44,11 +46,19 @@ class Animation final : public Player {
     depths_.clear();
     for (const auto& object : objects_) {
       object->prepare(view_, tally);
-      depths_.push_back(object->depth(key_));
+      const N depth = object->depth(key_);
+      depths_.push_back(front_to_back_ ? -depth : depth);
     }
     if (key_ != DepthKey::none) sort_by_depth(order_, std::span<const N>(depths_));
     picture.clear();
     for (const std::size_t i : order_) objects_[i]->draw(lighting_, picture);
+    // Those of the last objects, if these have none.
+    if (!picture.values.empty()) picture.values.resize(picture.points.size());
+    if (shades_pixels_) {
+      const Vec3<N> light = light_vector(lighting_);
+      picture.light = {static_cast<double>(light.x), static_cast<double>(light.y),
+                       static_cast<double>(light.z)};
+    }
     return tally;
   }
 
@@ -71,6 +81,8 @@ class Animation final : public Player {
 
  private:
   DepthKey key_;
+  bool front_to_back_;
+  bool shades_pixels_ = false;
   View<N> view_;
   Lighting<N> lighting_;
   std::vector<std::unique_ptr<Object<N>>> objects_;

@@ -22,6 +22,7 @@
 #include "verify/scenes/players.hpp"
 #include "verify/scenes/scene_options.hpp"
 #include "verify/scenes/show.hpp"
+#include "verify/scenes/surface_options.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 #include "xsharp/validate.hpp"
@@ -32,6 +33,7 @@ namespace {
 
 struct RenderOptions {
   SceneOptions scene;
+  SurfaceOptions surfaces;
   std::optional<std::uint64_t> frames;
   std::string size;
   bool true_color = false;
@@ -117,6 +119,7 @@ class ClockMeter {
 
 int render(const RenderOptions& options) {
   xsharp::Scene scene = options.scene.read();
+  options.surfaces.apply(scene);
   if (!options.size.empty()) set_size(scene, options.size);
   if (options.show) return show_scene(scene, options.true_color);
 
@@ -143,10 +146,10 @@ int render(const RenderOptions& options) {
       const xsharp::Tally drawn = player->draw(picture);
       tally.faults += drawn.faults;
       tally.out_of_reach += drawn.out_of_reach;
+      canvas->show(picture);
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));
     }
-    canvas->show(picture);
     drawing += std::chrono::steady_clock::now() - begin;
     if (meter.wants(done)) meter.count(std::exchange(log, {}));
     outputs.add(*canvas, *player, done);
@@ -182,6 +185,7 @@ void add_render(CLI::App& app, int& status) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "draw a scene");
   options->scene.add_to(*command);
+  options->surfaces.add_to(*command);
   command->add_option("--frames", options->frames, "how many; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
