@@ -202,7 +202,7 @@ class Polyhedron final : public Object<N> {
   [[nodiscard]] Corner<N> corner_of(std::size_t f, std::size_t i) const {
     const std::vector<std::size_t>& corners = faces_[f].vertices;
     const std::size_t v = corners[i];
-    if (is_lit(surface_) && v < normal_ends_.size()) {
+    if (needs_normals(surface_) && v < normal_ends_.size()) {
       return {view_[v], view_[normal_ends_[v]] - view_[v]};
     }
     if (surface_.kind != SurfaceKind::texture) return {view_[v], {}};

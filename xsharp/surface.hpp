@@ -10,16 +10,17 @@
 namespace xsharp {
 
 enum class SurfaceKind {
-  flat,       ///< every face has its paint
-  gouraud8,   ///< light at the vertices, stepped in 8.8
-  gouraud16,  ///< the same in 16.16
-  depth,      ///< depth shown as light: Z-Gouraud; in 8.8
-  distance,   ///< distance from the viewer shown as light; in 8.8
-  texture,    ///< a bitmap on every face
-  phong,      ///< normals at the vertices, light at the pixels
+  flat,         ///< every face has its paint
+  gouraud8,     ///< light at the vertices, stepped in 8.8
+  gouraud16,    ///< the same in 16.16
+  depth,        ///< depth shown as light: Z-Gouraud; in 8.8
+  distance,     ///< distance from the viewer shown as light; in 8.8
+  texture,      ///< a bitmap on every face
+  environment,  ///< a bitmap round about, seen in the body: its places are those of normals
+  phong,        ///< normals at the vertices, light at the pixels
 };
-inline constexpr std::array<std::string_view, 7> surface_words{
-    "flat", "gouraud8", "gouraud16", "depth", "distance", "texture", "phong"};
+inline constexpr std::array<std::string_view, 8> surface_words{
+    "flat", "gouraud8", "gouraud16", "depth", "distance", "texture", "environment", "phong"};
 
 /// At which pixels of a span Phong's light is worked out: the normal between those of the ends,
 /// brought to unit length, times the light.
@@ -63,10 +64,23 @@ struct Surface {
   std::array<std::uint8_t, 2> texels{127, 255};
 };
 
-/// Whether its vertices need normals.
 constexpr bool is_lit(const Surface& surface) {
   return surface.kind == SurfaceKind::gouraud8 || surface.kind == SurfaceKind::gouraud16 ||
          surface.kind == SurfaceKind::phong;
+}
+
+/// Whether its vertices need normals.
+constexpr bool needs_normals(const Surface& surface) {
+  return is_lit(surface) || surface.kind == SurfaceKind::environment;
+}
+
+constexpr bool has_bitmap(const Surface& surface) {
+  return surface.kind == SurfaceKind::texture || surface.kind == SurfaceKind::environment;
+}
+
+/// Whether places in the bitmap are worked out from place times depth.
+constexpr bool in_perspective(const Surface& surface) {
+  return surface.kind == SurfaceKind::texture && surface.exact_every != 0;
 }
 
 /// Light from -1 to 1 as an index of the palette: `dark` + `levels` * light on the first ramp. Two

@@ -83,6 +83,14 @@ PointValues point_values(const Surface& surface, const Corner<N>& corner, const 
     case SurfaceKind::distance:
       values[1] = on_ramp(nearness(distance_from_viewer(corner.place), near));
       break;
+    case SurfaceKind::environment: {
+      // The normal seen from in front: its x to the right, its y upward.
+      const N half = Arithmetic<N>::from_raw(0x8000);
+      const N radius = Arithmetic<N>::from_raw(0x8000 - 0x80);
+      values[1] = static_cast<double>(half + corner.carried.x * radius);
+      values[2] = static_cast<double>(half - corner.carried.y * radius);
+      break;
+    }
     case SurfaceKind::texture:
     case SurfaceKind::phong:
       values[1] = static_cast<double>(corner.carried.x);

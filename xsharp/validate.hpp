@@ -99,7 +99,7 @@ inline void validate_surface(const ObjectDescription& object) {
     throw SceneError(text_of("surface.exact_every is ", surface.exact_every,
                              ", must be 1, 8, 16 or 0 for never"));
   }
-  if (!is_lit(surface)) return;
+  if (!needs_normals(surface)) return;
   const auto& ends = object.mesh.vertex_normal_ends;
   const std::size_t vertices = object.mesh.vertices.size();
   if (ends.empty()) throw SceneError("surface.kind needs normals at the vertices");

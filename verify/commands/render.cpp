@@ -16,6 +16,7 @@
 #include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/scenes/beside_exact.hpp"
 #include "verify/scenes/canvas.hpp"
 #include "verify/scenes/frame_clocks.hpp"
 #include "verify/scenes/outputs.hpp"
@@ -128,6 +129,8 @@ int render(const RenderOptions& options) {
   const auto player = make_player(scene, scene.arithmetic);
   const auto canvas = make_canvas(scene, options.true_color);
   Outputs outputs(options.outputs, scene.files, scene.frames_per_second);
+  std::optional<BesideExact> beside;
+  if (!options.outputs.beside.empty()) beside.emplace(scene, options.outputs.beside);
 
   xsharp::Picture picture;
   xsharp::Tally tally;
@@ -153,9 +156,11 @@ int render(const RenderOptions& options) {
     drawing += std::chrono::steady_clock::now() - begin;
     if (meter.wants(done)) meter.count(std::exchange(log, {}));
     outputs.add(*canvas, *player, done);
+    if (beside) beside->show(picture);
     progress.show(done + 1);
   }
   outputs.finish(done);
+  if (beside) beside->finish();
 
   const xsharp::DrawingCount count = canvas->count();
   std::cout << fmt::format(
@@ -166,6 +171,7 @@ int render(const RenderOptions& options) {
       grouped(done == 0 ? 0
                         : static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
   std::cout << meter.text();
+  if (beside) std::cout << beside->text();
   if (tally.out_of_reach > 0) {
     std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
                              grouped(tally.out_of_reach));
@@ -199,8 +205,12 @@ void add_render(CLI::App& app, int& status) {
       ->add_option("--dump", options->outputs.dump,
                    "transforms, vertices and faces as lines of JSON")
       ->check(not_empty());
+  command
+      ->add_option("--beside", options->outputs.beside,
+                   "a PNG of the last frame: as stepped, exact, and where they differ")
+      ->check(not_empty());
   CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
-  for (const char* written : {"--frames", "--out", "--animate", "--dump"}) {
+  for (const char* written : {"--frames", "--out", "--animate", "--dump", "--beside"}) {
     show->excludes(command->get_option(written));
   }
   command->footer(
@@ -212,7 +222,8 @@ void add_render(CLI::App& app, int& status) {
       "Examples:\n"
       "  fixproof render scenes/twelve_cubes.json --animate cubes.png\n"
       "  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color\n"
-      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl");
+      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl\n"
+      "  fixproof render scenes/textured.json --texture-every never --frames 40 --beside t.png");
   command->callback([options, &status] { status = render(*options); });
 }
 

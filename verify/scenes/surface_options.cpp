@@ -57,7 +57,7 @@ void SurfaceOptions::apply(xsharp::Scene& scene) const {
     if (kind) surface.kind = *kind;
     if (phong) surface.phong = *phong;
     if (exact_every) surface.exact_every = *exact_every;
-    if (xsharp::is_lit(surface) && object.mesh.vertex_normal_ends.empty()) {
+    if (xsharp::needs_normals(surface) && object.mesh.vertex_normal_ends.empty()) {
       object.mesh = xsharp::with_vertex_normals(std::move(object.mesh));
     }
   }

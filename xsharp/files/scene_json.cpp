@@ -253,7 +253,7 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
   }
   object.mesh = std::move(draft.shape->mesh);
   // First: an object's own vertices come first, then the ends of their normals.
-  if (is_lit(object.surface)) object.mesh = with_vertex_normals(std::move(object.mesh));
+  if (needs_normals(object.surface)) object.mesh = with_vertex_normals(std::move(object.mesh));
   if (object.shading.diffuse) object.mesh = with_normals(std::move(object.mesh));
   return std::move(object);
 }

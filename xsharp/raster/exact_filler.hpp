@@ -25,8 +25,8 @@ class ExactFiller final : public SurfaceFiller {
  public:
   explicit ExactFiller(const Scene& scene) : SurfaceFiller(scene) {
     for (const ObjectDescription& object : scene.objects) {
-      const bool textured = object.surface.kind == SurfaceKind::texture;
-      bitmaps_.push_back(textured ? bitmap_of(object.surface) : std::vector<std::uint8_t>{});
+      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
+                                                    : std::vector<std::uint8_t>{});
     }
   }
 
@@ -138,9 +138,11 @@ class ExactFiller final : public SurfaceFiller {
     switch (surface.kind) {
       case SurfaceKind::flat:
         return pixel;
-      case SurfaceKind::texture: {
+      case SurfaceKind::texture:
+      case SurfaceKind::environment: {
+        const double depth = surface.kind == SurfaceKind::texture ? values[0] : 1;
         const auto texel = [&](double value) {
-          const double place = values[0] > 0 ? value / values[0] * 256 : 0;
+          const double place = depth > 0 ? value / depth * 256 : 0;
           return static_cast<std::size_t>(std::clamp(place, 0.0, 255.0));
         };
         return bitmaps_[object_][texel(values[2]) * 256 + texel(values[1])];

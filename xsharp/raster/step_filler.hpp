@@ -29,8 +29,8 @@ class StepFiller final : public SurfaceFiller {
   StepFiller(const Scene& scene, std::unique_ptr<const SpanLoops> loops)
       : SurfaceFiller(scene), loops_(std::move(loops)), depths_(scene.depth_buffer) {
     for (const ObjectDescription& object : scene.objects) {
-      const bool textured = object.surface.kind == SurfaceKind::texture;
-      bitmaps_.push_back(textured ? bitmap_of(object.surface) : std::vector<std::uint8_t>{});
+      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
+                                                    : std::vector<std::uint8_t>{});
     }
   }
 
@@ -90,19 +90,18 @@ class StepFiller final : public SurfaceFiller {
 
   /// Which of a point's four values are stepped.
   void choose_slots(const Surface& surface) {
-    const bool in_perspective = surface.kind == SurfaceKind::texture && surface.exact_every != 0;
-    first_slot_ = buffered() || in_perspective ? 0 : 1;
-    end_slot_ = surface.kind == SurfaceKind::flat      ? 1
-                : surface.kind == SurfaceKind::texture ? 3
-                : surface.kind == SurfaceKind::phong   ? 4
-                                                       : 2;
+    first_slot_ = buffered() || in_perspective(surface) ? 0 : 1;
+    end_slot_ = surface.kind == SurfaceKind::flat    ? 1
+                : has_bitmap(surface)                ? 3
+                : surface.kind == SurfaceKind::phong ? 4
+                                                     : 2;
   }
 
   /// Places in a bitmap are not linear on the screen; times depth they are, as depth is.
   static std::array<N, 4> corner(const PointValues& values, const Surface& surface) {
     std::array<N, 4> numbers{number(values[0]), number(values[1]), number(values[2]),
                              number(values[3])};
-    if (surface.kind == SurfaceKind::texture && surface.exact_every != 0) {
+    if (in_perspective(surface)) {
       numbers[1] = numbers[1] * numbers[0];
       numbers[2] = numbers[2] * numbers[0];
     }
@@ -226,6 +225,7 @@ class StepFiller final : public SurfaceFiller {
         });
         return;
       case SurfaceKind::texture:
+      case SurfaceKind::environment:
         texture(surface, steps, out);
         return;
       case SurfaceKind::phong:
@@ -241,7 +241,7 @@ class StepFiller final : public SurfaceFiller {
       const StepWords down = words_of(v, 0);
       loops_->texture(piece, bitmaps_[object_], across.start, across.step, down.start, down.step);
     };
-    if (surface.exact_every == 0) {
+    if (!in_perspective(surface)) {
       in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
         run(out.subspan(from, count), {at(steps[1], from), steps[1].slope},
             {at(steps[2], from), steps[2].slope});
