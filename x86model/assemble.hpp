@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <stdexcept>
@@ -30,6 +31,9 @@ struct Listing {
     return *this;
   }
 };
+
+/// The processor that a listing is for.
+enum class Target : std::uint8_t { i386, i8088 };
 
 /// The switches of the conditional assembly: each says what the code does.
 struct Build {

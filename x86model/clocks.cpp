@@ -29,17 +29,27 @@ struct Cell {
 constexpr Cell absent = 0;
 
 /// Instructions that have the same times.
-enum class Kind : std::uint8_t { mov, push, pop, arithmetic, neg, step, shift, double_shift };
+enum class Kind : std::uint8_t {
+  mov,
+  push,
+  pop,
+  arithmetic,
+  neg,
+  step,
+  shift,
+  double_shift,
+  store_string
+};
 
 /// The kinds of an instruction's operands; `one` is the count of a shift by one.
-enum class Shape : std::uint8_t { r, m, rr, rm, mr, ri, r_one, rri };
+enum class Shape : std::uint8_t { none, r, m, rr, rm, mr, ri, r_one, rri };
 
 struct Row {
   Kind kind = Kind::mov;
   Shape shape = Shape::rr;
   /// Without the effective address, and without what the words below add on an 8088.
   Cell i8088 = absent;
-  /// Words that go over the bus.
+  /// Words that go over the bus; of a byte form bytes.
   std::uint32_t transfers = 0;
   Cell i286 = absent;
   Cell i386 = absent;
@@ -64,6 +74,7 @@ constexpr std::array table{
     Row{Kind::shift, Shape::r_one, 2, 0, 2, 3, 3},
     Row{Kind::shift, Shape::ri, absent, 0, absent, 3, 2},
     Row{Kind::double_shift, Shape::rri, absent, 0, absent, 3, 2},
+    Row{Kind::store_string, Shape::none, 11, 1, 3, 4, 5},
 };
 
 std::optional<Kind> kind_of(Mnemonic op) {
@@ -76,6 +87,7 @@ std::optional<Kind> kind_of(Mnemonic op) {
   if (is_one_operand(op)) return Kind::step;
   if (is_shift(op)) return Kind::shift;
   if (is_double_shift(op)) return Kind::double_shift;
+  if (is_store_string(op)) return Kind::store_string;
   return std::nullopt;
 }
 
@@ -84,6 +96,7 @@ std::optional<Shape> shape_of(const Instruction& i) {
   const auto are = [&](Operand::Kind a, Operand::Kind b, Operand::Kind c) {
     return i.operands[0].kind == a && i.operands[1].kind == b && i.operands[2].kind == c;
   };
+  if (are(none, none, none)) return Shape::none;
   if (are(reg, none, none)) return Shape::r;
   if (are(memory, none, none)) return Shape::m;
   if (are(reg, reg, none)) return Shape::rr;
@@ -103,9 +116,14 @@ bool reads_or_writes_memory(const Instruction& i) {
 /// The 8088 moves a word over its bus in two bytes: one bus cycle more than the 8086.
 constexpr std::uint32_t second_byte = 4;
 
-/// What an 8088 adds to find an operand at [base] or [base+displacement].
+bool is_of_bytes(const Instruction& i) {
+  return i.mnemonic == Mnemonic::stosb || i.operands[0].size == Size::byte;
+}
+
+/// What an 8088 adds to find an operand at [displacement], [base] or [base+displacement].
 std::uint32_t effective_address_clocks(const Instruction& i) {
   if (!reads_or_writes_memory(i)) return 0;
+  if (i.operands[1].addressing == Addressing::direct) return 6;
   return encoding_of(i).displacement > 0 ? 9 : 5;
 }
 
@@ -208,24 +226,32 @@ constexpr Encoding caller_next{.mod_rm = 1, .immediate = 1};
 Cell control_flow(Cpu cpu, const Execution& e) {
   const bool call = e.instruction.mnemonic == Mnemonic::call;
   const bool ret = e.instruction.mnemonic == Mnemonic::ret;
+  const bool loop = e.instruction.mnemonic == Mnemonic::loop;
+  const bool to_register = e.instruction.operands[0].kind == Operand::Kind::reg;
   const Encoding next = e.next == nullptr ? caller_next : encoding_of(*e.next);
   switch (cpu) {
     case Cpu::i8088:
       // The word that CALL pushes and RET pops.
       if (call) return 19 + second_byte;
       if (ret) return 16 + second_byte;
+      if (loop) return e.taken ? 17 : 5;
+      if (to_register) return 11;
       if (e.instruction.mnemonic == Mnemonic::jmp) return 15;
       return e.taken ? 16 : 4;
     case Cpu::i286:
+      if (loop) return e.taken ? 8 + static_cast<std::uint32_t>(next.bytes()) : 4;
       if (!e.taken) return 3;
       return static_cast<std::uint32_t>((ret ? 11 : 7) + next.bytes());
     case Cpu::i386:
+      // One time for both ways, and the length of what is executed next in it.
+      if (loop) return 11 + static_cast<std::uint32_t>(next.components());
       if (!e.taken) return 3;
       return static_cast<std::uint32_t>((ret ? 10 : 7) + next.components());
     case Cpu::i486:
       break;
   }
-  if (ret) return 5;
+  if (loop) return e.taken ? 7 : 6;
+  if (ret || to_register) return 5;
   return e.taken ? 3 : 1;
 }
 
@@ -237,7 +263,8 @@ Cell look_up(Cpu cpu, const Instruction& i) {
   switch (cpu) {
     case Cpu::i8088:
       if (row->i8088.is_absent()) return absent;
-      return row->i8088.min + effective_address_clocks(i) + second_byte * row->transfers;
+      return row->i8088.min + effective_address_clocks(i) +
+             (is_of_bytes(i) ? 0 : second_byte * row->transfers);
     case Cpu::i286:
       return row->i286;
     case Cpu::i386:
@@ -260,14 +287,18 @@ Cell cell_of(Cpu cpu, const Execution& e) {
 
 std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const Instruction& i = execution.instruction;
-  const bool has_prefix = encoding_of(i).prefixes > 0;
-  if (has_prefix && cpu < Cpu::i386) return std::nullopt;
+  const int prefixes = encoding_of(i).prefixes;
+  if (prefixes > 0 && cpu < Cpu::i386) return std::nullopt;
   const Cell cell = cell_of(cpu, execution);
   if (cell.is_absent()) return std::nullopt;
   // A 486 takes a clock for a prefix, unless the instruction before it leaves it the time. A 386
   // takes none.
-  const std::uint32_t prefix = has_prefix && cpu == Cpu::i486 ? 1 : 0;
-  return Range{cell.min, cell.max + prefix};
+  if (cpu != Cpu::i486) return Range{cell.min, cell.max};
+  // It may take one more to scale an index register.
+  const bool scales = std::any_of(i.operands.begin(), i.operands.end(), [](const Operand& o) {
+    return o.addressing == Addressing::index_twice;
+  });
+  return Range{cell.min, cell.max + static_cast<std::uint32_t>(prefixes) + (scales ? 1U : 0U)};
 }
 
 std::string_view name_of(Cpu cpu) {

@@ -38,7 +38,8 @@ struct Execution {
   Instruction instruction;
   /// Whether a jump was taken; a call and a return always are.
   bool taken = false;
-  /// What is executed after a jump that was taken: on a 286 and a 386 its length counts. Null for
+  /// What is executed after a jump that was taken, and after any LOOP: on a 286 and a 386 its
+  /// length counts. Null for
   /// the code of the routine's caller, taken to be ADD SP,n: C pops the arguments.
   const Instruction* next = nullptr;
   /// Of a multiply or divide, before it, zero-extended: (E)AX, (E)DX and the operand.
@@ -47,8 +48,8 @@ struct Execution {
   std::uint32_t operand = 0;
 };
 
-/// @return nothing where `cpu` has no such instruction, or no routine that it can run uses this
-/// form (a register and a place in memory are one form).
+/// @return nothing where `cpu` has no such instruction, or no routine or loop that it can run uses
+/// this form (a register and a place in memory are one form).
 std::optional<Range> clocks(Cpu cpu, const Execution& execution);
 
 /// "8088", "286", "386" or "486".

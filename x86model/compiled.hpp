@@ -74,9 +74,15 @@ template <const Program& program, std::size_t entry, std::size_t position, class
     outcome = Outcome::proceeds;
     return true;
   } else if constexpr (jumps(instruction)) {
+    static_assert(instruction.operands[0].kind == Operand::Kind::label,
+                  "only the interpreter jumps to computed places");
     constexpr auto to = static_cast<std::size_t>(instruction.operands[0].value);
     bool taken = false;
-    outcome = jump_taken(op, m.flags, taken);
+    if constexpr (op == Mnemonic::loop) {
+      taken = count_down(m);
+    } else {
+      outcome = jump_taken(op, m.flags, taken);
+    }
     // Backwards: skip all that is left, and let the next pass start there.
     if (taken) target = to > position ? to : program.size + to;
     return outcome == Outcome::proceeds;

@@ -20,7 +20,7 @@ namespace detail {
 template <class M>
 const Instruction* return_target(std::span<const Instruction> code, const M& m) {
   std::uint32_t to = return_to_caller<M::word_bits>;
-  m.memory.read(m.registers.read(Register::sp, Size::word), to);
+  read_stack(m, m.registers.read(Register::sp, Size::word), to);
   return to < code.size() ? &code[to] : nullptr;
 }
 
@@ -32,10 +32,18 @@ Execution execution_at(std::span<const Instruction> code, std::size_t position, 
   const Operand& operand = execution.instruction.operands[0];
   if (is_control_flow(op)) {
     jump_taken(op, m.flags, execution.taken);
+    if (op == Mnemonic::loop) {
+      execution.taken = m.registers.read(Register::cx, Size::word) != 1;
+      if (position + 1 < code.size()) execution.next = &code[position + 1];
+    }
     if (op == Mnemonic::ret) {
       execution.next = return_target(code, m);
     } else if (execution.taken) {
-      execution.next = &code[static_cast<std::size_t>(operand.value)];
+      const std::size_t to =
+          operand.kind == Operand::Kind::reg
+              ? position_at(code, m.registers.read(operand.reg, operand.size) - code_address)
+              : static_cast<std::size_t>(operand.value);
+      if (to < code.size()) execution.next = &code[to];
     }
   } else if (is_multiply(op) || is_divide(op)) {
     execution.low = m.registers.read(Register::ax, operand.size);

@@ -1,5 +1,7 @@
 #include "x86model/encoding.hpp"
 
+#include <algorithm>
+
 #include "x86model/execute.hpp"
 
 namespace x86model {
@@ -24,11 +26,13 @@ bool has_mod_rm(const Instruction& i) {
     case Mnemonic::dec:
       return !is_register(i.operands[0]);
     default:
-      return !is_control_flow(i.mnemonic);
+      if (i.mnemonic == Mnemonic::jmp) return is_register(i.operands[0]);
+      return !is_control_flow(i.mnemonic) && !detail::is_store_string(i.mnemonic);
   }
 }
 
 int displacement_bytes(const Operand& o) {
+  if (o.addressing == Addressing::index || o.addressing == Addressing::index_twice) return 4;
   if (o.symbol != Symbol::none) return 2;
   // [BP] alone has no encoding.
   if (o.value == 0 && o.reg != Register::bp) return 0;
@@ -46,15 +50,26 @@ void encode_immediate(const Operand& reg, std::int32_t value, Encoding& encoding
   if (reg.reg == Register::ax) encoding.mod_rm = 0;
 }
 
+int prefixes_of(const Instruction& i) {
+  const auto& all = i.operands;
+  const auto is_dword = [](const Operand& o) { return o.size == Size::dword; };
+  const auto is_indexed = [](const Operand& o) {
+    return o.addressing == Addressing::index || o.addressing == Addressing::index_twice;
+  };
+  return (std::any_of(all.begin(), all.end(), is_dword) ? 1 : 0) +
+         (std::any_of(all.begin(), all.end(), is_indexed) ? 1 : 0);
+}
+
 }  // namespace
 
 Encoding encoding_of(const Instruction& instruction) {
   Encoding encoding;
+  encoding.prefixes = prefixes_of(instruction);
   encoding.mod_rm = has_mod_rm(instruction) ? 1 : 0;
   if (detail::is_double_shift(instruction.mnemonic)) encoding.opcode = 2;
   for (const Operand& o : instruction.operands) {
-    if (o.size == Size::dword) encoding.prefixes = 1;
     if (o.kind == Operand::Kind::memory) encoding.displacement = displacement_bytes(o);
+    if (o.addressing == Addressing::index_twice) encoding.mod_rm = 2;
     if (o.kind == Operand::Kind::label) {
       encoding.displacement = instruction.mnemonic == Mnemonic::call ? 2 : 1;
     }
@@ -67,6 +82,15 @@ Encoding encoding_of(const Instruction& instruction) {
     }
   }
   return encoding;
+}
+
+std::size_t position_at(std::span<const Instruction> code, std::uint32_t offset) {
+  std::size_t position = 0;
+  std::uint32_t here = 0;
+  while (position < code.size() && here < offset) {
+    here += static_cast<std::uint32_t>(encoding_of(code[position++]).bytes());
+  }
+  return here == offset ? position : code.size();
 }
 
 }  // namespace x86model

@@ -25,13 +25,30 @@ namespace detail {
 
 template <class M>
 X86MODEL_INLINE int bits_of(Size size) {
+  if (size == Size::byte) return 8;
   return size == Size::word ? M::word_bits : 2 * M::word_bits;
 }
 
+/// Whether a machine's memory has single bytes, and segments: see ByteMemory.
+template <class M>
+concept HasBytes = requires(M m, std::uint32_t value) {
+  m.memory.read_byte(value, value);
+  m.memory.write_byte(value, value);
+  m.memory.write_extra_byte(value, value);
+  m.memory.write_extra_word(value, value);
+};
+
 template <class M>
 X86MODEL_INLINE std::uint32_t address_of(const Operand& o, const M& m) {
-  std::int32_t displacement = o.value;
-  if (o.symbol == Symbol::cos_table) displacement += cos_table_address;
+  const std::int32_t displacement = o.value + x86model::address_of(o.symbol);
+  if constexpr (M::word_bits == 16) {
+    const auto constant = static_cast<std::uint32_t>(displacement);
+    if (o.addressing == Addressing::direct) return constant & alu::mask(16);
+    if (o.addressing != Addressing::base) {
+      const std::uint32_t index = m.registers.read(o.reg, Size::dword);
+      return (o.addressing == Addressing::index_twice ? 2 * index : index) + constant;
+    }
+  }
   const auto base = m.registers.read(o.reg, Size::word);
   return (base + static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(displacement))) &
          alu::mask(M::word_bits);
@@ -64,6 +81,10 @@ X86MODEL_INLINE bool read(const Operand& o, Size size, const M& m, std::uint32_t
     return true;
   }
   const std::uint32_t address = address_of(o, m);
+  if (size == Size::byte) {
+    if constexpr (HasBytes<M>) return m.memory.read_byte(address, value);
+    return false;
+  }
   if (!m.memory.read(address, value)) return false;
   if (size == Size::word) return true;
   std::uint32_t high = 0;
@@ -79,15 +100,38 @@ X86MODEL_INLINE bool write(const Operand& o, Size size, M& m, std::uint32_t valu
     return true;
   }
   const std::uint32_t address = address_of(o, m);
+  if (size == Size::byte) {
+    if constexpr (HasBytes<M>) return m.memory.write_byte(address, value);
+    return false;
+  }
   if (!m.memory.write(address, value)) return false;
   return size == Size::word || m.memory.write(address + M::word_bits / 8, value >> M::word_bits);
+}
+
+/// The word at the top of the stack.
+template <class M>
+X86MODEL_INLINE bool read_stack(const M& m, std::uint32_t top, std::uint32_t& value) {
+  if constexpr (requires { m.memory.read_stack(top, value); }) {
+    return m.memory.read_stack(top, value);
+  } else {
+    return m.memory.read(top, value);
+  }
+}
+
+template <class M>
+X86MODEL_INLINE bool write_stack(M& m, std::uint32_t top, std::uint32_t value) {
+  if constexpr (requires { m.memory.write_stack(top, value); }) {
+    return m.memory.write_stack(top, value);
+  } else {
+    return m.memory.write(top, value);
+  }
 }
 
 template <class M>
 X86MODEL_INLINE bool push(M& m, std::uint32_t value) {
   const std::uint32_t top =
       (m.registers.read(Register::sp, Size::word) - M::word_bits / 8) & alu::mask(M::word_bits);
-  if (!m.memory.write(top, value)) return false;
+  if (!write_stack(m, top, value)) return false;
   m.registers.write(Register::sp, Size::word, top);
   return true;
 }
@@ -95,7 +139,7 @@ X86MODEL_INLINE bool push(M& m, std::uint32_t value) {
 template <class M>
 X86MODEL_INLINE bool pop(M& m, std::uint32_t& value) {
   const std::uint32_t top = m.registers.read(Register::sp, Size::word);
-  if (!m.memory.read(top, value)) return false;
+  if (!read_stack(m, top, value)) return false;
   m.registers.write(Register::sp, Size::word, top + M::word_bits / 8);
   return true;
 }
@@ -113,6 +157,25 @@ X86MODEL_INLINE bool is_shift(Mnemonic op) {
 X86MODEL_INLINE bool is_double_shift(Mnemonic op) {
   return op == Mnemonic::shld || op == Mnemonic::shrd;
 }
+X86MODEL_INLINE bool is_store_string(Mnemonic op) {
+  return op == Mnemonic::stosb || op == Mnemonic::stosw;
+}
+
+/// STOSB and STOSW of 16-bit code: AL or AX to ES:DI, and DI past it. Flags stay as they are.
+template <Mnemonic op, class M>
+X86MODEL_INLINE bool store_string(M& m) {
+  if constexpr (HasBytes<M>) {
+    constexpr bool byte = op == Mnemonic::stosb;
+    const std::uint32_t place = m.registers.read(Register::di, Size::word);
+    const std::uint32_t value = m.registers.read(Register::ax, Size::word);
+    const bool done =
+        byte ? m.memory.write_extra_byte(place, value) : m.memory.write_extra_word(place, value);
+    if (done) m.registers.write(Register::di, Size::word, place + (byte ? 1 : 2));
+    return done;
+  }
+  return false;
+}
+
 X86MODEL_INLINE bool is_multiply(Mnemonic op) {
   return op == Mnemonic::mul || op == Mnemonic::imul;
 }
@@ -165,6 +228,8 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
     if (!read(first, size, m, a) || !push(m, a)) return Outcome::bad_address;
   } else if constexpr (op == Mnemonic::pop) {
     if (!pop(m, a) || !write(first, size, m, a)) return Outcome::bad_address;
+  } else if constexpr (is_store_string(op)) {
+    if (!store_string<op>(m)) return Outcome::bad_address;
   } else if constexpr (is_two_operand(op)) {
     if constexpr (op == Mnemonic::adc || op == Mnemonic::sbb) {
       if ((m.flags.undefined & CF) != 0) return Outcome::undefined_flag;
@@ -218,7 +283,17 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
 
 constexpr bool is_control_flow(Mnemonic op) { return op >= Mnemonic::jmp; }
 
-/// Whether a jump is taken. @return proceeds, or undefined_flag where the condition reads one.
+/// LOOP of 16-bit code: CX less one, and a jump unless it is 0 then. Flags stay as they are.
+/// @return whether it jumps
+template <class M>
+X86MODEL_INLINE bool count_down(M& m) {
+  const std::uint32_t count = m.registers.read(Register::cx, Size::word) - 1;
+  m.registers.write(Register::cx, Size::word, count);
+  return m.registers.read(Register::cx, Size::word) != 0;
+}
+
+/// Whether a jump is taken, but for LOOP, which asks CX: see count_down(). @return proceeds, or
+/// undefined_flag where the condition reads one.
 X86MODEL_INLINE Outcome jump_taken(Mnemonic op, const Flags& flags, bool& taken) {
   std::uint16_t reads = 0;
   const auto set = [&](Flag f) { return (flags.value & f) != 0; };
@@ -234,6 +309,10 @@ X86MODEL_INLINE Outcome jump_taken(Mnemonic op, const Flags& flags, bool& taken)
     case Mnemonic::jz:
       reads = ZF;
       taken = set(ZF);
+      break;
+    case Mnemonic::jnz:
+      reads = ZF;
+      taken = !set(ZF);
       break;
     case Mnemonic::ja:
       reads = CF | ZF;

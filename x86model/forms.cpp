@@ -14,12 +14,13 @@ namespace x86model {
 namespace {
 
 /// Kind and size of an operand, as far as they make a form.
-enum class OperandForm : std::uint8_t { none, word, dword, immediate, one, label };
+enum class OperandForm : std::uint8_t { none, byte, word, dword, immediate, one, label };
 
 OperandForm form_of(const Operand& o, bool is_count) {
   switch (o.kind) {
     case Operand::Kind::reg:
     case Operand::Kind::memory:
+      if (o.size == Size::byte) return OperandForm::byte;
       return o.size == Size::word ? OperandForm::word : OperandForm::dword;
     case Operand::Kind::immediate:
       return is_count && o.scaling == Scaling::literal && o.value == 1 ? OperandForm::one
@@ -43,11 +44,14 @@ Form form_of(const Instruction& i) {
 /// The instructions of the listings for one processor.
 std::vector<Instruction> instructions_of(Target target) {
   std::vector<Instruction> instructions;
-  for (int r = 0; r < routine_count; ++r) {
-    const Listing& rows = listing(static_cast<Routine>(r), target);
+  const auto add = [&](const Listing& rows) {
     for (std::size_t i = 0; i < rows.size; ++i) {
       if (rows.rows.at(i).directive == Directive::none) instructions.push_back(rows.rows.at(i));
     }
+  };
+  for (int r = 0; r < routine_count; ++r) add(listing(static_cast<Routine>(r), target));
+  for (const LoopForm& form : all_loop_forms()) {
+    if (form.target == target) add(listing(form));
   }
   return instructions;
 }
@@ -72,7 +76,8 @@ bool is_modelled(const Instruction& instruction, Target processor) {
 }
 
 std::string form_text(const Instruction& instruction) {
-  static constexpr std::array<const char*, 6> names{"", "r/m16", "r/m32", "imm", "1", "label"};
+  static constexpr std::array<const char*, 7> names{"",    "r/m8", "r/m16", "r/m32",
+                                                    "imm", "1",    "label"};
   const auto [mnemonic, first, second, third] = form_of(instruction);
   std::string text(name_of(mnemonic));
   const char* between = " ";

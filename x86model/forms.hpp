@@ -1,10 +1,11 @@
 /// @file
-/// Which instructions are modelled: those whose form some routine uses.
+/// Which instructions are modelled: those whose form some routine or inner loop uses.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "x86model/loop.hpp"
 #include "x86model/routine.hpp"
 
 namespace x86model {

@@ -12,7 +12,7 @@ namespace x86model {
 enum class Register : std::uint8_t { ax, cx, dx, bx, sp, bp, si, di };
 inline constexpr std::size_t register_count = 8;
 
-/// The instructions that the routines use, and no others.
+/// The instructions that the routines and loops use, and no others.
 enum class Mnemonic : std::uint8_t {
   // data movement
   mov,
@@ -40,20 +40,27 @@ enum class Mnemonic : std::uint8_t {
   rol,
   shld,
   shrd,
+  // strings; the direction flag is clear, as it is by every calling convention
+  stosb,
+  stosw,
   // control flow
   jmp,
   js,
   jns,
   jz,
+  jnz,
   ja,
   jg,
+  loop,
   call,
   ret,
 };
 inline constexpr std::size_t mnemonic_count = static_cast<std::size_t>(Mnemonic::ret) + 1;
 
 /// Operand size in terms of the machine word: 16 and 32 bits at full width, 8 and 16 at half width.
-enum class Size : std::uint8_t { none, word, dword };
+/// Bytes are there at full width only. A byte register has the number that the processor encodes
+/// it with: AL, CL, DL and BL those of ax, cx, dx and bx, AH, CH, DH and BH the four after them.
+enum class Size : std::uint8_t { none, byte, word, dword };
 
 /// How a constant in a listing follows the width of the machine word.
 enum class Scaling : std::uint8_t {
@@ -64,7 +71,15 @@ enum class Scaling : std::uint8_t {
 };
 
 /// A place in memory that has a name.
-enum class Symbol : std::uint8_t { none, cos_table };
+enum class Symbol : std::uint8_t { none, cos_table, inc_j, texture, screen, z_buff };
+
+/// How the address of a memory operand is made.
+enum class Addressing : std::uint8_t {
+  base,         ///< 16-bit register and displacement, modulo 2^16
+  direct,       ///< displacement alone
+  index,        ///< 32-bit register and displacement, modulo 2^32
+  index_twice,  ///< twice that register and displacement, modulo 2^32
+};
 
 struct Operand {
   enum class Kind : std::uint8_t { none, reg, memory, immediate, label };
@@ -73,9 +88,10 @@ struct Operand {
   Size size = Size::none;
   Scaling scaling = Scaling::literal;
   Symbol symbol = Symbol::none;  ///< memory: added to the displacement
-  Register reg = Register::ax;   ///< register, or base of a memory operand
-  std::int32_t value = 0;        ///< immediate, displacement in bytes, or position of a label
-  const char* name = nullptr;    ///< label
+  Addressing addressing = Addressing::base;
+  Register reg = Register::ax;  ///< register, or base of a memory operand
+  std::int32_t value = 0;       ///< immediate, displacement in bytes, or position of a label
+  const char* name = nullptr;   ///< label
 };
 
 /// Rows of a listing that are settled when it is assembled.

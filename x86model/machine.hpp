@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "x86model/alu.hpp"
 #include "x86model/flags.hpp"
@@ -19,28 +20,45 @@ template <int WordBits>
 class Registers {
  public:
   [[nodiscard]] X86MODEL_INLINE std::uint32_t read(Register r, Size size) const {
+    if constexpr (WordBits == 16) {
+      if (size == Size::byte) return byte_of(r);
+    }
     const std::uint32_t whole = values_[static_cast<std::size_t>(r)];
     return size == Size::word ? whole & alu::mask(WordBits) : whole;
   }
 
-  /// Writing a word register leaves the upper half of the dword register alone.
+  /// Writing a word or byte register leaves the rest of the dword register alone.
   X86MODEL_INLINE void write(Register r, Size size, std::uint32_t value) {
+    if constexpr (WordBits == 16) {
+      if (size == Size::byte) return write_byte(r, value);
+    }
     std::uint32_t& whole = values_[static_cast<std::size_t>(r)];
     whole = size == Size::word ? (whole & ~alu::mask(WordBits)) | (value & alu::mask(WordBits))
                                : value & alu::mask(2 * WordBits);
   }
 
-  /// The two 8-bit registers inside ax, cx, dx and bx: AL and AH of ax, and so on.
-  [[nodiscard]] constexpr std::uint8_t low_byte(Register r) const {
-    return static_cast<std::uint8_t>(read(r, Size::word));
-  }
-  [[nodiscard]] constexpr std::uint8_t high_byte(Register r) const {
-    return static_cast<std::uint8_t>(read(r, Size::word) >> 8U);
-  }
-
   friend constexpr bool operator==(const Registers&, const Registers&) = default;
 
  private:
+  /// The dword register that holds a byte register, and where in it.
+  struct Place {
+    std::size_t whole;
+    unsigned shift;
+  };
+  X86MODEL_INLINE static Place place_of(Register r) {
+    const auto number = static_cast<std::size_t>(r);
+    return {number % 4, number < 4 ? 0U : 8U};
+  }
+  [[nodiscard]] X86MODEL_INLINE std::uint32_t byte_of(Register r) const {
+    const Place place = place_of(r);
+    return values_[place.whole] >> place.shift & 0xFFU;
+  }
+  X86MODEL_INLINE void write_byte(Register r, std::uint32_t value) {
+    const Place place = place_of(r);
+    std::uint32_t& whole = values_[place.whole];
+    whole = (whole & ~(0xFFU << place.shift)) | (value & 0xFFU) << place.shift;
+  }
+
   std::array<std::uint32_t, register_count> values_{};
 };
 
@@ -70,6 +88,70 @@ class WordMemory {
   std::array<std::uint16_t, Words> words_{};
 };
 
+/// Memory of bytes that somebody else owns, in the three segments that the loops use: data (DS),
+/// extra (ES) and stack (SS). Two of them may be one. A word is two bytes, the low one first, at
+/// any address; it has to end inside its segment.
+class ByteMemory {
+ public:
+  using Segment = std::span<std::uint8_t>;
+
+  constexpr ByteMemory(Segment data, Segment extra, Segment stack)
+      : data_(data), extra_(extra), stack_(stack) {}
+
+  /// @return false where the segment has nothing at `address`.
+  X86MODEL_INLINE bool read(std::uint32_t address, std::uint32_t& value) const {
+    return read_word(data_, address, value);
+  }
+  X86MODEL_INLINE bool write(std::uint32_t address, std::uint32_t value) {
+    return write_word(data_, address, value);
+  }
+  X86MODEL_INLINE bool read_byte(std::uint32_t address, std::uint32_t& value) const {
+    if (address >= data_.size()) return false;
+    value = data_[address];
+    return true;
+  }
+  X86MODEL_INLINE bool write_byte(std::uint32_t address, std::uint32_t value) {
+    return write_byte_of(data_, address, value);
+  }
+  X86MODEL_INLINE bool write_extra_byte(std::uint32_t address, std::uint32_t value) {
+    return write_byte_of(extra_, address, value);
+  }
+  X86MODEL_INLINE bool write_extra_word(std::uint32_t address, std::uint32_t value) {
+    return write_word(extra_, address, value);
+  }
+  X86MODEL_INLINE bool read_stack(std::uint32_t address, std::uint32_t& value) const {
+    return read_word(stack_, address, value);
+  }
+  X86MODEL_INLINE bool write_stack(std::uint32_t address, std::uint32_t value) {
+    return write_word(stack_, address, value);
+  }
+
+ private:
+  X86MODEL_INLINE static bool holds_word(Segment s, std::uint32_t address) {
+    return address < s.size() && s.size() - address > 1;
+  }
+  X86MODEL_INLINE static bool read_word(Segment s, std::uint32_t address, std::uint32_t& value) {
+    if (!holds_word(s, address)) return false;
+    value = s[address] | static_cast<std::uint32_t>(s[address + 1]) << 8U;
+    return true;
+  }
+  X86MODEL_INLINE static bool write_word(Segment s, std::uint32_t address, std::uint32_t value) {
+    if (!holds_word(s, address)) return false;
+    s[address] = static_cast<std::uint8_t>(value);
+    s[address + 1] = static_cast<std::uint8_t>(value >> 8U);
+    return true;
+  }
+  X86MODEL_INLINE static bool write_byte_of(Segment s, std::uint32_t address, std::uint32_t value) {
+    if (address >= s.size()) return false;
+    s[address] = static_cast<std::uint8_t>(value);
+    return true;
+  }
+
+  Segment data_;
+  Segment extra_;
+  Segment stack_;
+};
+
 /// A machine with words of `WordBits` bits and the given memory.
 template <int WordBits, class MemoryType>
 struct Machine {
@@ -88,5 +170,24 @@ X86MODEL_INLINE std::int32_t scaled_bytes(std::int32_t bytes) {
 
 /// Where the cosine table stands, in bytes for 16-bit words.
 inline constexpr std::int32_t cos_table_address = 0x200;
+
+/// Where a named place stands in the data segment, in bytes for 16-bit words. The texture may lie
+/// over screen and depth buffer: no loop has both.
+X86MODEL_INLINE std::int32_t address_of(Symbol symbol) {
+  switch (symbol) {
+    case Symbol::cos_table:
+      return cos_table_address;
+    case Symbol::inc_j:
+      return 0x70;
+    case Symbol::texture:
+    case Symbol::screen:
+      return 0x100;
+    case Symbol::z_buff:
+      return 0x500;
+    case Symbol::none:
+      break;
+  }
+  return 0;
+}
 
 }  // namespace x86model

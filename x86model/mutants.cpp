@@ -14,16 +14,24 @@ namespace {
 constexpr auto mistakes = [] {
   using enum Mnemonic;
   return std::to_array<std::pair<Mnemonic, Mnemonic>>({
-      {mov, add},   {push, pop},  {pop, push},  {add, adc},  {add, sub},   {add, and_}, {adc, add},
-      {adc, sbb},   {sub, sbb},   {sub, add},   {sub, cmp},  {sbb, sub},   {sbb, adc},  {cmp, sub},
-      {cmp, add},   {cmp, and_},  {neg, inc},   {neg, dec},  {inc, dec},   {inc, neg},  {dec, inc},
-      {dec, neg},   {mul, imul},  {mul, div},   {imul, mul}, {imul, idiv}, {div, idiv}, {div, mul},
-      {idiv, div},  {idiv, imul}, {and_, xor_}, {and_, add}, {xor_, and_}, {xor_, add}, {shl, shr},
-      {shl, rol},   {shr, sar},   {shr, shl},   {sar, shr},  {sar, shl},   {rol, shl},  {rol, shr},
-      {shld, shrd}, {shrd, shld}, {js, jns},    {jns, js},   {jz, js},     {jz, jns},   {ja, jg},
-      {jg, ja},     {jg, jns},
+      {mov, add},     {push, pop},    {pop, push},  {add, adc},  {add, sub},  {add, and_},
+      {adc, add},     {adc, sbb},     {sub, sbb},   {sub, add},  {sub, cmp},  {sbb, sub},
+      {sbb, adc},     {cmp, sub},     {cmp, add},   {cmp, and_}, {neg, inc},  {neg, dec},
+      {inc, dec},     {inc, neg},     {dec, inc},   {dec, neg},  {mul, imul}, {mul, div},
+      {imul, mul},    {imul, idiv},   {div, idiv},  {div, mul},  {idiv, div}, {idiv, imul},
+      {and_, xor_},   {and_, add},    {xor_, and_}, {xor_, add}, {shl, shr},  {shl, rol},
+      {shr, sar},     {shr, shl},     {sar, shr},   {sar, shl},  {rol, shl},  {rol, shr},
+      {shld, shrd},   {shrd, shld},   {js, jns},    {jns, js},   {jz, js},    {jz, jns},
+      {ja, jg},       {jg, ja},       {jg, jns},    {jnz, jz},   {jnz, loop}, {loop, jnz},
+      {stosb, stosw}, {stosw, stosb},
   });
 }();
+
+/// The next byte register; DH and BH come before AH again.
+Register next_byte(Register r) {
+  constexpr auto byte_registers = 8;
+  return static_cast<Register>((static_cast<int>(r) + 1) % byte_registers);
+}
 
 Register next(Register r) {
   switch (r) {
@@ -84,14 +92,15 @@ std::vector<Operand> other_operands(const Operand& o) {
   std::vector<Operand> others;
   if (o.kind == Operand::Kind::reg) {
     others.push_back(o);
-    others.back().reg = next(o.reg);
+    others.back().reg = o.size == Size::byte ? next_byte(o.reg) : next(o.reg);
   } else if (o.kind == Operand::Kind::immediate) {
     others = other_constants(o);
   } else if (o.kind == Operand::Kind::memory) {
+    const int step = o.size == Size::byte ? 1 : 2;
     others.assign(3, o);
     others[0].reg = next_base(o.reg);
-    others[1].value -= 2;
-    others[2].value += 2;
+    others[1].value -= step;
+    others[2].value += step;
   }
   return others;
 }

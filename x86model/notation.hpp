@@ -25,24 +25,46 @@ inline constexpr Operand eax = register_operand(Register::ax, Size::dword);
 inline constexpr Operand ebx = register_operand(Register::bx, Size::dword);
 inline constexpr Operand ecx = register_operand(Register::cx, Size::dword);
 inline constexpr Operand edx = register_operand(Register::dx, Size::dword);
+inline constexpr Operand ebp = register_operand(Register::bp, Size::dword);
+inline constexpr Operand esi = register_operand(Register::si, Size::dword);
+inline constexpr Operand edi = register_operand(Register::di, Size::dword);
+// AH and DH have the numbers of SP and SI: see Size.
+inline constexpr Operand al = register_operand(Register::ax, Size::byte);
+inline constexpr Operand bl = register_operand(Register::bx, Size::byte);
+inline constexpr Operand ah = register_operand(Register::sp, Size::byte);
+inline constexpr Operand dh = register_operand(Register::si, Size::byte);
 
-/// Base register, named place and displacement of a memory operand.
+/// Base or index register, named place and displacement of a memory operand.
 struct Address {
-  Register base;
+  Register base = Register::ax;
   Symbol symbol = Symbol::none;
   std::int32_t displacement = 0;
+  Addressing addressing = Addressing::base;
 
   // A bare base register is an address: word[di].
-  constexpr Address(Operand r) : base(r.reg) {}  // NOLINT(google-explicit-constructor)
-  constexpr Address(Register r, Symbol s, std::int32_t d) : base(r), symbol(s), displacement(d) {}
+  constexpr Address(Operand r)  // NOLINT(google-explicit-constructor)
+      : base(r.reg), addressing(r.size == Size::dword ? Addressing::index : Addressing::base) {}
+  // And so is a name alone: dword[IncJ].
+  constexpr Address(Symbol s)  // NOLINT(google-explicit-constructor)
+      : symbol(s), addressing(Addressing::direct) {}
+  constexpr Address(Register r, Symbol s, std::int32_t d, Addressing a = Addressing::base)
+      : base(r), symbol(s), displacement(d), addressing(a) {}
 };
 
 constexpr Address operator+(Address a, int displacement) {
-  return {a.base, a.symbol, a.displacement + displacement};
+  return {a.base, a.symbol, a.displacement + displacement, a.addressing};
 }
-constexpr Address operator+(Symbol s, Operand r) { return {r.reg, s, 0}; }
+constexpr Address operator+(Symbol s, Address a) {
+  return {a.base, s, a.displacement, a.addressing};
+}
+/// Twice a 32-bit register: ZBuff + twice(edi).
+constexpr Address twice(Operand r) { return {r.reg, Symbol::none, 0, Addressing::index_twice}; }
 
 inline constexpr Symbol CosTable = Symbol::cos_table;
+inline constexpr Symbol IncJ = Symbol::inc_j;
+inline constexpr Symbol Texture = Symbol::texture;
+inline constexpr Symbol Screen = Symbol::screen;
+inline constexpr Symbol ZBuff = Symbol::z_buff;
 
 template <Size size>
 struct Memory {
@@ -51,10 +73,12 @@ struct Memory {
             .size = size,
             .scaling = Scaling::bytes,
             .symbol = a.symbol,
+            .addressing = a.addressing,
             .reg = a.base,
             .value = a.displacement};
   }
 };
+inline constexpr Memory<Size::byte> byte;
 inline constexpr Memory<Size::word> word;
 inline constexpr Memory<Size::dword> dword;
 
@@ -109,12 +133,18 @@ constexpr Instruction shld(Operand a, Operand b, Immediate n) {
 constexpr Instruction shrd(Operand a, Operand b, Immediate n) {
   return row(Mnemonic::shrd, a, b, n.operand);
 }
+constexpr Instruction stosb() { return row(Mnemonic::stosb); }
+constexpr Instruction stosw() { return row(Mnemonic::stosw); }
+/// To the place in a register, an offset in the code's segment: see code_address.
+constexpr Instruction jmp(Operand to) { return row(Mnemonic::jmp, to); }
 constexpr Instruction jmp(const char* to) { return jump(Mnemonic::jmp, to); }
 constexpr Instruction js(const char* to) { return jump(Mnemonic::js, to); }
 constexpr Instruction jns(const char* to) { return jump(Mnemonic::jns, to); }
 constexpr Instruction jz(const char* to) { return jump(Mnemonic::jz, to); }
+constexpr Instruction jnz(const char* to) { return jump(Mnemonic::jnz, to); }
 constexpr Instruction ja(const char* to) { return jump(Mnemonic::ja, to); }
 constexpr Instruction jg(const char* to) { return jump(Mnemonic::jg, to); }
+constexpr Instruction loop(const char* to) { return jump(Mnemonic::loop, to); }
 constexpr Instruction call(const char* procedure) { return jump(Mnemonic::call, procedure); }
 constexpr Instruction ret() { return row(Mnemonic::ret); }
 

@@ -51,7 +51,7 @@ std::optional<Mnemonic> mnemonic_named(std::string_view name) {
 
 std::optional<Operand> register_named(std::string_view name) {
   for (std::size_t i = 0; i < register_count; ++i) {
-    for (const Size size : {Size::word, Size::dword}) {
+    for (const Size size : {Size::byte, Size::word, Size::dword}) {
       const auto r = static_cast<Register>(i);
       if (name_of(r, size) == name)
         return Operand{.kind = Operand::Kind::reg, .size = size, .reg = r};
@@ -62,8 +62,7 @@ std::optional<Operand> register_named(std::string_view name) {
 
 /// Registers and size words of the processor that no routine uses as operands.
 bool is_foreign(std::string_view name) {
-  constexpr std::array<std::string_view, 14> known{"al", "ah", "bl", "bh", "cl", "ch", "dl",
-                                                   "dh", "cs", "ds", "es", "ss", "fs", "gs"};
+  constexpr std::array<std::string_view, 6> known{"cs", "ds", "es", "ss", "fs", "gs"};
   const bool memory = name.back() == ']' && name.find('[') != std::string_view::npos;
   return memory || std::find(known.begin(), known.end(), name) != known.end();
 }
@@ -85,7 +84,7 @@ std::optional<std::int64_t> number(std::string_view text) {
 /// operand, read as signed or as unsigned.
 bool fits(std::int64_t value, bool is_count, Size size) {
   if (is_count) return value >= 0 && value <= 0xFF;
-  const int bits = size == Size::dword ? 32 : 16;
+  const int bits = size == Size::dword ? 32 : size == Size::byte ? 8 : 16;
   return value >= -(std::int64_t{1} << (bits - 1)) && value < (std::int64_t{1} << bits);
 }
 

@@ -16,12 +16,12 @@ class ParseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Parses a mnemonic and its operands: 16- and 32-bit registers, immediates (decimal or 0x…, from
-/// the smallest signed to the largest unsigned value of the first operand's size) and, for jumps,
-/// labels. All names but labels are lower case.
+/// Parses a mnemonic and its operands: registers of 8, 16 and 32 bits, immediates (decimal or 0x…,
+/// from the smallest signed to the largest unsigned value of the first operand's size) and, for
+/// jumps, labels. All names but labels are lower case.
 ///
 /// @return nothing for a mnemonic or an operand that is well formed but that no routine has, such
-/// as an 8-bit register or a place in memory
+/// as a segment register or a place in memory
 /// @throws ParseError where the line is not an instruction
 std::optional<Instruction> parse(std::string_view line);
 

@@ -16,8 +16,6 @@ namespace x86model {
 enum class Routine : std::uint8_t { mul, div, cossin, xformvec, concat };
 inline constexpr int routine_count = 5;
 
-enum class Target : std::uint8_t { i386, i8088 };
-
 /// The routine as printed for one processor; a call to FixedMul brings FixedMul with it.
 constexpr const Listing& listing(Routine routine, Target target) {
   const bool i386 = target == Target::i386;

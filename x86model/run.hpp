@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "x86model/encoding.hpp"
 #include "x86model/execute.hpp"
 
 namespace x86model {
@@ -15,6 +16,10 @@ namespace x86model {
 /// The return address that stands for the routine's caller: no routine is this long.
 template <int WordBits>
 inline constexpr std::uint32_t return_to_caller = alu::mask(WordBits);
+
+/// Where the first instruction stands in the segment of the code: what a jump to a computed place
+/// goes by. Elsewhere code addresses are positions.
+inline constexpr std::uint32_t code_address = 0x4000;
 
 /// How and where a run ended, and how many instructions it executed.
 struct Ending {
@@ -65,12 +70,21 @@ Ending run(std::span<const Instruction> code, M& m, Observer&& observe,
       }
       next = to;
     } else if (is_control_flow(op)) {
+      const Operand& to = instruction.operands[0];
       bool taken = false;
-      outcome = jump_taken(op, m.flags, taken);
+      if (op == Mnemonic::loop) {
+        taken = count_down(m);
+      } else {
+        outcome = jump_taken(op, m.flags, taken);
+      }
       if (op == Mnemonic::call && !detail::push(m, static_cast<std::uint32_t>(next))) {
         outcome = Outcome::bad_address;
       }
-      if (taken) next = static_cast<std::size_t>(instruction.operands[0].value);
+      if (taken) {
+        next = to.kind == Operand::Kind::reg
+                   ? position_at(code, m.registers.read(to.reg, to.size) - code_address)
+                   : static_cast<std::size_t>(to.value);
+      }
     } else {
       outcome = execute_any(instruction, m);
     }

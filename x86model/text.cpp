@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 
 #include "x86model/cosine_table.hpp"
+#include "x86model/machine.hpp"
 
 namespace x86model {
 
@@ -13,16 +15,33 @@ constexpr std::array<std::string_view, register_count> dword_names{"eax", "ecx",
                                                                    "esp", "ebp", "esi", "edi"};
 
 constexpr std::array<std::string_view, mnemonic_count> mnemonics{
-    "mov",  "push", "pop", "add",  "adc", "sub", "sbb", "cmp",  "neg", "inc", "dec",
-    "mul",  "imul", "div", "idiv", "and", "xor", "shl", "shr",  "sar", "rol", "shld",
-    "shrd", "jmp",  "js",  "jns",  "jz",  "ja",  "jg",  "call", "ret"};
+    "mov",   "push", "pop",  "add", "adc", "sub", "sbb", "cmp", "neg",  "inc",  "dec",  "mul",
+    "imul",  "div",  "idiv", "and", "xor", "shl", "shr", "sar", "rol",  "shld", "shrd", "stosb",
+    "stosw", "jmp",  "js",   "jns", "jz",  "jnz", "ja",  "jg",  "loop", "call", "ret"};
 
-std::string_view size_prefix(Size size) { return size == Size::word ? "word " : "dword "; }
+constexpr std::array<std::string_view, register_count> byte_names{"al", "cl", "dl", "bl",
+                                                                  "ah", "ch", "dh", "bh"};
+
+std::string_view size_prefix(Size size) {
+  if (size == Size::byte) return "byte ";
+  return size == Size::word ? "word " : "dword ";
+}
+
+std::string_view name_of(Symbol symbol) {
+  constexpr std::array<std::string_view, 6> names{"",        "CosTable", "IncJ",
+                                                  "Texture", "Screen",   "ZBuff"};
+  return names.at(static_cast<std::size_t>(symbol));
+}
 
 std::string address_text(const Operand& o) {
-  std::string text = "[";
-  if (o.symbol == Symbol::cos_table) text += "CosTable+";
-  text += name_of(o.reg, Size::word);
+  // NASM makes edi+edi of edi*2 where it may: shorter, but not what the sources' assemblers made.
+  std::string text = o.addressing == Addressing::index_twice ? "[nosplit " : "[";
+  text += name_of(o.symbol);
+  if (o.addressing != Addressing::direct) {
+    if (o.symbol != Symbol::none) text += '+';
+    text += name_of(o.reg, o.addressing == Addressing::base ? Size::word : Size::dword);
+    if (o.addressing == Addressing::index_twice) text += "*2";
+  }
   if (o.value != 0) text.append(1, '+').append(std::to_string(o.value));
   return text + ']';
 }
@@ -57,6 +76,16 @@ std::string operand_text(const Instruction& i, const Operand& o, bool sized) {
   return {};
 }
 
+/// The instruction, after its label if it has one.
+void append_row(std::string& source, const Instruction& instruction) {
+  if (instruction.label != nullptr) {
+    source += instruction.is_procedure ? "\n" : ".";
+    source += instruction.label;
+    source += ":\n";
+  }
+  source += "        " + text_of(instruction) + '\n';
+}
+
 void append_cosine_table(std::string& source) {
   constexpr std::size_t per_line = 8;
   source += "\n; cosines of 0.0 to 90.0 degrees, each the nearest 16.16 value\nCosTable:\n";
@@ -70,6 +99,7 @@ void append_cosine_table(std::string& source) {
 }  // namespace
 
 std::string_view name_of(Register r, Size size) {
+  if (size == Size::byte) return byte_names.at(static_cast<std::size_t>(r));
   const std::string_view name = dword_names.at(static_cast<std::size_t>(r));
   return size == Size::word ? name.substr(1) : name;
 }
@@ -77,6 +107,11 @@ std::string_view name_of(Register r, Size size) {
 std::string_view name_of(Mnemonic m) { return mnemonics.at(static_cast<std::size_t>(m)); }
 
 std::string_view name_of(Routine r) { return listing(r, Target::i386).rows.front().label; }
+
+std::string_view name_of(Counting counting) {
+  constexpr std::array<std::string_view, 3> names{"loop", "dec-jnz", "unrolled"};
+  return names.at(static_cast<std::size_t>(counting));
+}
 
 std::string text_of(const Instruction& instruction) {
   std::string text(name_of(instruction.mnemonic));
@@ -102,15 +137,39 @@ std::string nasm_source(Routine routine, Target target, const Build& build) {
   source += '\n';
   source += target == Target::i386 ? "        cpu 386\n" : "        cpu 8086\n";
   source += "        bits 16\n";
-  for (const Instruction& instruction : program.instructions()) {
-    if (instruction.label != nullptr) {
-      source += instruction.is_procedure ? "\n" : ".";
-      source += instruction.label;
-      source += ":\n";
-    }
-    source += "        " + text_of(instruction) + '\n';
-  }
+  for (const Instruction& i : program.instructions()) append_row(source, i);
   if (routine == Routine::cossin) append_cosine_table(source);
+  return source;
+}
+
+std::string nasm_source(const LoopForm& form) {
+  const Program program = assemble(listing(form), {});
+  const auto rows = program.instructions();
+  std::string source = "; ";
+  source.append(name_of(form.loop)).append(", ").append(name_of(form.counting));
+  source += form.target == Target::i386 ? ", for the 386" : ", for the 8088";
+  if (form.as_printed) source += ", as printed";
+  source += '\n';
+  std::set<Symbol> symbols;
+  for (const Instruction& i : rows) {
+    for (const Operand& o : i.operands) symbols.insert(o.symbol);
+  }
+  symbols.erase(Symbol::none);
+  for (const Symbol symbol : symbols) {
+    source.append(name_of(symbol)).append(" equ ").append(std::to_string(address_of(symbol)));
+    source += '\n';
+  }
+  source += form.target == Target::i386 ? "        cpu 386\n" : "        cpu 8086\n";
+  source += "        bits 16\n";
+  source.append("\n").append(name_of(form.loop)).append(":\n");
+  const bool unrolled = form.counting == Counting::unrolled;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (unrolled && i + 1 == rows.size()) source += "        %endrep\n";
+    append_row(source, rows[i]);
+    if (unrolled && i == 0) {
+      source += "        %rep " + std::to_string(copies_of(form.loop)) + '\n';
+    }
+  }
   return source;
 }
 

@@ -15,40 +15,53 @@
 
 namespace {
 
-/// A mnemonic and the kinds of its operands: w, d, i (immediate), 1 (a shift by one), l (label).
+/// A mnemonic and the kinds of its operands: b, w, d, i (immediate), 1 (a shift by one), l (label).
 struct InstructionForm {
   const char* name;
   const char* operands;
 };
 
 /// Read off the printed listings for the 8088.
-constexpr auto forms_8088 = std::to_array<InstructionForm>(
-    {{"mov", "ww"}, {"push", "w"}, {"add", "ww"}, {"add", "wi"}, {"adc", "ww"}, {"adc", "wi"},
-     {"sub", "ww"}, {"sub", "wi"}, {"sbb", "wi"}, {"cmp", "ww"}, {"cmp", "wi"}, {"neg", "w"},
-     {"inc", "w"},  {"dec", "w"},  {"mul", "w"},  {"div", "w"},  {"and", "ww"}, {"xor", "wi"},
-     {"shl", "w1"}, {"shr", "w1"}, {"jmp", "l"},  {"js", "l"},   {"jns", "l"},  {"jz", "l"},
-     {"ja", "l"},   {"jg", "l"}});
+constexpr auto forms_8088 = std::to_array<InstructionForm>({{"mov", "ww"},
+                                                            {"push", "w"},
+                                                            {"add", "ww"},
+                                                            {"add", "wi"},
+                                                            {"adc", "ww"},
+                                                            {"adc", "wi"},
+                                                            {"sub", "ww"},
+                                                            {"sub", "wi"},
+                                                            {"sbb", "wi"},
+                                                            {"cmp", "ww"},
+                                                            {"cmp", "wi"},
+                                                            {"neg", "w"},
+                                                            {"inc", "w"},
+                                                            {"dec", "w"},
+                                                            {"mul", "w"},
+                                                            {"div", "w"},
+                                                            {"and", "ww"},
+                                                            {"xor", "wi"},
+                                                            {"shl", "w1"},
+                                                            {"shr", "w1"},
+                                                            {"jmp", "l"},
+                                                            {"js", "l"},
+                                                            {"jns", "l"},
+                                                            {"jz", "l"},
+                                                            {"ja", "l"},
+                                                            {"jg", "l"},
+                                                            // of the inner loops
+                                                            {"mov", "bb"},
+                                                            {"stosb", ""},
+                                                            {"stosw", ""},
+                                                            {"jnz", "l"},
+                                                            {"loop", "l"},
+                                                            {"jmp", "w"}});
 
 /// What the listings for the 386 use besides.
-constexpr auto more_forms_386 = std::to_array<InstructionForm>({{"mov", "dd"},
-                                                                {"add", "dd"},
-                                                                {"add", "di"},
-                                                                {"adc", "di"},
-                                                                {"sub", "dd"},
-                                                                {"cmp", "dd"},
-                                                                {"neg", "d"},
-                                                                {"dec", "d"},
-                                                                {"imul", "d"},
-                                                                {"div", "d"},
-                                                                {"idiv", "d"},
-                                                                {"and", "dd"},
-                                                                {"shl", "wi"},
-                                                                {"shr", "di"},
-                                                                {"shr", "d1"},
-                                                                {"sar", "di"},
-                                                                {"rol", "di"},
-                                                                {"shld", "ddi"},
-                                                                {"shrd", "ddi"}});
+constexpr auto more_forms_386 = std::to_array<InstructionForm>(
+    {{"mov", "dd"}, {"add", "dd"}, {"add", "di"}, {"adc", "di"},   {"sub", "dd"},
+     {"cmp", "dd"}, {"neg", "d"},  {"inc", "d"},  {"dec", "d"},    {"imul", "d"},
+     {"div", "d"},  {"idiv", "d"}, {"and", "dd"}, {"shl", "wi"},   {"shr", "di"},
+     {"shr", "d1"}, {"sar", "di"}, {"rol", "di"}, {"shld", "ddi"}, {"shrd", "ddi"}});
 
 std::vector<InstructionForm> forms_of(bool is_386) {
   std::vector<InstructionForm> forms(forms_8088.begin(), forms_8088.end());
@@ -57,8 +70,12 @@ std::vector<InstructionForm> forms_of(bool is_386) {
 }
 
 constexpr std::array<const char*, 8> names{"ax", "bx", "cx", "dx", "si", "di", "bp", "sp"};
+/// The byte registers: the low halves of the first four, then their high halves.
+constexpr std::array<const char*, 8> byte_names{"al", "bl", "cl", "dl", "ah", "bh", "ch", "dh"};
 constexpr std::size_t ax = 0;
+constexpr std::size_t cx = 2;
 constexpr std::size_t dx = 3;
+constexpr std::size_t di = 5;
 constexpr std::size_t sp = 7;
 
 struct State {
@@ -75,9 +92,14 @@ struct State {
     return result + fmt::format("fl={:04x}", flags);
   }
   [[nodiscard]] std::uint32_t read(std::size_t i, int bits) const {
+    if (bits == 8) return registers.at(i % 4) / (i < 4 ? 1U : 256U) % 256U;
     return bits == 16 ? registers.at(i) % 0x10000U : registers.at(i);
   }
   void write(std::size_t i, int bits, std::uint32_t value) {
+    if (bits == 8) {
+      registers.at(i % 4) += (value - read(i, 8)) * (i < 4 ? 1U : 256U);
+      return;
+    }
     registers.at(i) = bits == 16 ? registers.at(i) / 0x10000U * 0x10000U + value : value;
   }
 };
@@ -109,17 +131,20 @@ class Questions {
   Question ask(const InstructionForm& form) {
     const std::string_view kinds = form.operands;
     const std::string_view name = form.name;
-    const int bits = kinds.front() == 'd' ? 32 : 16;
-    State state = draw_state(kinds.front() == 'd');
+    const bool is_byte = kinds.starts_with('b');
+    const int bits = kinds.starts_with('d') ? 32 : is_byte ? 8 : 16;
+    State state = draw_state(bits == 32);
     const std::size_t first = random_() % 8;
     const std::size_t second = random_() % 8;
     std::string instruction = form.name;
     bitwise::Operands o;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       instruction += i == 0 ? " " : ", ";
-      if (kinds[i] == 'w' || kinds[i] == 'd') {
+      if (kinds[i] == 'w' || kinds[i] == 'd' || is_byte) {
         const std::size_t which = i == 0 ? first : second;
-        instruction += bits == 32 ? fmt::format("e{}", names.at(which)) : names.at(which);
+        instruction += is_byte      ? byte_names.at(which)
+                       : bits == 32 ? fmt::format("e{}", names.at(which))
+                                    : names.at(which);
         (i == 0 ? o.first : o.second) = state.read(which, bits);
       } else {
         instruction += constant(name, kinds[i], o, bits);
@@ -156,7 +181,11 @@ class Questions {
     const bool quotient = name == "div" || name == "idiv";
     if (name == "push") {
       state.write(sp, 16, (state.read(sp, 16) + 0xFFFEU) % 0x10000U);
-    } else if (kinds != "l") {
+    } else if (name.starts_with("stos")) {
+      state.write(di, 16, (state.read(di, 16) + (name == "stosb" ? 1U : 2U)) % 0x10000U);
+    } else if (name == "loop") {
+      state.write(cx, 16, (state.read(cx, 16) + 0xFFFFU) % 0x10000U);
+    } else if (!name.starts_with('j')) {
       if (product || quotient) {
         o.second = o.first;
         o.first = state.read(ax, bits);
@@ -231,14 +260,14 @@ TEST_P(StepForms, DoWhatIntelDefines) {
 /// Whether an operand list of that shape can be asked at all: a label is an operand of jumps alone,
 /// where an immediate is one, and a shift by one is a form of its own only for shifts.
 bool makes_sense(std::string_view name, std::string_view shape) {
-  const bool jumps = name.starts_with('j') || name == "call";
+  const bool jumps = name.starts_with('j') || name == "call" || name == "loop";
   const bool shifts = name == "shl" || name == "shr" || name == "sar" || name == "rol";
   if (shape == "l") return jumps;
   if (shape == "i") return !jumps;
   return shifts || !shape.ends_with('1');
 }
 
-/// An instruction of that shape, all its registers CX or ECX.
+/// An instruction of that shape, all its registers CX, ECX or CL.
 std::string sample(std::string_view name, std::string_view shape) {
   std::string text(name);
   for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -250,6 +279,9 @@ std::string sample(std::string_view name, std::string_view shape) {
       case 'd':
         text += "ecx";
         break;
+      case 'b':
+        text += "cl";
+        break;
       default:
         text += shape[i] == 'i' ? "5" : "1";
     }
@@ -258,13 +290,14 @@ std::string sample(std::string_view name, std::string_view shape) {
 }
 
 constexpr auto mnemonics = std::to_array<const char*>(
-    {"mov",  "push", "pop", "add",  "adc",  "sub", "sbb",   "cmp",  "neg", "inc", "dec",
-     "mul",  "imul", "div", "idiv", "and",  "xor", "shl",   "shr",  "sar", "rol", "shld",
-     "shrd", "jmp",  "js",  "jns",  "jz",   "ja",  "jg",    "call", "ret", "or",  "test",
-     "not",  "lea",  "nop", "ror",  "xchg", "cwd", "movsx", "hlt",  "jc",  "int"});
-constexpr auto shapes =
-    std::to_array<const char*>({"", "w", "d", "i", "l", "ww", "dd", "wd", "dw", "wi", "di", "w1",
-                                "d1", "iw", "wwi", "ddi", "ddd"});
+    {"mov", "push", "pop",  "add",  "adc",  "sub",   "sbb",   "cmp",   "neg",   "inc",
+     "dec", "mul",  "imul", "div",  "idiv", "and",   "xor",   "shl",   "shr",   "sar",
+     "rol", "shld", "shrd", "jmp",  "js",   "jns",   "jz",    "ja",    "jg",    "call",
+     "ret", "or",   "test", "jnz",  "loop", "stosb", "stosw", "lodsb", "loopz", "not",
+     "lea", "nop",  "ror",  "xchg", "cwd",  "movsx", "hlt",   "jc",    "int"});
+constexpr auto shapes = std::to_array<const char*>(
+    {"",   "w",  "d",   "i",   "l",   "ww", "dd", "wd", "dw", "wi", "di", "w1",
+     "d1", "iw", "wwi", "ddi", "ddd", "b",  "bb", "bi", "bw", "wb", "b1"});
 
 TEST_P(StepForms, NoOthersAreModelled) {
   const auto forms = forms_of(is_386());

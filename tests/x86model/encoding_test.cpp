@@ -25,6 +25,27 @@ TEST(Encoding, ProgramsAreAsLongAsNasmMakesThem) {
   }
 }
 
+TEST(Encoding, LoopsAreAsLongAsNasmMakesThem) {
+  for (const LoopForm& form : all_loop_forms()) {
+    const auto assembled = fixproof::machine_code(form);
+    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code_absence();
+    int bytes = 0;
+    for (const Instruction& i : code_of(form)) bytes += encoding_of(i).bytes();
+    EXPECT_EQ(static_cast<std::size_t>(bytes), assembled.size()) << fixproof::name_of(form);
+  }
+}
+
+TEST(Encoding, PositionsAreThoseOfFirstBytes) {
+  const std::array code{mov(al, dh), add(dx, bp), stosb(), ret()};
+  EXPECT_EQ(position_at(code, 0), 0U);
+  EXPECT_EQ(position_at(code, 2), 1U);
+  EXPECT_EQ(position_at(code, 4), 2U);
+  EXPECT_EQ(position_at(code, 5), 3U);
+  for (const std::uint32_t nowhere : {1U, 3U, 6U, 7U, 0xFFFFU}) {
+    EXPECT_EQ(position_at(code, nowhere), code.size()) << nowhere;
+  }
+}
+
 /// Bytes as an assembler lists them, then the components a 386 counts.
 TEST(Encoding, PartsOfSomeInstructions) {
   struct Case {
@@ -54,6 +75,17 @@ TEST(Encoding, PartsOfSomeInstructions) {
       Case{jz("near"), 2, 2},                    // 74 xx
       Case{call("procedure"), 3, 2},             // E8 xx xx
       Case{ret(), 1, 1},                         // C3
+      // of the loops
+      Case{mov(al, dh), 2, 2},                        // 88 F0
+      Case{mov(al, byte[Texture + bx]), 4, 3},        // 8A 87 iw
+      Case{mov(byte[Screen + edi], al), 7, 4},        // 67 88 87 id
+      Case{mov(word[ZBuff + twice(edi)], bx), 8, 5},  // 67 89 1C 7D id
+      Case{cmp(bx, word[ZBuff + twice(edi)]), 8, 5},  // 67 3B 1C 7D id
+      Case{add(esi, dword[IncJ]), 5, 4},              // 66 03 36 iw
+      Case{inc(edi), 2, 2},                           // 66 47
+      Case{stosb(), 1, 1},                            // AA
+      Case{loop("near"), 2, 2},                       // E2 xx
+      Case{jmp(bx), 2, 2},                            // FF E3
   };
   for (const Case& c : cases) {
     EXPECT_EQ(encoding_of(c.instruction).bytes(), c.bytes) << text_of(c.instruction);

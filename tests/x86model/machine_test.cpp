@@ -17,8 +17,8 @@ TEST(Registers, ViewsShareTheirBits) {
   Registers<16> r;
   r.write(Register::cx, Size::dword, 0x12345678);
   EXPECT_EQ(r.read(Register::cx, Size::word), 0x5678U);
-  EXPECT_EQ(r.low_byte(Register::cx), 0x78);
-  EXPECT_EQ(r.high_byte(Register::cx), 0x56);
+  EXPECT_EQ(r.read(Register::cx, Size::byte), 0x78U);
+  EXPECT_EQ(r.read(Register::bp, Size::byte), 0x56U) << "CH has the number of BP";
   r.write(Register::cx, Size::word, 0x9ABC);
   EXPECT_EQ(r.read(Register::cx, Size::dword), 0x12349ABCU) << "the upper half stays";
 }

@@ -1,5 +1,6 @@
-// The model is as small as the routines allow: every form of instruction is executed by one of them
-// and none can be left out, by the oracle's judgement.
+// The model is as small as the routines and loops allow: every form of instruction is executed by
+// one of them and none can be left out, by the oracle's judgement; of the loops tests/loops says
+// so.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "tests/x86model/cases.hpp"
 #include "verify/party.hpp"
+#include "x86model/call_loop.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"
 
@@ -19,11 +21,14 @@ using namespace x86model;
 /// Kind and size of an operand, and what else the interpreter tells apart: how a constant follows
 /// the width, and the named place in memory. A shift by one is an encoding of its own.
 std::string form_of(const Operand& o, bool is_count) {
-  const auto bits = [&] { return o.size == Size::word ? "16" : "32"; };
+  const auto bits = [&] { return o.size == Size::byte ? "8" : o.size == Size::word ? "16" : "32"; };
   switch (o.kind) {
     case Operand::Kind::reg:
       return std::string(" r") + bits();
     case Operand::Kind::memory:
+      if (o.addressing == Addressing::index_twice) return std::string(" index*2 m") + bits();
+      if (o.addressing == Addressing::index) return std::string(" index m") + bits();
+      if (o.addressing == Addressing::direct) return std::string(" direct m") + bits();
       return std::string(o.symbol == Symbol::cos_table ? " table" : " m") + bits();
     case Operand::Kind::label:
       return " label";
@@ -165,6 +170,7 @@ struct Executed {
   std::set<Scaling> scalings;
   std::set<Symbol> symbols;
   std::set<Register> registers;
+  std::set<Addressing> addressings;
 
   void note(Target target, const Instruction& i) {
     forms.insert(with_target(target, form_of(i)));
@@ -174,21 +180,42 @@ struct Executed {
       sizes.insert(o.size);
       scalings.insert(o.scaling);
       symbols.insert(o.symbol);
+      if (o.kind == Operand::Kind::memory) addressings.insert(o.addressing);
       if (o.kind == Operand::Kind::reg) registers.insert(o.reg);
     }
   }
 };
 
+/// What two pixels of a loop execute; of a depth test one is drawn.
+void note_executed(const LoopForm& form, Executed& executed) {
+  std::vector<std::uint8_t> memory(0x1000);
+  // Nearer than all but the first.
+  memory.at(0x501) = 0x7F;
+  LoopMachine m{.registers = {}, .memory = ByteMemory(memory, memory, memory)};
+  const auto code = code_of(form);
+  m.registers.write(Register::bx, Size::dword, 0x01000000);
+  const LoopCall call{.pixels = 2, .value = 0x101, .step = 1};
+  const auto ending = call_loop(form, code, m, call, [&](std::size_t at, const auto&) {
+    executed.note(form.target, code.at(at));
+  });
+  EXPECT_EQ(ending.outcome, Outcome::returned);
+}
+
 TEST(Minimal, EveryFormIsExecuted) {
   Executed executed;
   std::set<std::string> listed;
-  test::each_routine([&]<Routine routine, Target target>() {
-    const Listing& rows = listing(routine, target);
+  const auto list = [&](Target target, const Listing& rows) {
     for (std::size_t i = 0; i < rows.size; ++i) {
       const Instruction& row = rows.rows.at(i);
       if (row.directive == Directive::none) listed.insert(with_target(target, form_of(row)));
     }
-  });
+  };
+  test::each_routine(
+      [&]<Routine routine, Target target>() { list(target, listing(routine, target)); });
+  for (const LoopForm& form : all_loop_forms()) {
+    list(form.target, listing(form));
+    note_executed(form, executed);
+  }
   each_program([&]<Routine routine, Target target>(const Build&, const Program& program,
                                                    std::span<const std::uint32_t> words) {
     constexpr auto in = static_cast<std::size_t>(arity(routine).in);
@@ -205,12 +232,14 @@ TEST(Minimal, EveryFormIsExecuted) {
   EXPECT_EQ(executed.forms, listed);
   EXPECT_EQ(executed.mnemonics.size(), mnemonic_count);
   EXPECT_EQ(executed.registers.size(), register_count);
-  // All that instruction.hpp names: none, reg, memory, immediate, label; none, word, dword;
-  // literal, bytes, half_unit, word_bits; none, cos_table.
+  // All that instruction.hpp names: none, reg, memory, immediate, label; none, byte, word, dword;
+  // literal, bytes, half_unit, word_bits; none, cos_table, inc_j, texture, screen, z_buff;
+  // the four ways to make an address.
   EXPECT_EQ(executed.kinds.size(), 5U);
-  EXPECT_EQ(executed.sizes.size(), 3U);
+  EXPECT_EQ(executed.sizes.size(), 4U);
   EXPECT_EQ(executed.scalings.size(), 4U);
-  EXPECT_EQ(executed.symbols.size(), 2U);
+  EXPECT_EQ(executed.symbols.size(), 6U);
+  EXPECT_EQ(executed.addressings.size(), 4U);
 }
 
 TEST(Minimal, TheProgramsAreWhole) {

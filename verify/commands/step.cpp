@@ -141,10 +141,11 @@ void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> time
   };
   if (!instruction || !x86::is_modelled(*instruction, cpu)) return without_answer();
   const x86::Mnemonic op = instruction->mnemonic;
-  // CALL and RET need code and a stack; a jump, not taken, changes nothing.
+  // CALL and RET need code and a stack; a jump, not taken, changes nothing but the count of LOOP.
   if (op == x86::Mnemonic::call || op == x86::Mnemonic::ret) return without_answer();
   std::optional<x86::Range> clocks;
   if (timed) clocks = step_clocks(*timed, *instruction, state.machine);
+  if (op == x86::Mnemonic::loop) x86::count_down(state.machine);
   if (!x86::is_control_flow(op)) {
     const x86::Outcome outcome = x86::execute_any(*instruction, state.machine);
     if (outcome == x86::Outcome::divide_error) {
@@ -203,7 +204,7 @@ void add_step(CLI::App& app, int& status) {
       "has, or\n"
       "one that reads memory. With --cpu 386 a register may be given as eax= with 8 digits and "
       "comes\n"
-      "back so. Jumps are not taken.\n\n"
+      "back so. Jumps are not taken; LOOP counts.\n\n"
       "--clocks appends clocks=N, or clocks=MIN-MAX where Intel's tables leave a range, to every\n"
       "state; clocks=- where that processor does not have the instruction. A jump is not taken, "
       "but\n"

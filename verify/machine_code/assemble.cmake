@@ -1,6 +1,6 @@
 # cmake -D WRITE_SOURCES=… -D NASM=… -D FRAMES=… -D FOLDER=… -D TABLE=… -P assemble.cmake
-# Has the sources of all programs written into FOLDER, assembles each twice (alone, and as a DOS
-# command in the frame that FRAMES holds) and writes the bytes as the C++ source TABLE.
+# Has the sources of all programs written into FOLDER, assembles each (and where there is a
+# NAME.com.asm, as a DOS command in the frame that FRAMES holds) and writes the bytes as the C++ source TABLE.
 cmake_minimum_required(VERSION 3.22)
 
 file(REMOVE_RECURSE ${FOLDER})
@@ -24,10 +24,14 @@ set(entries "")
 set(number 0)
 foreach(name IN LISTS names)
   bytes_of(${name} alone)
-  bytes_of(${name}.com command)
   string(APPEND arrays "constexpr std::uint8_t alone_${number}[] = {${alone}};\n")
-  string(APPEND arrays "constexpr std::uint8_t command_${number}[] = {${command}};\n")
-  string(APPEND entries "    {\"${name}\", alone_${number}, command_${number}},\n")
+  set(command_bytes "{}")
+  if(EXISTS ${FOLDER}/${name}.com.asm)
+    bytes_of(${name}.com command)
+    string(APPEND arrays "constexpr std::uint8_t command_${number}[] = {${command}};\n")
+    set(command_bytes command_${number})
+  endif()
+  string(APPEND entries "    {\"${name}\", alone_${number}, ${command_bytes}},\n")
   math(EXPR number "${number} + 1")
 endforeach()
 file(WRITE ${TABLE}

@@ -8,9 +8,8 @@ namespace fixproof {
 
 namespace {
 
-const Assembled* find(const ProgramKey& key) {
+const Assembled* find(const std::string& name) {
   const auto all = assembled_programs();
-  const std::string name = name_of(key);
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Assembled& a) { return a.name == name; });
   return found == all.end() ? nullptr : &*found;
@@ -19,12 +18,17 @@ const Assembled* find(const ProgramKey& key) {
 }  // namespace
 
 std::span<const std::uint8_t> machine_code(const ProgramKey& key) {
-  const Assembled* found = find(key);
+  const Assembled* found = find(name_of(key));
+  return found == nullptr ? std::span<const std::uint8_t>{} : found->code;
+}
+
+std::span<const std::uint8_t> machine_code(const x86model::LoopForm& form) {
+  const Assembled* found = find(name_of(form));
   return found == nullptr ? std::span<const std::uint8_t>{} : found->code;
 }
 
 std::span<const std::uint8_t> dos_command(const ProgramKey& key) {
-  const Assembled* found = find(key);
+  const Assembled* found = find(name_of(key));
   return found == nullptr ? std::span<const std::uint8_t>{} : found->command;
 }
 

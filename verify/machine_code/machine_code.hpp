@@ -16,6 +16,9 @@ namespace fixproof {
 /// all where this was built without NASM.
 std::span<const std::uint8_t> machine_code(const ProgramKey& key);
 
+/// As above for a loop in one of its forms; its operands are in registers.
+std::span<const std::uint8_t> machine_code(const x86model::LoopForm& form);
+
 /// A DOS program, the contents of a .COM file, that answers lines by calling the routine; empty as
 /// above.
 std::span<const std::uint8_t> dos_command(const ProgramKey& key);

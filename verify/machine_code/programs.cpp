@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "x86model/text.hpp"
+
 namespace fixproof {
 
 namespace {
@@ -44,6 +46,19 @@ std::string name_of(const ProgramKey& key) {
   if (key.build.chapter_52) name += "-ch52";
   if (key.build.endif_as_scanned) name += "-scanned";
   return name;
+}
+
+std::string name_of(const x86model::LoopForm& form) {
+  std::string name(name_of_loop(form.loop));
+  name += form.target == Target::i386 ? "-i386-" : "-i8088-";
+  name += x86model::name_of(form.counting);
+  return name + (form.as_printed ? "-printed" : "");
+}
+
+std::string_view name_of_loop(x86model::Loop loop) {
+  constexpr std::array<std::string_view, x86model::loop_count> loops{"gouraud-byte", "gouraud-word",
+                                                                     "depth", "texture"};
+  return loops.at(static_cast<std::size_t>(loop));
 }
 
 }  // namespace fixproof

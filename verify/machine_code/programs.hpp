@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "x86model/loop.hpp"
 #include "x86model/routine.hpp"
+#include "x86model/run.hpp"
 
 namespace fixproof {
 
@@ -25,8 +28,16 @@ std::vector<ProgramKey> all_programs();
 /// they assemble to one program: only the switch that matters to the routine is in it.
 std::string name_of(const ProgramKey& key);
 
+/// The name of a form of an inner loop, such as gouraud-byte-i386-dec-jnz; one as printed ends in
+/// -printed.
+std::string name_of(const x86model::LoopForm& form);
+
+/// The loop's name on the command line and in that name: gouraud-byte, gouraud-word, depth,
+/// texture.
+std::string_view name_of_loop(x86model::Loop loop);
+
 /// Where the machine code of a program begins in its segment: above all that x86model/call.hpp
 /// puts into memory, and on a page of its own.
-inline constexpr std::uint16_t code_origin = 0x4000;
+inline constexpr std::uint16_t code_origin = x86model::code_address;
 
 }  // namespace fixproof

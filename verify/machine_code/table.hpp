@@ -10,9 +10,9 @@ namespace fixproof {
 
 /// The bytes of one program.
 struct Assembled {
-  std::string_view name;                  ///< see name_of(ProgramKey)
+  std::string_view name;                  ///< see name_of() of programs.hpp
   std::span<const std::uint8_t> code;     ///< as it stands at code_origin
-  std::span<const std::uint8_t> command;  ///< a DOS .COM file that calls it
+  std::span<const std::uint8_t> command;  ///< a DOS .COM file that calls it; none for a loop
 };
 
 /// All programs; none where there was no assembler.

@@ -1,6 +1,7 @@
 // usage: write_sources FOLDER
-// Writes NAME.asm for every program, the text that `fixproof list` prints after the line that says
-// where it is to stand, and NAME.com.asm, the same text in the frame of dos.asm. Prints the names.
+// Writes NAME.asm for every program and every form of a loop, the text that `fixproof list` prints
+// after the line that says where it is to stand, and of routines NAME.com.asm, the same text in the
+// frame of dos.asm. Prints the names.
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -46,6 +47,11 @@ int main(int argc, char** argv) {
       write(path + ".asm", in_segment(listing));
       write(path + ".com.asm", in_dos(key, listing));
       std::cout << name_of(key) << '\n';
+    }
+    for (const x86model::LoopForm& form : x86model::all_loop_forms()) {
+      write(std::string(argv[1]) + '/' + fixproof::name_of(form) + ".asm",
+            in_segment(x86model::nasm_source(form)));
+      std::cout << fixproof::name_of(form) << '\n';
     }
     std::cout.flush();
     return std::cout ? 0 : 1;
