@@ -62,7 +62,7 @@ TEST(Coverage, IsThatOfAFlatPolygon) {
 }
 
 TEST(Coverage, NoValuesAreUndefinedBehaviour) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(rc::check([] {
     const Points points = generators::some(generators::extreme(), 3, 6);
     std::vector<PointValues> values(points.size());
