@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "verify/machine_code/programs.hpp"
 #include "verify/parties/parties.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
@@ -78,6 +79,42 @@ std::vector<Variant> chosen_routines(const Selection& selection) {
   });
   if (variants.empty()) throw UsageError("no routine has these operations and options");
   return variants;
+}
+
+Programs chosen_programs(const Selection& selection) {
+  Selection routines = selection;
+  std::vector<x86model::Loop> loops;
+  std::erase_if(routines.operations, [&](const std::string& name) {
+    const auto loop = loop_named(name);
+    if (loop) loops.push_back(*loop);
+    return loop.has_value();
+  });
+  const VariantOptions& options = selection.variant;
+  const bool rounds =
+      options.mul_round || options.div_round || options.as_printed || selection.chapter_given;
+  if (rounds && !loops.empty()) {
+    throw UsageError(
+        fmt::format("{} rounds nothing, and is of no chapter", name_of_loop(loops[0])));
+  }
+  Programs chosen;
+  if (selection.operations.empty() || !routines.operations.empty()) {
+    chosen.routines = chosen_routines(routines);
+  }
+  const auto asked = [&](const x86model::LoopForm& form) {
+    const auto target = form.target == x86model::Target::i386 ? Target::i386 : Target::i8088;
+    const auto is_among = [](const auto& all, const auto& one) {
+      return std::find(all.begin(), all.end(), one) != all.end();
+    };
+    if (!options.targets.empty() && !is_among(options.targets, target)) return false;
+    return selection.operations.empty() ? !rounds : is_among(loops, form.loop);
+  };
+  for (const x86model::LoopForm& form : x86model::all_loop_forms()) {
+    if (asked(form)) chosen.loops.push_back(form);
+  }
+  if (chosen.routines.empty() && chosen.loops.empty()) {
+    throw UsageError("no loop has this target");
+  }
+  return chosen;
 }
 
 namespace {

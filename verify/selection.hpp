@@ -10,6 +10,7 @@
 #include "verify/party.hpp"
 #include "verify/plan.hpp"
 #include "verify/report.hpp"
+#include "x86model/loop.hpp"
 
 namespace fixproof {
 
@@ -35,6 +36,16 @@ std::vector<Variant> chosen_variants(const Selection& selection);
 /// Of these the ones that have a program; CosSin, which has no switch, once for each target.
 /// @throws UsageError if there is none; std::invalid_argument for a name that no routine has
 std::vector<Variant> chosen_routines(const Selection& selection);
+
+/// The same with inner loops among the names: `routines` as chosen_routines() chooses them, empty
+/// where loops alone are named; `loops` in every form there is for the target, all of them where
+/// nothing is named, and none where a rounding or a chapter is asked for without a name.
+struct Programs {
+  std::vector<Variant> routines;
+  std::vector<x86model::LoopForm> loops;
+};
+/// @throws as chosen_routines(); UsageError for a loop with a rounding or a chapter
+Programs chosen_programs(const Selection& selection);
 
 /// The rows, in the order of the verification table. Parties that nobody has named are left out of
 /// rows that they do not answer.

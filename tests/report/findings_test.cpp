@@ -19,14 +19,14 @@ std::string answer(const nlohmann::ordered_json& findings, std::size_t number, s
 TEST(ReportFindings, AreThoseOfThePage) {
   const std::string page = fixproof::read_file(FINDINGS);
   const auto findings = computed_findings();
-  EXPECT_EQ(findings.size(), 12U);
+  EXPECT_EQ(findings.size(), 17U);
   for (const auto& finding : findings) {
     const std::string heading =
         fmt::format("\n## {}. {}\n\n`{}`.", finding.at("number").get<int>(),
                     finding.at("title").get<std::string>(), finding.at("test").get<std::string>());
     EXPECT_NE(page.find(heading), std::string::npos) << heading;
   }
-  EXPECT_EQ(page.find("\n## 13."), std::string::npos);
+  EXPECT_EQ(page.find("\n## 18."), std::string::npos);
 }
 
 // The page shows what the commands print, and is compared with them by a test of its own.
@@ -56,6 +56,13 @@ TEST(ReportFindings, AnswersThatNoCommandGives) {
   EXPECT_EQ(answer(findings, 9, 0), "00020000 00010000 00030000");
   EXPECT_EQ(answer(findings, 9, 1), "00020000 00020000 00030000");
   EXPECT_EQ(answer(findings, 9, 2), "00020000 00020000 00030000");
+  EXPECT_EQ(answer(findings, 14, 0), "65,536 pixels");
+  EXPECT_EQ(answer(findings, 14, 1), "no end within a million instructions");
+  EXPECT_EQ(answer(findings, 14, 2), "0 pixels");
+  EXPECT_EQ(answer(findings, 15, 0), "6 pixels");
+  EXPECT_EQ(answer(findings, 15, 1), "65,536 pixels");
+  EXPECT_EQ(answer(findings, 17, 0), "tested");
+  EXPECT_EQ(answer(findings, 17, 1), "beyond its segment");
 }
 
 }  // namespace

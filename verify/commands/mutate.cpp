@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "verify/arguments.hpp"
@@ -15,6 +16,7 @@
 #include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/machine_code/programs.hpp"
 #include "verify/mutation/kill.hpp"
 #include "verify/proof/process.hpp"
 #include "verify/selection.hpp"
@@ -34,8 +36,9 @@ struct MutateOptions {
 
 /// A mutant and what became of it.
 struct Trial {
-  Variant variant;
-  std::size_t number;  ///< among the mutants of its variant, from 1
+  Variant variant{};
+  std::optional<x86model::LoopForm> loop{};  ///< in the place of a variant
+  std::size_t number = 0;                    ///< among the mutants of its variant, from 1
   x86model::Mutant mutant;
   Judgement judgement{};
   bool done = false;
@@ -43,13 +46,25 @@ struct Trial {
 
 std::vector<Trial> trials_of(const Selection& selection) {
   std::vector<Trial> trials;
-  for (const Variant& v : chosen_routines(selection)) {
+  const Programs programs = chosen_programs(selection);
+  for (const Variant& v : programs.routines) {
     std::size_t number = 0;
     for (x86model::Mutant& mutant : mutants_of(v)) {
       trials.push_back({.variant = v, .number = ++number, .mutant = std::move(mutant)});
     }
   }
+  for (const x86model::LoopForm& form : programs.loops) {
+    std::size_t number = 0;
+    const auto sound = x86model::assemble(x86model::listing(form), {});
+    for (x86model::Mutant& mutant : x86model::mutants(sound)) {
+      trials.push_back({.loop = form, .number = ++number, .mutant = std::move(mutant)});
+    }
+  }
   return trials;
+}
+
+std::string name_of_trial(const Trial& trial) {
+  return trial.loop ? name_of(*trial.loop) : name_of(trial.variant);
 }
 
 void judge_all(std::vector<Trial>& trials, const MutateOptions& options, const Solver& solver) {
@@ -62,8 +77,10 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options, const S
     try {
       for (std::size_t i = next++; i < trials.size() && !Interrupt::flag(); i = next++) {
         Trial& trial = trials[i];
-        trial.judgement = judge(trial.variant, trial.mutant.program, options.seed, solver,
-                                options.solver.seconds);
+        const auto judged = [&](const auto& subject) {
+          return judge(subject, trial.mutant.program, options.seed, solver, options.solver.seconds);
+        };
+        trial.judgement = trial.loop ? judged(*trial.loop) : judged(trial.variant);
         const std::lock_guard lock(mutex);
         trial.done = true;
         progress.show(++done);
@@ -97,6 +114,7 @@ std::string what_became_of(const Trial& trial) {
     return fmt::format("GAP: survives level 1, not decided{}{}", j.failure.empty() ? "" : ": ",
                        printable(j.failure));
   }
+  if (trial.loop) return "GAP: survives all spans, but its turn is disproven";
   return fmt::format("GAP: survives level 1, but fails at {}",
                      hex_words(j.proof.counterexample, operand_bits(trial.variant)));
 }
@@ -126,9 +144,9 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
   Score all;
   std::size_t left = 0;
   for (std::size_t i = 0; i < trials.size();) {
-    const Variant& v = trials[i].variant;
+    const std::string name = name_of_trial(trials[i]);
     Score score;
-    for (; i < trials.size() && trials[i].variant == v; ++i) {
+    for (; i < trials.size() && name_of_trial(trials[i]) == name; ++i) {
       const Trial& trial = trials[i];
       if (!trial.done) {
         ++left;
@@ -137,11 +155,11 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
       score.add(trial.judgement);
       all.add(trial.judgement);
       if (verbose || trial.judgement.fate == Fate::gap) {
-        notable += fmt::format("{}, mutant {}: {}: {}\n", name_of(v), trial.number,
-                               trial.mutant.change, what_became_of(trial));
+        notable += fmt::format("{}, mutant {}: {}: {}\n", name, trial.number, trial.mutant.change,
+                               what_became_of(trial));
       }
     }
-    lines += score.line(name_of(v));
+    lines += score.line(name);
   }
   std::cout << notable << (notable.empty() ? "" : "\n")
             << fmt::format("{:<24}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
@@ -184,7 +202,8 @@ void add_mutate(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("mutate", "measure what level 1 would catch, by planting mistakes");
   command->add_option("operations", options->selection.operations,
-                      "mul, div, cossin, xformvec, concat; none: all");
+                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
+                      "gouraud-word, depth, texture; none: all");
   options->selection.variant.add_to(*command);
   command->add_option("--seed", options->seed, "of the random cases")
       ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
@@ -195,13 +214,14 @@ void add_mutate(CLI::App& app, int& status) {
       ->transform(whole_number(1, 1024));
   command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
   command->footer(
-      "Every single instruction of every routine is changed in every way that "
+      "Every single instruction of every routine and inner loop is changed in every way that "
       "x86model/mutants.hpp\n"
       "names. A mutant is killed by the first case of level 1 on which it differs from the "
       "oracle,\n"
       "faults or breaks down where it should not; of the others the solver tells which are the "
       "same\n"
-      "routine for all operands. What remains is a gap of the verification.\n\n"
+      "routine for all operands. What remains is a gap of the verification. A loop is judged by\n"
+      "spans of every length up to 320 pixels.\n\n"
       "Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 stopped before the end.\n\n"
       "Examples:\n"
       "  fixproof mutate mul div\n"

@@ -11,6 +11,8 @@
 #include "verify/commands/solver_options.hpp"
 #include "verify/file.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/loops/step_proof.hpp"
+#include "verify/machine_code/programs.hpp"
 #include "verify/mutation/kill.hpp"
 #include "verify/parties/interpreter.hpp"
 #include "verify/proof/lemmas.hpp"
@@ -60,6 +62,15 @@ std::string_view word_for(Standing standing) {
   return "not decided";
 }
 
+x86model::Program sound_program(const x86model::LoopForm& form) {
+  return x86model::assemble(x86model::listing(form), {});
+}
+
+/// What the proofs of the routines rest on; those of the loops rest on nothing.
+std::span<const Lemma> lemmas_for(const Programs& programs) {
+  return programs.routines.empty() ? std::span<const Lemma>{} : lemmas();
+}
+
 /// `mul i386 on` as `mul-i386-on.smt2`.
 std::string file_name(std::string name) {
   for (char& c : name) {
@@ -69,23 +80,28 @@ std::string file_name(std::string name) {
   return name + ".smt2";
 }
 
-void write_scripts(const std::string& directory, const std::vector<Variant>& variants) {
+void write_scripts(const std::string& directory, const Programs& programs) {
   std::filesystem::create_directories(directory);
   std::size_t written = 0;
   const auto write = [&](const std::string& name, const std::string& script) {
     replace_file((std::filesystem::path(directory) / file_name(name)).string(), script);
     ++written;
   };
-  for (const Lemma& lemma : lemmas()) {
+  for (const Lemma& lemma : lemmas_for(programs)) {
     write(lemma.name, fmt::format("; {}\n{}", lemma.meaning, lemma.smt));
   }
-  for (const Variant& v : variants) {
-    const auto scripts = questions(v, program_of(v).instructions());
+  const auto write_all = [&](const std::string& name, const std::vector<std::string>& scripts) {
     for (std::size_t i = 0; i < scripts.size(); ++i) {
-      write(fmt::format("{} {}", name_of(v), i + 1),
+      write(fmt::format("{} {}", name, i + 1),
             fmt::format("; question {} of {}: {} does what it should if all are unsatisfiable\n{}",
-                        i + 1, scripts.size(), name_of(v), scripts[i]));
+                        i + 1, scripts.size(), name, scripts[i]));
     }
+  };
+  for (const Variant& v : programs.routines) {
+    write_all(name_of(v), questions(v, program_of(v).instructions()));
+  }
+  for (const x86model::LoopForm& form : programs.loops) {
+    write_all(name_of(form), step_questions(form, sound_program(form)));
   }
   std::cout << fmt::format("{} scripts written to {}; each is to be unsatisfiable\n", written,
                            directory);
@@ -100,6 +116,16 @@ void prove_lemma(const Lemma& lemma, int seconds, const Solver& solver, Tally& t
   tally.add(standing, answer.seconds);
 }
 
+std::string with_questions(std::string_view name, const Proof& proof) {
+  return fmt::format("{}, {} question{}", name, proof.questions, proof.questions == 1 ? "" : "s");
+}
+
+void prove_loop(const x86model::LoopForm& form, int seconds, const Solver& solver, Tally& tally) {
+  const Proof proof = prove(form, sound_program(form), solver, seconds);
+  print_line(with_questions(name_of(form), proof), word_for(proof.standing), proof.seconds);
+  tally.add(proof.standing, proof.seconds);
+}
+
 void prove_routine(const Variant& v, const ProveOptions& options, const Solver& solver,
                    Tally& tally) {
   x86model::Program program = program_of(v);
@@ -111,9 +137,7 @@ void prove_routine(const Variant& v, const ProveOptions& options, const Solver& 
     which = fmt::format(" --mutant {}", options.mutant);
   }
   const Proof proof = prove(v, program, solver, options.solver.seconds);
-  print_line(fmt::format("{}, {} question{}", name_of(v), proof.questions,
-                         proof.questions == 1 ? "" : "s"),
-             word_for(proof.standing), proof.seconds);
+  print_line(with_questions(name_of(v), proof), word_for(proof.standing), proof.seconds);
   tally.add(proof.standing, proof.seconds);
   if (proof.standing != Standing::disproven) return;
   const int bits = 2 * v.fraction_bits;
@@ -123,7 +147,7 @@ void prove_routine(const Variant& v, const ProveOptions& options, const Solver& 
 }
 
 /// Proves all of it, or as much as there is time for until somebody stops it.
-Tally prove_all(const std::vector<Variant>& variants, const ProveOptions& options) {
+Tally prove_all(const Programs& programs, const ProveOptions& options) {
   const Interrupt interrupt;
   const Solver solver(options.solver.name);
   std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(),
@@ -131,8 +155,13 @@ Tally prove_all(const std::vector<Variant>& variants, const ProveOptions& option
             << std::flush;
   Tally tally;
   try {
-    for (const Lemma& lemma : lemmas()) prove_lemma(lemma, options.solver.seconds, solver, tally);
-    for (const Variant& v : variants) prove_routine(v, options, solver, tally);
+    for (const Lemma& lemma : lemmas_for(programs)) {
+      prove_lemma(lemma, options.solver.seconds, solver, tally);
+    }
+    for (const Variant& v : programs.routines) prove_routine(v, options, solver, tally);
+    for (const x86model::LoopForm& form : programs.loops) {
+      prove_loop(form, options.solver.seconds, solver, tally);
+    }
   } catch (const Stopped&) {
     // What is left has no answer, as the summary says.
   }
@@ -154,28 +183,30 @@ int summarize(const Tally& tally, std::size_t goals) {
 }
 
 int run(const ProveOptions& options) {
-  const std::vector<Variant> variants = chosen_routines(options.selection);
+  const Programs programs = chosen_programs(options.selection);
   if (options.mutant != 0 && !options.directory.empty()) {
     throw UsageError("--mutant excludes --write");
   }
-  if (options.mutant != 0 && variants.size() != 1) {
+  if (options.mutant != 0 && (programs.routines.size() != 1 || !programs.loops.empty())) {
     throw UsageError("--mutant needs one routine, --target and --round (and --chapter 54)");
   }
   if (!options.directory.empty()) {
-    write_scripts(options.directory, variants);
+    write_scripts(options.directory, programs);
     return 0;
   }
-  return summarize(prove_all(variants, options), lemmas().size() + variants.size());
+  return summarize(prove_all(programs, options),
+                   lemmas_for(programs).size() + programs.routines.size() + programs.loops.size());
 }
 
 }  // namespace
 
 void add_prove(CLI::App& app, int& status) {
   auto options = std::make_shared<ProveOptions>();
-  CLI::App* command =
-      app.add_subcommand("prove", "prove the routines for all operands, with an SMT solver");
+  CLI::App* command = app.add_subcommand(
+      "prove", "prove the routines, and a turn of each inner loop, for all operands");
   command->add_option("operations", options->selection.operations,
-                      "mul, div, cossin, xformvec, concat; none: all");
+                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
+                      "gouraud-word, depth, texture; none: all");
   options->selection.variant.add_to(*command);
   options->solver.add_to(*command);
   command

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -22,5 +23,15 @@ inline constexpr std::array<std::pair<x86model::Flag, std::string_view>, 6> show
      {x86model::ZF, "ZF"},
      {x86model::SF, "SF"},
      {x86model::OF, "OF"}}};
+
+/// The six flags as 0, 1 or ? where undefined, three characters each.
+inline std::string flag_columns(const x86model::Flags& f) {
+  std::string columns;
+  for (const auto& [flag, name] : shown_flags) {
+    const char* set = (f.value & flag) != 0 ? "  1" : "  0";
+    columns += (f.undefined & flag) != 0 ? "  ?" : set;
+  }
+  return columns;
+}
 
 }  // namespace fixproof

@@ -11,6 +11,7 @@
 #include "verify/commands/commands.hpp"
 #include "verify/commands/program.hpp"
 #include "verify/commands/shown.hpp"
+#include "verify/commands/trace_loop.hpp"
 #include "verify/hex.hpp"
 #include "verify/mutation/kill.hpp"
 #include "verify/parties/not_kept.hpp"
@@ -29,16 +30,6 @@ struct TraceOptions {
   std::vector<std::string> words;
   std::size_t mutant = 0;  ///< 0: none
 };
-
-/// The six flags as 0, 1 or ? where undefined, under the heading's columns.
-std::string flag_columns(const x86::Flags& f) {
-  std::string columns;
-  for (const auto& [flag, name] : shown_flags) {
-    const char* set = (f.value & flag) != 0 ? "  1" : "  0";
-    columns += (f.undefined & flag) != 0 ? "  ?" : set;
-  }
-  return columns;
-}
 
 /// Registers and memory words that differ, after two spaces: "  bp=0058 [0054]=0000".
 template <class M>
@@ -131,6 +122,11 @@ void trace(const Traced& traced) {
 }
 
 int run(const TraceOptions& options) {
+  if (const auto loop = options.program.choose_loop()) {
+    if (options.mutant != 0) throw UsageError("--mutant is for routines");
+    trace_loop(*loop, options.words);
+    return 0;
+  }
   Traced traced;
   traced.key = options.program.choose();
   const ProgramKey& key = traced.key;
@@ -175,9 +171,9 @@ int run(const TraceOptions& options) {
 
 void add_trace(CLI::App& app, int& status) {
   auto options = std::make_shared<TraceOptions>();
-  CLI::App* command =
-      app.add_subcommand("trace", "show what each instruction of a routine changes");
-  options->program.add_to(*command);
+  CLI::App* command = app.add_subcommand(
+      "trace", "show what each instruction of a routine or an inner loop changes");
+  options->program.add_to(*command, true);
   command->add_option("words", options->words, "operands, as for eval");
   command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
       ->transform(whole_number(1, 100'000));
@@ -186,10 +182,14 @@ void add_trace(CLI::App& app, int& status) {
       "address.\n"
       "With --mutant registers begin full of noise, and a last line says what of a C caller is "
       "lost.\n\n"
+      "The words of an inner loop are how many pixels (1 to 140, hexadecimal), then its value and\n"
+      "step (EDX, EBP), of texture also row and step. The row is at 2800; the depth buffer begins\n"
+      "as 0, the colour is ff, and a texel is the sum of its row and column.\n\n"
       "Examples:\n"
       "  fixproof trace mul 00018000 00028000\n"
       "  fixproof trace div 00010000 00008000 --target i8088\n"
-      "  fixproof trace div 00018000 00028000 --target i8088 --round off --as-scanned");
+      "  fixproof trace div 00018000 00028000 --target i8088 --round off --as-scanned\n"
+      "  fixproof trace gouraud-word 00000004 00002000 00000180 --loop dec-jnz");
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -11,7 +11,9 @@
 
 #include "fixed/fixed.hpp"
 #include "verify/commands/command_line.hpp"
+#include "verify/text.hpp"
 #include "x86model/call.hpp"
+#include "x86model/call_loop.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/parse.hpp"
 #include "xsharp/arithmetic.hpp"
@@ -127,6 +129,32 @@ std::string swapped_in_place(x86::Target target) {
   return words;
 }
 
+/// What a loop draws that is entered for `count` pixels, in a segment full of 1s.
+std::string pixels_drawn(const x86::LoopForm& form, std::uint32_t count) {
+  std::vector<std::uint8_t> data(0x100);
+  std::vector<std::uint8_t> extra(0x10000, 1);
+  x86::LoopMachine machine{.registers = {}, .memory = x86::ByteMemory(data, extra, data)};
+  constexpr std::uint64_t most_steps = 1'000'000;
+  const auto ending = x86::call_loop(
+      form, x86::code_of(form), machine, {.pixels = count},
+      [](std::size_t, const x86::LoopMachine&) {}, most_steps);
+  if (ending.outcome == x86::Outcome::step_limit) return "no end within a million instructions";
+  const auto drawn = std::count(extra.begin(), extra.end(), 0);
+  return fmt::format("{} pixels", grouped(static_cast<std::uint64_t>(drawn)));
+}
+
+/// Whether the depth test reaches the depth of a pixel, by its number on a screen of 320 by 200.
+std::string depth_reached(std::uint32_t pixel) {
+  std::vector<std::uint8_t> segment(0x10000);
+  x86::LoopMachine machine{.registers = {}, .memory = x86::ByteMemory(segment, segment, segment)};
+  const x86::LoopForm form{.loop = x86::Loop::depth_test};
+  // The buffer takes its segment from the beginning.
+  const auto begin = static_cast<std::uint32_t>(x86::address_of(x86::Symbol::z_buff));
+  const auto ending = x86::call_loop(form, x86::code_of(form), machine,
+                                     {.pixels = 1, .place = pixel - begin / 2, .value = 0});
+  return ending.outcome == x86::Outcome::returned ? "tested" : "beyond its segment";
+}
+
 /// A move by (4, 5, 6), then one by (1, 2, 3): two transforms, row by row.
 constexpr const char* two_moves =
     "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
@@ -226,11 +254,53 @@ std::vector<Finding> last_findings() {
   };
 }
 
+std::vector<Finding> loop_findings() {
+  using enum x86::Counting;
+  const x86::LoopForm bytes{.loop = x86::Loop::gouraud_byte};
+  const x86::LoopForm words{.loop = x86::Loop::gouraud_word};
+  return {
+      {"A shift right that is none",
+       "Defects.ShrdForShld",
+       "The depth loop says that SHRD EBX,EDX,24 is EDX shifted right by 8. It puts EDX, shifted "
+       "left by 8, above the top byte of EBX; SHLD does what is meant. A depth of 12h and 34h/256.",
+       {traced("as printed", "depth 00000001 00001234 00000000 --as-printed", "shrd"),
+        traced("with SHLD", "depth 00000001 00001234 00000000", "shld")}},
+      {"Nothing to draw",
+       "Defects.NoPixels",
+       "A loop that counts at its end draws at least one pixel, and for none counts on: LOOP to "
+       "65,536, DEC ECX to 4,294,967,296. An unrolled one draws none.",
+       {{"LOOP", "GouraudBytes, 0 pixels", pixels_drawn(bytes, 0)},
+        {"DEC, JNZ", "GouraudBytes, 0 pixels",
+         pixels_drawn({.loop = x86::Loop::gouraud_byte, .counting = dec_jnz}, 0)},
+        {"unrolled", "GouraudBytes, 0 pixels",
+         pixels_drawn({.loop = x86::Loop::gouraud_byte, .counting = unrolled}, 0)}}},
+      {"The odd pixel",
+       "Defects.OddPixel",
+       "Two pixels a store: SHR ECX,1 drops the last of an odd number, and of one pixel makes "
+       "none, which is 65,536 words.",
+       {{"LOOP", "GouraudWords, 7 pixels", pixels_drawn(words, 7)},
+        {"LOOP", "GouraudWords, 1 pixel", pixels_drawn(words, 1)}}},
+      {"The depth test and what is said of it",
+       "Defects.DepthTestWords",
+       "The text writes a pixel unless its depth is greater, the code where it is. Negative depths "
+       "are said to clip themselves by an unsigned test; JG is signed, and 32768 is less than 0.",
+       {traced("depth 32767", "depth 00000001 007fff00 00000000", "inc edi"),
+        traced("depth 32768", "depth 00000001 00800000 00000000", "inc edi")}},
+      {"A buffer larger than its segment",
+       "Defects.BufferBeyondSegment",
+       "320 by 200 depths of two bytes are 128,000 bytes. A segment of 16-bit code has 65,536: "
+       "from the middle of line 102 on EDI*2 faults.",
+       {{"386", "pixel 32767", depth_reached(32767)},
+        {"386", "pixel 32768", depth_reached(32768)}}},
+  };
+}
+
 }  // namespace
 
 nlohmann::ordered_json computed_findings() {
   std::vector<Finding> all = first_findings();
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
+  for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
   FindingJson json = FindingJson::array();
   for (const Finding& finding : all) {
     FindingJson cases = FindingJson::array();

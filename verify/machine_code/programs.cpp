@@ -61,4 +61,12 @@ std::string_view name_of_loop(x86model::Loop loop) {
   return loops.at(static_cast<std::size_t>(loop));
 }
 
+std::optional<x86model::Loop> loop_named(std::string_view name) {
+  for (int i = 0; i < x86model::loop_count; ++i) {
+    const auto loop = static_cast<x86model::Loop>(i);
+    if (name_of_loop(loop) == name) return loop;
+  }
+  return std::nullopt;
+}
+
 }  // namespace fixproof

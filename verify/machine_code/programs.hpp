@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,8 @@ std::string name_of(const x86model::LoopForm& form);
 /// The loop's name on the command line and in that name: gouraud-byte, gouraud-word, depth,
 /// texture.
 std::string_view name_of_loop(x86model::Loop loop);
+/// The loop of that name; nothing for any other name.
+std::optional<x86model::Loop> loop_named(std::string_view name);
 
 /// Where the machine code of a program begins in its segment: above all that x86model/call.hpp
 /// puts into memory, and on a page of its own.

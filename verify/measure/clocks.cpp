@@ -10,6 +10,7 @@
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/json_text.hpp"
+#include "verify/loops/span_clocks.hpp"
 #include "verify/measure/call_clocks.hpp"
 #include "verify/measure/claims.hpp"
 #include "verify/measure/measure.hpp"
@@ -167,6 +168,7 @@ class ClockRun {
                    "possible, or the listings cannot decide.\n";
     }
     for (const Claim& claim : claims_) print(claim);
+    std::cout << '\n' << span_clocks_text();
   }
 
   void write_json() const {
@@ -177,6 +179,7 @@ class ClockRun {
     for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
     json["claims"] = ClockJson::array();
     for (const Claim& claim : claims_) json["claims"].push_back(json_of(claim));
+    json["loops"] = span_clocks_json();
     replace_file(request_.json, json_text(json));
   }
 

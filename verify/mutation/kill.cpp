@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 
+#include "verify/loops/span_cases.hpp"
 #include "verify/parties/interpreter.hpp"
 #include "verify/plan.hpp"
 #include "verify/proof/process.hpp"
@@ -64,6 +65,24 @@ class Duel {
   std::array<Ending, most> ends_{}, ends_wanted_{};
 };
 
+/// What has survived is equivalent where the solver says so.
+template <class Subject>
+void try_to_prove(Judgement& judgement, const Subject& subject, const x86::Program& program,
+                  const Solver& solver, int most_seconds) {
+  try {
+    judgement.proof = prove(subject, program, solver, most_seconds);
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::exception& error) {
+    judgement.failure = error.what();
+  }
+  if (judgement.proof.standing == Standing::proven) judgement.fate = Fate::equivalent;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 }  // namespace
 
 std::vector<x86::Mutant> mutants_of(const Variant& v) {
@@ -114,17 +133,23 @@ Judgement judge(const Variant& v, const x86::Program& program, std::uint64_t see
   } else if (has_same_terms(v, program.instructions())) {
     judgement.fate = Fate::equivalent;
   } else {
-    try {
-      judgement.proof = prove(v, program, solver, most_seconds);
-    } catch (const Stopped&) {
-      throw;
-    } catch (const std::exception& error) {
-      judgement.failure = error.what();
-    }
-    if (judgement.proof.standing == Standing::proven) judgement.fate = Fate::equivalent;
+    try_to_prove(judgement, v, program, solver, most_seconds);
   }
-  judgement.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  judgement.seconds = seconds_since(begin);
+  return judgement;
+}
+
+Judgement judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
+                const Solver& solver, int most_seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  Judgement judgement;
+  if (const auto spans = spans_to_kill(form, program, seed)) {
+    judgement.fate = Fate::killed;
+    judgement.cases = *spans;
+  } else {
+    try_to_prove(judgement, form, program, solver, most_seconds);
+  }
+  judgement.seconds = seconds_since(begin);
   return judgement;
 }
 

@@ -47,4 +47,8 @@ std::optional<std::uint64_t> cases_to_kill(const Variant& variant, const Party& 
 Judgement judge(const Variant& variant, const x86model::Program& program, std::uint64_t seed,
                 const Solver& solver, int most_seconds);
 
+/// The same for an inner loop, by the spans of spans_to_kill().
+Judgement judge(const x86model::LoopForm& form, const x86model::Program& program,
+                std::uint64_t seed, const Solver& solver, int most_seconds);
+
 }  // namespace fixproof

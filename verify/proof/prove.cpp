@@ -1,5 +1,6 @@
 #include "verify/proof/prove.hpp"
 
+#include "verify/loops/step_proof.hpp"
 #include "verify/parties/interpreter.hpp"
 
 namespace fixproof {
@@ -19,6 +20,17 @@ SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solv
 }
 
 }  // namespace
+
+Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
+            int most_seconds) {
+  Proof proof;
+  const auto scripts = step_questions(form, program);
+  proof.questions = scripts.size();
+  const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
+  if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
+  if (answer.verdict == Verdict::satisfiable) proof.standing = Standing::disproven;
+  return proof;
+}
 
 Proof prove(const Variant& v, const x86model::Program& program, const Solver& solver,
             int most_seconds) {

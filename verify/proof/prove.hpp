@@ -9,6 +9,7 @@
 #include "verify/proof/query.hpp"
 #include "verify/proof/solver.hpp"
 #include "verify/variant.hpp"
+#include "x86model/loop.hpp"
 
 namespace fixproof {
 
@@ -26,6 +27,12 @@ struct Proof {
   Answer given;                               ///< what the program answers to them
   Answer wanted;                              ///< what the oracle does
 };
+
+/// Proves one turn of an inner loop, `program` in its place: see step_questions(). Nothing in it is
+/// abstract but memory: a turn that is disproven goes wrong with some registers, which are not
+/// kept. Each question may take `most_seconds`. @throws what Solver::ask does
+Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
+            int most_seconds);
 
 /// Proves `program` in the place of the routine of `variant`: with products and quotients abstract,
 /// and, where that gives a counterexample that is none, with products and quotients as they are.

@@ -24,6 +24,7 @@ struct Thread {
   std::size_t position = 0;
   std::map<std::size_t, int> jumps;   ///< by position, how often one was met
   std::vector<std::uint64_t> values;  ///< of the enumerated operand, that come this way
+  bool has_begun = false;             ///< whether it has executed anything
 };
 
 /// Whether a jump is taken; empty where it reads an undefined flag.
@@ -36,6 +37,8 @@ std::optional<Term> taken(Terms& t, Mnemonic op, const FlagTerms& f) {
       return f.sign ? std::optional(t.negation(*f.sign)) : std::nullopt;
     case Mnemonic::jz:
       return f.zero;
+    case Mnemonic::jnz:
+      return f.zero ? std::optional(t.negation(*f.zero)) : std::nullopt;
     case Mnemonic::ja:
       if (!all_defined(f.carry, f.zero)) return std::nullopt;
       return t.both(t.negation(*f.carry), t.negation(*f.zero));
@@ -56,7 +59,7 @@ class Runner {
       : t_(terms), code_(code), options_(options), evaluation_(terms, concrete) {}
 
   std::vector<Path> all(const State& start) {
-    threads_.push_back({start, t_.truth(true), t_.truth(true), 0, {}, {}});
+    threads_.push_back({start, t_.truth(true), t_.truth(true), options_.first, {}, {}, false});
     if (options_.enumerated) {
       auto& values = threads_.back().values;
       values.resize(std::size_t{1} << t_.width(*options_.enumerated));
@@ -75,6 +78,10 @@ class Runner {
   void follow(Thread thread) {
     while (true) {
       if (thread.position >= code_.size()) return end(thread, Outcome::bad_address);
+      if (thread.has_begun && options_.stop == thread.position) {
+        return end(thread, Outcome::proceeds);
+      }
+      thread.has_begun = true;
       const Instruction& i = code_[thread.position];
       if (i.mnemonic == Mnemonic::ret) {
         const auto to = pop(thread);
@@ -135,8 +142,11 @@ class Runner {
 
   /// @return false where the thread has ended, or was split
   bool jump(Thread& thread, const Instruction& i) {
+    // To a computed place: where that is depends on lengths in bytes, which are not followed here.
+    if (i.operands[0].kind == Operand::Kind::reg) return end(thread, Outcome::bad_address), false;
     const auto to = static_cast<std::size_t>(i.operands[0].value);
-    const auto condition = taken(t_, i.mnemonic, thread.state.flags);
+    const auto condition = i.mnemonic == Mnemonic::loop ? std::optional(count_down(thread))
+                                                        : taken(t_, i.mnemonic, thread.state.flags);
     if (!condition) return end(thread, Outcome::undefined_flag), false;
     if (++thread.jumps[thread.position] > options_.most_jumps) {
       return end(thread, Outcome::step_limit), false;
@@ -146,6 +156,55 @@ class Runner {
     }
     if (!t_.is_constant(*condition)) return branch(std::move(thread), *condition, to), false;
     thread.position = t_.value(*condition) != 0 ? to : thread.position + 1;
+    return true;
+  }
+
+  /// LOOP: CX less one. @return whether it is not 0 then
+  Term count_down(Thread& thread) {
+    const Term count = t_.sub(thread.state.read(t_, Register::cx, Size::word), t_.constant(1, 16));
+    thread.state.write(t_, Register::cx, Size::word, count);
+    return t_.negation(t_.equal(count, t_.constant(0, 16)));
+  }
+
+  /// Where an operand in open memory is, 32 bits.
+  Term open_address(const Thread& thread, const Operand& o) {
+    const auto displacement = static_cast<std::uint32_t>(o.value + address_of(o.symbol));
+    const auto indexed = [&](Term index) { return t_.add(index, t_.constant(displacement, 32)); };
+    switch (o.addressing) {
+      case Addressing::direct:
+        return t_.constant(displacement & 0xFFFFU, 32);
+      case Addressing::index:
+        return indexed(thread.state.read(t_, o.reg, Size::dword));
+      case Addressing::index_twice: {
+        const Term index = thread.state.read(t_, o.reg, Size::dword);
+        return indexed(t_.add(index, index));
+      }
+      case Addressing::base:
+        break;
+    }
+    const Term base = thread.state.read(t_, o.reg, Size::word);
+    return t_.zero_extend(t_.add(base, t_.constant(displacement & 0xFFFFU, 16)), 32);
+  }
+
+  std::optional<Term> open_read(const Thread& thread, const Operand& o, Size size) {
+    for (const Store& store : thread.state.stores) {
+      if (!store.extra) return std::nullopt;
+    }
+    const Term where = open_address(thread, o);
+    if (size == Size::byte) return t_.apply("databyte", {where}, 8);
+    const Term low = t_.apply("dataword", {where}, 16);
+    if (size == Size::word) return low;
+    return t_.concat(t_.apply("dataword", {t_.add(where, t_.constant(2, 32))}, 16), low);
+  }
+
+  /// STOSB and STOSW.
+  bool store_string(Thread& thread, Size size) {
+    if (!options_.memory_is_open) return false;
+    State& s = thread.state;
+    const Term place = s.read(t_, Register::di, Size::word);
+    s.stores.push_back({true, t_.zero_extend(place, 32), s.read(t_, Register::ax, size)});
+    s.write(t_, Register::di, Size::word,
+            t_.add(place, t_.constant(size == Size::byte ? 1 : 2, 16)));
     return true;
   }
 
@@ -177,11 +236,13 @@ class Runner {
   }
 
   std::optional<Term> read(Thread& thread, const Operand& o, Size size) {
-    const int bits = size == Size::word ? 16 : 32;
+    const int bits = size == Size::byte ? 8 : size == Size::word ? 16 : 32;
     if (o.kind == Operand::Kind::reg) return thread.state.read(t_, o.reg, size);
     if (o.kind == Operand::Kind::immediate) {
       return t_.constant(x86model::detail::immediate<Word>(o), bits);
     }
+    if (options_.memory_is_open) return open_read(thread, o, size);
+    if (size == Size::byte) return std::nullopt;
     const bool in_table = o.symbol == Symbol::cos_table;
     const Term where = address(thread, o);
     const auto word = [&](Term at) {
@@ -200,6 +261,14 @@ class Runner {
       return true;
     }
     if (o.kind != Operand::Kind::memory || o.symbol == Symbol::cos_table) return false;
+    if (options_.memory_is_open) {
+      auto& stores = thread.state.stores;
+      const Store store{false, open_address(thread, o), value};
+      // To store the same twice is to store it once.
+      if (stores.empty() || stores.back() != store) stores.push_back(store);
+      return true;
+    }
+    if (size == Size::byte) return false;
     const Term where = address(thread, o);
     if (!put(thread, where, t_.extract(value, 0, 16))) return false;
     return size == Size::word ||
@@ -261,6 +330,9 @@ class Runner {
     if (op == Mnemonic::pop) {
       const auto value = pop(thread);
       return done(value && write(thread, first, size, *value));
+    }
+    if (is_store_string(op)) {
+      return done(store_string(thread, op == Mnemonic::stosb ? Size::byte : Size::word));
     }
     if (is_multiply(op)) return multiplied(thread, i);
     if (is_divide(op)) return divided(thread, i);
@@ -365,11 +437,24 @@ class Runner {
 }  // namespace
 
 Term State::read(Terms& terms, Register r, Size size) const {
+  if (size == Size::byte) {
+    const auto number = static_cast<std::size_t>(r);
+    return terms.extract(registers[number % 4], number < 4 ? 0 : 8, 8);
+  }
   const Term whole = registers[static_cast<std::size_t>(r)];
   return size == Size::word ? terms.extract(whole, 0, 16) : whole;
 }
 
 void State::write(Terms& terms, Register r, Size size, Term value) {
+  if (size == Size::byte) {
+    const auto number = static_cast<std::size_t>(r);
+    Term& holder = registers[number % 4];
+    const Term above = terms.extract(holder, 16, 16);
+    const Term low = number < 4 ? value : terms.extract(holder, 0, 8);
+    const Term high = number < 4 ? terms.extract(holder, 8, 8) : value;
+    holder = terms.concat(above, terms.concat(high, low));
+    return;
+  }
   Term& whole = registers[static_cast<std::size_t>(r)];
   whole = size == Size::word ? terms.concat(terms.extract(whole, 16, 16), value) : value;
 }

@@ -14,13 +14,23 @@
 
 namespace x86model::symbolic {
 
+/// What an instruction writes to memory that is left open: 8, 16 or 32 bits.
+struct Store {
+  bool extra;    ///< to the extra segment, by STOS; else to the data segment
+  Term address;  ///< 32 bits
+  Term value;
+
+  friend bool operator==(const Store&, const Store&) = default;
+};
+
 /// Registers, flags and memory of 16-bit words, as terms. Memory is where it has been put: to read
-/// elsewhere ends a path as bad_address. Addresses are constants, but for those in the cosine
-/// table.
+/// elsewhere ends a path as bad_address, unless memory is left open. Addresses are constants, but
+/// for those in the cosine table and in open memory.
 struct State {
   std::array<Term, register_count> registers;  ///< 32 bits each
   FlagTerms flags;
   std::map<std::uint32_t, Term> memory;
+  std::vector<Store> stores{};  ///< to open memory, in their order
 
   [[nodiscard]] Term read(Terms& terms, Register r, Size size) const;
   void write(Terms& terms, Register r, Size size, Term value);
@@ -32,7 +42,7 @@ struct Path {
   /// What must hold of them besides: every address in the cosine table is one of its words.
   Term in_table;
   Outcome outcome;
-  std::size_t position;  ///< of the last instruction
+  std::size_t position;  ///< of the last instruction; of RunOptions::stop where it was reached
   State state;
 };
 
@@ -44,6 +54,15 @@ struct RunOptions {
   /// An operand of at most 16 bits whose values are tried one by one where a jump depends on it
   /// alone: ways that none of them takes are not followed.
   std::optional<Term> enumerated{};
+  /// Memory holds anything: what is read is an application of `databyte` or `dataword` to the
+  /// address, what is written is kept in State::stores, the same
+  /// twice in succession once. To read the data segment after writing it
+  /// ends a path as bad_address: the two places might be one. The extra segment is another.
+  bool memory_is_open = false;
+  /// Where the run begins.
+  std::size_t first = 0;
+  /// Where a path ends, as proceeds, when it comes there after its first instruction.
+  std::optional<std::size_t> stop{};
   /// How often a path may jump at one place: one that would do so again ends as step_limit.
   int most_jumps = 12;
   /// With more ways than that before it, a thread ends as step_limit where it would branch: broken

@@ -1,0 +1,124 @@
+// The inner loops, and what their source says of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "x86model/call_loop.hpp"
+
+namespace {
+
+namespace x86 = x86model;
+using x86::Counting;
+using x86::Loop;
+using x86::LoopForm;
+using x86::LoopMachine;
+using x86::Outcome;
+using x86::Register;
+using x86::Size;
+
+constexpr std::size_t screen = 0x100;
+constexpr std::size_t depths = 0x500;
+
+/// A segment for all, and what a loop leaves in it.
+struct Drawn {
+  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(0x10000);
+  x86::Ending ending{};
+  LoopMachine machine{.registers = {}, .memory = x86::ByteMemory(memory, memory, memory)};
+
+  Drawn(const LoopForm& form, const x86::LoopCall& call, std::uint32_t ebx = 0,
+        std::uint64_t limit = 1'000'000) {
+    machine.registers.write(Register::bx, Size::dword, ebx);
+    ending = x86::call_loop(
+        form, x86::code_of(form), machine, call, [](std::size_t, const LoopMachine&) {}, limit);
+  }
+  [[nodiscard]] int depth(std::size_t i) const {
+    return memory.at(depths + 2 * i) + 256 * memory.at(depths + 2 * i + 1);
+  }
+};
+
+LoopForm depth_test(bool as_printed) {
+  return {.loop = Loop::depth_test, .as_printed = as_printed};
+}
+
+TEST(Defects, ShrdForShld) {
+  // A depth of 1234h units of 1/256: its integer part is 12h.
+  const x86::LoopCall call{.pixels = 1, .value = 0x1234, .colour = 7};
+  const Drawn meant(depth_test(false), call);
+  EXPECT_EQ(meant.depth(0), 0x12);
+  // The low byte of the depth, its fraction, above what was EBX's top byte.
+  const Drawn printed(depth_test(true), call, 0xAB000000);
+  EXPECT_EQ(printed.depth(0), 0x34AB);
+  // Bits 23 to 16 of one pixel's depth stand below the fraction of the next.
+  const Drawn second(depth_test(true), {.pixels = 2, .value = 0x00560078, .step = 2});
+  EXPECT_EQ(second.depth(0), 0x7800);
+  EXPECT_EQ(second.depth(1), 0x7A56);
+  // A depth of 2 is greater than the 0 that is there, and is not drawn: its fraction is 0.
+  const x86::LoopCall two{.pixels = 1, .value = 0x0200, .colour = 7};
+  EXPECT_EQ(Drawn(depth_test(true), two).memory.at(screen), 0);
+  EXPECT_EQ(Drawn(depth_test(false), two).memory.at(screen), 7);
+}
+
+TEST(Defects, NoPixels) {
+  const LoopForm loop{Loop::gouraud_byte};
+  std::vector<std::uint8_t> extra(0x10000, 1);
+  std::vector<std::uint8_t> data(0x100);
+  LoopMachine m{.registers = {}, .memory = x86::ByteMemory(data, extra, data)};
+  const auto ending = x86::call_loop(
+      loop, x86::code_of(loop), m, {.pixels = 0}, [](std::size_t, const LoopMachine&) {},
+      1'000'000);
+  EXPECT_EQ(ending.outcome, Outcome::returned);
+  EXPECT_EQ(std::count(extra.begin(), extra.end(), 0), 65536);
+  EXPECT_EQ(ending.steps, 4 * 65536 + 1);
+  // DEC ECX is not the same: four instructions and JNZ for each of 2^32.
+  const LoopForm dec{Loop::gouraud_byte, Counting::dec_jnz};
+  EXPECT_EQ(Drawn(dec, {.pixels = 0, .place = 0x8000}).ending.outcome, Outcome::step_limit);
+  // Nor is it for a count with something in its upper half, which LOOP does not see.
+  EXPECT_EQ(Drawn(loop, {.pixels = 0x10001}).ending.steps, 5U);
+  EXPECT_EQ(Drawn(dec, {.pixels = 0x10001, .place = 0x8000}, 0, 1000).ending.outcome,
+            Outcome::step_limit);
+}
+
+TEST(Defects, OddPixel) {
+  const LoopForm words{Loop::gouraud_word};
+  constexpr std::uint32_t row = 0x2800;
+  const Drawn seven(words, {.pixels = 7, .place = row, .value = 0x100});
+  EXPECT_EQ(std::count(seven.memory.begin() + row, seven.memory.begin() + row + 7, 1), 6);
+  EXPECT_EQ(seven.machine.registers.read(Register::di, Size::word), row + 6);
+  // One pixel is no pair, and no pair is 65,536 of them.
+  std::vector<std::uint8_t> extra(0x10000, 1);
+  std::vector<std::uint8_t> data(0x100);
+  LoopMachine m{.registers = {}, .memory = x86::ByteMemory(data, extra, data)};
+  x86::call_loop(
+      words, x86::code_of(words), m, {.pixels = 1}, [](std::size_t, const LoopMachine&) {},
+      1'000'000);
+  EXPECT_EQ(std::count(extra.begin(), extra.end(), 0), 65536);
+}
+
+TEST(Defects, DepthTestWords) {
+  const auto pixel_of = [](std::uint32_t depth) {
+    return Drawn(depth_test(false), {.pixels = 1, .value = depth << 8U, .colour = 7})
+        .memory.at(screen);
+  };
+  // Written where it is greater than the 0 of the buffer; the text says the opposite.
+  EXPECT_EQ(pixel_of(1), 7);
+  EXPECT_EQ(pixel_of(0), 0);
+  // Signed: an unsigned test would draw both.
+  EXPECT_EQ(pixel_of(32767), 7);
+  EXPECT_EQ(pixel_of(32768), 0);
+}
+
+TEST(Defects, BufferBeyondSegment) {
+  // Of a buffer that takes its segment from offset 0; the index wraps with its 32 bits.
+  const auto reached = [](std::uint32_t pixel) {
+    const auto index = pixel - static_cast<std::uint32_t>(depths) / 2;
+    return Drawn(depth_test(false), {.pixels = 1, .place = index}).ending.outcome;
+  };
+  constexpr std::uint32_t first_beyond = 65536 / 2;
+  EXPECT_EQ(reached(first_beyond - 1), Outcome::returned);
+  EXPECT_EQ(reached(first_beyond), Outcome::bad_address);
+  EXPECT_EQ(reached(320 * 200 - 1), Outcome::bad_address);
+  EXPECT_EQ(first_beyond / 320, 102U);
+}
+
+}  // namespace

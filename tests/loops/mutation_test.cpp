@@ -1,0 +1,42 @@
+// Every mistake of one instruction in every loop: killed by the spans that judge them, or a word
+// that is only done twice. That these are harmless, proof_test.cpp and `fixproof mutate` ask.
+#include <gtest/gtest.h>
+
+#include "tests/loops/span.hpp"
+#include "verify/loops/span_cases.hpp"
+#include "x86model/mutants.hpp"
+
+namespace {
+
+using namespace loops_test;
+using x86::Loop;
+using x86::LoopForm;
+
+constexpr std::uint64_t seed = 1994;
+
+TEST(LoopMutation, TheListingsThemselvesSurvive) {
+  for (const LoopForm& form : x86::all_loop_forms()) {
+    EXPECT_EQ(fixproof::spans_to_kill(form, x86::assemble(x86::listing(form), {}), seed),
+              std::nullopt)
+        << text(form);
+  }
+}
+
+TEST(LoopMutation, AllAreKilledOrHarmless) {
+  std::size_t killed = 0;
+  for (const LoopForm& form : x86::all_loop_forms()) {
+    for (const auto& mutant : x86::mutants(x86::assemble(x86::listing(form), {}))) {
+      if (fixproof::spans_to_kill(form, mutant.program, seed)) {
+        ++killed;
+      } else {
+        // A shift that keeps the sign is the same for a count that has none.
+        const bool idle =
+            mutant.change.ends_with(" -> twice") || mutant.change.starts_with("0 shr ");
+        EXPECT_TRUE(idle) << text(form) << ": " << mutant.change;
+      }
+    }
+  }
+  EXPECT_GT(killed, 900U);
+}
+
+}  // namespace
