@@ -109,28 +109,30 @@ TEST(DepthBuffer, WithoutClearingNothingOfEarlierPicturesHides) {
 
 // Drawn front to back, fewer pixels are written that others then cover.
 TEST(DepthBuffer, IsDrawnFrontToBackForFewerPixels) {
-  Scene scene = read_scene(SCENES "/intersecting.json");
+  Scene scene = read_scene(SCENES "/ball_and_cubes.json");
+  scene.depth_buffer = DepthBuffering::on;
   Animation<Number> animation(scene);
-  for (int frame = 0; frame < 90; ++frame) animation.move();
   Picture picture;
   animation.draw(picture);
   const auto order = animation.order();
   for (std::size_t i = 1; i < order.size(); ++i) {
     EXPECT_GE(animation.state(order[i - 1]).xform[11], animation.state(order[i]).xform[11]);
   }
+  StepFiller<Number> filler(scene, std::make_unique<PlainLoops>());
   const auto pixels = [&] {
-    StepFiller<Number> filler(scene, std::make_unique<PlainLoops>());
     filler.begin(picture, scene.width, scene.height);
     Indices page(scene.width, scene.height);
     std::int64_t set = 0;
     for (const Polygon& polygon : picture.polygons) {
       set += filler.fill<std::uint8_t>(page, picture, polygon, polygon.paint.index);
     }
-    return set;
+    return std::pair(set, page);
   };
-  const std::int64_t forward = pixels();
+  const auto [forward, one] = pixels();
   std::ranges::reverse(picture.polygons);
-  EXPECT_LT(forward, pixels());
+  const auto [backward, other] = pixels();
+  EXPECT_LT(forward, backward);
+  EXPECT_EQ(std::ranges::count(one.pixels(), 0), std::ranges::count(other.pixels(), 0));
 }
 
 }  // namespace

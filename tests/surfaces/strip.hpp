@@ -19,6 +19,7 @@ using Indices = xsharp::Page<std::uint8_t>;
 inline xsharp::Scene scene_of(const xsharp::Surface& surface,
                               xsharp::DepthBuffering depth = xsharp::DepthBuffering::off) {
   xsharp::Scene scene;
+  scene.palette = xsharp::PaletteKind::ramps;
   scene.objects.resize(1);
   scene.objects[0].surface = surface;
   scene.depth_buffer = depth;

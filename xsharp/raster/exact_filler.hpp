@@ -132,8 +132,9 @@ class ExactFiller final : public SurfaceFiller {
 
   [[nodiscard]] std::uint8_t color(const Surface& surface, const PointValues& values,
                                    std::uint8_t pixel) const {
+    // NaN is 0.
     const auto index = [](double value) {
-      return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
+      return value > 0 ? static_cast<std::uint8_t>(std::min(value, 255.0)) : std::uint8_t{0};
     };
     switch (surface.kind) {
       case SurfaceKind::flat:
@@ -141,9 +142,8 @@ class ExactFiller final : public SurfaceFiller {
       case SurfaceKind::texture:
       case SurfaceKind::environment: {
         const double depth = surface.kind == SurfaceKind::texture ? values[0] : 1;
-        const auto texel = [&](double value) {
-          const double place = depth > 0 ? value / depth * 256 : 0;
-          return static_cast<std::size_t>(std::clamp(place, 0.0, 255.0));
+        const auto texel = [&](double value) -> std::size_t {
+          return depth > 0 ? index(value / depth * 256) : 0;
         };
         return bitmaps_[object_][texel(values[2]) * 256 + texel(values[1])];
       }
