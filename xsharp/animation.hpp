@@ -28,6 +28,7 @@ class Animation final : public Player {
       : crew_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
         tallies_(crew_.workers()),
         key_(scene.depth_key),
+        front_to_back_(scene.depth_buffer != DepthBuffering::off),
         view_(view_of<N>(scene)),
         lighting_(lighting_of<N>(scene.lights, scene.conversion, turn_to_view(scene.camera))) {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
@@ -35,6 +36,7 @@ class Animation final : public Player {
     for (const ObjectDescription& object : scene.objects) {
       add(std::make_unique<Polyhedron<N>>(object, static_cast<std::uint32_t>(objects_.size()),
                                           style));
+      shades_pixels_ = shades_pixels_ || object.surface.kind == SurfaceKind::phong;
     }
   }
 
@@ -52,12 +54,20 @@ class Animation final : public Player {
       Tally tally;
       for (std::size_t i = first; i < end; ++i) {
         objects_[i]->prepare(view_, tally);
-        depths_[i] = objects_[i]->depth(key_);
+        const N depth = objects_[i]->depth(key_);
+        depths_[i] = front_to_back_ ? -depth : depth;
       }
       tallies_[worker] = tally;
     });
     if (key_ != DepthKey::none) sort_by_depth(order_, std::span<const N>(depths_));
     draw_in_order(picture);
+    // Those of the last objects, if these have none.
+    if (!picture.values.empty()) picture.values.resize(picture.points.size());
+    if (shades_pixels_) {
+      const Vec3<N> light = light_vector(lighting_);
+      picture.light = {static_cast<double>(light.x), static_cast<double>(light.y),
+                       static_cast<double>(light.z)};
+    }
     return std::accumulate(tallies_.begin(), tallies_.end(), Tally{});
   }
 
@@ -98,6 +108,8 @@ class Animation final : public Player {
   std::vector<Tally> tallies_;
   std::vector<Picture> parts_;
   DepthKey key_;
+  bool front_to_back_;
+  bool shades_pixels_ = false;
   View<N> view_;
   Lighting<N> lighting_;
   std::vector<std::unique_ptr<Object<N>>> objects_;

@@ -47,17 +47,44 @@ bool inside(const Vec3<N>& point, std::int32_t slope) {
   return true;
 }
 
+/// A point of a polygon with what is linear along its edges.
+template <Scalar N>
+struct Corner {
+  Vec3<N> place{};
+  /// A normal, or a column and a row of a bitmap and 0.
+  Vec3<N> carried{};
+};
+
+template <Scalar N>
+const Vec3<N>& place_of(const Vec3<N>& point) {
+  return point;
+}
+template <Scalar N>
+const Vec3<N>& place_of(const Corner<N>& corner) {
+  return corner.place;
+}
+
+template <Scalar N>
+Vec3<N> between(const Vec3<N>& a, const Vec3<N>& b) {
+  return {Arithmetic<N>::midpoint(a.x, b.x), Arithmetic<N>::midpoint(a.y, b.y),
+          Arithmetic<N>::midpoint(a.z, b.z)};
+}
+template <Scalar N>
+Corner<N> between(const Corner<N>& a, const Corner<N>& b) {
+  return {between(a.place, b.place), between(a.carried, b.carried)};
+}
+
 /// The last point inside on the way from `in` to `out`, by halving the way until its ends are
 /// neighbours: no product and no divide, so every number type finds a point, and one that is
 /// inside this plane. Two polygons that share the edge get the same point.
-template <Scalar N>
-Vec3<N> crossing(Vec3<N> in, Vec3<N> out, ClipPlane plane, std::int32_t slope) {
+/// @tparam Point Vec3 or Corner
+template <class Point>
+Point crossing(Point in, Point out, ClipPlane plane, std::int32_t slope) {
   // 16.16 has 2^32 values; double is halved no further than is seen.
   for (int halvings = 0; halvings < 40; ++halvings) {
-    const Vec3<N> middle{Arithmetic<N>::midpoint(in.x, out.x), Arithmetic<N>::midpoint(in.y, out.y),
-                         Arithmetic<N>::midpoint(in.z, out.z)};
-    Vec3<N>& end = inside(middle, plane, slope) ? in : out;
-    if (end == middle) break;
+    const Point middle = between(in, out);
+    Point& end = inside(place_of(middle), plane, slope) ? in : out;
+    if (place_of(end) == place_of(middle)) break;
     end = middle;
   }
   return in;
@@ -66,24 +93,29 @@ Vec3<N> crossing(Vec3<N> in, Vec3<N> out, ClipPlane plane, std::int32_t slope) {
 /// The part of a convex polygon in the clip volume, in the same sense of rotation; empty if there
 /// is none. Its points are at z <= -1 exactly; where a further plane cuts an edge that runs along a
 /// side of the volume, rounding may put the new corner a few units of 2^-16 beyond that side.
-template <Scalar N>
-std::vector<Vec3<N>> clip(std::span<const Vec3<N>> polygon, std::int32_t slope) {
-  std::vector<Vec3<N>> kept(polygon.begin(), polygon.end());
-  std::vector<Vec3<N>> before;
+template <class Point>
+std::vector<Point> clip_polygon(std::span<const Point> polygon, std::int32_t slope) {
+  std::vector<Point> kept(polygon.begin(), polygon.end());
+  std::vector<Point> before;
   for (const ClipPlane plane : clip_planes) {
     before.swap(kept);
     kept.clear();
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const Vec3<N>& from = before[i];
-      const Vec3<N>& to = before[(i + 1) % before.size()];
-      const bool starts_inside = inside(from, plane, slope);
-      const bool ends_inside = inside(to, plane, slope);
+      const Point& from = before[i];
+      const Point& to = before[(i + 1) % before.size()];
+      const bool starts_inside = inside(place_of(from), plane, slope);
+      const bool ends_inside = inside(place_of(to), plane, slope);
       if (starts_inside) kept.push_back(from);
       if (starts_inside && !ends_inside) kept.push_back(crossing(from, to, plane, slope));
       if (!starts_inside && ends_inside) kept.push_back(crossing(to, from, plane, slope));
     }
   }
   return kept;
+}
+
+template <Scalar N>
+std::vector<Vec3<N>> clip(std::span<const Vec3<N>> polygon, std::int32_t slope) {
+  return clip_polygon(polygon, slope);
 }
 
 }  // namespace xsharp

@@ -26,6 +26,8 @@ struct Face {
 struct Mesh {
   std::vector<Triple> vertices;
   std::vector<Face> faces;
+  /// Empty, or for each vertex of a face the vertex at the end of its own unit normal.
+  std::vector<std::size_t> vertex_normal_ends{};
 };
 
 /// Twice the area of a face, as a vector that is normal to it and points out of the body.

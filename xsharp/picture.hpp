@@ -2,6 +2,7 @@
 /// What the pipeline ends in: convex polygons on the screen, in drawing order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -43,10 +44,24 @@ struct Polygon {
   Paint paint{};
 };
 
+/// What is interpolated between points: the depth, then what the surface of the polygon's object
+/// needs: an index of the palette, columns and rows of a bitmap (1 is 256 texels), or a normal.
+/// Numbers in 16.16 are exact in double.
+using PointValues = std::array<double, 4>;
+
 /// Polygons in drawing order: later ones cover earlier ones.
 struct Picture {
   std::vector<ScreenPoint> points;
   std::vector<Polygon> polygons;
+  /// Empty where nothing is interpolated, else one for each point.
+  std::vector<PointValues> values{};
+  /// The light for pixels, in view space: a normal times it is from -1 to 1.
+  std::array<double, 3> light{};
+
+  /// Of a picture that has values.
+  [[nodiscard]] std::span<const PointValues> values_of(const Polygon& polygon) const {
+    return std::span(values).subspan(polygon.first, polygon.points);
+  }
 
   [[nodiscard]] std::span<const ScreenPoint> points_of(const Polygon& polygon) const {
     return std::span(points).subspan(polygon.first, polygon.points);
@@ -56,6 +71,11 @@ struct Picture {
   void add(const Picture& other) {
     const auto before = static_cast<std::uint32_t>(points.size());
     points.insert(points.end(), other.points.begin(), other.points.end());
+    if (!other.values.empty()) {
+      // Those of the last objects of either may be missing, if these have none.
+      values.resize(before);
+      values.insert(values.end(), other.values.begin(), other.values.end());
+    }
     for (Polygon polygon : other.polygons) {
       polygon.first += before;
       polygons.push_back(polygon);
@@ -65,6 +85,7 @@ struct Picture {
   void clear() {
     points.clear();
     polygons.clear();
+    values.clear();
   }
 };
 

@@ -15,6 +15,7 @@
 #include "xsharp/motion.hpp"
 #include "xsharp/object.hpp"
 #include "xsharp/reach.hpp"
+#include "xsharp/surface_values.hpp"
 
 namespace xsharp {
 
@@ -50,8 +51,10 @@ class Polyhedron final : public Object<N> {
   Polyhedron(const ObjectDescription& object, std::uint32_t index, const RotationStyle& style)
       : index_(index),
         shading_(object.shading),
+        surface_(object.surface),
         faces_(object.mesh.faces),
         paints_(object.paints),
+        normal_ends_(object.mesh.vertex_normal_ends),
         motion_(object, style) {
     for (const Triple& v : object.mesh.vertices) {
       vertices_.push_back({coordinate<N>(v[0], style.conversion),
@@ -71,6 +74,9 @@ class Polyhedron final : public Object<N> {
     prepared_ = true;
     visible_.clear();
     corners_.clear();
+    carried_.clear();
+    has_values_ = view.depth_buffer || surface_.kind != SurfaceKind::flat;
+    near_ = view.near;
     const auto to_world = within_reach(motion_, view, radius_);
     in_reach_ = to_world.has_value();
     if (!to_world) {
@@ -116,6 +122,7 @@ class Polyhedron final : public Object<N> {
       picture.points.insert(picture.points.end(), from, from + seen.corners);
       corner += seen.corners;
     }
+    if (has_values_) add_values(lighting, picture);
   }
 
   void move() override {
@@ -171,26 +178,55 @@ class Polyhedron final : public Object<N> {
     }
     if (clipped) {
       corners_.resize(first);
-      std::vector<Vec3<N>> polygon;
-      for (const std::size_t v : corners) polygon.push_back(view_[v]);
-      for (const Vec3<N>& point : clip<N>(polygon, projection.slope)) {
-        if (const auto on_screen = project_counted(point, projection, tally)) {
+      std::vector<Corner<N>> polygon;
+      for (std::size_t i = 0; i < corners.size(); ++i) polygon.push_back(corner_of(f, i));
+      for (const Corner<N>& point : clip_polygon<Corner<N>>(polygon, projection.slope)) {
+        if (const auto on_screen = project_counted(point.place, projection, tally)) {
           corners_.push_back(*on_screen);
+          if (has_values_) carried_.push_back(point);
         }
       }
+    } else if (has_values_) {
+      for (std::size_t i = 0; i < corners.size(); ++i) carried_.push_back(corner_of(f, i));
     }
     const auto polygon = std::span<const ScreenPoint>(corners_).subspan(first);
     if (clipped ? shows_front_area(polygon) : faces_viewer(polygon)) {
       visible_.push_back({f, static_cast<std::uint32_t>(polygon.size())});
     } else {
       corners_.resize(first);
+      if (has_values_) carried_.resize(first);
+    }
+  }
+
+  /// Corner `i` of a face, with what its surface needs.
+  [[nodiscard]] Corner<N> corner_of(std::size_t f, std::size_t i) const {
+    const std::vector<std::size_t>& corners = faces_[f].vertices;
+    const std::size_t v = corners[i];
+    if (needs_normals(surface_) && v < normal_ends_.size()) {
+      return {view_[v], view_[normal_ends_[v]] - view_[v]};
+    }
+    if (surface_.kind != SurfaceKind::texture) return {view_[v], {}};
+    const Triple place = bitmap_place(i, corners.size());
+    return {view_[v],
+            {Arithmetic<N>::constant(place[0], Conversion::nearest),
+             Arithmetic<N>::constant(place[1], Conversion::nearest), from_whole<N>(0)}};
+  }
+
+  /// Of the points that draw() has added; those of objects before that have none get zeros.
+  void add_values(const Lighting<N>& lighting, Picture& picture) const {
+    const Vec3<N> light = light_vector(lighting);
+    picture.values.resize(picture.points.size() - carried_.size());
+    for (const Corner<N>& corner : carried_) {
+      picture.values.push_back(point_values(surface_, corner, light, near_));
     }
   }
 
   std::uint32_t index_;
   Shading shading_;
+  Surface surface_;
   std::vector<Face> faces_;
   std::vector<Paint> paints_;
+  std::vector<std::size_t> normal_ends_;
   Motion<N> motion_;
   double radius_ = 0;
   std::vector<Vec3<N>> vertices_;
@@ -202,6 +238,10 @@ class Polyhedron final : public Object<N> {
   std::vector<std::optional<ScreenPoint>> screen_;
   std::vector<Seen> visible_;
   std::vector<ScreenPoint> corners_;
+  /// Whether faces have values at their corners; then these are beside corners_.
+  bool has_values_ = false;
+  N near_{};
+  std::vector<Corner<N>> carried_;
 };
 
 }  // namespace xsharp

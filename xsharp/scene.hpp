@@ -15,6 +15,7 @@
 
 #include "xsharp/mesh.hpp"
 #include "xsharp/picture.hpp"
+#include "xsharp/surface.hpp"
 
 namespace xsharp {
 
@@ -41,6 +42,7 @@ enum class DepthKey {
 enum class PaletteKind {
   vga,      ///< the 256 colours a VGA starts with
   shading,  ///< 64 levels of each pure primary, four of each component in mixtures
+  ramps,    ///< two ramps by light from -1 to 1: grey and copper
 };
 
 /// Counts frames down: due when the count reaches 0, then again after every `base` frames.
@@ -82,6 +84,7 @@ struct ObjectDescription {
   Mesh mesh;
   std::vector<Paint> paints;  ///< one for each face; a Color is its reflectance, 255 for 1
   Shading shading{};
+  Surface surface{};
   /// The world in pages of 16384 units: the place is page * 16384 + position.
   std::array<std::int32_t, 3> page{};
   Triple position{};
@@ -138,6 +141,9 @@ struct Scene {
   PaletteKind palette = PaletteKind::vga;
   std::uint8_t background = 0;
   ArithmeticChoice arithmetic{};
+  DepthBuffering depth_buffer = DepthBuffering::off;
+  /// What is nearer has no more depth; see nearest_depth.
+  double near = 64;
   /// Orientations are worked out anew in double for every rotation, instead of appending to the
   /// last.
   bool from_scratch = false;
@@ -154,6 +160,20 @@ struct Scene {
 inline double projection_constant(const Scene& scene) {
   const std::int32_t half_width = scene.width / 2;
   return scene.projection_ratio * half_width;
+}
+
+/// How much of a ramp a spot lights: the mean of its components.
+inline double level_of(const Spot& spot) {
+  return (spot.intensity[0] + spot.intensity[1] + spot.intensity[2]) / 3;
+}
+
+/// Whether polygons have values at their points.
+inline bool interpolates(const Scene& scene) {
+  if (scene.depth_buffer != DepthBuffering::off) return true;
+  for (const ObjectDescription& object : scene.objects) {
+    if (object.surface.kind != SurfaceKind::flat) return true;
+  }
+  return false;
 }
 
 }  // namespace xsharp

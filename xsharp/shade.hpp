@@ -22,6 +22,8 @@ struct Ray {
   Vec3<N> to_light{};
   /// Red, green, blue.
   std::array<N, 3> intensity{};
+  /// The mean of the three, for surfaces that show light by a ramp.
+  N level{};
 };
 
 template <Scalar N>
@@ -49,10 +51,24 @@ Lighting<N> lighting_of(const Lights& lights, Conversion conversion,
       back[i] = -(turn[i][0] * d[0] + turn[i][1] * d[1] + turn[i][2] * d[2]) / size;
     }
     const auto to_light = numbers(back);
-    lighting.rays.push_back(
-        {spot.on, {to_light[0], to_light[1], to_light[2]}, numbers(spot.intensity)});
+    lighting.rays.push_back({spot.on,
+                             {to_light[0], to_light[1], to_light[2]},
+                             numbers(spot.intensity),
+                             Arithmetic<N>::constant(level_of(spot), Conversion::nearest)});
   }
   return lighting;
+}
+
+/// What a normal is multiplied with for its light on a ramp: the sum of the vectors to the lights
+/// that are on, each times its level. A light below 0 is darkness, which takes from other lights.
+template <Scalar N>
+Vec3<N> light_vector(const Lighting<N>& lighting) {
+  const N zero = from_whole<N>(0);
+  Vec3<N> sum{zero, zero, zero};
+  for (const Ray<N>& ray : lighting.rays) {
+    if (ray.on) sum = sum + ray.to_light * ray.level;
+  }
+  return sum;
 }
 
 /// The colour of a face: min(1, (ambient + sum of intensity * max(0, L . N)) * reflectance) in each

@@ -15,6 +15,9 @@ struct Vec3 {
 
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
   friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }

@@ -92,6 +92,35 @@ inline void validate_paints(const ObjectDescription& object) {
   }
 }
 
+inline void validate_surface(const ObjectDescription& object) {
+  const Surface& surface = object.surface;
+  demand_range("surface.ramp", surface.ramp, 0, 1);
+  if (std::ranges::find(exact_choices, surface.exact_every) == exact_choices.end()) {
+    throw SceneError(text_of("surface.exact_every is ", surface.exact_every,
+                             ", must be 1, 8, 16 or 0 for never"));
+  }
+  if (!needs_normals(surface)) return;
+  const auto& ends = object.mesh.vertex_normal_ends;
+  const std::size_t vertices = object.mesh.vertices.size();
+  if (ends.empty()) throw SceneError("surface.kind needs normals at the vertices");
+  for (const std::size_t end : ends) {
+    if (end >= vertices)
+      throw SceneError(text_of("a normal ends at vertex ", end, " of ", vertices));
+  }
+}
+
+/// A ramp shows light from -1 to 1.
+inline void validate_ramp_light(const Scene& scene) {
+  double level = 0;
+  for (const Spot& spot : scene.lights.spots) level += level_of(spot);
+  for (const ObjectDescription& object : scene.objects) {
+    if (is_lit(object.surface) && level > 1.0001) {
+      throw SceneError(text_of("the spots' intensities, each the mean of three, add up to ", level,
+                               "; a surface that shows light by a ramp has 1 at most"));
+    }
+  }
+}
+
 inline void validate_lights(const Lights& lights) {
   demand_range("lights.ambient", lights.ambient, 0, 100);
   if (lights.spots.size() > most_spots) {
@@ -132,6 +161,7 @@ inline void validate_setting(const Scene& scene) {
     throw SceneError(text_of("camera: ", error.what()));
   }
   validate_lights(scene.lights);
+  demand_range("near", scene.near, 1.0, farthest_position);
 }
 
 }  // namespace detail
@@ -140,6 +170,7 @@ inline void validate_setting(const Scene& scene) {
 inline void validate_object(const ObjectDescription& object) {
   validate_mesh(object.mesh);
   detail::validate_paints(object);
+  detail::validate_surface(object);
   detail::demand_place(object.page, object.position);
   for (const std::int32_t tenths : object.spin.tenths) detail::demand_angle("spin.tenths", tenths);
   detail::demand_delay("spin", object.spin.delay);
@@ -174,6 +205,8 @@ inline void validate(const Scene& scene) {
       place = "scene '" + scene.name + "': object '" + object.name + "': ";
       validate_object(object);
     }
+    place = "scene '" + scene.name + "': ";
+    detail::validate_ramp_light(scene);
   } catch (const SceneError& error) {
     throw SceneError(place + error.what());
   }

@@ -21,6 +21,9 @@ struct View {
   /// World space begins at this page; see ObjectDescription::page.
   std::array<std::int32_t, 3> page{};
   Projection<N> projection{};
+  /// Whether polygons need depths, whatever fills them.
+  bool depth_buffer = false;
+  N near{};
 };
 
 /// The matrix of world to view in double, for directions and for measuring.
@@ -38,7 +41,9 @@ inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
 template <Scalar N>
 View<N> view_of(const Scene& scene) {
   const auto turn = turn_to_view(scene.camera);
-  View<N> view{identity<N>(), scene.camera.page, projection_of<N>(scene)};
+  View<N> view{identity<N>(), scene.camera.page, projection_of<N>(scene),
+               scene.depth_buffer != DepthBuffering::off,
+               Arithmetic<N>::constant(scene.near, Conversion::nearest)};
   const auto& position = scene.camera.position;
   for (std::size_t i = 0; i < 3; ++i) {
     double moved = 0;

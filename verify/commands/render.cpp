@@ -16,12 +16,14 @@
 #include "verify/frame_progress.hpp"
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
+#include "verify/scenes/beside_exact.hpp"
 #include "verify/scenes/canvas.hpp"
 #include "verify/scenes/frame_clocks.hpp"
 #include "verify/scenes/outputs.hpp"
 #include "verify/scenes/players.hpp"
 #include "verify/scenes/scene_options.hpp"
 #include "verify/scenes/show.hpp"
+#include "verify/scenes/surface_options.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 #include "xsharp/validate.hpp"
@@ -32,6 +34,7 @@ namespace {
 
 struct RenderOptions {
   SceneOptions scene;
+  SurfaceOptions surfaces;
   std::optional<std::uint64_t> frames;
   std::string size;
   bool true_color = false;
@@ -117,6 +120,7 @@ class ClockMeter {
 
 int render(const RenderOptions& options) {
   xsharp::Scene scene = options.scene.read();
+  options.surfaces.apply(scene);
   if (!options.size.empty()) set_size(scene, options.size);
   if (options.show) return show_scene(scene, options.true_color);
 
@@ -125,6 +129,8 @@ int render(const RenderOptions& options) {
   const auto player = make_player(scene, scene.arithmetic);
   const auto canvas = make_canvas(scene, options.true_color);
   Outputs outputs(options.outputs, scene.files, scene.frames_per_second);
+  std::optional<BesideExact> beside;
+  if (!options.outputs.beside.empty()) beside.emplace(scene, options.outputs.beside);
 
   xsharp::Picture picture;
   xsharp::Tally tally;
@@ -143,16 +149,18 @@ int render(const RenderOptions& options) {
       const xsharp::Tally drawn = player->draw(picture);
       tally.faults += drawn.faults;
       tally.out_of_reach += drawn.out_of_reach;
+      canvas->show(picture);
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));
     }
-    canvas->show(picture);
     drawing += std::chrono::steady_clock::now() - begin;
     if (meter.wants(done)) meter.count(std::exchange(log, {}));
     outputs.add(*canvas, *player, done);
+    if (beside) beside->show(picture);
     progress.show(done + 1);
   }
   outputs.finish(done);
+  if (beside) beside->finish();
 
   const xsharp::DrawingCount count = canvas->count();
   std::cout << fmt::format(
@@ -163,6 +171,7 @@ int render(const RenderOptions& options) {
       grouped(done == 0 ? 0
                         : static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
   std::cout << meter.text();
+  if (beside) std::cout << beside->text();
   if (tally.out_of_reach > 0) {
     std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
                              grouped(tally.out_of_reach));
@@ -182,6 +191,7 @@ void add_render(CLI::App& app, int& status) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "draw a scene");
   options->scene.add_to(*command);
+  options->surfaces.add_to(*command);
   command->add_option("--frames", options->frames, "how many; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
@@ -195,8 +205,12 @@ void add_render(CLI::App& app, int& status) {
       ->add_option("--dump", options->outputs.dump,
                    "transforms, vertices and faces as lines of JSON")
       ->check(not_empty());
+  command
+      ->add_option("--beside", options->outputs.beside,
+                   "a PNG of the last frame: as stepped, exact, and where they differ")
+      ->check(not_empty());
   CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
-  for (const char* written : {"--frames", "--out", "--animate", "--dump"}) {
+  for (const char* written : {"--frames", "--out", "--animate", "--dump", "--beside"}) {
     show->excludes(command->get_option(written));
   }
   command->footer(
@@ -208,7 +222,8 @@ void add_render(CLI::App& app, int& status) {
       "Examples:\n"
       "  fixproof render scenes/twelve_cubes.json --animate cubes.png\n"
       "  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color\n"
-      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl");
+      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl\n"
+      "  fixproof render scenes/textured.json --texture-every never --frames 40 --beside t.png");
   command->callback([options, &status] { status = render(*options); });
 }
 

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstdint>
 
+#include "verify/scenes/surfaces.hpp"
 #include "xsharp/files/png.hpp"
 
 namespace fixproof {
@@ -14,7 +15,8 @@ class ScreenCanvas final : public Canvas {
  public:
   explicit ScreenCanvas(const xsharp::Scene& scene)
       : palette_(xsharp::palette_of(scene.palette)),
-        screen_(scene.width, scene.height, scene.palette, scene.background) {}
+        surfaces_(make_surfaces(scene, scene.arithmetic)),
+        screen_(scene.width, scene.height, scene.palette, scene.background, surfaces_.get()) {}
 
   void show(const xsharp::Picture& picture) override { screen_.show(picture); }
   [[nodiscard]] std::string png() const override {
@@ -35,6 +37,7 @@ class ScreenCanvas final : public Canvas {
 
  private:
   const xsharp::Palette& palette_;
+  std::unique_ptr<xsharp::SurfaceFiller> surfaces_;
   xsharp::Screen<Pixel> screen_;
 };
 

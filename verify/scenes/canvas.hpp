@@ -29,7 +29,9 @@ class Canvas {
   [[nodiscard]] virtual xsharp::DrawingCount count() const = 0;
 };
 
-/// Of the scene's size, in 24 bits a pixel or with the scene's palette.
+/// Of the scene's size, in 24 bits a pixel or with the scene's palette; surfaces are filled in the
+/// scene's arithmetic.
+/// @throws UsageError for an arithmetic that all_arithmetics() does not have
 std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color);
 
 }  // namespace fixproof

@@ -34,6 +34,7 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
   std::vector<Use> outputs;
   if (!names.animation.empty()) outputs.emplace_back("--animate", names.animation);
   if (!names.dump.empty()) outputs.emplace_back("--dump", names.dump);
+  if (!names.beside.empty()) outputs.emplace_back("--beside", names.beside);
   std::vector<Use> others;
   for (const auto& [option, file] : outputs) {
     refuse_inputs(option, file, inputs);

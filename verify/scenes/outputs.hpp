@@ -21,6 +21,7 @@ struct OutputNames {
   std::string folder;     ///< for a PNG of every frame
   std::string animation;  ///< an animated PNG
   std::string dump;       ///< dump_frame() of every frame
+  std::string beside;     ///< written by BesideExact; here so that it clashes with nothing
 };
 
 /// @throws UsageError if `file`, which `option` says is to be written, is one of `inputs`

@@ -1,33 +1,47 @@
 // The pipeline on the register-level model, under each build of the listings.
 #include "verify/scenes/model_number.hpp"
 #include "verify/scenes/players.hpp"
+#include "verify/scenes/surfaces.hpp"
 #include "xsharp/animation.hpp"
+#include "xsharp/raster/step_filler.hpp"
 
 namespace fixproof {
 
 namespace {
 
-using xsharp::Animation;
 using xsharp::ArithmeticChoice;
-using xsharp::Player;
 using xsharp::Scene;
 
-template <Target target>
-std::unique_ptr<Player> of_target(const Scene& scene, const ArithmeticChoice& choice) {
-  const auto make = [&scene]<bool mul, bool div>() -> std::unique_ptr<Player> {
-    return std::make_unique<Animation<ModelNumber<target, mul, div>>>(scene);
-  };
-  if (choice.mul_round && choice.div_round) return make.template operator()<true, true>();
-  if (choice.mul_round) return make.template operator()<true, false>();
-  if (choice.div_round) return make.template operator()<false, true>();
-  return make.template operator()<false, false>();
+template <Target target, class Make>
+auto of_model_target(const ArithmeticChoice& choice, const Make& make) {
+  if (choice.mul_round && choice.div_round) {
+    return make.template operator()<ModelNumber<target, true, true>>();
+  }
+  if (choice.mul_round) return make.template operator()<ModelNumber<target, true, false>>();
+  if (choice.div_round) return make.template operator()<ModelNumber<target, false, true>>();
+  return make.template operator()<ModelNumber<target, false, false>>();
 }
 
 }  // namespace
 
-std::unique_ptr<Player> make_model_player(const Scene& scene, const ArithmeticChoice& choice) {
-  if (choice.target == "i386") return of_target<Target::i386>(scene, choice);
-  if (choice.target == "i8088") return of_target<Target::i8088>(scene, choice);
+std::unique_ptr<xsharp::Player> make_model_player(const Scene& scene,
+                                                  const ArithmeticChoice& choice) {
+  const auto make = [&scene]<class N>() -> std::unique_ptr<xsharp::Player> {
+    return std::make_unique<xsharp::Animation<N>>(scene);
+  };
+  if (choice.target == "i386") return of_model_target<Target::i386>(choice, make);
+  if (choice.target == "i8088") return of_model_target<Target::i8088>(choice, make);
+  return nullptr;
+}
+
+std::unique_ptr<xsharp::SurfaceFiller> make_model_surfaces(
+    const Scene& scene, const ArithmeticChoice& choice,
+    std::unique_ptr<const xsharp::SpanLoops> loops) {
+  const auto make = [&]<class N>() -> std::unique_ptr<xsharp::SurfaceFiller> {
+    return std::make_unique<xsharp::StepFiller<N>>(scene, std::move(loops));
+  };
+  if (choice.target == "i386") return of_model_target<Target::i386>(choice, make);
+  if (choice.target == "i8088") return of_model_target<Target::i8088>(choice, make);
   return nullptr;
 }
 

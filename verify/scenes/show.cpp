@@ -24,6 +24,7 @@ class Show {
  public:
   explicit Show(const xsharp::Scene& scene, bool true_color)
       : scene_(scene),
+        true_color_(true_color),
         window_(title(), scene.width, scene.height),
         canvas_(make_canvas(scene, true_color)),
         player_(make_player(scene, scene.arithmetic)) {}
@@ -89,6 +90,7 @@ class Show {
     if (choice.by == "double" || !xsharp::is_listing(choice)) return;
     choice.mul_round = !choice.mul_round;
     player_ = make_player(scene_, choice);
+    canvas_ = make_canvas(scene_, true_color_);
     for (std::uint64_t i = 0; i < moves_ && !Interrupt::flag(); ++i) player_->move();
     for (const std::size_t light : switched_) player_->switch_light(light);
     window_.set_title(title());
@@ -107,6 +109,7 @@ class Show {
   }
 
   xsharp::Scene scene_;
+  bool true_color_;
   xsharp::Window window_;
   std::unique_ptr<Canvas> canvas_;
   std::unique_ptr<xsharp::Player> player_;

@@ -54,8 +54,8 @@ std::vector<JsonNode> JsonNode::list_of(std::size_t count) const {
   return list();
 }
 
-std::size_t JsonNode::word(std::initializer_list<std::string_view> words) const {
-  const auto* const found =
+std::size_t JsonNode::word(std::span<const std::string_view> words) const {
+  const auto found =
       value_->is_string() ? std::ranges::find(words, value_->get<std::string>()) : words.end();
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string demand = "one of";

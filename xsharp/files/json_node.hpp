@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,7 +45,10 @@ class JsonNode {
   [[nodiscard]] std::vector<JsonNode> list() const;
   [[nodiscard]] std::vector<JsonNode> list_of(std::size_t count) const;
   /// One of `words`, by its index.
-  [[nodiscard]] std::size_t word(std::initializer_list<std::string_view> words) const;
+  [[nodiscard]] std::size_t word(std::span<const std::string_view> words) const;
+  [[nodiscard]] std::size_t word(std::initializer_list<std::string_view> words) const {
+    return word(std::span(words.begin(), words.size()));
+  }
 
   /// Calls `read` of every key that is there, in the order of `keys`.
   /// @throws SceneError for a key that is not among them

@@ -5,22 +5,22 @@
 #include <charconv>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "xsharp/files/json_node.hpp"
 #include "xsharp/files/obj.hpp"
+#include "xsharp/files/parse_json.hpp"
 #include "xsharp/files/read_text.hpp"
+#include "xsharp/files/surface_json.hpp"
+#include "xsharp/normals.hpp"
 #include "xsharp/shapes.hpp"
 #include "xsharp/text_of.hpp"
 #include "xsharp/validate.hpp"
 
 namespace xsharp {
 namespace {
-
-using Json = JsonNode::Json;
 
 std::array<std::int32_t, 3> three_whole(const JsonNode& node, std::int32_t least,
                                         std::int32_t most) {
@@ -222,6 +222,7 @@ void read_draft(const JsonNode& node, Files& files, Draft& draft) {
        {"paints", [&](const JsonNode& value) { paints(Paints::Kind::each, value.list()); }},
        {"checks", [&](const JsonNode& value) { paints(Paints::Kind::checks, value.list_of(2)); }},
        {"shading", [&](const JsonNode& value) { object.shading = shading(value); }},
+       {"surface", [&](const JsonNode& value) { object.surface = surface(value); }},
        {"page", [&](const JsonNode& value) { object.page = page(value); }},
        {"position", [&](const JsonNode& value) { object.position = value.triple(); }},
        {"spin", [&](const JsonNode& value) { object.spin = spin(value); }},
@@ -251,6 +252,8 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
       break;
   }
   object.mesh = std::move(draft.shape->mesh);
+  // First: an object's own vertices come first, then the ends of their normals.
+  if (needs_normals(object.surface)) object.mesh = with_vertex_normals(std::move(object.mesh));
   if (object.shading.diffuse) object.mesh = with_normals(std::move(object.mesh));
   return std::move(object);
 }
@@ -286,10 +289,15 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
         }},
        {"palette",
         [&](const JsonNode& value) {
-          read.palette =
-              std::array{PaletteKind::vga, PaletteKind::shading}[value.word({"vga", "shading"})];
+          read.palette = std::array{PaletteKind::vga, PaletteKind::shading,
+                                    PaletteKind::ramps}[value.word({"vga", "shading", "ramps"})];
         }},
        {"background", [&](const JsonNode& value) { read.background = byte(value); }},
+       {"depth_buffer",
+        [&](const JsonNode& value) {
+          read.depth_buffer = static_cast<DepthBuffering>(value.word(depth_buffer_words));
+        }},
+       {"near", [&](const JsonNode& value) { read.near = value.number(); }},
        {"arithmetic", [&](const JsonNode& value) { read.arithmetic = arithmetic(value); }},
        {"restore_every", [&](const JsonNode& value) { read.restore_every = value.whole(0); }},
        {"from_scratch", [&](const JsonNode& value) { read.from_scratch = value.flag(); }},
@@ -313,70 +321,11 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
   return read;
 }
 
-/// Looks for keys that stand twice and for depth. The library's parser would take the last, and its
-/// callbacks take quadratic time for a list of objects.
-class TwiceCheck final : public nlohmann::json_sax<Json> {
- public:
-  bool key(std::string& name) override {
-    if (open_.back().insert(name).second) return true;
-    throw SceneError("the key \"" + name + "\" stands twice in one object");
-  }
-  bool start_object(std::size_t /*keys*/) override {
-    open_.emplace_back();
-    return deeper();
-  }
-  bool end_object() override {
-    open_.pop_back();
-    --depth_;
-    return true;
-  }
-  bool null() override { return true; }
-  bool boolean(bool /*value*/) override { return true; }
-  bool number_integer(std::int64_t /*value*/) override { return true; }
-  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
-  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
-  bool string(std::string& /*value*/) override { return true; }
-  bool binary(Json::binary_t& /*value*/) override { return true; }
-  bool start_array(std::size_t /*elements*/) override { return deeper(); }
-  bool end_array() override {
-    --depth_;
-    return true;
-  }
-  bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
-                   const Json::exception& /*error*/) override {
-    return false;  // the parser says it better
-  }
-
- private:
-  /// What is nested deeply is no scene, and would take the stack of whoever shows it.
-  bool deeper() {
-    constexpr int deepest = 16;
-    if (++depth_ > deepest) throw SceneError("nested too deeply");
-    return true;
-  }
-
-  std::vector<std::set<std::string>> open_;
-  int depth_ = 0;
-};
-
-/// @throws SceneError for what is not JSON with comments, or has a key twice
-Json parse(std::string_view text) {
-  TwiceCheck twice;
-  Json::sax_parse(text, &twice, Json::input_format_t::json, true, true);
-  try {
-    return Json::parse(text, nullptr, true, true);
-  } catch (const Json::exception& error) {
-    // Without the library's own label, "[json.exception...] ".
-    const std::string what = error.what();
-    throw SceneError("not JSON: " + what.substr(std::min(what.find("] ") + 2, what.size())));
-  }
-}
-
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& name,
                   const std::filesystem::path& folder) {
-  const Json document = parse(text);
+  const nlohmann::json document = parse_json(text);
   Scene read = scene({document, ""}, folder);
   if (read.name.empty()) read.name = name;
   validate(read);

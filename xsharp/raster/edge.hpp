@@ -44,6 +44,9 @@ class EdgeWalk {
   /// Between the ends of the edge as long as the row is one of the edge's.
   [[nodiscard]] std::int64_t x() const { return x_; }
 
+  /// How far X is to the left of x(), in 2^-16 pixels, rounded down: below 65536.
+  [[nodiscard]] std::int64_t to_the_left() const { return short_ * 65536 / rows_; }
+
   void step_down() {
     x_ += whole_;
     short_ -= part_;

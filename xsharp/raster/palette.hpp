@@ -1,5 +1,5 @@
 /// @file
-/// The two palettes, and which of their indices stands for a colour.
+/// The palettes, and which of their indices stands for a colour.
 #pragma once
 
 #include <algorithm>
@@ -104,10 +104,39 @@ constexpr Palette shading_palette() {
   return palette;
 }
 
+/// 0 to 127 a grey ramp, 128 to 255 one of copper, by the cosine of the angle to the light: index
+/// 64 + 62 c of a ramp shows c, -1 to 1. Light of the surroundings is 0.1, diffuse light 0.65 c
+/// where c is above 0, and there is a white highlight of 0.25 c^16: the model of Phong's shading is
+/// in the palette. The first of all is black.
+constexpr Palette ramps_palette() {
+  Palette palette{};
+  for (unsigned i = 1; i < 256; ++i) {
+    const int above = static_cast<int>(i % 128) - 64;
+    const double c = above > 0 ? std::min(above / 62.0, 1.0) : 0.0;
+    double highlight = c;
+    for (int doubled = 0; doubled < 4; ++doubled) highlight *= highlight;
+    const auto level = [&](double reflected) {
+      return static_cast<std::uint8_t>(255 * ((0.1 + 0.65 * c) * reflected + 0.25 * highlight) +
+                                       0.5);
+    };
+    const bool copper = i >= 128;
+    palette.at(i) = {level(1), level(copper ? 0.6 : 1), level(copper ? 0.35 : 1)};
+  }
+  return palette;
+}
+
 inline const Palette& palette_of(PaletteKind kind) {
   static constexpr Palette vga = vga_palette();
   static constexpr Palette shading = shading_palette();
-  return kind == PaletteKind::vga ? vga : shading;
+  static constexpr Palette ramps = ramps_palette();
+  switch (kind) {
+    case PaletteKind::shading:
+      return shading;
+    case PaletteKind::ramps:
+      return ramps;
+    default:
+      return vga;
+  }
 }
 
 /// The index of the shading palette for a colour: one that has a single component above 0 has that

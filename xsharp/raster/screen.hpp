@@ -15,6 +15,7 @@
 #include "xsharp/raster/fill.hpp"
 #include "xsharp/raster/page.hpp"
 #include "xsharp/raster/palette.hpp"
+#include "xsharp/raster/surface_filler.hpp"
 #include "xsharp/scene.hpp"
 
 namespace xsharp {
@@ -40,10 +41,13 @@ template <PixelType Pixel>
 class Screen {
  public:
   /// Both pages empty: filled with `background`, an index of the palette.
+  /// @param surfaces fills what interpolates, and outlives the screen; without it all is flat
   /// @throws std::invalid_argument as Page does
-  Screen(std::int32_t width, std::int32_t height, PaletteKind palette, std::uint8_t background)
+  Screen(std::int32_t width, std::int32_t height, PaletteKind palette, std::uint8_t background,
+         SurfaceFiller* surfaces = nullptr)
       : palette_(palette),
         background_(pixel_of<Pixel>(Paint{.index = background}, palette)),
+        surfaces_(surfaces),
         pages_{Page<Pixel>(width, height), Page<Pixel>(width, height)} {
     for (Page<Pixel>& page : pages_) page.clear(background_);
   }
@@ -56,11 +60,15 @@ class Screen {
     const std::size_t hidden = 1 - shown_;
     erase(pages_.at(hidden), drawn_.at(hidden));
     drawn_.at(hidden).clear();
+    Page<Pixel>& page = pages_.at(hidden);
+    if (surfaces_ != nullptr) surfaces_->begin(picture, page.width(), page.height());
     for (const Polygon& polygon : picture.polygons) {
       const auto points = picture.points_of(polygon);
       remember(drawn_.at(hidden), polygon.object, points);
       const auto pixel = pixel_of<Pixel>(polygon.paint, palette_);
-      count_.pixels += filler_.fill(pages_.at(hidden), points, pixel);
+      const bool interpolated = surfaces_ != nullptr && surfaces_->fills(picture, polygon);
+      count_.pixels += interpolated ? surfaces_->fill(page, picture, polygon, pixel)
+                                    : filler_.fill(page, points, pixel);
     }
     count_.polygons += static_cast<std::int64_t>(picture.polygons.size());
     shown_ = hidden;
@@ -132,6 +140,7 @@ class Screen {
 
   PaletteKind palette_;
   Pixel background_;
+  SurfaceFiller* surfaces_;
   std::array<Page<Pixel>, 2> pages_;
   std::array<std::vector<Drawn>, 2> drawn_{};
   std::size_t shown_ = 0;

@@ -38,6 +38,7 @@ TYPED_TEST_SUITE(AnimationOf, pipeline::all_types, );
 /// What is drawn, order included; points as they are.
 void expect_same(const Picture& a, const Picture& b) {
   EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.values, b.values);
   ASSERT_EQ(a.polygons.size(), b.polygons.size());
   for (std::size_t i = 0; i < a.polygons.size(); ++i) {
     EXPECT_EQ(a.polygons[i].object, b.polygons[i].object);
@@ -64,8 +65,10 @@ Scene moved_to(const Page3& page) {
 
 TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
   for (const std::size_t threads : {2U, 3U, 9U}) {
-    Animation<TypeParam> alone(moved_to({0, 0, 0}));
-    Animation<TypeParam> shared(moved_to({0, 0, 0}), threads);
+    Scene scene = moved_to({0, 0, 0});
+    scene.objects[1].surface.kind = SurfaceKind::texture;
+    Animation<TypeParam> alone(scene);
+    Animation<TypeParam> shared(scene, threads);
     for (int frame = 0; frame < 20; ++frame) {
       Picture one;
       Picture other;

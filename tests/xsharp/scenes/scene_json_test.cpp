@@ -105,6 +105,58 @@ TEST(SceneJson, ReadsEveryKey) {
   EXPECT_EQ(object.orbit->tilt_tenths, 7);
 }
 
+TEST(SceneJson, ReadsSurfaces) {
+  const auto read = [](const std::string& surface, const std::string& scene = "") {
+    return parsed(R"({)" + scene +
+                  R"("objects": [{"shape": {"cube": {"half_edge": 9}}, "paint": 1, "surface": )" +
+                  surface + "}]}");
+  };
+  const Surface texture =
+      read(R"({"kind": "texture", "exact_every": 8, "bitmap": {"bricks": [3, 255]}})")
+          .objects[0]
+          .surface;
+  EXPECT_EQ(texture.kind, SurfaceKind::texture);
+  EXPECT_EQ(texture.exact_every, 8);
+  EXPECT_EQ(texture.pattern, Pattern::bricks);
+  EXPECT_EQ(texture.texels, (std::array<std::uint8_t, 2>{3, 255}));
+  EXPECT_EQ(read(R"({"kind": "texture", "exact_every": "never"})").objects[0].surface.exact_every,
+            0);
+  const Scene phong = read(R"({"kind": "phong", "phong": "fourth", "ramp": 1})",
+                           R"("palette": "ramps", "depth_buffer": "no-clear", "near": 12.5, )");
+  EXPECT_EQ(phong.objects[0].surface.phong, PhongForm::fourth);
+  EXPECT_EQ(phong.objects[0].surface.ramp, 1);
+  EXPECT_EQ(phong.objects[0].mesh.vertex_normal_ends.size(), 8U);
+  EXPECT_EQ(phong.palette, PaletteKind::ramps);
+  EXPECT_EQ(phong.depth_buffer, DepthBuffering::no_clear);
+  EXPECT_EQ(phong.near, 12.5);
+  std::size_t kind = 0;
+  for (const std::string word :
+       {"flat", "gouraud8", "gouraud16", "depth", "distance", "texture", "environment", "phong"}) {
+    EXPECT_EQ(read(R"({"kind": ")" + word + "\"}").objects[0].surface.kind,
+              static_cast<SurfaceKind>(kind++));
+  }
+}
+
+TEST(SceneJson, RefusesSurfaces) {
+  const auto said = [](const std::string& surface) {
+    return said_of_scene(cube_with("\"paint\": 1, \"surface\": " + surface));
+  };
+  const std::string place = "objects[0].surface";
+  EXPECT_EQ(said("{}"), place + ": must have the key \"kind\"");
+  EXPECT_EQ(said(R"({"kind": "shiny"})"),
+            place +
+                ".kind: must be one of \"flat\" \"gouraud8\" \"gouraud16\" \"depth\" "
+                "\"distance\" \"texture\" \"environment\" \"phong\", not \"shiny\"");
+  EXPECT_EQ(said(R"({"kind": "texture", "exact_every": 4})"),
+            place + ".exact_every: must be 1, 8, 16 or \"never\"");
+  EXPECT_EQ(said(R"({"kind": "texture", "bitmap": {}})"),
+            place + ".bitmap: must have one key: checker or bricks");
+  EXPECT_EQ(said(R"({"kind": "texture", "bitmap": {"checker": [1, 2], "bricks": [1, 2]}})"),
+            place + ".bitmap: must have one key: checker or bricks");
+  EXPECT_NE(said(R"({"kind": "phong", "ramp": 2})").find(place + ".ramp: must be"),
+            std::string::npos);
+}
+
 TEST(SceneJson, ReadsPaints) {
   EXPECT_EQ(parsed(paint_of("255")).objects[0].paints[5], (Paint{true, 255, {}}));
   EXPECT_EQ(parsed(paint_of("\"#0aFF10\"")).objects[0].paints[5], (Paint{false, 0, {10, 255, 16}}));

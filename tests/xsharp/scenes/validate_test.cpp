@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/xsharp/scenes/refusal.hpp"
+#include "xsharp/normals.hpp"
 #include "xsharp/shapes.hpp"
 
 namespace {
@@ -68,6 +69,16 @@ const std::vector<BadScene>& bad_settings() {
        [](Scene& s) { s.arithmetic.by = "float"; }},
       {"arithmetic.target is \"\", must be one of i386, i8088, standard, saturating, trapping",
        [](Scene& s) { s.arithmetic.target = ""; }},
+      {"near is 0.5, must be from 1 to 16384", [](Scene& s) { s.near = 0.5; }},
+      {"near is nan, must be from 1 to 16384", [](Scene& s) { s.near = nan; }},
+      {"the spots' intensities, each the mean of three, add up to 1.5; a surface that shows light "
+       "by a ramp has 1 at most",
+       [](Scene& s) {
+         s.objects[0].mesh = with_vertex_normals(s.objects[0].mesh);
+         s.objects[0].surface.kind = SurfaceKind::gouraud16;
+         s.lights.spots[0].intensity = {1, 2, 0};
+         s.lights.spots[1].intensity = {0, 0, 1.5};
+       }},
       {"camera: page is 1000001, must be from -1000000 to 1000000",
        [](Scene& s) { s.camera.page[2] = 1000001; }},
       {"camera: position is -16385, must be from -16384 to 16384",
@@ -104,6 +115,17 @@ const std::vector<BadScene>& bad_objects() {
          s.objects[0].mesh.faces[0].vertices = {0, 2, 3, 1};
        }},
       {"'cube': 5 paints for 6 faces", [](Scene& s) { s.objects[0].paints.pop_back(); }},
+      {"'cube': surface.ramp is 2, must be from 0 to 1",
+       [](Scene& s) { s.objects[0].surface.ramp = 2; }},
+      {"'cube': surface.exact_every is 2, must be 1, 8, 16 or 0 for never",
+       [](Scene& s) { s.objects[0].surface.exact_every = 2; }},
+      {"'cube': surface.kind needs normals at the vertices",
+       [](Scene& s) { s.objects[0].surface.kind = SurfaceKind::gouraud8; }},
+      {"'cube': a normal ends at vertex 99 of 8",
+       [](Scene& s) {
+         s.objects[0].surface.kind = SurfaceKind::phong;
+         s.objects[0].mesh.vertex_normal_ends = {99};
+       }},
       {"'ball': 0 paints for 72 faces", [](Scene& s) { s.objects[1].paints.clear(); }},
       {"'ball': face 3 answers to light, so its paint must be a colour",
        [](Scene& s) { s.objects[1].paints[3].is_index = true; }},

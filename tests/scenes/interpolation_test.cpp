@@ -1,0 +1,107 @@
+// Surfaces drawn by the listings, inner loops included, against surfaces drawn by the type: every
+// pixel.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "verify/scenes/players.hpp"
+#include "verify/scenes/surfaces.hpp"
+#include "xsharp/files/scene_json.hpp"
+#include "xsharp/normals.hpp"
+#include "xsharp/raster/screen.hpp"
+
+namespace fixproof {
+namespace {
+
+using xsharp::ArithmeticChoice;
+using xsharp::DepthBuffering;
+using xsharp::Scene;
+using xsharp::SurfaceKind;
+
+/// A scene with surfaces under one arithmetic.
+struct Surfaces {
+  Surfaces(const Scene& scene, const ArithmeticChoice& choice)
+      : player(make_player(scene, choice)),
+        filler(make_surfaces(scene, choice)),
+        screen(scene.width, scene.height, scene.palette, scene.background, filler.get()) {}
+
+  void draw(int frame) {
+    if (frame > 0) player->move();
+    player->draw(picture);
+    screen.show(picture);
+  }
+
+  std::unique_ptr<xsharp::Player> player;
+  std::unique_ptr<xsharp::SurfaceFiller> filler;
+  xsharp::Screen<std::uint8_t> screen;
+  xsharp::Picture picture{};
+};
+
+/// @return the pixels that polygons set
+std::int64_t expect_same_pixels(const Scene& scene, ArithmeticChoice choice, int frames) {
+  choice.by = "type";
+  Surfaces type(scene, choice);
+  choice.by = "model";
+  Surfaces model(scene, choice);
+  for (int frame = 0; frame < frames; ++frame) {
+    type.draw(frame);
+    model.draw(frame);
+    const bool same = type.picture.values == model.picture.values &&
+                      type.screen.page() == model.screen.page() &&
+                      type.screen.count().pixels == model.screen.count().pixels;
+    EXPECT_TRUE(same) << scene.name << ", " << name_of(choice) << ", frame " << frame;
+    if (!same) break;
+  }
+  return model.screen.count().pixels;
+}
+
+class Interpolation : public testing::TestWithParam<const char*> {};
+
+// At half size, for time; at full size docs/interpolation.md has the commands.
+TEST_P(Interpolation, ModelAndTypeSetTheSamePixelsIn300Frames) {
+  Scene scene = xsharp::read_scene(GetParam());
+  scene.width = 160;
+  scene.height = 120;
+  EXPECT_GT(expect_same_pixels(scene, {"", "i386", true, true}, 300), 300 * 2'000);
+}
+
+TEST_P(Interpolation, UnderEveryBuild) {
+  Scene scene = xsharp::read_scene(GetParam());
+  scene.width = 160;
+  scene.height = 120;
+  int builds = 0;
+  for (const ArithmeticChoice& choice : all_arithmetics()) {
+    if (choice.by != "model") continue;
+    ++builds;
+    EXPECT_GT(expect_same_pixels(scene, choice, 6), 6 * 2'000);
+  }
+  EXPECT_EQ(builds, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Interpolation,
+                         testing::Values(SCENES "/intersecting.json", SCENES "/textured.json",
+                                         SCENES "/phong.json"),
+                         [](const auto& scene) {
+                           return std::filesystem::path(scene.param).stem().string();
+                         });
+
+TEST(Interpolation, EveryVariantIsTheSame) {
+  for (std::size_t kind = 0; kind < xsharp::surface_words.size(); ++kind) {
+    for (std::size_t depth = 0; depth < xsharp::depth_buffer_words.size(); ++depth) {
+      Scene scene = xsharp::read_scene(SCENES "/phong.json");
+      scene.width = 128;
+      scene.height = 96;
+      scene.depth_buffer = static_cast<DepthBuffering>(depth);
+      for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        xsharp::Surface& surface = scene.objects[i].surface;
+        surface.kind = static_cast<SurfaceKind>(kind);
+        surface.phong = static_cast<xsharp::PhongForm>((depth + i) % 3);
+        surface.exact_every = xsharp::exact_choices.at((depth + i) % 4);
+      }
+      if (xsharp::interpolates(scene)) expect_same_pixels(scene, {"", "i386", true, true}, 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fixproof

@@ -1,0 +1,117 @@
+// What interpolates has the pixels that a flat polygon has, whatever its values are.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/surfaces/strip.hpp"
+#include "tests/xsharp/raster/generators.hpp"
+#include "xsharp/raster/fill.hpp"
+#include "xsharp/raster/screen.hpp"
+
+namespace surfaces {
+namespace {
+
+using namespace xsharp;
+using definition::Points;
+
+constexpr std::int32_t width = 32;
+constexpr std::int32_t height = 24;
+
+Picture picture_of(const Points& points, const std::vector<PointValues>& values) {
+  Picture picture;
+  picture.points = points;
+  picture.values = values;
+  picture.polygons.push_back({.object = 0,
+                              .first = 0,
+                              .points = static_cast<std::uint32_t>(points.size()),
+                              .paint = {.is_index = true, .index = 1}});
+  return picture;
+}
+
+Indices flat(const Points& points) {
+  Indices page(width, height);
+  Filler().fill<std::uint8_t>(page, points, 1);
+  return page;
+}
+
+template <class Fill>
+Indices by(Fill&& filler, const Picture& picture) {
+  return drawn(filler, picture, width, height);
+}
+
+StepFiller<fixed::q16_16_i386> stepper(const Scene& scene) {
+  return {scene, std::make_unique<PlainLoops>()};
+}
+
+TEST(Coverage, IsThatOfAFlatPolygon) {
+  const Scene scene = scene_of({}, DepthBuffering::on);
+  EXPECT_TRUE(rc::check([&] {
+    const bool near = *rc::gen::arbitrary<bool>();
+    const Points points =
+        generators::some(near ? generators::small() : generators::extreme(), 0, 8);
+    std::vector<PointValues> values(points.size());
+    for (PointValues& value : values) value[0] = *generators::among(1, 32767);
+    const Picture picture = picture_of(points, values);
+    const Indices expected = flat(points);
+    RC_ASSERT(by(stepper(scene), picture) == expected);
+    // In double the crossings of long edges are not exact.
+    if (near) RC_ASSERT(by(ExactFiller(scene), picture) == expected);
+  }));
+}
+
+TEST(Coverage, NoValuesAreUndefinedBehaviour) {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(rc::check([] {
+    const Points points = generators::some(generators::extreme(), 3, 6);
+    std::vector<PointValues> values(points.size());
+    for (PointValues& value : values) {
+      for (double& number : value) {
+        number = *rc::gen::oneOf(
+            rc::gen::element(infinity, -infinity, std::numeric_limits<double>::quiet_NaN(), 0.0,
+                             32767.0, -32768.0, 1e300),
+            rc::gen::map(generators::among(-70000, 70000), [](int n) { return n / 3.0; }));
+      }
+    }
+    const Picture picture = picture_of(points, values);
+    Surface surface;
+    surface.kind = static_cast<SurfaceKind>(*generators::among(0, 8));
+    surface.phong = static_cast<PhongForm>(*generators::among(0, 3));
+    surface.exact_every = exact_choices.at(*generators::among<std::size_t>(0, 4));
+    const auto depth = static_cast<DepthBuffering>(*generators::among(0, 4));
+    const Scene scene = scene_of(surface, depth);
+    by(stepper(scene), picture);
+    by(StepFiller<fixed::q16_16_i8088_unrounded>(scene, std::make_unique<PlainLoops>()), picture);
+    by(ExactFiller(scene), picture);
+  }));
+}
+
+// Of true colour a pixel is what the palette has for the index, and what is hidden stays.
+TEST(Coverage, TrueColorShowsTheSame) {
+  Surface surface;
+  surface.kind = SurfaceKind::gouraud16;
+  for (const DepthBuffering depth : {DepthBuffering::off, DepthBuffering::on}) {
+    const Scene scene = scene_of(surface, depth);
+    Picture picture = strip(20, {100, 3}, {30000, 120});
+    const Picture behind = strip(20, {15000, 60}, {15000, 60});
+    picture.points.insert(picture.points.end(), behind.points.begin(), behind.points.end());
+    picture.values.insert(picture.values.end(), behind.values.begin(), behind.values.end());
+    picture.polygons.push_back({.object = 0, .first = 4, .points = 4, .paint = {}});
+    auto indexed = stepper(scene);
+    auto true_color = stepper(scene);
+    Screen<std::uint8_t> indices(width, height, PaletteKind::ramps, 0, &indexed);
+    Screen<std::uint32_t> colors(width, height, PaletteKind::ramps, 0, &true_color);
+    indices.show(picture);
+    colors.show(picture);
+    EXPECT_EQ(indices.count().pixels, depth == DepthBuffering::off ? 80 : 60);
+    EXPECT_EQ(colors.count().pixels, indices.count().pixels);
+    for (std::size_t i = 0; i < colors.page().pixels().size(); ++i) {
+      EXPECT_EQ(colors.page().pixels()[i],
+                rgb(palette_of(PaletteKind::ramps).at(indices.page().pixels()[i])));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surfaces

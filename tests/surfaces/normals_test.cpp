@@ -1,0 +1,93 @@
+// Normals at vertices, unit vectors by products alone, and what a corner's values are.
+#include "xsharp/normals.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/xsharp/pipeline/types.hpp"
+#include "xsharp/shapes.hpp"
+#include "xsharp/surface_values.hpp"
+
+namespace pipeline {
+namespace {
+
+using namespace xsharp;
+
+// By symmetry: at a cube's corner along its diagonal, at a ball's poles along its axis.
+TEST(Normals, OfACubeAndOfABall) {
+  const Mesh cubic = with_vertex_normals(cube(10));
+  ASSERT_EQ(cubic.vertices.size(), 16U);
+  for (std::size_t v = 0; v < 8; ++v) {
+    const Triple normal =
+        difference(cubic.vertices[cubic.vertex_normal_ends[v]], cubic.vertices[v]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(normal[i], cubic.vertices[v][i] / std::sqrt(300), 1e-12);
+    }
+  }
+  const Mesh round = with_vertex_normals(ball(50, 6));
+  const Triple pole = difference(round.vertices[round.vertex_normal_ends[0]], round.vertices[0]);
+  EXPECT_NEAR(length(difference(pole, {0, 1, 0})), 0, 1e-12);
+}
+
+TEST(Normals, ThatCancelOutAreNone) {
+  Mesh two_sided{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{{0, 1, 2}}, {{2, 1, 0}}}};
+  two_sided = with_vertex_normals(two_sided);
+  EXPECT_EQ(two_sided.vertices[two_sided.vertex_normal_ends[1]], two_sided.vertices[1]);
+}
+
+template <class N>
+class UnitVectors : public testing::Test {};
+TYPED_TEST_SUITE(UnitVectors, all_types);
+
+TYPED_TEST(UnitVectors, HaveLengthOne) {
+  using N = TypeParam;
+  for (const double size : {0.5, 0.7, 0.93, 1.0, 1.1, 1.5}) {
+    for (const Triple& direction :
+         {Triple{1, 0, 0}, Triple{-0.6, 0.8, 0}, Triple{0.48, -0.6, -0.64}}) {
+      const Triple is = triple(unit(vector<N>(scaled(direction, size))));
+      // The stop at four units in the square, and errors of the last products.
+      EXPECT_NEAR(length(is), 1, 8 * ulp) << size;
+      EXPECT_NEAR(length(difference(is, direction)), 0, 24 * ulp) << size;
+    }
+  }
+  const Vec3<N> none{number<N>(0), number<N>(0), number<N>(0)};
+  EXPECT_EQ(unit(none), none);
+}
+
+template <class N>
+class Values : public testing::Test {};
+TYPED_TEST_SUITE(Values, all_types);
+
+TYPED_TEST(Values, OfDepthAndDistance) {
+  using N = TypeParam;
+  const N near = number<N>(100);
+  EXPECT_EQ(static_cast<double>(depth_value(vector<N>({5, 5, -100}), near)), nearest_depth);
+  EXPECT_EQ(static_cast<double>(depth_value(vector<N>({5, 5, -1}), near)), nearest_depth);
+  // A quarter, and what the divide and the product err by.
+  EXPECT_NEAR(static_cast<double>(depth_value(vector<N>({7, 9, -400}), near)), 32767 / 4.0, 1);
+  EXPECT_GT(depth_value(vector<N>({0, 0, -30000}), near), number<N>(0));
+  // 3, 4, 12 is 13 long.
+  for (const double scale : {1.0, 20.0, 2000.0}) {
+    const double is =
+        static_cast<double>(distance_from_viewer(vector<N>({-3 * scale, 4 * scale, -12 * scale})));
+    EXPECT_NEAR(is / (13 * scale), 1, 16 * ulp) << scale;
+  }
+}
+
+TYPED_TEST(Values, OfLightStayOnTheRamp) {
+  using N = TypeParam;
+  Surface surface;
+  surface.kind = SurfaceKind::gouraud16;
+  surface.ramp = 1;
+  const Corner<N> corner{vector<N>({0, 0, -200}), vector<N>({0, 0, 1})};
+  const auto light = [&](double z) {
+    return point_values(surface, corner, vector<N>({0, 0, z}), number<N>(100))[1];
+  };
+  EXPECT_EQ(light(1), 128 + 64 + 62);
+  EXPECT_EQ(light(0), 128 + 64);
+  EXPECT_EQ(light(-1), 128 + 64 - 62);
+  EXPECT_EQ(light(1.5), 128 + 64 + 62);
+  EXPECT_EQ(light(-0.5), 128 + 64 - 31);
+}
+
+}  // namespace
+}  // namespace pipeline

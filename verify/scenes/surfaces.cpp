@@ -1,0 +1,26 @@
+#include "verify/scenes/surfaces.hpp"
+
+#include <fmt/format.h>
+
+#include "verify/scenes/model_loops.hpp"
+#include "verify/scenes/players.hpp"
+#include "verify/usage_error.hpp"
+#include "xsharp/raster/exact_filler.hpp"
+
+namespace fixproof {
+
+std::unique_ptr<xsharp::SurfaceFiller> make_surfaces(const xsharp::Scene& scene,
+                                                     const xsharp::ArithmeticChoice& choice) {
+  if (!xsharp::interpolates(scene)) return nullptr;
+  if (choice.by == "double") return std::make_unique<xsharp::ExactFiller>(scene);
+  std::unique_ptr<xsharp::SurfaceFiller> surfaces;
+  if (choice.by == "model") {
+    surfaces = make_model_surfaces(scene, choice, std::make_unique<ModelLoops>());
+  } else if (choice.by == "type") {
+    surfaces = make_type_surfaces(scene, choice, std::make_unique<xsharp::PlainLoops>());
+  }
+  if (!surfaces) throw UsageError(fmt::format("no arithmetic {}", name_of(choice)));
+  return surfaces;
+}
+
+}  // namespace fixproof

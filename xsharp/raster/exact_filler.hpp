@@ -1,0 +1,170 @@
+/// @file
+/// Surfaces without stepping: the exact value at each pixel, in double.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "xsharp/normals.hpp"
+#include "xsharp/raster/bitmap.hpp"
+#include "xsharp/raster/surface_filler.hpp"
+#include "xsharp/surface_values.hpp"
+
+namespace xsharp {
+
+/// The reference. Whatever variant of a surface a scene asks for, its light is exact, its texture
+/// in perspective, its Phong's light worked out at every pixel, and its depths are compared in
+/// double, cleared before every picture. Indices are still whole: values are cut, as the loops do.
+class ExactFiller final : public SurfaceFiller {
+ public:
+  explicit ExactFiller(const Scene& scene) : SurfaceFiller(scene) {
+    for (const ObjectDescription& object : scene.objects) {
+      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
+                                                    : std::vector<std::uint8_t>{});
+    }
+  }
+
+  void begin(const Picture& picture, std::int32_t width, std::int32_t height) override {
+    light_ = {picture.light[0], picture.light[1], picture.light[2]};
+    width_ = static_cast<std::size_t>(width);
+    depths_.assign(buffered() ? width_ * static_cast<std::size_t>(height) : 0,
+                   -std::numeric_limits<double>::infinity());
+  }
+
+  /// What is nearest at a pixel of the last picture under a depth buffer: its depth; minus infinity
+  /// where there is nothing.
+  [[nodiscard]] double depth_at(std::int32_t x, std::int32_t y) const {
+    return depths_.at(static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x));
+  }
+
+ private:
+  /// Where an edge crosses a row, and the values there.
+  struct Crossing {
+    double x = 0;
+    PointValues values{};
+  };
+  struct Span {
+    Crossing left{};
+    Crossing right{};
+  };
+
+  static PointValues mixed(const PointValues& from, const PointValues& to, double part) {
+    PointValues result{};
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] = from[k] + (to[k] - from[k]) * part;
+    return result;
+  }
+
+  std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
+                                 const Surface& surface, std::int32_t width,
+                                 std::int32_t height) override {
+    rows_.clear();
+    spans_.clear();
+    object_ = polygon.object;
+    const auto points = picture.points_of(polygon);
+    if (points.size() < 3) return rows_;
+    corners_.assign(picture.values_of(polygon).begin(), picture.values_of(polygon).end());
+    for (PointValues& corner : corners_) {
+      // In perspective it is these that are linear on the screen.
+      if (surface.kind == SurfaceKind::texture) {
+        corner = {corner[0], corner[1] * corner[0], corner[2] * corner[0], 0};
+      }
+    }
+    const auto [least, most] = std::ranges::minmax(points, {}, &ScreenPoint::y);
+    for (std::int32_t y = std::max(least.y, 0); y < std::min(most.y, height); ++y) {
+      const Span span = span_at(points, y);
+      // Crossings are rationals whose distance from a whole number, if any, double does not lose.
+      const auto pixel = [width](double x) {
+        return static_cast<std::int32_t>(std::clamp(std::ceil(x), 0.0, double{1} * width));
+      };
+      const Row row{y, pixel(span.left.x), pixel(span.right.x)};
+      if (row.left >= row.right) continue;
+      rows_.push_back(row);
+      spans_.push_back(span);
+    }
+    return rows_;
+  }
+
+  /// @pre some edge crosses the row
+  [[nodiscard]] Span span_at(std::span<const ScreenPoint> points, std::int32_t y) const {
+    Span span;
+    span.left.x = std::numeric_limits<double>::infinity();
+    span.right.x = -span.left.x;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t next = i + 1 == points.size() ? 0 : i + 1;
+      const std::size_t upper = points[i].y < points[next].y ? i : next;
+      const std::size_t lower = upper == i ? next : i;
+      if (y < points[upper].y || y >= points[lower].y) continue;
+      const double down = static_cast<double>(y) - points[upper].y;
+      const double rows = static_cast<double>(points[lower].y) - points[upper].y;
+      const double across = static_cast<double>(points[lower].x) - points[upper].x;
+      const Crossing crossing{points[upper].x + across * down / rows,
+                              mixed(corners_[upper], corners_[lower], down / rows)};
+      if (crossing.x < span.left.x) span.left = crossing;
+      if (crossing.x > span.right.x) span.right = crossing;
+    }
+    return span;
+  }
+
+  void draw(std::size_t index, const Surface& surface, std::span<std::uint8_t> out,
+            std::uint8_t pixel, std::span<std::uint8_t> set) override {
+    const Row& row = rows_[index];
+    const Span& span = spans_[index];
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const double x = static_cast<double>(row.left) + static_cast<double>(i);
+      const double part = (x - span.left.x) / (span.right.x - span.left.x);
+      const PointValues values = mixed(span.left.values, span.right.values, part);
+      if (buffered()) {
+        double& depth = depths_[static_cast<std::size_t>(row.y) * width_ +
+                                static_cast<std::size_t>(row.left) + i];
+        if (!(values[0] > depth)) continue;
+        depth = values[0];
+        set[i] = 1;
+      }
+      out[i] = color(surface, values, pixel);
+    }
+  }
+
+  [[nodiscard]] std::uint8_t color(const Surface& surface, const PointValues& values,
+                                   std::uint8_t pixel) const {
+    // NaN is 0.
+    const auto index = [](double value) {
+      return value > 0 ? static_cast<std::uint8_t>(std::min(value, 255.0)) : std::uint8_t{0};
+    };
+    switch (surface.kind) {
+      case SurfaceKind::flat:
+        return pixel;
+      case SurfaceKind::texture:
+      case SurfaceKind::environment: {
+        const double depth = surface.kind == SurfaceKind::texture ? values[0] : 1;
+        const auto texel = [&](double value) -> std::size_t {
+          return depth > 0 ? index(value / depth * 256) : 0;
+        };
+        return bitmaps_[object_][texel(values[2]) * 256 + texel(values[1])];
+      }
+      case SurfaceKind::phong:
+        return index(
+            ramp_value(dot(light_, unit(Vec3<double>{values[1], values[2], values[3]})), surface));
+      default:
+        return index(values[1]);
+    }
+  }
+
+  std::vector<std::vector<std::uint8_t>> bitmaps_{};
+  Vec3<double> light_{};
+  std::size_t width_ = 0;
+  std::vector<double> depths_{};
+
+  // of the polygon that is filled
+  std::size_t object_ = 0;
+  std::vector<PointValues> corners_{};
+  std::vector<Row> rows_{};
+  std::vector<Span> spans_{};
+};
+
+}  // namespace xsharp

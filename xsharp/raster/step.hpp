@@ -1,0 +1,106 @@
+/// @file
+/// One idea for edges and for spans: a value goes along by one addition a pixel.
+///
+/// Three roundings, and no others:
+/// - the slope, end minus start over pixels, as the arithmetic's divide rounds;
+/// - the start, the value at the first pixel's centre: from the end of the edge or span by slope
+///   times distance, as the arithmetic's multiply rounds. Distances are exact (edge.hpp), cut to 16
+///   bits after the point;
+/// - what is drawn: the whole part of the word, which is what the loops take out of a register.
+/// Where a loop's word has fewer bits after the point than 16.16, start and slope become the
+/// nearest word, halves up. Edges are stepped in 16.16, whatever the loop's word.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "xsharp/arithmetic.hpp"
+
+namespace xsharp {
+
+/// n / d, rounded as the arithmetic's divide is; 0 where there is no quotient.
+///
+/// Both are doubled as long as they fit, which changes no quotient but where a divide looks at a
+/// part of its divisor alone, as that of the 8088 does: it then looks at nearly all of it.
+template <Scalar N>
+N ratio(N n, N d) {
+  const N most = from_whole<N>(8191);
+  const N least = from_whole<N>(-8191);
+  for (int doublings = 0; doublings < 29; ++doublings) {
+    if (!(least < n && n < most && least < d && d < most)) break;
+    n = n + n;
+    d = d + d;
+  }
+  return Arithmetic<N>::divide(n, d).value_or(from_whole<N>(0));
+}
+
+/// A distance on the screen in units of 2^-16 pixels; what is out of range becomes its end.
+template <Scalar N>
+N distance_of(std::int64_t units) {
+  using limits = std::numeric_limits<std::int32_t>;
+  return Arithmetic<N>::from_raw(
+      static_cast<std::int32_t>(std::clamp<std::int64_t>(units, limits::min(), limits::max())));
+}
+
+/// What is added for each pixel on the way from one value to another.
+/// @param units the length of the way, in 2^-16 pixels; at least one pixel
+template <Scalar N>
+N slope(N from, N to, std::int64_t units) {
+  N difference = to - from;
+  // What is drawn is within 4096 pixels, what it belongs to may be longer than 16.16.
+  for (; units > std::numeric_limits<std::int32_t>::max(); units /= 2) {
+    difference = Arithmetic<N>::midpoint(difference, from_whole<N>(0));
+  }
+  return ratio(difference, distance_of<N>(units));
+}
+
+/// The value at the first pixel's centre, and what is added for each further one.
+template <Scalar N>
+struct Step {
+  N start{};
+  N slope{};
+};
+
+/// A value across a row.
+/// @param units    from where the value is `from` to where it is `to`, in 2^-16 pixels
+/// @param distance from where it is `from` to the first pixel's centre, likewise; below `units`
+///
+/// On a way shorter than a pixel, where there is but one centre, the slope would leave 16.16: the
+/// start is then from + (to - from) * (distance / units), and the slope 0.
+template <Scalar N>
+Step<N> step_across(N from, N to, std::int64_t units, std::int64_t distance) {
+  if (units < 65536) {
+    const N part = ratio(distance_of<N>(distance), distance_of<N>(units));
+    return {from + (to - from) * part, from_whole<N>(0)};
+  }
+  const N by = slope(from, to, units);
+  return {from + by * distance_of<N>(distance), by};
+}
+
+/// A word with 16 - dropped bits after the point: the nearest, halves up.
+constexpr std::uint32_t word_of(std::int32_t raw, unsigned dropped) {
+  if (dropped == 0) return static_cast<std::uint32_t>(raw);
+  const std::int64_t half = std::int64_t{1} << (dropped - 1);
+  return static_cast<std::uint32_t>((raw + half) >> dropped);
+}
+
+/// What a loop is called with.
+struct StepWords {
+  std::uint32_t start = 0;
+  std::uint32_t step = 0;
+
+  friend constexpr bool operator==(const StepWords&, const StepWords&) = default;
+};
+
+/// Bits of 16.16 that the loops' words do not have: intensity in 8.8 and depth in 16.8.
+inline constexpr unsigned dropped_bits = 8;
+
+template <Scalar N>
+StepWords words_of(const Step<N>& step, unsigned dropped) {
+  return {word_of(Arithmetic<N>::raw(step.start), dropped),
+          word_of(Arithmetic<N>::raw(step.slope), dropped)};
+}
+
+}  // namespace xsharp

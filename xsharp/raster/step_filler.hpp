@@ -1,0 +1,323 @@
+/// @file
+/// Surfaces by stepping, in a scene's arithmetic and with the inner loops of one party.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "xsharp/normals.hpp"
+#include "xsharp/raster/bitmap.hpp"
+#include "xsharp/raster/depth_buffer.hpp"
+#include "xsharp/raster/edge.hpp"
+#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/span_loops.hpp"
+#include "xsharp/raster/step.hpp"
+#include "xsharp/raster/surface_filler.hpp"
+#include "xsharp/surface_values.hpp"
+
+namespace xsharp {
+
+template <Scalar N>
+class StepFiller final : public SurfaceFiller {
+ public:
+  StepFiller(const Scene& scene, std::unique_ptr<const SpanLoops> loops)
+      : SurfaceFiller(scene), loops_(std::move(loops)), depths_(scene.depth_buffer) {
+    for (const ObjectDescription& object : scene.objects) {
+      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
+                                                    : std::vector<std::uint8_t>{});
+    }
+  }
+
+  void begin(const Picture& picture, std::int32_t width, std::int32_t height) override {
+    depths_.begin(width, height);
+    light_ = {number(picture.light[0]), number(picture.light[1]), number(picture.light[2])};
+  }
+
+ private:
+  using Steps = std::array<Step<N>, 4>;
+
+  /// Where an edge crosses a row, in 2^-16 pixels, and the values there.
+  struct Crossing {
+    std::int64_t units = 0;
+    std::array<N, 4> values{};
+  };
+  struct Ends {
+    bool crossed = false;
+    Crossing left{};
+    Crossing right{};
+  };
+
+  static N number(double value) {
+    return Arithmetic<N>::from_raw(raw_constant(value, Conversion::nearest));
+  }
+
+  std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
+                                 const Surface& surface, std::int32_t width,
+                                 std::int32_t height) override {
+    rows_.clear();
+    const auto points = picture.points_of(polygon);
+    if (points.size() < 3) return rows_;
+    object_ = polygon.object;
+    choose_slots(surface);
+    const auto [least, most] = std::ranges::minmax(points, {}, &ScreenPoint::y);
+    top_ = std::max(least.y, 0);
+    ends_.assign(static_cast<std::size_t>(std::max(std::min(most.y, height) - top_, 0)), Ends{});
+    corners_.clear();
+    for (const PointValues& values : picture.values_of(polygon)) {
+      corners_.push_back(corner(values, surface));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t next = i + 1 == points.size() ? 0 : i + 1;
+      const bool down = points[i].y < points[next].y;
+      cross(points[down ? i : next], corners_[down ? i : next], points[down ? next : i],
+            corners_[down ? next : i]);
+    }
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const auto left = std::max<std::int64_t>(first_pixel(ends_[i].left), 0);
+      const auto right = std::min<std::int64_t>(first_pixel(ends_[i].right), width);
+      if (!ends_[i].crossed || left >= right) continue;
+      rows_.push_back({top_ + static_cast<std::int32_t>(i), static_cast<std::int32_t>(left),
+                       static_cast<std::int32_t>(right)});
+    }
+    return rows_;
+  }
+
+  /// Which of a point's four values are stepped.
+  void choose_slots(const Surface& surface) {
+    first_slot_ = buffered() || in_perspective(surface) ? 0 : 1;
+    end_slot_ = surface.kind == SurfaceKind::flat    ? 1
+                : has_bitmap(surface)                ? 3
+                : surface.kind == SurfaceKind::phong ? 4
+                                                     : 2;
+  }
+
+  /// Places in a bitmap are not linear on the screen; times depth they are, as depth is.
+  static std::array<N, 4> corner(const PointValues& values, const Surface& surface) {
+    std::array<N, 4> numbers{number(values[0]), number(values[1]), number(values[2]),
+                             number(values[3])};
+    if (in_perspective(surface)) {
+      numbers[1] = numbers[1] * numbers[0];
+      numbers[2] = numbers[2] * numbers[0];
+    }
+    return numbers;
+  }
+
+  static std::int64_t first_pixel(const Crossing& crossing) {
+    return (crossing.units + 65535) >> 16;
+  }
+
+  /// Takes an edge's crossings for those that are outermost so far.
+  void cross(const ScreenPoint& upper, const std::array<N, 4>& from, const ScreenPoint& lower,
+             const std::array<N, 4>& to) {
+    const std::int32_t first = std::max(upper.y, top_);
+    const std::int32_t end =
+        std::min<std::int32_t>(lower.y, top_ + static_cast<std::int32_t>(ends_.size()));
+    if (first >= end) return;
+    EdgeWalk edge(upper, lower, first);
+    const std::int64_t length = (std::int64_t{lower.y} - upper.y) * 65536;
+    const std::int64_t skipped = (std::int64_t{first} - upper.y) * 65536;
+    std::array<N, 4> values = from;
+    std::array<N, 4> slopes{};
+    for (std::size_t k = first_slot_; k < end_slot_; ++k) {
+      slopes[k] = slope(from[k], to[k], length);
+      if (skipped != 0) values[k] = from[k] + slopes[k] * distance_of<N>(skipped);
+    }
+    for (std::int32_t y = first; y < end; ++y) {
+      Ends& ends = ends_[static_cast<std::size_t>(y - top_)];
+      const std::int64_t units = edge.x() * 65536 - edge.to_the_left();
+      if (!ends.crossed || units < ends.left.units) ends.left = {units, values};
+      if (!ends.crossed || units > ends.right.units) ends.right = {units, values};
+      ends.crossed = true;
+      edge.step_down();
+      for (std::size_t k = first_slot_; k < end_slot_; ++k) values[k] = values[k] + slopes[k];
+    }
+  }
+
+  void draw(std::size_t index, const Surface& surface, std::span<std::uint8_t> out,
+            std::uint8_t pixel, std::span<std::uint8_t> set) override {
+    const Row& row = rows_[index];
+    const Ends& ends = ends_[static_cast<std::size_t>(row.y - top_)];
+    const std::int64_t units = ends.right.units - ends.left.units;
+    const std::int64_t distance = std::int64_t{row.left} * 65536 - ends.left.units;
+    Steps steps{};
+    for (std::size_t k = first_slot_; k < end_slot_; ++k) {
+      steps[k] = step_across(ends.left.values[k], ends.right.values[k], units, distance);
+    }
+    if (!buffered()) {
+      color(surface, steps, out);
+      return;
+    }
+    const auto buffer = depths_.pixels(row.y, row.left, out.size());
+    before_.assign(buffer.begin(), buffer.end());
+    const bool constant = surface.kind == SurfaceKind::flat;
+    const bool published = constant && !depths_.reversed();
+    line_.assign(out.size(), pixel);
+    if (!constant) color(surface, steps, line_);
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      const StepWords words = depths_.words(Step<N>{at(steps[0], from), steps[0].slope});
+      const auto piece = out.subspan(from, count);
+      const auto depths = buffer.subspan(from, count);
+      if (published) {
+        loops_->depth(piece, depths, pixel, words.start, words.step);
+      } else {
+        depth_row(piece, depths, std::span(line_).subspan(from, count), words, depths_.reversed());
+      }
+    });
+    // What is written differs from what was there.
+    for (std::size_t x = 0; x < out.size(); ++x) set[x] = before_[x] == buffer[x] ? 0 : 1;
+  }
+
+  template <class Draw>
+  static void in_pieces(std::size_t count, const Draw& draw) {
+    for (std::size_t from = 0; from < count; from += longest_span) {
+      draw(from, std::min(longest_span, count - from));
+    }
+  }
+
+  /// From an exact pixel to the next, `every` further or the last: draw(from, to, count), where
+  /// `to` is drawn with what follows, unless it is the last.
+  template <class Draw>
+  static void in_stretches(std::size_t count, std::size_t every, const Draw& draw) {
+    for (std::size_t from = 0; from < count;) {
+      const std::size_t to = std::min(from + every, count - 1);
+      const bool last = to + 1 == count;
+      draw(from, to, to - from + (last ? 1 : 0));
+      if (last) return;
+      from = to;
+    }
+  }
+
+  static N at(const Step<N>& step, std::size_t pixel) {
+    if (pixel == 0) return step.start;
+    return step.start + step.slope * from_whole<N>(static_cast<std::int32_t>(pixel));
+  }
+
+  /// What is added for each of `pixels` pixels; 0 where there are none.
+  static N stretch_slope(N from, N to, std::size_t pixels) {
+    if (pixels == 0) return from_whole<N>(0);
+    return ratio(to - from, from_whole<N>(static_cast<std::int32_t>(pixels)));
+  }
+
+  void color(const Surface& surface, const Steps& steps, std::span<std::uint8_t> out) const {
+    switch (surface.kind) {
+      case SurfaceKind::flat:
+        return;
+      case SurfaceKind::gouraud16:
+        in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+          const StepWords words = words_of(Step<N>{at(steps[1], from), steps[1].slope}, 0);
+          loops_->gouraud_wide(out.subspan(from, count), words.start, words.step);
+        });
+        return;
+      case SurfaceKind::gouraud8:
+      case SurfaceKind::depth:
+      case SurfaceKind::distance:
+        in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+          const StepWords words =
+              words_of(Step<N>{at(steps[1], from), steps[1].slope}, dropped_bits);
+          loops_->gouraud(out.subspan(from, count), static_cast<std::uint16_t>(words.start),
+                          static_cast<std::uint16_t>(words.step));
+        });
+        return;
+      case SurfaceKind::texture:
+      case SurfaceKind::environment:
+        texture(surface, steps, out);
+        return;
+      case SurfaceKind::phong:
+        phong(surface, steps, out);
+        return;
+    }
+  }
+
+  void texture(const Surface& surface, const Steps& steps, std::span<std::uint8_t> out) const {
+    // 1 is 256 texels, so a number in 16.16 is the loop's texels in 8.8.
+    const auto run = [&](std::span<std::uint8_t> piece, const Step<N>& u, const Step<N>& v) {
+      const StepWords across = words_of(u, 0);
+      const StepWords down = words_of(v, 0);
+      loops_->texture(piece, bitmaps_[object_], across.start, across.step, down.start, down.step);
+    };
+    if (!in_perspective(surface)) {
+      in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+        run(out.subspan(from, count), {at(steps[1], from), steps[1].slope},
+            {at(steps[2], from), steps[2].slope});
+      });
+      return;
+    }
+    const auto place = [&](std::size_t pixel) {
+      const N depth = at(steps[0], pixel);
+      return std::pair{ratio(at(steps[1], pixel), depth), ratio(at(steps[2], pixel), depth)};
+    };
+    std::pair<N, N> here = place(0);
+    in_stretches(out.size(), static_cast<std::size_t>(surface.exact_every),
+                 [&](std::size_t from, std::size_t to, std::size_t count) {
+                   const std::pair<N, N> next = place(to);
+                   run(out.subspan(from, count),
+                       {here.first, stretch_slope(here.first, next.first, to - from)},
+                       {here.second, stretch_slope(here.second, next.second, to - from)});
+                   here = next;
+                 });
+  }
+
+  /// The ramp's value `units` of 2^-16 pixels from the first pixel.
+  N shaded(const Surface& surface, const Steps& steps, std::int64_t units) const {
+    const N distance = distance_of<N>(units);
+    const auto component = [&](std::size_t k) {
+      return units == 0 ? steps[k].start : steps[k].start + steps[k].slope * distance;
+    };
+    const Vec3<N> normal = unit(Vec3<N>{component(1), component(2), component(3)});
+    return ramp_value(dot(light_, normal), surface);
+  }
+
+  void phong(const Surface& surface, const Steps& steps, std::span<std::uint8_t> out) const {
+    const auto shaded_at = [&](std::size_t pixel) {
+      return shaded(surface, steps, static_cast<std::int64_t>(pixel) * 65536);
+    };
+    if (surface.phong == PhongForm::exact) {
+      for (std::size_t x = 0; x < out.size(); ++x) {
+        const auto word = static_cast<std::uint32_t>(Arithmetic<N>::raw(shaded_at(x)));
+        out[x] = static_cast<std::uint8_t>(word >> 16U);
+      }
+    } else if (surface.phong == PhongForm::fourth) {
+      N value = shaded_at(0);
+      in_stretches(out.size(), 4, [&](std::size_t from, std::size_t to, std::size_t count) {
+        const N next = shaded_at(to);
+        const StepWords words = words_of(Step<N>{value, stretch_slope(value, next, to - from)}, 0);
+        loops_->gouraud_wide(out.subspan(from, count), words.start, words.step);
+        value = next;
+      });
+    } else {
+      in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+        const auto last = static_cast<std::int32_t>(count - 1);
+        const std::int64_t begin = static_cast<std::int64_t>(from) * 65536;
+        quadratic(
+            out.subspan(from, count),
+            parabola_through(shaded(surface, steps, begin),
+                             shaded(surface, steps, begin + std::int64_t{last} * 32768),
+                             shaded(surface, steps, begin + std::int64_t{last} * 65536), last));
+      });
+    }
+  }
+
+  std::unique_ptr<const SpanLoops> loops_;
+  DepthBuffer depths_;
+  std::vector<std::vector<std::uint8_t>> bitmaps_{};
+  Vec3<N> light_{};
+
+  // of the polygon that is filled
+  std::size_t object_ = 0;
+  std::size_t first_slot_ = 0;
+  std::size_t end_slot_ = 0;
+  std::int32_t top_ = 0;
+  std::vector<std::array<N, 4>> corners_{};
+  std::vector<Ends> ends_{};
+  std::vector<Row> rows_{};
+  std::vector<std::uint8_t> line_{};
+  std::vector<std::int16_t> before_{};
+};
+
+}  // namespace xsharp

@@ -1,0 +1,106 @@
+/// @file
+/// Fills the polygons of surfaces that interpolate, row by row.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "xsharp/picture.hpp"
+#include "xsharp/raster/page.hpp"
+#include "xsharp/raster/palette.hpp"
+#include "xsharp/scene.hpp"
+
+namespace xsharp {
+
+/// Sets the pixels that Filler would (fill.hpp), each to what the surface has there; under a depth
+/// buffer all polygons go this way, and pixels that something nearer has are left.
+///
+/// What computes is a class below this one. Rows come as indices of the palette; a page of true
+/// colour gets their colours.
+class SurfaceFiller {
+ public:
+  explicit SurfaceFiller(const Scene& scene)
+      : palette_(scene.palette), buffered_(scene.depth_buffer != DepthBuffering::off) {
+    for (const ObjectDescription& object : scene.objects) surfaces_.push_back(object.surface);
+  }
+  SurfaceFiller(const SurfaceFiller&) = delete;
+  SurfaceFiller& operator=(const SurfaceFiller&) = delete;
+  SurfaceFiller(SurfaceFiller&&) = delete;
+  SurfaceFiller& operator=(SurfaceFiller&&) = delete;
+  virtual ~SurfaceFiller() = default;
+
+  /// Before the first polygon of a picture, on a page of this size.
+  virtual void begin(const Picture& picture, std::int32_t width, std::int32_t height) = 0;
+
+  /// Whether this is what fills the polygon; else it is one for Filler.
+  [[nodiscard]] bool fills(const Picture& picture, const Polygon& polygon) const {
+    if (picture.values.size() != picture.points.size()) return false;
+    return buffered_ || surface_of(polygon).kind != SurfaceKind::flat;
+  }
+
+  /// @param pixel of a polygon whose surface is flat
+  /// @return how many pixels are set
+  template <PixelType Pixel>
+  std::int64_t fill(Page<Pixel>& page, const Picture& picture, const Polygon& polygon,
+                    Pixel pixel) {
+    std::int64_t set = 0;
+    const Surface& surface = surface_of(polygon);
+    const auto rows = find_rows(picture, polygon, surface, page.width(), page.height());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Row& row = rows[i];
+      const auto count = static_cast<std::size_t>(row.right - row.left);
+      const auto out = page.row(row.y).subspan(static_cast<std::size_t>(row.left), count);
+      set_.assign(buffered_ ? count : 0, 0);
+      if constexpr (std::same_as<Pixel, std::uint8_t>) {
+        draw(i, surface, out, pixel, set_);
+      } else {
+        line_.assign(count, 0);
+        draw(i, surface, line_, 0, set_);
+        const bool flat = surface.kind == SurfaceKind::flat;
+        for (std::size_t x = 0; x < count; ++x) {
+          if (buffered_ && set_[x] == 0) continue;
+          out[x] = flat ? pixel : rgb(palette_of(palette_).at(line_[x]));
+        }
+      }
+      set += buffered_ ? std::count(set_.begin(), set_.end(), 1) : row.right - row.left;
+    }
+    return set;
+  }
+
+ protected:
+  /// Pixels of the page: left < right, which is not of them.
+  struct Row {
+    std::int32_t y = 0;
+    std::int32_t left = 0;
+    std::int32_t right = 0;
+  };
+
+  [[nodiscard]] bool buffered() const { return buffered_; }
+
+  /// The polygon's rows on the page; draw() is asked for each by its index, until the next call.
+  virtual std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
+                                         const Surface& surface, std::int32_t width,
+                                         std::int32_t height) = 0;
+  /// Sets those of a row's pixels that nothing nearer has.
+  /// @param set under a depth buffer as long as `out`, becomes 1 where a pixel is set; else empty
+  virtual void draw(std::size_t row, const Surface& surface, std::span<std::uint8_t> out,
+                    std::uint8_t pixel, std::span<std::uint8_t> set) = 0;
+
+ private:
+  /// Objects that were added to the scene's are flat.
+  [[nodiscard]] const Surface& surface_of(const Polygon& polygon) const {
+    static constexpr Surface flat{};
+    return polygon.object < surfaces_.size() ? surfaces_[polygon.object] : flat;
+  }
+
+  PaletteKind palette_;
+  bool buffered_;
+  std::vector<Surface> surfaces_{};
+  std::vector<std::uint8_t> set_{};
+  std::vector<std::uint8_t> line_{};
+};
+
+}  // namespace xsharp
