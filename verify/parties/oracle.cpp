@@ -55,7 +55,7 @@ void each_case(const Variant& v, const Batch& batch, OneCase one_case) {
 }
 
 /// The word of a conversion that took place and stayed in range.
-std::optional<Word> word_of(const std::optional<oracle::Integer>& ulps, int fraction_bits) {
+std::optional<Word> word_of_ulps(const std::optional<oracle::Integer>& ulps, int fraction_bits) {
   const int bits = oracle::word_bits(fraction_bits);
   if (!ulps || !oracle::fits(*ulps, bits)) return std::nullopt;
   return oracle::wrap(*ulps, bits);
@@ -113,12 +113,12 @@ class Oracle final : public Party {
           return store(oracle::cos(in[0], bits), out);
         case Operation::decimal:
           return store(
-              word_of(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits), bits),
+              word_of_ulps(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits), bits),
               out);
         case Operation::binary64:
           break;
       }
-      return store(word_of(oracle::from_double(double_of(in[0], bits), rounding, bits), bits), out);
+      return store(word_of_ulps(oracle::from_double(double_of(in[0], bits), rounding, bits), bits), out);
     });
   }
 };
