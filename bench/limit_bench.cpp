@@ -33,11 +33,11 @@ void throughput(benchmark::State& state, std::array<Value, chains> values, int l
 // The operand is hidden from the compiler, which could do without a multiply or divide by a
 // constant.
 void multiply_scalar(benchmark::State& state) {
-  std::int64_t factor = 0x12345;
+  std::uint64_t factor = 0x12345;
   benchmark::DoNotOptimize(factor);
-  std::array<std::int64_t, chains> values;
+  std::array<std::uint64_t, chains> values;
   values.fill(0x1234567);
-  throughput(state, values, 1, [factor](std::int64_t x) { return x * factor; });
+  throughput(state, values, 1, [factor](std::uint64_t x) { return x * factor; });
 }
 BENCHMARK(multiply_scalar);
 

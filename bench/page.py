@@ -42,9 +42,9 @@ class Timed:
     def spread(self):
         """The middle half of the runs, in percent of the median."""
         if len(self.times) < 4:
-            return 0.0
+            return "-"
         low, _, high = statistics.quantiles(self.times, n=4)
-        return 100 * (high - low) / self.median
+        return f"{100 * (high - low) / self.median:.0f}"
 
 
 def read(folder, program):
@@ -76,7 +76,7 @@ def table(rows, base=None):
     lines = ["| | ns, least | ns, median | spread % |" + (f" times {base[0]} |" if base else ""),
              "| --- | --- | --- | --- |" + (" --- |" if base else "")]
     for label, timed in rows:
-        line = f"| {label} | {number(timed.best)} | {number(timed.median)} | {timed.spread:.0f} |"
+        line = f"| {label} | {number(timed.best)} | {number(timed.median)} | {timed.spread} |"
         if base:
             line += f" {number(base[1].median / timed.median)} |"
         lines.append(line)
@@ -133,14 +133,14 @@ def sized(timed, pattern):
 def limits(limit, batch):
     """How near the batches come to what the processor can do."""
     lines = ["| | ns, median | at least | reached | the limit |", "| --- | --- | --- | --- | --- |"]
-    path = next((p for p in ("avx512", "avx2") if f"multiply_{p}" in limit), None)
+    path = next((p for p in ("avx512", "avx2") if f"multiply/batch_{p}/1024" in batch), None)
     if not path:
         return []
     multiply = limit[f"multiply_{path}"].median
     divide = limit[f"divide_double_{path}"].median
-    cached = 1e9 / limit["copy/262144"].counters["bytes_per_second"]
+    cached = limit["copy/16384"].median
     for operation, least, what in (
-            ("multiply", max(multiply, 12 / 2 * cached), "one product; 8 bytes read, 4 written"),
+            ("multiply", max(multiply, 6 * cached), "one product; 8 bytes read, 4 written"),
             ("divide", divide, "one quotient of doubles"),
             ("transform", max(9 * multiply, 12 * cached), "nine products; 12 bytes read and written"),
             ("project", max(2 * divide, 10 * cached), "two quotients of doubles")):
@@ -154,13 +154,15 @@ def limits(limit, batch):
 def batch_section(folder, batch, limit):
     page = ["## Batches beside loops", "",
             "`build/release/bench/batch_bench`: operations over spans, on every path the processor has, beside the same "
-            "loop over the type, the plain idiom (64-bit products, 64-bit `idiv`; truncates), `float` and `double`, as "
-            "g++ compiles them without `-march`. 1,024 elements stay in the first caches, 1,048,576 do not.", ""]
+            "loop over the type, the plain idiom (64-bit products, rounded half up; 64-bit `idiv`, truncated), `float` and `double`, as "
+            "g++ compiles them without `-march`. 1,024 elements stay in the first caches, 1,000,000 do not.", ""]
     operations = list(dict.fromkeys(name.split("/")[0] for name in batch))
     for operation in operations:
-        for elements in (1024, 1 << 20):
+        for elements in (1024, 1_000_000):
             rows = grouped(batch, rf"{operation}/(.+)/{elements}") or \
                 [(operation, t) for _, t in grouped(batch, rf"({operation})/{elements}")]
+            if not rows:
+                sys.exit(f"page.py: no times of {operation} for {elements}")
             base = next(((label, t) for label, t in rows if label in ("idiom", "q16_16")), None)
             base = next(((label, t) for label, t in rows if label == "idiom"), base)
             page += [f"### {operation}, {elements:,} elements", ""] + table(rows, base)
@@ -170,7 +172,7 @@ def batch_section(folder, batch, limit):
             page += [f"![Times of {operation}](pictures/performance_{operation}.svg)", ""]
     page += ["### How near that is to what the processor can do", "",
              "`build/release/bench/limit_bench`, in the same run: independent multiplies and divides, and copying in the "
-             "second cache.", ""]
+             "first cache.", ""]
     return page + limits(limit, batch)
 
 
@@ -224,16 +226,16 @@ def main():
             processor = match.group(1) if match else processor
     page = ["# How quick everything is", "",
             "Made by `scripts/performance`, which builds and runs the programs of [bench/](../bench/README.md) one after "
-            "the other; every program first holds what it computes against what it should be. Times are for one "
+            "the other; every program but `limit_bench` first holds what it computes against what it should be. Times are for one "
             "operation, vertex, call or frame: the least and the median of the repetitions, and the middle half of them "
             "in percent of the median. Compare within this page, not with that of another machine.", "",
             f"{processor}, {context['num_cpus']} processors; g++ {os.popen('g++ -dumpfullversion').read().strip()} "
-            f"-O3 without `-march`; {context['date'][:10]}.", ""]
+            f"-O3 without `-march`; {context['date'][:10]}; load at the beginning {context['load_avg'][0]:.1f}.", ""]
     page += plain_section("What the processor can do",
                           "`limit_bench`: independent operations; for `copy`, one byte.", limit)
     page += batch_section(folder, everything["batch"], limit)
     bars(folder, "performance_sine", "Sine of an angle in radians, all words",
-         grouped(everything["radian"], r"(.+)/all"))
+         grouped(everything["radian"], r"sin/(.+)/all"))
     page += plain_section("Sine and cosine in radians", "`radian_bench`; within ±8, and all words.",
                           everything["radian"])
     page += ["![Times of sines](pictures/performance_sine.svg)", ""]
@@ -242,7 +244,7 @@ def main():
                           "operand of the next.", everything["arithmetic"])
     page += scale_section(folder, everything["scale"])
     page += plain_section("Whole frames", "`scene_bench`: 320 x 240, erased and filled.", everything["scene"])
-    page += plain_section("Filling", "`fill_bench`: for a pixel, and whole frames of a ball.", everything["fill"])
+    page += plain_section("Filling", "`fill_bench`: for a pixel: alone, and over whole frames of a ball.", everything["fill"])
     page += plain_section("The register-level model", "`model_bench`: for a call.", everything["model"])
     with open(f"{folder}/performance.md", "w", encoding="utf-8") as file:
         file.write("\n".join(page).rstrip() + "\n")

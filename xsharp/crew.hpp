@@ -15,13 +15,21 @@ namespace xsharp {
 class Crew {
  public:
   /// @param workers how many work, the caller included; 0 counts as 1
+  /// @throws std::system_error where there cannot be so many threads
   explicit Crew(std::size_t workers)
       : workers_(workers == 0 ? 1 : workers),
         begin_(static_cast<std::ptrdiff_t>(workers_)),
         end_(static_cast<std::ptrdiff_t>(workers_)),
         thrown_(workers_) {
-    for (std::size_t i = 1; i < workers_; ++i) {
-      threads_.emplace_back([this, i] { wait_for_work(i); });
+    try {
+      threads_.reserve(workers_ - 1);
+      for (std::size_t i = 1; i < workers_; ++i) {
+        threads_.emplace_back([this, i] { wait_for_work(i); });
+      }
+    } catch (...) {  // there is no work: those that wait for it go home
+      (void)begin_.arrive(static_cast<std::ptrdiff_t>(workers_ - threads_.size()));
+      for (std::thread& thread : threads_) thread.join();
+      throw;
     }
   }
   ~Crew() {
@@ -38,7 +46,7 @@ class Crew {
   [[nodiscard]] std::size_t workers() const { return workers_; }
 
   /// Calls work(worker) once on each thread, workers from 0, and returns when all have returned.
-  /// @throws what the first worker that threw has thrown
+  /// @throws what the lowest of the workers that threw has thrown
   void run(const std::function<void(std::size_t)>& work) {
     work_ = &work;
     if (!threads_.empty()) begin_.arrive_and_wait();

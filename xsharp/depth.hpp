@@ -14,11 +14,12 @@ namespace xsharp {
 /// of equal depth keep their places.
 ///
 /// By insertion, for from one frame to the next little changes: n steps and one more for each pair
-/// that changes places. Where that comes to more than 8 n log2 n, a merge sort takes over: it finds
-/// the same order, for insertion has left objects of equal depth as they were.
+/// that changes places. Where that comes to more than about 8 n log2 n, a merge sort takes over: it
+/// finds the same order, for insertion has left objects of equal depth as they were.
 template <class N>
 void sort_by_depth(std::vector<std::size_t>& order, std::span<const N> depths) {
-  const std::size_t most = 8 * order.size() * std::bit_width(order.size());
+  const std::size_t most =
+      8 * order.size() * static_cast<std::size_t>(std::bit_width(order.size()));
   std::size_t moves = 0;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::size_t moved = order[i];
