@@ -1,5 +1,5 @@
 /// \file
-/// Everything of namespace fixed, but for fixed/rapidcheck.hpp.
+/// Everything of namespace fixed, but for fixed/batch.hpp and fixed/rapidcheck.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
