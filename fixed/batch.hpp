@@ -28,7 +28,9 @@
 /// **Paths**: the functions are there for AVX2 and for AVX-512, whatever the program is compiled
 /// for, and the processor is asked once which it has; with NEON where that is compiled for; and as
 /// a plain loop. All have the same results and reports. Under -ffast-math and the like, where
-/// doubles are not exact, divide, sqrt and project take the plain loop.
+/// doubles are not exact, divide, sqrt and project take the plain loop. All files of a program that
+/// include this are to be compiled for the same processor (-m, -march): of several copies of a
+/// function the linker keeps one.
 #pragma once
 
 #include <algorithm>
@@ -40,6 +42,7 @@
 #include <initializer_list>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "fixed/detail/batch_element.hpp"
 #include "fixed/detail/batch_report.hpp"
@@ -74,12 +77,22 @@ concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
 template <class Range, class N>
 concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
 
+/// What is made of two numbers N, or of three.
+template <class T, class N, std::size_t size>
+concept made_of = (size == 2 &&
+                   requires(N n) {
+                     T{n, n};
+                   }) ||
+                  (size == 3 && requires(N n) {
+                    T{n, n, n};
+                  });
+
 /// Elements that are `size` numbers N and nothing else.
 template <class Range, class N, std::size_t size>
 concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
                         std::is_standard_layout_v<element_t<Range>> &&
                         sizeof(element_t<Range>) == size * sizeof(N) &&
-                    requires(const Range& range) {
+                    made_of<element_t<Range>, N, size>&& requires(const Range& range) {
   std::size(range);
 };
 

@@ -153,9 +153,10 @@ void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
 
 /// cosines[i] and sines[i] = fixed::sin_cos(angles[i]), as sin() otherwise. The angles may be where
 /// one of the results is to be.
-template <detail::number_range Angles, detail::number_range Results>
-requires std::same_as<detail::element_t<Angles>, detail::element_t<Results>>
-void sin_cos(const Angles& angles, Results&& cosines, Results&& sines, path use = best()) noexcept {
+template <detail::number_range Angles, detail::number_range Cosines, detail::number_range Sines>
+requires std::same_as<detail::element_t<Angles>, detail::element_t<Cosines>> &&
+    std::same_as<detail::element_t<Angles>, detail::element_t<Sines>>
+void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = best()) noexcept {
   constexpr int bits = detail::element_t<Angles>::fraction_bits;
   const std::size_t count = std::min<std::size_t>(
       std::size(angles), std::min<std::size_t>(std::size(cosines), std::size(sines)));

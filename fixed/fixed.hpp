@@ -1,5 +1,6 @@
 /// \file
-/// Everything of namespace fixed, but for fixed/batch_radian.hpp and fixed/rapidcheck.hpp.
+/// Everything of namespace fixed, but for fixed/batch.hpp, fixed/batch_radian.hpp and
+/// fixed/rapidcheck.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///

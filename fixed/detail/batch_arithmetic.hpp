@@ -188,9 +188,9 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 
 /// The nearest square roots; 0 of what is negative, whose bits go into `errors`.
 ///
-/// The hardware root of n = x 2^F < 2^47 is off by less than 2^-28, and no root is nearer than
-/// 1 / (8 sqrt(n)) > 2^-27 to a half (see detail::nearest_sqrt), in every rounding mode: so the
-/// root plus a half, truncated, is the nearest integer.
+/// The hardware root of n = x 2^F < 2^47 is off by less than 2^-29 in every rounding mode, and
+/// adding a half by as much again: 2^-28 together. No root is nearer than 1 / (8 r + 4) > 2^-27 to
+/// a half r + 1/2 (see detail::nearest_sqrt): so the sum, truncated, is the nearest integer.
 template <int F>
 FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
   errors = bits(x);

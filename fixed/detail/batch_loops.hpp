@@ -250,7 +250,7 @@ struct loops {
   }
 
   /// Adds the products to `sum`, exactly: the two halves of each, which with 2^63 added is not
-  /// negative, in sums of their own. \pre count < 2^32
+  /// negative, in sums of their own. \pre count <= 2^30
   template <int F>
   FIXED_LANE_TARGET static std::size_t dot(const void* a, const void* b, std::size_t count,
                                            wide_sum& sum) {

@@ -40,7 +40,7 @@ using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
 // g++ 12 or clang: vector types, conversions between them, and functions for other processors than
 // the file is compiled for. Whatever else the compiler is, it takes the portable path.
 #if defined(__GNUC__) && defined(__has_builtin)
-#if __has_builtin(__builtin_convertvector)
+#if __has_builtin(__builtin_convertvector) && __has_builtin(__builtin_shufflevector)
 #if defined(__x86_64__)
 #define FIXED_BATCH_X86
 #elif defined(__aarch64__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__

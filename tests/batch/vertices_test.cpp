@@ -18,6 +18,19 @@ using Point = std::array<Number, 2>;
 template <class Number>
 using Rows = std::array<std::array<Number, 4>, 3>;
 
+/// Whether vertices in a vector can be transformed by rows of fixed::q16_16.
+template <class V>
+concept transformed_by_q16_16 = requires(const Rows<fixed::q16_16>& rows, std::vector<V>& v) {
+  fixed::batch::transform(rows, v, v);
+};
+struct Named {
+  fixed::q16_16 x, y, z;
+};
+static_assert(transformed_by_q16_16<Vertex<fixed::q16_16>> && transformed_by_q16_16<Named>);
+static_assert(!transformed_by_q16_16<Vertex<float>>);
+static_assert(!transformed_by_q16_16<Vertex<fixed::q16_16_saturating>>);
+static_assert(!transformed_by_q16_16<Point<fixed::q16_16>>);
+
 template <class Number, std::size_t size>
 struct Coordinates {
   std::array<Number, size> values;

@@ -28,7 +28,7 @@ void expect_nearest(Number angle) {
   EXPECT_EQ(fixed::cos(angle).raw(), nearest(cos(exact), bits)) << angle.raw();
 }
 
-/// Angles whose sine or cosine is within 2^-43 of a half, found by trying all.
+/// Some of the angles whose sine or cosine is within 2^-43 of a half, found by trying all.
 constexpr std::int32_t hard_angles[]{
     0x01faf7eb, 0x046936f4, 0x06772dbb, 0x0c54eeec, 0x0cc9a52c, 0x0cd31bf4, 0x0d518b65, 0x0db520b1,
     0x10e4c31e, 0x112256a7, 0x11776e51, 0x12a821f9, 0x138e71de, 0x13c02e71, 0x1d0d85b5, 0x24f7478a,
