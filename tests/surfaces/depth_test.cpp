@@ -112,6 +112,8 @@ TEST(DepthBuffer, IsDrawnFrontToBackForFewerPixels) {
   Scene scene = read_scene(SCENES "/ball_and_cubes.json");
   scene.depth_buffer = DepthBuffering::on;
   Animation<Number> animation(scene);
+  // The ball is before or behind the cubes.
+  for (int frame = 0; frame < 60; ++frame) animation.move();
   Picture picture;
   animation.draw(picture);
   const auto order = animation.order();
