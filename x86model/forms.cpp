@@ -41,24 +41,27 @@ Form form_of(const Instruction& i) {
           form_of(third, false)};
 }
 
-/// The instructions of the listings for one processor.
-std::vector<Instruction> instructions_of(Target target) {
-  std::vector<Instruction> instructions;
-  const auto add = [&](const Listing& rows) {
-    for (std::size_t i = 0; i < rows.size; ++i) {
-      if (rows.rows.at(i).directive == Directive::none) instructions.push_back(rows.rows.at(i));
-    }
-  };
-  for (int r = 0; r < routine_count; ++r) add(listing(static_cast<Routine>(r), target));
-  for (const LoopForm& form : all_loop_forms()) {
-    if (form.target == target) add(listing(form));
+void append(std::vector<Instruction>& all, const Listing& rows) {
+  for (std::size_t i = 0; i < rows.size; ++i) {
+    if (rows.rows.at(i).directive == Directive::none) all.push_back(rows.rows.at(i));
   }
-  return instructions;
 }
 
+/// The instructions of the routines for one processor.
+std::vector<Instruction> instructions_of(Target target) {
+  std::vector<Instruction> all;
+  for (int r = 0; r < routine_count; ++r) append(all, listing(static_cast<Routine>(r), target));
+  return all;
+}
+
+/// Their forms, and those of the loops.
 std::vector<Form> forms_of(Target target) {
+  std::vector<Instruction> all = instructions_of(target);
+  for (const LoopForm& form : all_loop_forms()) {
+    if (form.target == target) append(all, listing(form));
+  }
   std::vector<Form> forms;
-  for (const Instruction& i : instructions_of(target)) forms.push_back(form_of(i));
+  for (const Instruction& i : all) forms.push_back(form_of(i));
   return forms;
 }
 

@@ -18,7 +18,7 @@ bool is_modelled(const Instruction& instruction, Target processor);
 /// The form of an instruction in Intel's terms: `imul r/m32`, `shr r/m32, 1`, `jns label`.
 std::string form_text(const Instruction& instruction);
 
-/// The forms of the listings for one processor, under any build. Sorted, each once.
+/// The forms of the routines for one processor, under any build. Sorted, each once.
 std::vector<std::string> form_texts(Target target);
 
 }  // namespace x86model

@@ -151,7 +151,7 @@ class Questions {
       }
     }
     const std::string line = instruction + " | " + state.text();
-    return {line, answer(name, kinds, o, state, first, bits)};
+    return {line, answer(name, o, state, first, bits)};
   }
 
  private:
@@ -174,8 +174,8 @@ class Questions {
     return name.starts_with("sh") || name == "sar" || name == "rol";
   }
 
-  static std::string answer(std::string_view name, std::string_view kinds, bitwise::Operands o,
-                            State state, std::size_t first, int bits) {
+  static std::string answer(std::string_view name, bitwise::Operands o, State state,
+                            std::size_t first, int bits) {
     std::uint16_t undefined = 0;
     const bool product = name == "mul" || name == "imul";
     const bool quotient = name == "div" || name == "idiv";

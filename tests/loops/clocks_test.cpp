@@ -95,7 +95,7 @@ TEST(LoopClocks, TheClaims) {
   ASSERT_NE(words, nullptr);
   EXPECT_DOUBLE_EQ(words->min, 8.0 / 6);
   // On an 8088 and a 286 LOOP is the faster one.
-  const auto* on_8088 = gain_of(claims[1], "gouraud-byte, loop to dec-jnz, on a 8088");
+  const auto* on_8088 = gain_of(claims[1], "gouraud-byte, loop to dec-jnz, on an 8088");
   ASSERT_NE(on_8088, nullptr);
   EXPECT_DOUBLE_EQ(on_8088->max, 33.0 / 34);
   const auto* on_386 = gain_of(claims[1], "gouraud-byte, loop to dec-jnz, on a 386");

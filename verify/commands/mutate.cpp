@@ -133,7 +133,7 @@ struct Score {
     if (j.fate == Fate::killed) slowest = std::max(slowest, j.cases);
   }
   [[nodiscard]] std::string line(std::string_view name) const {
-    return fmt::format("{:<24}{:>8}{:>8}{:>12}{:>6}{:>16}\n", name, grouped(mutants),
+    return fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", name, grouped(mutants),
                        grouped(killed), grouped(equivalent), gaps, grouped(slowest));
   }
 };
@@ -162,7 +162,7 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
     lines += score.line(name);
   }
   std::cout << notable << (notable.empty() ? "" : "\n")
-            << fmt::format("{:<24}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
+            << fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
                            "equivalent", "gaps", "slowest kill")
             << lines << all.line("all");
   const std::size_t mortal = all.killed + all.gaps;

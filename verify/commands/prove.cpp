@@ -47,7 +47,7 @@ struct Tally {
 };
 
 void print_line(std::string_view name, std::string_view result, double seconds) {
-  std::cout << fmt::format("{:<40}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
+  std::cout << fmt::format("{:<41}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
 }
 
 std::string_view word_for(Standing standing) {

@@ -96,7 +96,8 @@ void trace_loop(const x86::LoopForm& form, const std::vector<std::string>& words
                loop_changes(before, after.registers, seen, memory, size));
     before = after.registers;
   });
-  fmt::print(std::cout, "{} instructions, {} pixels\n", ending.steps, call.pixels);
+  fmt::print(std::cout, "{} instructions, {} pixel{}\n", ending.steps, call.pixels,
+             call.pixels == 1 ? "" : "s");
 }
 
 }  // namespace fixproof

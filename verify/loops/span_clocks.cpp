@@ -83,15 +83,17 @@ void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixel
     if (!a || !b) continue;
     // A 386 runs the listings for the 8088 too; what is asked is how it runs its own.
     if (slow.target == Target::i8088 && cpu >= Cpu::i386) continue;
-    // Both meet the same ranges in the same instructions: least against least, most against most.
-    const double least = a->min / b->min;
-    const double most = a->max / b->max;
+    // One loop has the same ranges in the same instructions: least against least, most against
+    // most. Of two loops nothing is known but the bounds.
+    const bool same = slow.loop == fast.loop;
+    const double least = a->min / (same ? b->min : b->max);
+    const double most = a->max / (same ? b->max : b->min);
     claim.gains.push_back(
         {fmt::format(
-             "{}{}, {} to {}, on a {}", form_name(slow), name_of(pixels, slow.loop),
+             "{}{}, {} to {}, on {} {}", form_name(slow), name_of(pixels, slow.loop),
              x86::name_of(slow.counting),
              slow.loop == fast.loop ? std::string(x86::name_of(fast.counting)) : form_name(fast),
-             x86::name_of(cpu)),
+             cpu == Cpu::i8088 ? "an" : "a", x86::name_of(cpu)),
          std::min(least, most), std::max(least, most)});
   }
 }

@@ -9,6 +9,7 @@
 #include "x86model/cosine_table.hpp"
 #include "x86model/run.hpp"
 #include "x86model/symbolic/evaluate.hpp"
+#include "x86model/symbolic/open_memory.hpp"
 
 namespace x86model::symbolic {
 
@@ -166,48 +167,6 @@ class Runner {
     return t_.negation(t_.equal(count, t_.constant(0, 16)));
   }
 
-  /// Where an operand in open memory is, 32 bits.
-  Term open_address(const Thread& thread, const Operand& o) {
-    const auto displacement = static_cast<std::uint32_t>(o.value + address_of(o.symbol));
-    const auto indexed = [&](Term index) { return t_.add(index, t_.constant(displacement, 32)); };
-    switch (o.addressing) {
-      case Addressing::direct:
-        return t_.constant(displacement & 0xFFFFU, 32);
-      case Addressing::index:
-        return indexed(thread.state.read(t_, o.reg, Size::dword));
-      case Addressing::index_twice: {
-        const Term index = thread.state.read(t_, o.reg, Size::dword);
-        return indexed(t_.add(index, index));
-      }
-      case Addressing::base:
-        break;
-    }
-    const Term base = thread.state.read(t_, o.reg, Size::word);
-    return t_.zero_extend(t_.add(base, t_.constant(displacement & 0xFFFFU, 16)), 32);
-  }
-
-  std::optional<Term> open_read(const Thread& thread, const Operand& o, Size size) {
-    for (const Store& store : thread.state.stores) {
-      if (!store.extra) return std::nullopt;
-    }
-    const Term where = open_address(thread, o);
-    if (size == Size::byte) return t_.apply("databyte", {where}, 8);
-    const Term low = t_.apply("dataword", {where}, 16);
-    if (size == Size::word) return low;
-    return t_.concat(t_.apply("dataword", {t_.add(where, t_.constant(2, 32))}, 16), low);
-  }
-
-  /// STOSB and STOSW.
-  bool store_string(Thread& thread, Size size) {
-    if (!options_.memory_is_open) return false;
-    State& s = thread.state;
-    const Term place = s.read(t_, Register::di, Size::word);
-    s.stores.push_back({true, t_.zero_extend(place, 32), s.read(t_, Register::ax, size)});
-    s.write(t_, Register::di, Size::word,
-            t_.add(place, t_.constant(size == Size::byte ? 1 : 2, 16)));
-    return true;
-  }
-
   /// Where a memory operand is: an offset in the cosine table, or an address.
   Term address(const Thread& thread, const Operand& o) {
     return t_.add(thread.state.read(t_, o.reg, Size::word),
@@ -241,7 +200,7 @@ class Runner {
     if (o.kind == Operand::Kind::immediate) {
       return t_.constant(x86model::detail::immediate<Word>(o), bits);
     }
-    if (options_.memory_is_open) return open_read(thread, o, size);
+    if (options_.memory_is_open) return open_memory::read(t_, thread.state, o, size);
     if (size == Size::byte) return std::nullopt;
     const bool in_table = o.symbol == Symbol::cos_table;
     const Term where = address(thread, o);
@@ -262,10 +221,7 @@ class Runner {
     }
     if (o.kind != Operand::Kind::memory || o.symbol == Symbol::cos_table) return false;
     if (options_.memory_is_open) {
-      auto& stores = thread.state.stores;
-      const Store store{false, open_address(thread, o), value};
-      // To store the same twice is to store it once.
-      if (stores.empty() || stores.back() != store) stores.push_back(store);
+      open_memory::write(t_, thread.state, o, value);
       return true;
     }
     if (size == Size::byte) return false;
@@ -332,7 +288,9 @@ class Runner {
       return done(value && write(thread, first, size, *value));
     }
     if (is_store_string(op)) {
-      return done(store_string(thread, op == Mnemonic::stosb ? Size::byte : Size::word));
+      if (!options_.memory_is_open) return Outcome::bad_address;
+      open_memory::store_string(t_, thread.state, op == Mnemonic::stosb ? Size::byte : Size::word);
+      return Outcome::proceeds;
     }
     if (is_multiply(op)) return multiplied(thread, i);
     if (is_divide(op)) return divided(thread, i);

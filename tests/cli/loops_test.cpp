@@ -1,0 +1,134 @@
+// `fixproof list` and `fixproof trace` of the inner loops, worked out by hand.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/cli/command.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string loop_output(std::string_view arguments) {
+  const auto run = cli::fixproof(arguments);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  return run.out;
+}
+
+/// The machine code of what `list` prints, in hexadecimal.
+std::string loop_code(std::string_view arguments) {
+  const fs::path folder = fs::path(testing::TempDir()) / "fixproof_list_loops";
+  fs::create_directories(folder);
+  const std::string from = folder / "loop.asm";
+  const std::string to = folder / "loop.bin";
+  std::ofstream(from) << loop_output(fmt::format("list {}", arguments));
+  const auto run = cli::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  std::ostringstream code;
+  code << std::ifstream(to, std::ios::binary).rdbuf();
+  fs::remove_all(folder);
+  std::string text;
+  for (const char byte : code.str())
+    text += fmt::format("{:02x} ", static_cast<unsigned char>(byte));
+  return text;
+}
+
+TEST(Loops, AssembleToTheseBytes) {
+  if (cli::run({"sh", "-c", "command -v nasm"}).status != 0)
+    GTEST_SKIP() << "nasm is not installed";
+  EXPECT_EQ(loop_code("gouraud-byte --target i8088"),
+            "88 f0 "  // mov  al, dh
+            "01 ea "  // add  dx, bp
+            "aa "     // stosb
+            "e2 f9 "  // loop to the first byte
+            "c3 ");   // ret
+  EXPECT_EQ(loop_code("gouraud-byte --loop dec-jnz"),
+            "88 f0 "  // mov  al, dh
+            "01 ea "  // add  dx, bp
+            "aa "     // stosb
+            "66 49 "  // dec  ecx
+            "75 f7 "  // jnz  to the first byte
+            "c3 ");   // ret
+  const std::string depth = loop_code("depth --as-printed");
+  EXPECT_EQ(depth.substr(0, 15), "66 0f ac d3 18 ") << "shrd ebx, edx, 24";
+  EXPECT_EQ(loop_code("depth").substr(0, 15), "66 0f a4 d3 18 ") << "shld ebx, edx, 24";
+  // A jump of two bytes, 320 pixels of five, and RET.
+  EXPECT_EQ(loop_code("gouraud-byte --loop unrolled").size(), 3 * (2 + 320 * 5 + 1));
+}
+
+/// The lines of a trace without numbers and flags: "add dx, bp: edx=…".
+std::vector<std::string> traced_loop(std::string_view arguments) {
+  std::vector<std::string> lines;
+  for (const std::string& line :
+       cli::split(loop_output(fmt::format("trace {}", arguments)), '\n')) {
+    if (line.size() < 36 || line.starts_with("   #")) continue;
+    std::string text = line.substr(6, 30);
+    text.erase(text.find_last_not_of(' ') + 1);
+    const std::string changes = line.substr(std::min<std::size_t>(54, line.size()));
+    lines.push_back(changes.empty() ? text : fmt::format("{}:{}", text, changes));
+  }
+  return lines;
+}
+
+TEST(Loops, TracesOfTwoPixels) {
+  // 20h.80h, and a step of 1.80h: 20h, then 22h.
+  const std::vector<std::string> bytes{"mov al, dh:  eax=00000020",
+                                       "add dx, bp:  edx=00002200",
+                                       "stosb:  edi=00002801 [2800]=20",
+                                       "loop .Pixel:  ecx=00000001",
+                                       "mov al, dh:  eax=00000022",
+                                       "add dx, bp:  edx=00002380",
+                                       "stosb:  edi=00002802 [2801]=22",
+                                       "loop .Pixel:  ecx=00000000",
+                                       "ret:  esp=00000060"};
+  EXPECT_EQ(traced_loop("gouraud-byte 00000002 00002080 00000180"), bytes);
+  // Row 3, column 32: their sum is the texel.
+  const auto texture =
+      traced_loop("texture 00000001 00002000 00000000 00000300 00000000 --target i8088");
+  ASSERT_EQ(texture.size(), 8U);
+  EXPECT_EQ(texture[0], "mov bx, si:  bx=0300");
+  EXPECT_EQ(texture[1], "mov bl, dh:  bx=0320");
+  EXPECT_EQ(texture[2], "mov al, [Texture+bx]:  ax=0023");
+  EXPECT_EQ(texture[3], "stosb:  di=2801 [2800]=23");
+}
+
+void expect_loop_refused(std::string_view arguments, std::string_view part) {
+  const auto run = cli::fixproof(arguments);
+  EXPECT_EQ(run.status, 2) << arguments;
+  EXPECT_EQ(run.out, "") << arguments;
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+}
+
+TEST(Loops, FormsThatDoNotExistAreRefused) {
+  expect_loop_refused("list depth --loop unrolled", "depth is for the 386, and never unrolled");
+  expect_loop_refused("list depth --target i8088", "depth is for the 386, and never unrolled");
+  expect_loop_refused("list texture --as-printed", "only depth is not as it was printed");
+  expect_loop_refused("list gouraud-word --round on", "rounds nothing");
+  expect_loop_refused("list gouraud-word --chapter 52", "rounds nothing");
+  expect_loop_refused("list mul --loop dec-jnz", "--loop is for");
+  expect_loop_refused("list gouraud-byte --loop twice", "--loop");
+  expect_loop_refused("prove texture --round on", "rounds nothing");
+  expect_loop_refused("prove depth --target i8088", "no loop has this target");
+  expect_loop_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
+  expect_loop_refused("eval gouraud-byte", "gouraud-byte");
+}
+
+TEST(Loops, CallsThatNoLoopTakesAreRefused) {
+  expect_loop_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
+  expect_loop_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
+  expect_loop_refused("trace gouraud-byte 00000000 00000000 00000000", "not 0");
+  expect_loop_refused("trace gouraud-byte 00000141 00000000 00000000", "not 141");
+  expect_loop_refused("trace gouraud-word 00000003 00000000 00000000", "an even number");
+  expect_loop_refused("trace gouraud-byte 1 00000000 00000000", "1");
+  expect_loop_refused("trace gouraud-byte 00000001 00000000 00000000 --mutant 1", "for routines");
+}
+
+}  // namespace

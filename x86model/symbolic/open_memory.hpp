@@ -1,0 +1,21 @@
+/// @file
+/// Memory that holds anything: see RunOptions::memory_is_open.
+#pragma once
+
+#include <optional>
+
+#include "x86model/instruction.hpp"
+#include "x86model/symbolic/run.hpp"
+
+namespace x86model::symbolic::open_memory {
+
+/// What a memory operand holds; nothing once the data segment has been written.
+std::optional<Term> read(Terms& terms, const State& state, const Operand& operand, Size size);
+
+/// Keeps what is written to a memory operand.
+void write(Terms& terms, State& state, const Operand& operand, Term value);
+
+/// STOSB and STOSW, by size.
+void store_string(Terms& terms, State& state, Size size);
+
+}  // namespace x86model::symbolic::open_memory
