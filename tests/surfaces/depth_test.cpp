@@ -73,7 +73,7 @@ Difference differences_of(DepthBuffering mode, int frames) {
 constexpr double unit_of_depth = 1 + 2 * (0.625 + 0.1);
 
 TEST(DepthBuffer, DrawsTheIntersectingSolidsButForPixelsNearlyAtOneDepth) {
-  const Difference is = differences_of(DepthBuffering::on, 60);
+  const Difference is = differences_of(DepthBuffering::on, 300);
   EXPECT_GT(is.pixels, 0);
   EXPECT_LT(is.most, unit_of_depth);
 }
