@@ -76,9 +76,9 @@ RC_GTEST_PROP(Loops, Texture,
 RC_GTEST_PROP(Loops, Quadratic, (std::uint32_t start, std::uint32_t step, std::uint32_t second)) {
   Bytes out(length());
   quadratic(out, {start, step, second});
-  for (std::uint64_t i = 0; i < out.size(); ++i) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
     const auto word = static_cast<std::uint32_t>(start + i * step + i * (i - 1) / 2 * second);
-    RC_ASSERT(out[static_cast<std::size_t>(i)] == word >> 24U);
+    RC_ASSERT(out[i] == word >> 24U);
   }
 }
 

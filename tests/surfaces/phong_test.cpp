@@ -20,9 +20,6 @@ namespace surfaces {
 namespace {
 
 using namespace xsharp;
-using Number = fixed::q16_16_i386;
-
-constexpr double ulp = 1.0 / 65536;
 
 Triple any_direction() {
   const auto part = [] { return *generators::among(-1000, 1001) / 1000.0; };

@@ -11,9 +11,6 @@ namespace surfaces {
 namespace {
 
 using namespace xsharp;
-using Number = fixed::q16_16_i386;
-
-constexpr double ulp = 1.0 / 65536;
 
 /// A slope is off by half a unit of the divide and half of the word's last bit, the start by half
 /// of the latter; after i additions i slopes are.

@@ -15,6 +15,10 @@
 namespace surfaces {
 
 using Indices = xsharp::Page<std::uint8_t>;
+using Number = fixed::q16_16_i386;
+
+/// The unit in the last place of 16.16.
+inline constexpr double ulp = 1.0 / 65536;
 
 inline xsharp::Scene scene_of(const xsharp::Surface& surface,
                               xsharp::DepthBuffering depth = xsharp::DepthBuffering::off) {

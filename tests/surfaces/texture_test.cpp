@@ -12,9 +12,6 @@ namespace surfaces {
 namespace {
 
 using namespace xsharp;
-using Number = fixed::q16_16_i386;
-
-constexpr double ulp = 1.0 / 65536;
 
 /// A span: places p / q where p and q are linear on the screen, q from `near` to `far`.
 struct Span {

@@ -52,6 +52,7 @@ void SurfaceOptions::add_to(CLI::App& command) {
 }
 
 void SurfaceOptions::apply(xsharp::Scene& scene) const {
+  if (!kind && !phong && !exact_every && !depth_buffer) return;
   for (xsharp::ObjectDescription& object : scene.objects) {
     xsharp::Surface& surface = object.surface;
     if (kind) surface.kind = *kind;
