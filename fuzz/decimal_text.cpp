@@ -131,10 +131,9 @@ void write_word(Word word) {
   const std::string expected = oracle::to_decimal(word_of(x), Number::fraction_bits);
   const auto demand = [&](std::string_view how, std::string_view text) {
     if (text == expected) return;
-    fuzz::report_finding(fmt::format(
-        "{} of {:08x}, {} fraction bits: {}; the oracle says {}\n  replay: fixproof verify decimal "
-        "--case {:08x}",
-        how, word_of(x), Number::fraction_bits, shown(text), expected, word_of(x)));
+    fuzz::report_finding(fmt::format("{} of {:0{}x}, {} fraction bits: {}; the oracle says {}", how,
+                                     word_of(x), Number::fraction_bits / 2, Number::fraction_bits,
+                                     shown(text), expected));
   };
   demand("to_string", fixed::to_string(x));
   demand("format", fmt::format("{}", x));

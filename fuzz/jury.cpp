@@ -64,8 +64,8 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
 
 }  // namespace
 
-std::vector<Seat> seats_of(std::initializer_list<Operation> operations,
-                           std::initializer_list<std::string_view> names) {
+std::vector<Seat> seats_of(std::span<const Operation> operations,
+                           std::span<const std::string_view> names) {
   std::vector<Seat> seats;
   const auto add = [&](const Variant& variant) {
     Seat seat{variant, {}};

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,8 +23,8 @@ struct Seat {
 
 /// A seat for every variant of these operations, multiply and divide at half width too. Parties
 /// that are absent from this build, or do not answer a variant, have no place.
-std::vector<Seat> seats_of(std::initializer_list<Operation> operations,
-                           std::initializer_list<std::string_view> parties);
+std::vector<Seat> seats_of(std::span<const Operation> operations,
+                           std::span<const std::string_view> parties);
 
 /// What there is to say where the parties do not all give the oracle's answer: the smallest case
 /// that shows it, every answer, and the command that asks for it again. Of `words` the first

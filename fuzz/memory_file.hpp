@@ -16,10 +16,14 @@ class MemoryFile {
  public:
   /// @throws std::system_error
   explicit MemoryFile(std::string_view text) : descriptor_(memfd_create("fuzz", MFD_CLOEXEC)) {
-    if (descriptor_ < 0) fail();
+    if (descriptor_ < 0) fail(errno);
     while (!text.empty()) {
       const ssize_t written = write(descriptor_, text.data(), text.size());
-      if (written < 0) fail();
+      if (written < 0) {
+        const int reason = errno;
+        close(descriptor_);
+        fail(reason);
+      }
       text.remove_prefix(static_cast<std::size_t>(written));
     }
   }
@@ -32,8 +36,8 @@ class MemoryFile {
   [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
  private:
-  [[noreturn]] static void fail() {
-    throw std::system_error(errno, std::generic_category(), "a file in memory");
+  [[noreturn]] static void fail(int reason) {
+    throw std::system_error(reason, std::generic_category(), "a file in memory");
   }
 
   int descriptor_;

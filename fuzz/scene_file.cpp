@@ -1,12 +1,12 @@
 // Target `scene_file`: the input as the JSON of a scene. It is refused with a SceneError, or
-// accepted: then it keeps every limit, the other way round it is accepted again, and frames of it
-// can be drawn.
+// accepted: then it keeps every limit, and frames of it can be drawn.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <optional>
 #include <string>
 
 #include "fixed/fixed.hpp"
@@ -27,31 +27,39 @@ std::size_t faces_of(const xsharp::Scene& scene) {
   return faces;
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(data, data + size);
+std::optional<xsharp::Scene> scene_of(const std::string& text) {
   try {
-    const xsharp::Scene scene = xsharp::parse_scene(text, "fuzz", FIXPROOF_SCENES);
-    try {
-      xsharp::validate(scene);
-    } catch (const xsharp::SceneError& error) {
-      fixproof::fuzz::report_finding(fmt::format("accepted, then refused: {}", error.what()));
-    }
-    if (faces_of(scene) > most_faces_drawn || scene.width > longest_side_drawn ||
-        scene.height > longest_side_drawn) {
-      return 0;
-    }
-    xsharp::Animation<fixed::q16_16> animation(scene);
-    for (int frame = 0; frame < 2; ++frame) {
-      xsharp::Picture picture;
-      animation.draw(picture);
-      animation.move();
-    }
+    return xsharp::parse_scene(text, "fuzz", FIXPROOF_SCENES);
   } catch (const xsharp::SceneError&) {
     // Refused, as it may be.
   } catch (const std::exception& error) {
     fixproof::fuzz::report_finding(fmt::format("not a SceneError: {}", error.what()));
+  }
+  return std::nullopt;
+}
+
+void draw(const xsharp::Scene& scene) {
+  xsharp::Animation<fixed::q16_16> animation(scene);
+  for (int frame = 0; frame < 2; ++frame) {
+    xsharp::Picture picture;
+    animation.draw(picture);
+    animation.move();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto scene = scene_of(std::string(data, data + size));
+  if (!scene) return 0;
+  try {
+    xsharp::validate(*scene);
+    if (faces_of(*scene) <= most_faces_drawn && scene->width <= longest_side_drawn &&
+        scene->height <= longest_side_drawn) {
+      draw(*scene);
+    }
+  } catch (const std::exception& error) {
+    fixproof::fuzz::report_finding(fmt::format("accepted, then refused: {}", error.what()));
   }
   return 0;
 }

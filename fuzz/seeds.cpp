@@ -76,18 +76,19 @@ void write_words_of(const fs::path& root, std::string_view name, fuzz::WordTarge
   for (std::size_t i = 0; i < seats.size(); ++i) {
     // All variants of an operation have the same cases; without a choice every one is asked.
     if (!chosen && i > 0 && seats[i].variant.operation == seats[i - 1].variant.operation) continue;
-    some_cases(seats[i].variant, chosen ? 4 : 16, [&](std::span<const std::uint32_t> words) {
-      std::vector<std::uint8_t> bytes(fuzz::input_size(target));
-      if (chosen) bytes[0] = static_cast<std::uint8_t>(i);
-      fuzz::write_words(words, std::span(bytes).subspan(chosen ? 1 : 0));
-      corpus.add(bytes);
-    });
+    some_cases(seats[i].variant, chosen || target == fuzz::WordTarget::matrix ? 4 : 16,
+               [&](std::span<const std::uint32_t> words) {
+                 std::vector<std::uint8_t> bytes(fuzz::input_size(target));
+                 if (chosen) bytes[0] = static_cast<std::uint8_t>(i);
+                 fuzz::write_words(words, std::span(bytes).subspan(chosen ? 1 : 0));
+                 corpus.add(bytes);
+               });
   }
 }
 
 void write_steps(const fs::path& root) {
   Corpus corpus(root, "step");
-  for (std::uint32_t i = 0; i < 150; ++i) {
+  for (std::uint32_t i = 0; i < 32; ++i) {
     fuzz::StepCase step;
     if (i % 2 == 1) step.cpu = x86model::Target::i8088;
     fuzz::mutate_step_case(step, i);

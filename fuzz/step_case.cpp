@@ -22,6 +22,11 @@ namespace x86 = x86model;
 constexpr std::size_t flags_at = 1 + longest_code;
 constexpr std::size_t registers_at = flags_at + 2;
 
+/// What an instruction can change of a register.
+x86::Size size_on(x86::Target cpu) {
+  return cpu == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
+}
+
 x86::Register register_at(std::size_t i) { return static_cast<x86::Register>(i); }
 
 /// Bytes that are drawn until they are an instruction that is modelled: of what is drawn one in
@@ -69,7 +74,7 @@ void draw_register(StepCase& step, Draw& draw) {
       value = step.machine.registers.read(register_at(draw.below(x86::register_count)),
                                           x86::Size::dword);
   }
-  step.machine.registers.write(r, x86::Size::dword, value);
+  step.machine.registers.write(r, size_on(step.cpu), value);
 }
 
 }  // namespace
@@ -86,9 +91,9 @@ std::optional<singlestep::Decoded> StepCase::decoded() const {
 
 std::string StepCase::replay(const x86::Instruction& instruction) const {
   const bool i386 = cpu == x86::Target::i386;
+  const x86::Size size = size_on(cpu);
   std::string line = x86::text_of(instruction) + " |";
   for (const x86::Register r : shown_registers) {
-    const x86::Size size = i386 ? x86::Size::dword : x86::Size::word;
     line += fmt::format(" {}={:0{}x}", x86::name_of(r, size), machine.registers.read(r, size),
                         i386 ? 8 : 4);
   }
@@ -106,9 +111,8 @@ StepCase read_step_case(std::span<const std::uint8_t> bytes) {
   step.machine.flags = {static_cast<std::uint16_t>(flags & x86::arithmetic_flags), 0};
   std::array<std::uint32_t, x86::register_count> registers{};
   read_words(std::span(whole).subspan(registers_at), registers);
-  const x86::Size size = step.cpu == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
   for (std::size_t i = 0; i < registers.size(); ++i) {
-    step.machine.registers.write(register_at(i), size, registers[i]);
+    step.machine.registers.write(register_at(i), size_on(step.cpu), registers[i]);
   }
   return step;
 }
@@ -129,6 +133,10 @@ void mutate_step_case(StepCase& step, std::uint32_t seed) {
   Draw draw(seed, 0);
   if (draw.below(16) == 0) {
     step.cpu = draw.coin() ? x86::Target::i386 : x86::Target::i8088;
+    for (std::size_t i = 0; i < x86::register_count; ++i) {
+      const std::uint32_t kept = step.machine.registers.read(register_at(i), size_on(step.cpu));
+      step.machine.registers.write(register_at(i), x86::Size::dword, kept);
+    }
   }
   if (draw.coin() || !step.decoded()) draw_code(step, draw);
   for (auto more = draw.below(4); more > 0; --more) draw_register(step, draw);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <initializer_list>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "fuzz/words.hpp"
@@ -74,17 +76,28 @@ void step_word(const Format& format, std::uint32_t& word, Draw& draw) {
   }
 }
 
+/// Every operation by every party but Unicorn; whatever is added to either is heard too.
+std::vector<Seat> all_seats() {
+  std::vector<Operation> operations;
+  for (const Variant& variant : all_variants()) operations.push_back(variant.operation);
+  std::vector<std::string_view> names{"oracle"};
+  for (const auto& party : parties()) {
+    if (party->name() != "oracle" && party->name() != "unicorn") names.push_back(party->name());
+  }
+  return seats_of(operations, names);
+}
+
 }  // namespace
 
 const std::vector<Seat>& seats_of(WordTarget target) {
   using enum Operation;
   constexpr auto hear = [](std::initializer_list<Operation> operations) {
-    return seats_of(operations, {"oracle", "fast", "type", "model", "interpreter"});
+    constexpr auto names =
+        std::to_array<std::string_view>({"oracle", "fast", "type", "model", "interpreter"});
+    return seats_of(operations, names);
   };
-  static const std::array<std::vector<Seat>, 4> all{
-      hear({div}), hear({mul}), hear({concat, xformvec}),
-      seats_of({mul, div, cossin, xformvec, concat, sqrt, decimal, binary64},
-               {"oracle", "fast", "type", "model", "interpreter", "silicon"})};
+  static const std::array<std::vector<Seat>, 4> all{hear({div}), hear({mul}),
+                                                    hear({concat, xformvec}), all_seats()};
   return all.at(static_cast<std::size_t>(target));
 }
 

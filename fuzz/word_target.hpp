@@ -15,9 +15,9 @@ namespace fixproof::fuzz {
 enum class WordTarget : std::uint8_t { divide, multiply, matrix, agreement };
 
 /// Every variant that the target judges. Those of `agreement`, whose first byte chooses one, are
-/// heard with the processor, where it can run; the others with the model, compiled and interpreted,
-/// and the type. Unicorn, which translates a routine anew whenever another one came between, is
-/// left to `step`.
+/// all there are, heard with every party that this machine has; the others with the model, compiled
+/// and interpreted, and the type. Unicorn, which translates a routine anew whenever another one
+/// came between, is left to `step`.
 const std::vector<Seat>& seats_of(WordTarget target);
 
 /// Bytes of a whole input.

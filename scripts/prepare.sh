@@ -13,6 +13,8 @@ test_packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev libbenchmar
 # shellcheck disable=SC2034  # used by ./test
 browser_packages=(chromium chromium-driver python3-selenium)
 # shellcheck disable=SC2034
+import_packages=(clang git pkg-config)
+# shellcheck disable=SC2034
 scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
 # clang-format and clang-tidy judge differently from version to version: one version for every machine.
 # shellcheck disable=SC2034  # used by the scripts that source this one
@@ -78,7 +80,8 @@ build() {
 # configure_with_tests PRESET: a missing test library is an error, never a smaller set of tests.
 configure_with_tests() {
   local packages=("${test_packages[@]}")
-  [[ $1 != clang ]] || packages+=(clang)
+  # sanitize is built with it too.
+  [[ $1 == release ]] || packages+=(clang "libclang-rt-$llvm-dev")
   install_packages "needed to build Fixproof and its tests" "${packages[@]}"
   configure "$1" -D BUILD_TESTING=ON -D CMAKE_REQUIRE_FIND_PACKAGE_GTest=ON \
     -D CMAKE_REQUIRE_FIND_PACKAGE_rapidcheck=ON -D CMAKE_REQUIRE_FIND_PACKAGE_benchmark=ON

@@ -41,6 +41,20 @@ TEST(StepCase, BytesThatAreNoInstruction) {
   EXPECT_FALSE(fuzz::read_step_case(std::array<std::uint8_t, 2>{0, 0x66}).decoded());
 }
 
+TEST(StepCase, MutationLeavesAn8088ItsWidth) {
+  fuzz::StepCase step;
+  int of_8088 = 0;
+  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+    fuzz::mutate_step_case(step, seed);
+    if (step.cpu != x86model::Target::i8088) continue;
+    ++of_8088;
+    for (std::size_t r = 0; r < x86model::register_count; ++r) {
+      ASSERT_LE(step.machine.registers.read(static_cast<Register>(r), Size::dword), 0xFFFFU);
+    }
+  }
+  EXPECT_GT(of_8088, 100);
+}
+
 TEST(StepCase, MutationComesToEveryFormWithRegisters) {
   std::set<std::string> seen;
   fuzz::StepCase step;

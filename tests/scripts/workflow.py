@@ -2,8 +2,8 @@
 """usage: workflow.py ROOT
 
 Holds ROOT/.github/workflows/*.yml to what can be told without running them: they parse, ask for no rights, take
-actions by major version, and run nothing but scripts of the tree, with presets, labels and processors
-that there are. Status 1 for any breach.
+actions by major version, and run nothing but scripts of the tree, with presets, labels, processors
+and options that there are. Status 1 for any breach.
 """
 
 import itertools
@@ -43,6 +43,10 @@ def check_command(place, command):
         breaches.append(f"{place}: no script {script}")
     elif words[0] != "source" and not os.access(root / script, os.X_OK):
         breaches.append(f"{place}: {script} cannot be run")
+    if script.startswith("scripts/") and words[0] != "source":
+        known = set(re.findall(r"--[a-z][a-z-]*", (root / script).read_text()))
+        breaches.extend(f"{place}: {script} has no {word}" for word in words[1:]
+                        if word.startswith("--") and word not in known)
     if script == "./test":
         preset, *options = words[1:]
         if preset not in presets:
