@@ -19,7 +19,9 @@ TEST(MeasureCommand, WantsOneThingToMeasure) {
         "measure --accuracy --seed -1", "measure --clocks no/such/scene.json",
         "measure --host --accuracy", "measure --host " SCENES "/solid.json",
         "measure --clocks --rounds 3", "measure --host --rounds 0",
-        "measure --host --json /no/such/folder/file",
+        "measure --host --json /no/such/folder/file", "measure --stepping --clocks",
+        "measure --stepping " SCENES "/solid.json", "measure --accuracy --rounds 3",
+        "measure --stepping --cases 0", "measure --stepping --json /no/such/folder/file",
         "measure --accuracy --json /no/such/folder/file",
         "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
     const auto run = cli::fixproof(arguments);
@@ -92,6 +94,37 @@ TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
     const std::string line = std::string(library) + " was not found when this program was built";
     EXPECT_EQ(run.out.find(line) == std::string::npos, built_in) << library;
   }
+}
+
+TEST(MeasureCommand, StepsEveryVariantWithinItsBound) {
+  const std::string file = testing::TempDir() + "measure_stepping_test.json";
+  const auto run = cli::fixproof("measure --stepping --cases 2 --rounds 1 --seed 5 --json " + file);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
+  const auto json = nlohmann::json::parse(fixproof::read_file(file));
+  std::remove(file.c_str());
+  EXPECT_EQ(json.at("lengths").at("most"), 320);
+  std::map<std::string, int> found;
+  for (const auto& row : json.at("stepping")) {
+    ++found[row.at("value")];
+    EXPECT_EQ(row.at("spans"), 2 * 320);
+    EXPECT_EQ(row.at("beyond"), "");
+    EXPECT_LE(row.at("max"), row.at("bound"));
+    EXPECT_EQ(row.at("along").front().at("pixel"), 0);
+    EXPECT_EQ(row.at("along").back().at("pixel"), 319);
+    EXPECT_EQ(row.at("last_of").back().at("pixels"), 320);
+  }
+  EXPECT_EQ(found, (std::map<std::string, int>{{"intensity 8.8", 5},
+                                               {"intensity 16.16", 5},
+                                               {"depth 16.8", 5},
+                                               {"texture 8.8, affine", 5},
+                                               {"texture, perspective", 4},
+                                               {"texture, perspective, cut", 3},
+                                               {"Phong", 4},
+                                               {"Phong, cut", 3}}));
+  EXPECT_EQ(json.at("setups").size(), 4U);
+  EXPECT_EQ(json.at("claims").size(), 3U);
+  for (const auto& loop : json.at("times").at("loops")) EXPECT_TRUE(is_time(loop.at("ns"))) << loop;
 }
 
 }  // namespace

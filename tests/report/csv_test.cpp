@@ -67,4 +67,19 @@ TEST(Csv, OfHostTimesWhereOneHasNoChain) {
             "contender,throughput_ns_min,chain_ns_min\r\na,1,\r\nb,2,3\r\n");
 }
 
+TEST(Csv, SteppingWithoutItsListsAndAlongSpans) {
+  const nlohmann::ordered_json row{
+      {"value", "depth"},
+      {"rule", "cut"},
+      {"last", {{"max", 1}, {"bound", 2}}},
+      {"along",
+       {{{"pixel", 0}, {"max", 3}, {"bound", 4}}, {{"pixel", 9}, {"max", 5}, {"bound", 6}}}},
+      {"last_of", nlohmann::ordered_json::array()}};
+  const nlohmann::ordered_json stepping{{"stepping", nlohmann::ordered_json::array({row})}};
+  EXPECT_EQ(text_of({{"stepping", stepping}}, "stepping.csv"),
+            "value,rule,last_max,last_bound\r\ndepth,cut,1,2\r\n");
+  EXPECT_EQ(text_of({{"stepping", stepping}}, "along.csv"),
+            "value,rule,pixel,max,bound\r\ndepth,cut,0,3,4\r\ndepth,cut,9,5,6\r\n");
+}
+
 }  // namespace

@@ -31,6 +31,7 @@ TEST(ReportSteps, GoOnOnlyWhereTheyWereStopped) {
   EXPECT_TRUE(says(1, "breaks its own rule"));
   EXPECT_FALSE(says(2, "breaks its own rule"));
   EXPECT_TRUE(says(2, "fixproof measure --host"));
+  EXPECT_NE(stopped_text(step("stepping"), 1, 3, 9).find("beyond its bound"), std::string::npos);
 }
 
 TEST(ReportSteps, AreOfOneProcessor) {

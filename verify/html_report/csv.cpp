@@ -146,6 +146,29 @@ CsvJson drift_rows(const CsvJson& drift) {
   return rows;
 }
 
+/// A row for each way of stepping, without its lists.
+CsvJson stepping_rows(const CsvJson& stepping) {
+  CsvJson rows = CsvJson::array();
+  for (CsvJson row : stepping.at("stepping")) {
+    row.erase("along");
+    row.erase("last_of");
+    rows.push_back(flat(row));
+  }
+  return rows;
+}
+
+CsvJson along_rows(const CsvJson& stepping) {
+  CsvJson rows = CsvJson::array();
+  for (const CsvJson& row : stepping.at("stepping")) {
+    for (const CsvJson& place : row.at("along")) {
+      CsvJson at{{"value", row.at("value")}, {"rule", row.at("rule")}};
+      at.update(place);
+      rows.push_back(std::move(at));
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string csv_text(const nlohmann::ordered_json& rows) {
@@ -183,6 +206,10 @@ std::vector<std::pair<std::string, std::string>> csv_files(const nlohmann::order
   if (has("host")) {
     files.emplace_back("host.csv", csv_text(flat_rows(report.at("host").at("host"))));
     files.emplace_back("vertices.csv", csv_text(flat_rows(report.at("host").at("vertices"))));
+  }
+  if (has("stepping")) {
+    files.emplace_back("stepping.csv", csv_text(stepping_rows(report.at("stepping"))));
+    files.emplace_back("along.csv", csv_text(along_rows(report.at("stepping"))));
   }
   if (has("drift")) files.emplace_back("drift.csv", csv_text(drift_rows(report.at("drift"))));
   return files;

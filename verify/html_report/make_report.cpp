@@ -95,7 +95,7 @@ class ReportRun {
 
   void write_page() {
     PageJson report{{"made", made()}, {"commands", commands()}};
-    for (const char* part : {"verify", "accuracy", "clocks", "host", "drift"}) {
+    for (const char* part : {"verify", "accuracy", "clocks", "host", "drift", "stepping"}) {
       report[part] = data_of(part);
     }
     report["findings"] = computed_findings();

@@ -1,6 +1,6 @@
 # The page of `fixproof report`, report/, is part of the program.
 set(page_folder ${PROJECT_SOURCE_DIR}/report)
-set(page_charts base verification trade errors drift claims main)
+set(page_charts base verification trade errors drift stepping claims main)
 list(TRANSFORM page_charts REPLACE "(.+)" "charts/\\1.js")
 set(page_files page.html page.css vendor/d3.min.js vendor/plot.umd.min.js ${page_charts})
 list(TRANSFORM page_files PREPEND ${page_folder}/)

@@ -69,6 +69,10 @@ std::vector<ReportStep> report_steps(const ReportRequest& request) {
   if (request.quick) append(steps.back().arguments, {"--cases", few_operands, "--rounds", "1"});
   append(steps.back().arguments, {"--seed", seed, "--json", file("host.json")});
 
+  steps.push_back({"stepping", {"measure", "--stepping"}, {file("stepping.json")}});
+  if (request.quick) append(steps.back().arguments, {"--cases", "4", "--rounds", "1"});
+  append(steps.back().arguments, {"--seed", seed, "--json", file("stepping.json")});
+
   steps.push_back({"drift", {"drift", request.scenes.front()}, {file("drift.json")}});
   if (request.quick) append(steps.back().arguments, {"--minutes", "1"});
   append(steps.back().arguments, {"--json", file("drift.json"), "--strip", file("drift.svg")});
@@ -102,6 +106,7 @@ std::string stopped_text(const ReportStep& step, int status, std::size_t done, s
   if (status == interrupted_status) return text + " With --resume the same command goes on.\n";
   text += fmt::format(" It ended with status {}: {}", status, printable(command_line_of(step)));
   if (step.name == "host" && status == 1) text += "\nA number that it times breaks its own rule.";
+  if (step.name == "stepping" && status == 1) text += "\nA stepped value is beyond its bound.";
   return text + '\n';
 }
 

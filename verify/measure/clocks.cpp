@@ -12,7 +12,9 @@
 #include "verify/json_text.hpp"
 #include "verify/loops/span_clocks.hpp"
 #include "verify/measure/call_clocks.hpp"
+#include "verify/measure/claim_text.hpp"
 #include "verify/measure/claims.hpp"
+#include "verify/measure/figures.hpp"
 #include "verify/measure/measure.hpp"
 #include "verify/measure/provenance.hpp"
 #include "verify/text.hpp"
@@ -26,15 +28,6 @@ using ClockJson = nlohmann::ordered_json;
 constexpr std::uint64_t default_cases = 1000;
 /// A transform takes up to 36 products.
 constexpr std::uint64_t transforms_share = 10;
-
-/// A count or a mean of counts; two numbers where Intel's tables leave a range.
-std::string between(double min, double max, int decimals) {
-  const auto text = [decimals](double x) {
-    return decimals == 0 ? grouped(static_cast<std::uint64_t>(x))
-                         : fmt::format("{:.{}f}", x, decimals);
-  };
-  return min == max ? text(min) : fmt::format("{}-{}", text(min), text(max));
-}
 
 void print(const CallClocks& row) {
   for (const ProcessorClocks& on : row.processors) {
@@ -73,33 +66,6 @@ ClockJson json_of(const CallClocks& row) {
           {"instructions", json_of(row.instructions)},
           {"processors", std::move(processors)},
           {"faults", row.faults}};
-}
-
-/// Infinite bounds become null: JSON has no number for them.
-ClockJson json_of(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
-
-ClockJson json_of(const Claim& claim) {
-  ClockJson figures = ClockJson::array();
-  for (const ClaimFigure& f : claim.figures) {
-    figures.push_back(
-        {{"where", f.where}, {"measured", json_of(f.measured)}, {"verdict", name_of(f.verdict)}});
-  }
-  return {{"claim", claim.text},
-          {"means", claim.means},
-          {"unit", claim.unit},
-          {"verdict", name_of(verdict_on(claim))},
-          {"allowed", json_of(claim.allowed)},
-          {"figures", std::move(figures)}};
-}
-
-void print(const Claim& claim) {
-  std::cout << fmt::format("\n{}\n=> {}\n({})\n", claim.text, name_of(verdict_on(claim)),
-                           claim.means);
-  for (const ClaimFigure& f : claim.figures) {
-    std::cout << fmt::format("  {:<44}{:>15} {:<16} {}\n", printable(f.where),
-                             between(f.measured.min, f.measured.max, 2), claim.unit,
-                             name_of(f.verdict));
-  }
 }
 
 /// The log of the build that a variant stands for.
@@ -167,7 +133,7 @@ class ClockRun {
                    "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
                    "possible, or the listings cannot decide.\n";
     }
-    for (const Claim& claim : claims_) print(claim);
+    for (const Claim& claim : claims_) print_claim(claim);
     std::cout << '\n' << span_clocks_text();
   }
 
@@ -178,7 +144,7 @@ class ClockRun {
     json["clocks"] = ClockJson::array();
     for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
     json["claims"] = ClockJson::array();
-    for (const Claim& claim : claims_) json["claims"].push_back(json_of(claim));
+    for (const Claim& claim : claims_) json["claims"].push_back(json_of_claim(claim));
     json["loops"] = span_clocks_json();
     replace_file(request_.json, json_text(json));
   }

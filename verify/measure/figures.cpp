@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/text.hpp"
+
 namespace fixproof {
 
 std::string error_text(double x, bool with_sign) {
@@ -21,6 +23,14 @@ std::string largest_text(double x) {
 std::string share_text(double x) {
   const double percent = 100 * x;
   return fmt::format("{:.3f} %", x < 1 ? std::min(percent, 99.999) : percent);
+}
+
+std::string between(double min, double max, int decimals) {
+  const auto text = [decimals](double x) {
+    return decimals == 0 ? grouped(static_cast<std::uint64_t>(x))
+                         : fmt::format("{:.{}f}", x, decimals);
+  };
+  return min == max ? text(min) : fmt::format("{}-{}", text(min), text(max));
 }
 
 }  // namespace fixproof

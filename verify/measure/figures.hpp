@@ -15,4 +15,7 @@ std::string largest_text(double x);
 /// A share of 0 ... 1 in percent. 100 % is said of all cases alone.
 std::string share_text(double x);
 
+/// A count or a mean of counts; two numbers where Intel's tables leave a range.
+std::string between(double min, double max, int decimals);
+
 }  // namespace fixproof

@@ -30,5 +30,6 @@ std::vector<xsharp::Scene> read_scenes(const MeasureRequest& request);
 int measure_accuracy(const MeasureRequest& request);
 int measure_clocks(const MeasureRequest& request);
 int measure_host(const MeasureRequest& request);
+int measure_stepping(const MeasureRequest& request);
 
 }  // namespace fixproof

@@ -1,0 +1,302 @@
+// How stepping errs, by spans that can be worked out on paper. One unit is 2^-16.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "fixed/fixed.hpp"
+#include "tests/measure/never.hpp"
+#include "verify/measure/stepping_clocks.hpp"
+#include "verify/measure/stepping_line.hpp"
+#include "verify/measure/stepping_run.hpp"
+#include "verify/measure/stepping_statistics.hpp"
+#include "verify/measure/stepping_times.hpp"
+#include "xsharp/raster/step_filler.hpp"
+
+namespace {
+
+using namespace fixproof;
+
+constexpr std::int64_t level = 65536;
+constexpr LineFormat narrow{8, 16, 2 * level, 254 * level};
+constexpr LineFormat wide{0, 16, 2 * level, 254 * level};
+constexpr SpanPlace three_pixels{3, 3 * 65536, 0};
+/// From half a pixel left of the first centre to half a pixel right of the second.
+constexpr SpanPlace half_in{2, 2 * 65536, 32768};
+
+std::vector<SteppedValue> judged_values(LineRule rule, const LineFormat& format,
+                                        const LineEnds& ends, const SpanPlace& place) {
+  SteppedSpan span;
+  judge_line(rule, format, ends, place, line_words(rule, ends, place, format.dropped), span);
+  return span.values;
+}
+
+void expect_value(const SteppedValue& value, double error_units, double bound_units) {
+  EXPECT_NEAR(value.error * 65536, error_units, 1e-9);
+  EXPECT_NEAR(value.bound * 65536, bound_units, 1e-9);
+  EXPECT_TRUE(value.within);
+}
+
+// A level over three pixels is 21845 1/3 units a pixel, rounded 21845: a third less each time. Half
+// a unit is what each slope may lose.
+TEST(SteppedLine, RoundedSlope) {
+  const auto values =
+      judged_values(LineRule::rounded, wide, {10 * level, 11 * level}, three_pixels);
+  ASSERT_EQ(values.size(), 3U);
+  expect_value(values[0], 0, 0);
+  expect_value(values[1], -1.0 / 3, 0.5);
+  expect_value(values[2], -2.0 / 3, 1);
+}
+
+// 21845 units are 85.3 words of 256 units, so 85: 21760 a pixel. Half a word of the start, and half
+// a word and half a unit a pixel.
+TEST(SteppedLine, NarrowWord) {
+  const auto values =
+      judged_values(LineRule::rounded, narrow, {10 * level, 11 * level}, three_pixels);
+  expect_value(values[1], -85 - 1.0 / 3, 128 + 128.5);
+  expect_value(values[2], -170 - 2.0 / 3, 128 + 257);
+}
+
+// Down a level the slope is cut toward zero: a third too much each time, and it may be a unit.
+TEST(SteppedLine, CutSlope) {
+  const auto values = judged_values(LineRule::cut, wide, {11 * level, 10 * level}, three_pixels);
+  expect_value(values[1], 1.0 / 3, 1);
+  expect_value(values[2], 2.0 / 3, 2);
+}
+
+// Three units over two pixels: 1.5, rounded 2. Half a pixel in it is 1 where 0.75 belongs, then 3
+// where 2.25 does. Half a unit for each pixel since the end, and half for the product.
+TEST(SteppedLine, PreStep) {
+  const LineEnds ends{10 * level, 10 * level + 3};
+  const auto values = judged_values(LineRule::rounded, wide, ends, half_in);
+  expect_value(values[0], 0.25, 0.75);
+  expect_value(values[1], 0.75, 1.25);
+  // Without it the end stands for the first pixel: 0, then 2. Half a pixel of the slope is 0.75
+  // units, 1 in the bound.
+  const auto from_end = judged_values(LineRule::at_end, wide, ends, half_in);
+  expect_value(from_end[0], -0.75, 1);
+  expect_value(from_end[1], -0.25, 1.5);
+}
+
+// 256 words over three pixels: 85 of 85.3. A word a step, half for the start, one for both ends.
+TEST(SteppedLine, WholeWords) {
+  const auto values =
+      judged_values(LineRule::whole_words, narrow, {10 * level, 11 * level}, three_pixels);
+  expect_value(values[2], -170 - 2.0 / 3, 3.5 * 256);
+}
+
+// 200 levels over 1.5078125 pixels: both doubled six times, 12800 by 96.5, of which an 8088 sees
+// 96: 133.3333 instead of 132.6425.
+TEST(SteppedLine, DivisorCutByAn8088) {
+  const auto values =
+      judged_values(LineRule::i8088, wide, {10 * level, 210 * level}, {2, 65536 + 32768 + 512, 0});
+  EXPECT_NEAR(values[1].error, 12800.0 / 96 - 12800.0 / 96.5, 1e-4);
+  EXPECT_TRUE(values[1].within);
+  EXPECT_NEAR(values[1].bound, values[1].error, 1e-4);
+}
+
+// Of the bound as of the errors: words that are one step too great leave it.
+TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
+  const LineEnds ends{10 * level, 11 * level};
+  xsharp::StepWords words = line_words(LineRule::rounded, ends, three_pixels, 0);
+  words.step += 2;
+  SteppedSpan span;
+  judge_line(LineRule::rounded, wide, ends, three_pixels, words, span);
+  EXPECT_TRUE(span.values[0].within);
+  EXPECT_FALSE(span.values[1].within);
+  span.drawn = span.exact;
+  SteppingStatistics statistics;
+  statistics.add_errors(three_pixels, span);
+  EXPECT_EQ(statistics.beyond().substr(0, 12), "pixel 1 of 3");
+  EXPECT_GT(statistics.part_of_bound(), 1);
+}
+
+// Exact values are cut downwards: a third of a unit below level 11 is level 10.
+TEST(SteppedLine, TheExactPictureIsCut) {
+  SteppedSpan span;
+  const LineEnds ends{11 * level, 11 * level - 1};
+  judge_line(LineRule::rounded, wide, ends, three_pixels, {}, span);
+  EXPECT_EQ(span.exact, (std::vector<std::int64_t>{11, 10, 10}));
+}
+
+TEST(SteppingStatistics, BandsAndWrongPixels) {
+  SteppedSpan span;
+  span.exact = {1, 1, 2, 2, 3};
+  span.drawn = {1, 1, 1, 2, 3};
+  SteppingStatistics statistics;
+  statistics.add_picture(span, false);
+  EXPECT_EQ(statistics.drawn(), 5U);
+  EXPECT_EQ(statistics.wrong(), 1U);
+  EXPECT_EQ(statistics.most_off(), 1);
+  EXPECT_EQ(statistics.bands().exact, 3U);
+  EXPECT_EQ(statistics.bands().drawn, 3U);
+  EXPECT_EQ(statistics.bands().wrong, 2U) << "the first is too long, the second too short";
+  EXPECT_EQ(statistics.bands().widest, 1U);
+  EXPECT_EQ(statistics.missed(), 0U);
+}
+
+TEST(SteppingStatistics, MissedTexels) {
+  SteppedSpan span;
+  span.exact = {5, 6, 7, 256 + 8};
+  span.drawn = {5, 5, 7, 3 * 256 + 7};
+  SteppingStatistics statistics;
+  statistics.add_picture(span, true);
+  EXPECT_EQ(statistics.wanted(), 4U);
+  EXPECT_EQ(statistics.missed(), 2U);
+  EXPECT_EQ(statistics.wrong(), 2U);
+  EXPECT_EQ(statistics.most_off(), 2) << "two rows";
+  EXPECT_EQ(statistics.bands().wrong, 2U);
+}
+
+TEST(SteppingRun, PlacesHaveTheirPixels) {
+  for (std::size_t pixels = 1; pixels <= xsharp::longest_span; ++pixels) {
+    for (std::uint64_t i = 0; i < 64; ++i) {
+      const SpanPlace place = span_place(7, pixels, i);
+      ASSERT_EQ(place.pixels, pixels);
+      ASSERT_GE(place.distance, 0);
+      ASSERT_LT(place.distance, 65536);
+      ASSERT_LT(place.centre(pixels - 1), place.units);
+      ASSERT_GE(place.centre(pixels), place.units);
+      ASSERT_TRUE(place.whole() || i % 8 >= 2);
+    }
+  }
+}
+
+const SteppingStatistics& of_rule(const std::vector<SteppingRow>& rows, const std::string& rule) {
+  for (const SteppingRow& row : rows) {
+    if (row.variant.rule == rule) return row.statistics;
+  }
+  throw std::invalid_argument(rule);
+}
+
+// Every value within its bound, and somewhere the bound nearly taken.
+TEST(SteppingRun, LinesTakeTheirBounds) {
+  for (const SteppingRow& row :
+       measure_stepping_rows(line_variants(), 1, 4, never, [](std::uint64_t) {})) {
+    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.value << ", " << row.variant.rule;
+    EXPECT_GT(row.statistics.part_of_bound(), 0.9);
+    EXPECT_EQ(row.statistics.spans(), 4 * 320U);
+    EXPECT_EQ(row.statistics.pixels(), 4 * 320 * 321 / 2U);
+  }
+}
+
+// A face twice as far at one end: a straight line is off by (√2 - 1) / (√2 + 1) = 0.17157 of the
+// 255 texels between the ends, 43.75, and an exact place every sixteenth pixel takes that away.
+TEST(SteppingRun, LinearTextureBesideTrueOne) {
+  const auto rows = measure_stepping_rows(texture_variants(), 1, 4, never, [](std::uint64_t) {});
+  for (const SteppingRow& row : rows) EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
+  EXPECT_GT(of_rule(rows, "never (affine)").all().error, 43);
+  EXPECT_LT(of_rule(rows, "never (affine)").all().error, 43.75 + 0.63);
+  for (const LargestError& e : of_rule(rows, "every 16th").along()) EXPECT_LT(e.error, 0.25);
+  EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.01);
+}
+
+// Normals 60 degrees apart, s from -0.57735 to 0.57735: a straight line is off by 62 s^2 / 2 at
+// most, 10.33 levels, a parabola by 62 s^3 / (3 √3), 2.30; light half way is cos 30 of its
+// best, 8.3 levels off the line.
+TEST(SteppingRun, PhongByParabola) {
+  const auto rows = measure_stepping_rows(phong_variants(), 1, 4, never, [](std::uint64_t) {});
+  for (const SteppingRow& row : rows) EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
+  EXPECT_GT(of_rule(rows, "ends alone, linear").all().error, 62 * (1 - std::sqrt(0.75)) - 0.4);
+  EXPECT_LT(of_rule(rows, "ends alone, linear").all().error, 10.33 + 0.4);
+  EXPECT_GT(of_rule(rows, "quadratic").all().error, 1.5);
+  EXPECT_LT(of_rule(rows, "quadratic").all().error, 2.3 + 0.5);
+  EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.32);
+}
+
+TEST(SteppingRun, EndsWhenStopped) {
+  const std::atomic<bool> now{true};
+  EXPECT_TRUE(measure_stepping_rows(line_variants(), 1, 1, now, [](std::uint64_t) {}).empty());
+}
+
+/// Notes the words of light that a filler draws with.
+class WordsOfLight final : public xsharp::SpanLoops {
+ public:
+  explicit WordsOfLight(xsharp::StepWords& words) : words_(words) {}
+  void gouraud(std::span<std::uint8_t> /*out*/, std::uint16_t start,
+               std::uint16_t step) const override {
+    words_ = {start, step};
+  }
+  void gouraud_wide(std::span<std::uint8_t> /*out*/, std::uint32_t start,
+                    std::uint32_t step) const override {
+    words_ = {start, step};
+  }
+  void depth(std::span<std::uint8_t> /*out*/, std::span<std::int16_t> /*buffer*/,
+             std::uint8_t /*pixel*/, std::uint32_t /*start*/,
+             std::uint32_t /*step*/) const override {}
+  void texture(std::span<std::uint8_t> /*out*/, std::span<const std::uint8_t> /*bitmap*/,
+               std::uint32_t /*u*/, std::uint32_t /*du*/, std::uint32_t /*v*/,
+               std::uint32_t /*dv*/) const override {}
+
+ private:
+  xsharp::StepWords& words_;
+};
+
+/// The words for a rectangle one row high, with a value at its left and one at its right.
+template <class N>
+xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const LineEnds& ends, std::int32_t pixels) {
+  xsharp::Scene scene;
+  scene.objects.resize(1);
+  scene.objects[0].surface.kind = kind;
+  const double left = static_cast<double>(ends.from) / 65536;
+  const double right = static_cast<double>(ends.to) / 65536;
+  xsharp::Picture picture{.points = {{0, 0}, {pixels, 0}, {pixels, 1}, {0, 1}}, .polygons = {}};
+  picture.polygons.push_back({.object = 0, .first = 0, .points = 4});
+  picture.values = {{0, left}, {0, right}, {0, right}, {0, left}};
+  xsharp::StepWords words;
+  xsharp::StepFiller<N> filler(scene, std::make_unique<WordsOfLight>(words));
+  xsharp::Page<std::uint8_t> page(320, 1);
+  filler.begin(picture, 320, 1);
+  filler.fill(page, picture, picture.polygons[0], std::uint8_t{0});
+  return words;
+}
+
+TEST(SteppedLine, IsWhatTheFillerDraws) {
+  for (std::int32_t pixels = 1; pixels <= 320; ++pixels) {
+    const SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
+    const LineEnds ends{5 * level + pixels, 250 * level - 77 * pixels};
+    EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud16, ends, pixels),
+              line_words(LineRule::rounded, ends, place, 0));
+    EXPECT_EQ(
+        drawn_words<fixed::q16_16_i386_unrounded>(xsharp::SurfaceKind::gouraud16, ends, pixels),
+        line_words(LineRule::cut, ends, place, 0));
+    xsharp::StepWords narrow_words = line_words(LineRule::rounded, ends, place, 8);
+    narrow_words.step &= 0xFFFFU;
+    EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud8, ends, pixels),
+              narrow_words);
+  }
+}
+
+// The loop, two quotients every eighth pixel, and three values that begin a span of 160 pixels.
+TEST(SteppingTimes, AddUpToAPixel) {
+  const std::vector<SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
+                                         {"an exact place", "pixel", {4, 4, 0}},
+                                         {"slope, start and words", "value", {16, 16, 0}}};
+  EXPECT_NEAR(nanoseconds_a_pixel("texture, perspective", "every 8th", times).value(),
+              1 + 4.0 / 8 + 3 * 16.0 / 160, 1e-12);
+  EXPECT_FALSE(nanoseconds_a_pixel("intensity 8.8", "8088", times));
+}
+
+// A value's divide and multiply, spread over ten pixels.
+TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
+  const std::vector<SetupClocks> setups{{x86model::Cpu::i386, {100, 110}, {50, 60}}};
+  const auto costs = measure_pixel_costs(setups);
+  ASSERT_EQ(costs.size(), 5U);
+  for (const PixelCost& cost : costs) {
+    EXPECT_NEAR(cost.of_span[0].min - cost.pixel.min, 15.0 * cost.values, 1e-9) << cost.loop;
+    EXPECT_NEAR(cost.of_span[0].max - cost.pixel.max, 17.0 * cost.values, 1e-9) << cost.loop;
+  }
+  EXPECT_EQ(costs.back().values, 2) << "a texture has two coordinates";
+}
+
+// With a divide of 200 clocks two a pixel are 400 and the loop, of which Intel says less than 30.
+TEST(SteppingClocks, ClaimsAreJudged) {
+  const auto claims = judge_stepping_claims({{x86model::Cpu::i386, {200, 200}, {50, 50}}});
+  ASSERT_EQ(claims.size(), 3U);
+  for (const Claim& claim : claims) ASSERT_EQ(claim.figures.size(), 1U) << claim.text;
+  EXPECT_EQ(verdict_on(claims[2]), Verdict::holds);
+  EXPECT_GT(claims[2].figures[0].measured.min, 400.0 / 30);
+}
+
+}  // namespace

@@ -1,0 +1,44 @@
+#include "verify/measure/claim_text.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "verify/hex.hpp"
+#include "verify/measure/figures.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using ClaimJson = nlohmann::ordered_json;
+
+ClaimJson json_of(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
+
+}  // namespace
+
+ClaimJson json_of_claim(const Claim& claim) {
+  ClaimJson figures = ClaimJson::array();
+  for (const ClaimFigure& f : claim.figures) {
+    figures.push_back(
+        {{"where", f.where}, {"measured", json_of(f.measured)}, {"verdict", name_of(f.verdict)}});
+  }
+  return {{"claim", claim.text},
+          {"means", claim.means},
+          {"unit", claim.unit},
+          {"verdict", name_of(verdict_on(claim))},
+          {"allowed", json_of(claim.allowed)},
+          {"figures", std::move(figures)}};
+}
+
+void print_claim(const Claim& claim) {
+  std::cout << fmt::format("\n{}\n=> {}\n({})\n", claim.text, name_of(verdict_on(claim)),
+                           claim.means);
+  for (const ClaimFigure& f : claim.figures) {
+    std::cout << fmt::format("  {:<44}{:>15} {:<16} {}\n", printable(f.where),
+                             between(f.measured.min, f.measured.max, 2), claim.unit,
+                             name_of(f.verdict));
+  }
+}
+
+}  // namespace fixproof

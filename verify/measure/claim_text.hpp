@@ -1,0 +1,18 @@
+/// @file
+/// Claims as tables print them, and as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "verify/measure/claims.hpp"
+
+namespace fixproof {
+
+/// To standard output, every figure a line.
+void print_claim(const Claim& claim);
+
+/// {claim, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured: {min,
+/// max}, verdict}}. Infinite bounds become null: JSON has no number for them.
+nlohmann::ordered_json json_of_claim(const Claim& claim);
+
+}  // namespace fixproof

@@ -1,0 +1,142 @@
+#include "verify/measure/stepping_clocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "verify/draw.hpp"
+#include "verify/measure/call_clocks.hpp"
+
+namespace fixproof {
+
+namespace {
+
+namespace x86 = x86model;
+using x86::Cpu;
+using x86::Loop;
+
+constexpr double without_end = std::numeric_limits<double>::infinity();
+
+x86::Target target_of(Cpu cpu) { return cpu < Cpu::i386 ? x86::Target::i8088 : x86::Target::i386; }
+
+/// By DEC and JNZ. @throws std::bad_optional_access where the processor has no such loop
+Bounds clocks_by_count(Loop loop, Cpu cpu, Pixels pixels = Pixels::drawn) {
+  const x86::LoopForm form{loop, x86::Counting::dec_jnz, target_of(cpu)};
+  const PixelClocks clocks = pixel_clocks(form, pixels, cpu).value();
+  return {clocks.min, clocks.max};
+}
+
+/// Least against least and most against most: both meet the same ranges.
+Bounds as_many_times(const Bounds& a, const Bounds& b) {
+  const double least = a.min / b.min;
+  const double most = a.max / b.max;
+  return {std::min(least, most), std::max(least, most)};
+}
+
+void add_figure(Claim& claim, std::string where, const Bounds& measured) {
+  claim.figures.push_back(
+      {std::move(where), measured, judge(measured, claim.allowed, Evidence::decides)});
+}
+
+struct CostedLoop {
+  const char* name;
+  Loop loop;
+  Pixels pixels;
+  int values;
+};
+constexpr std::array costed_loops{
+    CostedLoop{"GouraudBytes", Loop::gouraud_byte, Pixels::drawn, 1},
+    CostedLoop{"GouraudWords", Loop::gouraud_word, Pixels::drawn, 1},
+    CostedLoop{"DepthTest drawn", Loop::depth_test, Pixels::drawn, 1},
+    CostedLoop{"DepthTest hidden", Loop::depth_test, Pixels::hidden, 1},
+    CostedLoop{"TextureSpan", Loop::texture, Pixels::drawn, 2},
+};
+
+}  // namespace
+
+std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
+  static const std::atomic<bool> never{false};
+  constexpr std::uint64_t spans = 500;
+  std::vector<std::uint32_t> divides;
+  std::vector<std::uint32_t> multiplies;
+  for (std::uint64_t i = 0; i < spans; ++i) {
+    Draw draw(mix(seed), i);
+    const auto units = static_cast<std::int64_t>(65536 + draw.below(319 * 65536 + 1));
+    const std::int64_t way = draw.either_sign(static_cast<std::int64_t>(draw.below(253 * 65536)));
+    divides.push_back(static_cast<std::uint32_t>(way));
+    divides.push_back(static_cast<std::uint32_t>(units));
+    multiplies.push_back(static_cast<std::uint32_t>(way * 65536 / units));
+    multiplies.push_back(static_cast<std::uint32_t>(draw.below(65536)));
+  }
+  std::vector<SetupClocks> all;
+  for (const Target target : {Target::i8088, Target::i386}) {
+    CallClocks divide = no_calls({.operation = Operation::div, .target = target});
+    CallClocks multiply = no_calls({.operation = Operation::mul, .target = target});
+    add_calls(divide, divides, true, never);
+    add_calls(multiply, multiplies, true, never);
+    for (std::size_t i = 0; i < divide.processors.size(); ++i) {
+      const Cpu cpu = divide.processors[i].cpu;
+      if ((target == Target::i8088) != (cpu < Cpu::i386)) continue;
+      const Spread& d = divide.processors[i].clocks;
+      const Spread& m = multiply.processors[i].clocks;
+      all.push_back({cpu, {d.mean_min(), d.mean_max()}, {m.mean_min(), m.mean_max()}});
+    }
+  }
+  return all;
+}
+
+std::vector<PixelCost> measure_pixel_costs(const std::vector<SetupClocks>& setups) {
+  std::vector<PixelCost> costs;
+  for (const CostedLoop& loop : costed_loops) {
+    for (const SetupClocks& setup : setups) {
+      if (loop.loop == Loop::depth_test && setup.cpu < Cpu::i386) continue;
+      const Bounds pixel = clocks_by_count(loop.loop, setup.cpu, loop.pixels);
+      PixelCost cost{loop.name, setup.cpu, loop.values, pixel, {}};
+      for (std::size_t i = 0; i < costed_lengths.size(); ++i) {
+        const double share = static_cast<double>(loop.values) / costed_lengths.at(i);
+        cost.of_span.at(i) = {pixel.min + share * (setup.divide.min + setup.multiply.min),
+                              pixel.max + share * (setup.divide.max + setup.multiply.max)};
+      }
+      costs.push_back(std::move(cost));
+    }
+  }
+  return costs;
+}
+
+std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups) {
+  Claim depth{"Writing under a depth buffer is two times slower than Gouraud shading.",
+              "clocks of a pixel that is drawn over those of Gouraud's bytes; 1.6 to 2.5",
+              "times",
+              {1.6, 2.5},
+              {}};
+  Claim order{"Drawn from front to back, a pixel that is hidden is not written, and saves time.",
+              "clocks of a pixel that is drawn over those of one that is hidden; more than 1",
+              "times",
+              {1.0001, without_end},
+              {}};
+  Claim linear{"The linear method is fast beside true texture mapping.",
+               "the texture loop and two FixedDivs a pixel, which a true one needs at least, over "
+               "the loop alone;\ntwice at least",
+               "times",
+               {2, without_end},
+               {}};
+  for (const SetupClocks& setup : setups) {
+    const std::string on{x86::name_of(setup.cpu)};
+    const Bounds loop = clocks_by_count(Loop::texture, setup.cpu);
+    add_figure(
+        linear, on,
+        as_many_times({loop.min + 2 * setup.divide.min, loop.max + 2 * setup.divide.max}, loop));
+    if (setup.cpu < Cpu::i386) continue;
+    const Bounds drawn = clocks_by_count(Loop::depth_test, setup.cpu);
+    add_figure(depth, on, as_many_times(drawn, clocks_by_count(Loop::gouraud_byte, setup.cpu)));
+    add_figure(order, on,
+               as_many_times(drawn, clocks_by_count(Loop::depth_test, setup.cpu, Pixels::hidden)));
+  }
+  return {depth, order, linear};
+}
+
+}  // namespace fixproof
