@@ -113,12 +113,14 @@ class Oracle final : public Party {
           return store(oracle::cos(in[0], bits), out);
         case Operation::decimal:
           return store(
-              word_of_ulps(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits), bits),
+              word_of_ulps(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits),
+                           bits),
               out);
         case Operation::binary64:
           break;
       }
-      return store(word_of_ulps(oracle::from_double(double_of(in[0], bits), rounding, bits), bits), out);
+      return store(word_of_ulps(oracle::from_double(double_of(in[0], bits), rounding, bits), bits),
+                   out);
     });
   }
 };
