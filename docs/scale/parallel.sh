@@ -18,11 +18,12 @@ mkdir -p "$folder" || exit 2
 # A part without a chunk: what is wrong with the options is said once and not by every part.
 "$fixproof" verify "$@" --shard 999999999/999999999 >/dev/null || exit 2
 
+# A mismatch (1) and a wrong option (2) are no reason to try again; merge says so.
 # In the background, since bash would hear of a signal only after the last part. SIGTERM twice is how GNU
 # parallel is stopped at once.
 parallel --retries 5 --termseq INT,3000,KILL,100 --joblog "$folder/log" \
   "$(printf '%q ' "$fixproof" verify "$@" --threads 1)" \
-  --shard "{}/$shards" --resume "$(printf '%q' "$folder")/{}.json" '>/dev/null' \
+  --shard "{}/$shards" --resume "$(printf '%q' "$folder")/{}.json" '>/dev/null || [ $? -le 2 ]' \
   ::: $(seq "$shards") </dev/null &
 jobs=$!
 stopped=0

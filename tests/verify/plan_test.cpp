@@ -80,8 +80,8 @@ TEST(Plan, Level3SamplesNothing) {
   // Both targets with both roundings, and the standard rules.
   EXPECT_EQ(rows[Operation::mul], 5);
   EXPECT_EQ(rows[Operation::div], 5);
-  for (const Operation o : {Operation::sqrt, Operation::sin, Operation::cos, Operation::decimal,
-                            Operation::binary64}) {
+  for (const Operation o :
+       {Operation::sqrt, Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {
     EXPECT_EQ(rows[o], 1);
   }
 }
