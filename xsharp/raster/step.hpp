@@ -23,7 +23,8 @@ namespace xsharp {
 /// n / d, rounded as the arithmetic's divide is; 0 where there is no quotient.
 ///
 /// Both are doubled as long as they fit, which changes no quotient but where a divide looks at a
-/// part of its divisor alone, as that of the 8088 does: it then looks at nearly all of it.
+/// part of its divisor alone, as that of the 8088 does: it then looks at nearly all of it. A
+/// dividend beyond 8191, as a depth that changes so much in a row, leaves it the whole part.
 template <Scalar N>
 N ratio(N n, N d) {
   const N most = from_whole<N>(8191);
