@@ -52,7 +52,7 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
   Row row{seat.variant, {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string name(seat.parties[i]->name());
-    text += fmt::format("  {:<11} {}\n", name, answers[i].text(result_bits));
+    text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
     // The party that is to be asked again comes first.
     const bool first_liar = answers[i] != answers.front() && row.parties.front() == "oracle";
     row.parties.insert(first_liar ? row.parties.begin() : row.parties.end(), name);

@@ -42,6 +42,17 @@ class Executor {
   /// @param length bytes of the instruction; what is drawn behind it Unicorn may not be able to
   /// translate
   Left execute(const fuzz::StepCase& step, std::size_t length) {
+    Left left = execute_once(step, length);
+    // An emulator that has run thousands of instructions may refuse one that a new one executes.
+    if (!left.length && !left.divide_error) {
+      renew();
+      left = execute_once(step, length);
+    }
+    return left;
+  }
+
+ private:
+  Left execute_once(const fuzz::StepCase& step, std::size_t length) {
     if (place_ + place_size > segment_size) renew();
     const std::size_t place = place_;
     place_ += place_size;
@@ -72,7 +83,6 @@ class Executor {
     return left;
   }
 
- private:
   static constexpr std::uint8_t nop = 0x90;
   static constexpr std::size_t place_size = 16;
   static constexpr std::uint32_t stack = 0x2000;

@@ -33,8 +33,8 @@ TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
   const auto found = fuzz::disagreement(seat, words);
   ASSERT_TRUE(found);
   // 1 / 2, the smallest tie there is: half a unit, which goes away from zero.
-  EXPECT_NE(found->find("oracle      00000001"), std::string::npos) << *found;
-  EXPECT_NE(found->find("saboteur    00000000"), std::string::npos) << *found;
+  EXPECT_NE(found->find("oracle         00000001"), std::string::npos) << *found;
+  EXPECT_NE(found->find("saboteur       00000000"), std::string::npos) << *found;
   EXPECT_NE(
       found->find("echo '00000001 00020000' | fixproof eval div --target i8088 --div-round on "
                   "--by saboteur"),
