@@ -111,6 +111,11 @@ FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
   return _mm512_maskz_min_pd(0xff, _mm512_maskz_max_pd(0xff, x, low), high);
 }
 FIXED_LANE_FUNCTION f64 root(f64 x) { return _mm512_maskz_sqrt_pd(0xff, x); }
+// Without optimisation these two are macros in g++ 12, which warn of their mask.
+#if !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Woverflow"
+#endif
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   if constexpr (by_floor) {
@@ -119,6 +124,9 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
     return i64(_mm512_maskz_cvtt_roundpd_epi64(0xff, x, _MM_FROUND_NO_EXC));
   }
 }
+#if !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #elif defined(FIXED_LANES_AVX2)
 
