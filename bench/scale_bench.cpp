@@ -31,7 +31,7 @@ xsharp::Scene cloud(std::int64_t balls) {
   xsharp::Scene scene;
   std::mt19937 random(1994);
   const auto from_to = [&random](double from, double to) {
-    return from + (to - from) * (random() / 4294967296.0);
+    return from + (to - from) * (static_cast<double>(random()) / 4294967296.0);
   };
   const xsharp::Mesh body = xsharp::ball(10, 8);
   for (std::int64_t i = 0; i < balls; ++i) {
