@@ -17,6 +17,7 @@
 #include "fixed/fixed.hpp"
 #include "fixed/format.hpp"
 #include "fuzz/finding.hpp"
+#include "fuzz/oracle_rule.hpp"
 #include "fuzz/words.hpp"
 #include "oracle/decimal.hpp"
 #include "oracle/unbounded.hpp"
@@ -49,21 +50,6 @@ std::size_t number_at_start(std::string_view text) {
 std::string shown(std::string_view text) { return fmt::format("\"{}\"", text.substr(0, 200)); }
 
 template <class Number>
-constexpr oracle::Rounding rule() {
-  switch (Number::rules.multiply) {
-    case fixed::rounding::half_up:
-      return oracle::Rounding::half_up;
-    case fixed::rounding::half_away:
-      return oracle::Rounding::half_away;
-    case fixed::rounding::floor:
-      return oracle::Rounding::floor;
-    case fixed::rounding::truncate:
-      break;
-  }
-  return oracle::Rounding::truncate;
-}
-
-template <class Number>
 Word word_of(Number x) {
   return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
 }
@@ -72,7 +58,8 @@ Word word_of(Number x) {
 template <class Number>
 std::optional<Word> expected_word(std::string_view number) {
   constexpr int bits = 2 * Number::fraction_bits;
-  const auto exact = oracle::from_decimal(number, rule<Number>(), Number::fraction_bits);
+  const auto exact = oracle::from_decimal(
+      number, fixproof::fuzz::oracle_rule(Number::rules.multiply), Number::fraction_bits);
   if (!exact || !oracle::fits(*exact, bits)) return std::nullopt;
   return oracle::wrap(*exact, bits);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fixed/fixed.hpp"
+#include "fuzz/oracle_rule.hpp"
 #include "oracle/decimal.hpp"
 #include "oracle/unbounded.hpp"
 
@@ -145,7 +146,7 @@ class OracleAnswers {
   OracleAnswers(int fraction_bits, const policy& rules, Words words)
       : fraction_bits_(fraction_bits),
         rules_(rules),
-        multiply_(rule_of(rules.multiply)),
+        multiply_(oracle_rule(rules.multiply)),
         wide_(joined(words)) {
     for (std::size_t i = 0; i < words.size(); ++i) {
       words_.at(i) = words[i] & (~Word{0} >> (32 - bits()));
@@ -155,7 +156,7 @@ class OracleAnswers {
 
   [[nodiscard]] std::vector<Said> quotients() const {
     const auto exact =
-        oracle::exact_quotient(words_[0], words_[1], rule_of(rules_.divide), fraction_bits_);
+        oracle::exact_quotient(words_[0], words_[1], oracle_rule(rules_.divide), fraction_bits_);
     if (!exact) {
       const Said limit = traps() || units_[0] != 0 ? end(units_[0] < 0) : Said(0);
       return {limit, std::nullopt, limit};
@@ -207,20 +208,6 @@ class OracleAnswers {
   }
 
  private:
-  static oracle::Rounding rule_of(fixed::rounding rule) {
-    switch (rule) {
-      case fixed::rounding::half_up:
-        return oracle::Rounding::half_up;
-      case fixed::rounding::half_away:
-        return oracle::Rounding::half_away;
-      case fixed::rounding::floor:
-        return oracle::Rounding::floor;
-      case fixed::rounding::truncate:
-        break;
-    }
-    return oracle::Rounding::truncate;
-  }
-
   [[nodiscard]] int bits() const { return 2 * fraction_bits_; }
   [[nodiscard]] bool traps() const { return rules_.range == overflow::trap; }
 
