@@ -35,17 +35,15 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <span>
 #include <type_traits>
-#include <utility>
 
 #include "fixed/detail/batch_element.hpp"
 #include "fixed/detail/batch_report.hpp"
+#include "fixed/detail/batch_spans.hpp"
 #include "fixed/detail/batch_targets.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/math.hpp"
@@ -66,40 +64,6 @@ struct options {
 
 namespace fixed::detail {
 
-/// What can be written as numbers N.
-template <class Range, class N>
-concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
-    requires(Range& range) {
-  { *std::data(range) } -> std::same_as<N&>;
-};
-
-/// What can be read as numbers N.
-template <class Range, class N>
-concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
-
-/// What is made of two numbers N, or of three.
-template <class T, class N, std::size_t size>
-concept made_of = (size == 2 &&
-                   requires(N n) {
-                     T{n, n};
-                   }) ||
-                  (size == 3 && requires(N n) {
-                    T{n, n, n};
-                  });
-
-/// Elements that are `size` numbers N and nothing else.
-template <class Range, class N, std::size_t size>
-concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
-                        std::is_standard_layout_v<element_t<Range>> &&
-                        sizeof(element_t<Range>) == size * sizeof(N) &&
-                    made_of<element_t<Range>, N, size>&& requires(const Range& range) {
-  std::size(range);
-};
-
-template <class Range, class N, std::size_t size>
-concept output_tuples_of = tuples_of<Range, N, size> &&
-    !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
-
 inline std::size_t batch_length(const batch::options& how,
                                 std::initializer_list<std::size_t> sizes) noexcept {
   const std::size_t shortest = std::min(sizes);
@@ -108,19 +72,6 @@ inline std::size_t batch_length(const batch::options& how,
 
 inline std::span<bool> batch_marks(const batch::options& how, std::size_t count) noexcept {
   return how.marks.empty() ? how.marks : how.marks.first(count);
-}
-
-/// The stored integers of an element of `size` numbers.
-template <int F, std::size_t size>
-std::array<raw_t<F>, size> load_tuple(const void* base, std::size_t index) noexcept {
-  std::array<raw_t<F>, size> tuple;
-  std::memcpy(tuple.data(), static_cast<const char*>(base) + index * sizeof tuple, sizeof tuple);
-  return tuple;
-}
-
-template <int F, std::size_t size>
-void store_tuple(void* base, std::size_t index, const std::array<raw_t<F>, size>& tuple) noexcept {
-  std::memcpy(static_cast<char*>(base) + index * sizeof tuple, tuple.data(), sizeof tuple);
 }
 
 template <int F, policy P>
@@ -132,31 +83,17 @@ raw_transform<F> raws_of(const std::array<std::array<number<F, P>, 4>, 3>& rows)
   return raws;
 }
 
-/// A transformed vertex, and the first fault in its coordinates.
-template <int F, policy P>
-std::array<raw_t<F>, 3> transformed_vertex(const raw_transform<F>& by,
-                                           const std::array<raw_t<F>, 3>& v, std::size_t index,
-                                           fault_recorder& found) noexcept {
-  std::array<raw_t<F>, 3> result;
-  fault what = fault::none;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const outcome<F> coordinate = transformed<F, P>(by[i], v);
-    result[i] = coordinate.raw;
-    what = first_of(what, coordinate.what);
-  }
-  found.note(what, index);
-  return result;
+/// Writes stored integers as numbers.
+template <class N>
+auto store_at(N* to) noexcept {
+  return [to](std::size_t i, typename N::raw_type raw) { to[i] = N::from_raw(raw); };
 }
 
-/// A projected point. A divide error in either coordinate comes before an overflow in the other.
-template <int F, policy P>
-std::array<raw_t<F>, 2> projected_point(raw_t<F> constant, const std::array<raw_t<F>, 3>& v,
-                                        std::size_t index, fault_recorder& found) noexcept {
-  const outcome<F> x = projected<F, P>(v[0], v[2], constant);
-  const outcome<F> y = projected<F, P>(v[1], v[2], constant);
-  const bool error = x.what == fault::divide_error || y.what == fault::divide_error;
-  found.note(error ? fault::divide_error : first_of(x.what, y.what), index);
-  return {x.raw, y.raw};
+/// The stored integers at one place of three arrays.
+template <class N>
+std::array<typename N::raw_type, 3> tuple_at(const std::array<const N*, 3>& from,
+                                             std::size_t i) noexcept {
+  return {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()};
 }
 
 }  // namespace fixed::detail
@@ -176,13 +113,12 @@ report multiply(const A& a, const B& b, Out&& out,
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, {std::size(a), std::size(b), std::size(out)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(
+  const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template multiply<F, P>(x, y, to, count, found); });
-  for (; i < count; ++i) {
-    const auto product = detail::multiplied<F, P>(x[i].raw(), y[i].raw());
-    to[i] = N::from_raw(product.raw);
-    found.note(product.what, i);
-  }
+  detail::each_element(
+      done, count, found,
+      [=](std::size_t i) { return detail::multiplied<F, P>(x[i].raw(), y[i].raw()); },
+      detail::store_at(to));
   return found.template finish<P>("multiply");
 }
 
@@ -201,13 +137,14 @@ report mul_add(const A& a, const B& b, const C& c, Out&& out,
   const std::size_t count =
       detail::batch_length(how, {std::size(a), std::size(b), std::size(c), std::size(out)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(
+  const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template mul_add<F, P>(x, y, z, to, count, found); });
-  for (; i < count; ++i) {
-    const auto sum = detail::multiplied_and_added<F, P>(x[i].raw(), y[i].raw(), z[i].raw());
-    to[i] = N::from_raw(sum.raw);
-    found.note(sum.what, i);
-  }
+  detail::each_element(
+      done, count, found,
+      [=](std::size_t i) {
+        return detail::multiplied_and_added<F, P>(x[i].raw(), y[i].raw(), z[i].raw());
+      },
+      detail::store_at(to));
   return found.template finish<P>("mul_add");
 }
 
@@ -225,13 +162,13 @@ report divide(const Numerators& n, const Divisors& d, Out&& out, const options& 
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, {std::size(n), std::size(d), std::size(out)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(
+  std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template divide<F, P>(x, y, to, count, found); });
-  for (; i < count; ++i) {
-    const auto quotient = detail::divided<F, P>(x[i].raw(), y[i].raw());
-    to[i] = N::from_raw(quotient.raw);
-    found.note(quotient.what, i);
+  const auto element = [=](std::size_t i) { return detail::divided<F, P>(x[i].raw(), y[i].raw()); };
+  if constexpr (N::divide_never_throws) {
+    done = detail::divide_blocks(done, x, y, to, count, found, element);
   }
+  detail::each_element(done, count, found, element, detail::store_at(to));
   return found.template finish<P>("divide");
 }
 
@@ -245,13 +182,11 @@ report sqrt(const X& x, Out&& out,
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, {std::size(x), std::size(out)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(
+  const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template sqrt<F>(from, to, count, found); });
-  for (; i < count; ++i) {
-    const auto root = detail::rooted<F>(from[i].raw());
-    to[i] = N::from_raw(root.raw);
-    found.note(root.what, i);
-  }
+  detail::each_element(
+      done, count, found, [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); },
+      detail::store_at(to));
   return found.template finish<N::rules>("sqrt");
 }
 
@@ -299,12 +234,14 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const I
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, {std::size(in), std::size(out)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(
+  const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template transform<F, P>(by, from, to, count, found); });
-  for (; i < count; ++i) {
-    const auto v = detail::load_tuple<F, 3>(from, i);
-    detail::store_tuple<F, 3>(to, i, detail::transformed_vertex<F, P>(by, v, i, found));
-  }
+  detail::each_element(
+      done, count, found,
+      [=](std::size_t i) {
+        return detail::transformed_vertex<F, P>(by, detail::load_tuple<F, 3>(from, i));
+      },
+      [=](std::size_t i, const auto& v) { detail::store_tuple<F, 3>(to, i, v); });
   return found.template finish<P>("transform");
 }
 
@@ -323,15 +260,18 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X
       detail::batch_length(how, {std::size(x), std::size(y), std::size(z), std::size(to_x),
                                  std::size(to_y), std::size(to_z)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(how.use, [&](auto on) {
+  const std::size_t done = detail::on_path(how.use, [&](auto on) {
     return on.template transform<F, P>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
                                        std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
   });
-  for (; i < count; ++i) {
-    const auto v = detail::transformed_vertex<F, P>(
-        by, {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()}, i, found);
-    for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
-  }
+  detail::each_element(
+      done, count, found,
+      [=](std::size_t i) {
+        return detail::transformed_vertex<F, P>(by, detail::tuple_at(from, i));
+      },
+      [=](std::size_t i, const auto& v) {
+        for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
+      });
   return found.template finish<P>("transform");
 }
 
@@ -345,13 +285,15 @@ report project(const In& in, number<F, P> constant, Out&& out,
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, {std::size(in), std::size(out)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(how.use, [&](auto on) {
+  const std::size_t done = detail::on_path(how.use, [&](auto on) {
     return on.template project<F, P>(constant.raw(), from, to, count, found);
   });
-  for (; i < count; ++i) {
-    const auto v = detail::load_tuple<F, 3>(from, i);
-    detail::store_tuple<F, 2>(to, i, detail::projected_point<F, P>(constant.raw(), v, i, found));
-  }
+  detail::each_element(
+      done, count, found,
+      [=](std::size_t i) {
+        return detail::projected_point<F, P>(constant.raw(), detail::load_tuple<F, 3>(from, i));
+      },
+      [=](std::size_t i, const auto& point) { detail::store_tuple<F, 2>(to, i, point); });
   return found.template finish<P>("project");
 }
 
@@ -367,17 +309,19 @@ report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& 
   const std::size_t count = detail::batch_length(
       how, {std::size(x), std::size(y), std::size(z), std::size(to_x), std::size(to_y)});
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t i = detail::on_path(how.use, [&](auto on) {
+  const std::size_t done = detail::on_path(how.use, [&](auto on) {
     return on.template project<F, P>(constant.raw(),
                                      std::array<const void*, 3>{from[0], from[1], from[2]},
                                      std::array<void*, 2>{to[0], to[1]}, count, found);
   });
-  for (; i < count; ++i) {
-    const auto point = detail::projected_point<F, P>(
-        constant.raw(), {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()}, i, found);
-    to[0][i] = N::from_raw(point[0]);
-    to[1][i] = N::from_raw(point[1]);
-  }
+  detail::each_element(
+      done, count, found,
+      [=](std::size_t i) {
+        return detail::projected_point<F, P>(constant.raw(), detail::tuple_at(from, i));
+      },
+      [=](std::size_t i, const auto& point) {
+        for (std::size_t k = 0; k < 2; ++k) to[k][i] = N::from_raw(point[k]);
+      });
   return found.template finish<P>("project");
 }
 

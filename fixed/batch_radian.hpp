@@ -2,19 +2,34 @@
 /// Sines and cosines of many angles in radians: the results of fixed/trig.hpp, to the bit, several
 /// times as fast where the processor has AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
 ///
-/// Paths are those of fixed/batch.hpp.
+/// Spans and paths are those of fixed/batch.hpp.
 #pragma once
 
 #include <algorithm>
 #include <array>  // std::data, std::size
-#include <concepts>
 #include <cstddef>
+#include <cstdint>
 
+#include "fixed/detail/batch_spans.hpp"
 #include "fixed/detail/batch_targets.hpp"
 #include "fixed/detail/radian.hpp"
-#include "fixed/detail/radian_targets.hpp"
+#include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
-#include "fixed/number.hpp"
+
+namespace fixed::detail {
+
+/// The sines of `count` numbers, `ahead` / 2^64 turns on.
+template <class N>
+void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64_t ahead) noexcept {
+  constexpr int F = N::fraction_bits;
+  std::size_t i =
+      on_path(use, [&](auto on) { return on.template sines<F>(from, to, count, ahead); });
+  for (; i < count; ++i) {
+    to[i] = N::from_raw(static_cast<raw_t<F>>(nearest_sine<F>(from[i].raw(), ahead)));
+  }
+}
+
+}  // namespace fixed::detail
 
 /// Functions of many numbers at once.
 namespace fixed::batch {
@@ -24,36 +39,40 @@ namespace fixed::batch {
 ///
 ///     std::vector<fixed::q16_16> angles(1000), sines(1000);
 ///     fixed::batch::sin(angles, sines);
-template <detail::number_range Angles, detail::number_range Results>
-requires std::same_as<detail::element_t<Angles>, detail::element_t<Results>>
+template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void sin(const Angles& angles, Results&& results, path use = best()) noexcept {
-  constexpr int bits = detail::element_t<Angles>::fraction_bits;
   const std::size_t count = std::min<std::size_t>(std::size(angles), std::size(results));
-  detail::all_sines<bits>(use, detail::raws(std::data(angles)), detail::raws(std::data(results)),
-                          count, 0);
+  detail::sines(use, std::data(angles), std::data(results), count, 0);
 }
 
 /// As sin(), with fixed::cos.
-template <detail::number_range Angles, detail::number_range Results>
-requires std::same_as<detail::element_t<Angles>, detail::element_t<Results>>
+template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
-  constexpr int bits = detail::element_t<Angles>::fraction_bits;
   const std::size_t count = std::min<std::size_t>(std::size(angles), std::size(results));
-  detail::all_sines<bits>(use, detail::raws(std::data(angles)), detail::raws(std::data(results)),
-                          count, detail::quarter_turn);
+  detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
 
 /// cosines[i] and sines[i] = fixed::sin_cos(angles[i]), as sin() otherwise. The angles may be where
 /// one of the results is to be.
-template <detail::number_range Angles, detail::number_range Cosines, detail::number_range Sines>
-requires std::same_as<detail::element_t<Angles>, detail::element_t<Cosines>> &&
-    std::same_as<detail::element_t<Angles>, detail::element_t<Sines>>
+template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Cosines,
+          detail::output_of<detail::element_t<Angles>> Sines>
 void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = best()) noexcept {
-  constexpr int bits = detail::element_t<Angles>::fraction_bits;
+  using N = detail::element_t<Angles>;
+  constexpr int F = N::fraction_bits;
+  const N* const from = std::data(angles);
+  N* const to_cos = std::data(cosines);
+  N* const to_sin = std::data(sines);
   const std::size_t count = std::min<std::size_t>(
       std::size(angles), std::min<std::size_t>(std::size(cosines), std::size(sines)));
-  detail::all_of_both<bits>(use, detail::raws(std::data(angles)), detail::raws(std::data(cosines)),
-                            detail::raws(std::data(sines)), count);
+  std::size_t i = detail::on_path(
+      use, [&](auto on) { return on.template sines_and_cosines<F>(from, to_cos, to_sin, count); });
+  for (; i < count; ++i) {
+    const detail::raw_t<F> angle = from[i].raw();
+    using detail::nearest_sine;
+    to_cos[i] =
+        N::from_raw(static_cast<detail::raw_t<F>>(nearest_sine<F>(angle, detail::quarter_turn)));
+    to_sin[i] = N::from_raw(static_cast<detail::raw_t<F>>(nearest_sine<F>(angle, 0)));
+  }
 }
 
 }  // namespace fixed::batch

@@ -61,8 +61,7 @@ FIXED_LANE_FUNCTION i32 narrowed_16(i64 even, i64 odd, i32& bad) {
     return low;
   } else {
     // In range if the upper 17 of the 48 bits that are left are all the sign.
-    constexpr unsigned odds = 0xaaaa;
-    const i32 high = blend<odds>(i32(u64(even) >> 32), i32(odd));
+    const i32 high = interleaved(u64(even) >> 32, u64(odd));
     const i32 out = i32((high >> 15) != (low >> 31));
     bad |= out;
     return P.range == overflow::saturate ? saturated<16>(low, out, high) : low;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -19,10 +20,14 @@ namespace fixed::detail {
 /// What the report of a batch counts. Of several in one element the first counts.
 enum class fault : std::uint8_t { none, divide_error, overflow, domain_error };
 
-/// A stored integer and what was wrong with it.
+/// The rows of a transform as stored integers; the fourth column is added.
 template <int FractionBits>
+using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
+
+/// A stored integer, or those of a vertex, and what was wrong.
+template <class Raw>
 struct outcome {
-  raw_t<FractionBits> raw;
+  Raw raw;
   fault what = fault::none;
 };
 
@@ -36,7 +41,7 @@ inline constexpr overflow quiet_range =
 
 /// A result that may be out of range. Wrapping does not look.
 template <int F, policy P, class Wide>
-constexpr outcome<F> narrowed_element(Wide value) noexcept {
+constexpr outcome<raw_t<F>> narrowed_element(Wide value) noexcept {
   using raw = raw_t<F>;
   fault what = fault::none;
   if constexpr (P.range != overflow::wrap) {
@@ -46,13 +51,13 @@ constexpr outcome<F> narrowed_element(Wide value) noexcept {
 }
 
 template <int F, policy P>
-constexpr outcome<F> multiplied(raw_t<F> a, raw_t<F> b) noexcept {
+constexpr outcome<raw_t<F>> multiplied(raw_t<F> a, raw_t<F> b) noexcept {
   using wide = wide_t<F>;
   return narrowed_element<F, P>(shift_right<P.multiply>(wide{a} * wide{b}, F));
 }
 
 template <int F, policy P>
-constexpr outcome<F> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F> c) noexcept {
+constexpr outcome<raw_t<F>> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F> c) noexcept {
   using wide = wide_t<F>;
   const wide sum = wide{a} * wide{b} + wide{c} * (wide{1} << F);
   return narrowed_element<F, P>(shift_right<P.multiply>(sum, F));
@@ -60,34 +65,48 @@ constexpr outcome<F> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F> c) no
 
 /// What the scalar divide returns; where it throws, what it would return if it wrapped instead.
 template <int F, policy P>
-constexpr outcome<F> divided(raw_t<F> n, raw_t<F> d) noexcept {
-  const raw_t<F> quotient = total_divide<F, P>(n, d);
-  const division end = try_division<F, P>(n, d);
-  if (end == division::divide_error) return {quotient, fault::divide_error};
-  if (end == division::out_of_range) return {quotient, fault::overflow};
-  if constexpr (P.range == overflow::saturate) {
-    const std::int32_t divisor = effective_divisor<F, P>(d);
-    if (!fits<raw_t<F>>(rounded_quotient<P.divide, numerator_shift<F, P>>(n, divisor))) {
-      return {quotient, fault::overflow};
-    }
+constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
+  using raw = raw_t<F>;
+  const std::int32_t divisor = effective_divisor<F, P>(d);
+  if (divisor == 0) return {total_divide<F, P>(n, d), fault::divide_error};
+  const std::int64_t quotient = rounded_quotient<P.divide, numerator_shift<F, P>>(n, divisor);
+  const outcome<raw> result = narrowed_element<F, P>(quotient);
+  if constexpr (P.fault == divide_fault::unsigned_quotient) {
+    if (exceeds_unsigned<F, P>(n, divisor)) return {result.raw, fault::divide_error};
   }
-  return {quotient};
+  if constexpr (P.fault == divide_fault::signed_quotient) {
+    if (!fits<raw>(quotient)) return {result.raw, fault::divide_error};
+  }
+  return result;
+}
+
+/// Whether divided() may find a fault under a policy that never throws: where the divisor is zero
+/// or the result an end of the range. Without a branch.
+template <int F, policy P>
+constexpr bool may_be_fault(raw_t<F> d, raw_t<F> result) noexcept {
+  using limits = std::numeric_limits<raw_t<F>>;
+  bool may = effective_divisor<F, P>(d) == 0;
+  if constexpr (P.range == overflow::saturate) {
+    may |= result == limits::min();
+    may |= result == limits::max();
+  }
+  return may;
 }
 
 template <int F>
-constexpr outcome<F> rooted(raw_t<F> x) noexcept {
+constexpr outcome<raw_t<F>> rooted(raw_t<F> x) noexcept {
   if (x < 0) return {0, fault::domain_error};
   return {static_cast<raw_t<F>>(nearest_sqrt(std::int64_t{x} * (std::int64_t{1} << F)))};
 }
 
 /// One row of a transform applied to a vertex: each product rounded, then summed from the left.
 template <int F, policy P>
-constexpr outcome<F> transformed(const std::array<raw_t<F>, 4>& row,
-                                 const std::array<raw_t<F>, 3>& v) noexcept {
+constexpr outcome<raw_t<F>> transformed(const std::array<raw_t<F>, 4>& row,
+                                        const std::array<raw_t<F>, 3>& v) noexcept {
   using wide = wide_t<F>;
-  outcome<F> sum = multiplied<F, P>(row[0], v[0]);
-  const auto add = [&sum](const outcome<F>& term) {
-    const outcome<F> next = narrowed_element<F, P>(wide{sum.raw} + wide{term.raw});
+  outcome<raw_t<F>> sum = multiplied<F, P>(row[0], v[0]);
+  const auto add = [&sum](const outcome<raw_t<F>>& term) {
+    const outcome<raw_t<F>> next = narrowed_element<F, P>(wide{sum.raw} + wide{term.raw});
     sum = {next.raw, first_of(sum.what, first_of(term.what, next.what))};
   };
   add(multiplied<F, P>(row[1], v[1]));
@@ -98,10 +117,31 @@ constexpr outcome<F> transformed(const std::array<raw_t<F>, 4>& row,
 
 /// A coordinate over a depth, times a constant.
 template <int F, policy P>
-constexpr outcome<F> projected(raw_t<F> coordinate, raw_t<F> depth, raw_t<F> constant) noexcept {
-  const outcome<F> quotient = divided<F, P>(coordinate, depth);
-  const outcome<F> product = multiplied<F, P>(quotient.raw, constant);
+constexpr outcome<raw_t<F>> projected(raw_t<F> coordinate, raw_t<F> depth,
+                                      raw_t<F> constant) noexcept {
+  const outcome<raw_t<F>> quotient = divided<F, P>(coordinate, depth);
+  const outcome<raw_t<F>> product = multiplied<F, P>(quotient.raw, constant);
   return {product.raw, first_of(quotient.what, product.what)};
+}
+
+/// A transformed vertex, and the first fault in its coordinates.
+template <int F, policy P>
+constexpr outcome<std::array<raw_t<F>, 3>> transformed_vertex(
+    const raw_transform<F>& by, const std::array<raw_t<F>, 3>& v) noexcept {
+  const auto x = transformed<F, P>(by[0], v);
+  const auto y = transformed<F, P>(by[1], v);
+  const auto z = transformed<F, P>(by[2], v);
+  return {{x.raw, y.raw, z.raw}, first_of(x.what, first_of(y.what, z.what))};
+}
+
+/// A projected point. A divide error in either coordinate comes before an overflow in the other.
+template <int F, policy P>
+constexpr outcome<std::array<raw_t<F>, 2>> projected_point(
+    raw_t<F> constant, const std::array<raw_t<F>, 3>& v) noexcept {
+  const auto x = projected<F, P>(v[0], v[2], constant);
+  const auto y = projected<F, P>(v[1], v[2], constant);
+  const bool error = x.what == fault::divide_error || y.what == fault::divide_error;
+  return {{x.raw, y.raw}, error ? fault::divide_error : first_of(x.what, y.what)};
 }
 
 }  // namespace fixed::detail

@@ -1,10 +1,10 @@
 /// \file
 /// Vector registers and the few instructions that the vector types of the compiler do not reach.
 ///
-/// fixed/detail/batch_targets.hpp includes this file once for each instruction set: FIXED_LANES is
-/// the namespace, FIXED_LANE_BYTES the size of a register, FIXED_LANE_TARGET what makes the
-/// compiler use the instructions in a function. Every function here has to carry that attribute,
-/// which is why these are no templates on the instruction set.
+/// fixed/detail/batch_parts.hpp includes this file once for each instruction set: FIXED_LANES is
+/// the namespace, FIXED_LANE_BYTES the size of a register (16 NEON, 32 AVX2, 64 AVX-512),
+/// FIXED_LANE_TARGET what makes the compiler use the instructions in a function. Every function
+/// here has to carry that attribute, which is why these are no templates on the instruction set.
 ///
 /// A block is `width` elements: one register of 32-bit lanes, also for 8.8, whose stored integers
 /// are widened when loaded. Where 64 bits are needed a register has the even or the odd lanes, or
@@ -35,7 +35,10 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
   return x;
 }
 
-// mul_even(a, b)        the lower halves multiplied, signed, in 64-bit lanes
+// mul_even(a, b)        the lower halves multiplied, in 64-bit lanes, signed or unsigned as they
+// are unknown(x)            x, of which the compiler knows nothing: where clang can prove that
+// operands
+//                       have 32 bits it forgets it, and multiplies 64 in three products
 // middle(even, odd)     bits 16 to 47 of 64-bit lanes, in the even and in the odd lanes
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b where bit i of mask is set, else of a
@@ -52,11 +55,18 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // whole<by_floor>(x)    floor(x) or trunc(x) of |x| < 2^51 modulo 2^32 in the lower halves, in
 //                       every rounding mode
 
-#if defined(FIXED_LANES_AVX512)
+#if FIXED_LANE_BYTES == 64
 
 // The forms with a full mask: without one, g++ 12 warns of undefined values in its own headers.
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(_mm512_maskz_mul_epi32(0xff, __m512i(a), __m512i(b)));
+}
+FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
+  return u64(_mm512_maskz_mul_epu32(0xff, __m512i(a), __m512i(b)));
+}
+FIXED_LANE_FUNCTION u64 unknown(u64 x) {
+  asm("" : "+v"(x));
+  return x;
 }
 /// The 16-bit words that middle() takes of each pair of registers.
 inline constexpr std::array<std::int16_t, 32> middle_words = [] {
@@ -98,6 +108,9 @@ FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
 FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm512_maskz_cvtepi32_pd(0xff, __m256i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) { return _mm512_movepi32_mask(__m512i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return _mm256_movepi32_mask(__m256i(x)); }
+FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) {
+  return _mm512_testn_epi32_mask(__m512i(x), __m512i(x));
+}
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) {
   return _mm256_testn_epi32_mask(__m256i(x), __m256i(x));
 }
@@ -128,10 +141,17 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
 #pragma GCC diagnostic pop
 #endif
 
-#elif defined(FIXED_LANES_AVX2)
+#elif FIXED_LANE_BYTES == 32
 
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(_mm256_mul_epi32(__m256i(a), __m256i(b)));
+}
+FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
+  return u64(_mm256_mul_epu32(__m256i(a), __m256i(b)));
+}
+FIXED_LANE_FUNCTION u64 unknown(u64 x) {
+  asm("" : "+x"(x));
+  return x;
 }
 FIXED_LANE_FUNCTION i64 negative(i64 x) {
   return i64(_mm256_cmpgt_epi64(_mm256_setzero_si256(), __m256i(x)));
@@ -164,6 +184,7 @@ FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(x)));
 }
+FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
   return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GE_OQ)));
@@ -183,11 +204,15 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
   return i64(integer + 0x1.8p52);
 }
 
-#elif defined(FIXED_LANES_NEON)
+#else
 
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(vmull_s32(vmovn_s64(int64x2_t(a)), vmovn_s64(int64x2_t(b))));
 }
+FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
+  return u64(vmull_u32(vmovn_u64(uint64x2_t(a)), vmovn_u64(uint64x2_t(b))));
+}
+FIXED_LANE_FUNCTION u64 unknown(u64 x) { return x; }
 FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
 template <unsigned mask>
 FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
@@ -213,6 +238,7 @@ FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
   return vaddvq_u32(uint32x4_t(u32(x >> 31) & places));
 }
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return bits(join(x, half_i32{})); }
+FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
   return bits(low_words(i64(vcgeq_f64(float64x2_t(a), float64x2_t(b)))));
@@ -230,6 +256,11 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
 }
 
 #endif
+
+/// The even lanes of one, the odd lanes of the other.
+FIXED_LANE_FUNCTION i32 interleaved(u64 even, u64 odd) {
+  return blend<0xaaaa>(i32(even), i32(odd));
+}
 
 /// Numbers as the program keeps them: `base` has stored integers from element 0 on.
 template <int F>

@@ -1,5 +1,6 @@
 /// \file
-/// The loops of fixed/batch.hpp over whole blocks; see fixed/detail/batch_lanes.hpp.
+/// The loops of fixed/batch.hpp and fixed/batch_radian.hpp over whole blocks; see
+/// fixed/detail/batch_lanes.hpp.
 ///
 /// Each returns how many elements it has done: the last few are left to the caller. Where doubles
 /// are not what they should be (detail::hardware_double), those that need them do nothing.
@@ -59,10 +60,13 @@ FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
 
 /// Asks for what is read eight blocks of AVX-512 later: in one stream of three registers a block
 /// the processor does not look ahead far enough by itself. An address beyond the end is no access.
-FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t bytes) {
+/// \param index  of the next byte that is read
+/// \tparam block bytes that are read before this is called again
+template <std::size_t block>
+FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
   constexpr std::uintptr_t distance = 1536;
-  const auto at = reinterpret_cast<std::uintptr_t>(base) + bytes + distance;
-  for (std::uintptr_t line = 0; line < 3 * sizeof(i32); line += 64) {
+  const auto at = reinterpret_cast<std::uintptr_t>(base) + index + distance;
+  for (std::uintptr_t line = 0; line < block; line += 64) {
     __builtin_prefetch(reinterpret_cast<const void*>(at + line));
   }
 }
@@ -70,7 +74,8 @@ FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t bytes) {
 /// Vertices index, index + 1, ...
 template <int F>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
-  ask_ahead(base, 3 * index * sizeof(raw_t<F>));
+  constexpr std::size_t vertex = 3 * sizeof(raw_t<F>);
+  ask_ahead<vertex * width>(base, vertex * index);
   const i32 first = load<F>(base, 3 * index);
   const i32 second = load<F>(base, 3 * index + width);
   const i32 third = load<F>(base, 3 * index + 2 * width);
@@ -335,6 +340,44 @@ struct loops {
                           i32{} + constant, x, y, i, found);
       store<F>(out[0], i, x);
       store<F>(out[1], i, y);
+    }
+    return i;
+  }
+
+  /// detail::nearest_sine().
+  template <int F>
+  FIXED_LANE_TARGET static std::size_t sines(const void* angles, void* results, std::size_t count,
+                                             std::uint64_t ahead) {
+    std::size_t i = 0;
+    for (; count - i >= width; i += width) {
+      const i32 raw = load<F>(angles, i);
+      bool doubtful = false;
+      i32 result = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
+      if (doubtful) [[unlikely]] {
+        result = nearest_sines<F>(raw, ahead);
+      }
+      store<F>(results, i, result);
+    }
+    return i;
+  }
+
+  /// As sines(), of cosines and sines.
+  template <int F>
+  FIXED_LANE_TARGET static std::size_t sines_and_cosines(const void* angles, void* cosines,
+                                                         void* sines, std::size_t count) {
+    std::size_t i = 0;
+    for (; count - i >= width; i += width) {
+      const i32 raw = load<F>(angles, i);
+      const turn_lanes turns = turns_of<F>(raw, 0);
+      bool doubtful = false;
+      i32 sine = sines_of<F>(turns, doubtful);
+      i32 cosine = sines_of<F>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
+      if (doubtful) [[unlikely]] {
+        sine = nearest_sines<F>(raw, 0);
+        cosine = nearest_sines<F>(raw, quarter_turn);
+      }
+      store<F>(sines, i, sine);
+      store<F>(cosines, i, cosine);
     }
     return i;
   }

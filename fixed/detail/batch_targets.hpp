@@ -1,6 +1,6 @@
 /// \file
-/// The loops of fixed/batch.hpp for each instruction set that the compiler can be asked for, and
-/// which of them the processor has.
+/// The loops of fixed/batch.hpp and fixed/batch_radian.hpp for each instruction set that the
+/// compiler can be asked for, and which of them the processor has.
 #pragma once
 
 #include <array>
@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/batch_element.hpp"
 #include "fixed/detail/batch_report.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/quotient.hpp"
+#include "fixed/detail/radian.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/detail/wide_sum.hpp"
@@ -29,14 +31,6 @@ enum class path : std::uint8_t {
 
 }  // namespace fixed::batch
 
-namespace fixed::detail {
-
-/// The rows of a transform as stored integers; the fourth column is added.
-template <int FractionBits>
-using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
-
-}  // namespace fixed::detail
-
 // g++ 12 or clang: vector types, conversions between them, and functions for other processors than
 // the file is compiled for. Whatever else the compiler is, it takes the portable path.
 #if defined(__GNUC__) && defined(__has_builtin)
@@ -53,52 +47,22 @@ using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
 #include <immintrin.h>
 
 #define FIXED_LANES avx2
-#define FIXED_LANES_AVX2
 #define FIXED_LANE_BYTES 32
 #define FIXED_LANE_TARGET __attribute__((target("avx2")))
-#include "fixed/detail/batch_lanes.hpp"
-//
-#include "fixed/detail/batch_arithmetic.hpp"
-//
-#include "fixed/detail/batch_loops.hpp"
-#undef FIXED_LANES
-#undef FIXED_LANES_AVX2
-#undef FIXED_LANE_BYTES
-#undef FIXED_LANE_TARGET
-#undef FIXED_LANE_FUNCTION
+#include "fixed/detail/batch_parts.hpp"
 
 #define FIXED_LANES avx512
-#define FIXED_LANES_AVX512
 #define FIXED_LANE_BYTES 64
 #define FIXED_LANE_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
-#include "fixed/detail/batch_lanes.hpp"
-//
-#include "fixed/detail/batch_arithmetic.hpp"
-//
-#include "fixed/detail/batch_loops.hpp"
-#undef FIXED_LANES
-#undef FIXED_LANES_AVX512
-#undef FIXED_LANE_BYTES
-#undef FIXED_LANE_TARGET
-#undef FIXED_LANE_FUNCTION
+#include "fixed/detail/batch_parts.hpp"
 
 #elif defined(FIXED_BATCH_NEON)
 #include <arm_neon.h>
 
 #define FIXED_LANES neon
-#define FIXED_LANES_NEON
 #define FIXED_LANE_BYTES 16
 #define FIXED_LANE_TARGET
-#include "fixed/detail/batch_lanes.hpp"
-//
-#include "fixed/detail/batch_arithmetic.hpp"
-//
-#include "fixed/detail/batch_loops.hpp"
-#undef FIXED_LANES
-#undef FIXED_LANES_NEON
-#undef FIXED_LANE_BYTES
-#undef FIXED_LANE_TARGET
-#undef FIXED_LANE_FUNCTION
+#include "fixed/detail/batch_parts.hpp"
 #endif
 
 namespace fixed::batch {

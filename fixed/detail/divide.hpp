@@ -57,6 +57,14 @@ constexpr raw_t<FractionBits> total_divide(raw_t<FractionBits> n, raw_t<Fraction
   return static_cast<raw>((quotient & ~by_zero) | (limit & by_zero));
 }
 
+/// Whether |n| 2^shift / |divisor| >= 2^(2 FractionBits), multiplied out.
+template <int FractionBits, policy P>
+constexpr bool exceeds_unsigned(raw_t<FractionBits> n, std::int32_t divisor) noexcept {
+  const std::int64_t numerator = n < 0 ? -std::int64_t{n} : std::int64_t{n};
+  const std::int64_t magnitude = divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor};
+  return numerator >= magnitude << (2 * FractionBits - numerator_shift<FractionBits, P>);
+}
+
 /// How n / d ends under the policy.
 template <int FractionBits, policy P>
 constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
@@ -65,10 +73,7 @@ constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) no
   const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
   if (divisor == 0) return division::divide_error;
   if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    // |n| 2^shift / |divisor| >= 2^(2 FractionBits), multiplied out.
-    const std::int64_t numerator = n < 0 ? -std::int64_t{n} : std::int64_t{n};
-    const std::int64_t magnitude = divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor};
-    if (numerator >= magnitude << (2 * FractionBits - shift)) return division::divide_error;
+    if (exceeds_unsigned<FractionBits, P>(n, divisor)) return division::divide_error;
   }
   if constexpr (P.fault == divide_fault::signed_quotient) {
     if (!fits<raw>(rounded_quotient<P.divide, shift>(n, divisor))) return division::divide_error;

@@ -1,0 +1,71 @@
+/// \file
+/// What a batch is given: spans of numbers, of vertices and of points.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "fixed/detail/storage.hpp"
+#include "fixed/math.hpp"
+
+namespace fixed::detail {
+
+/// What can be written as numbers N.
+template <class Range, class N>
+concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
+    requires(Range& range) {
+  { *std::data(range) } -> std::same_as<N&>;
+};
+
+/// What can be read as numbers N.
+template <class Range, class N>
+concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
+
+/// What is made of two numbers N, or of three.
+template <class T, class N, std::size_t size>
+concept made_of = (size == 2 &&
+                   requires(N n) {
+                     T{n, n};
+                   }) ||
+                  (size == 3 && requires(N n) {
+                    T{n, n, n};
+                  });
+
+/// Elements that are `size` numbers N and nothing else.
+template <class Range, class N, std::size_t size>
+concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
+                        std::is_standard_layout_v<element_t<Range>> &&
+                        sizeof(element_t<Range>) == size * sizeof(N) &&
+                    made_of<element_t<Range>, N, size>&& requires(const Range& range) {
+  std::size(range);
+};
+
+template <class Range, class N, std::size_t size>
+concept output_tuples_of = tuples_of<Range, N, size> &&
+    !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
+
+/// The stored integers of an element of `size` numbers. One by one: where memcpy moves more than a
+/// register's worth, GCC 12 keeps the array in memory.
+template <int F, std::size_t size>
+std::array<raw_t<F>, size> load_tuple(const void* base, std::size_t index) noexcept {
+  const auto* const from = static_cast<const char*>(base) + index * size * sizeof(raw_t<F>);
+  std::array<raw_t<F>, size> tuple;
+  for (std::size_t c = 0; c < size; ++c) {
+    std::memcpy(&tuple[c], from + c * sizeof(raw_t<F>), sizeof(raw_t<F>));
+  }
+  return tuple;
+}
+
+template <int F, std::size_t size>
+void store_tuple(void* base, std::size_t index, const std::array<raw_t<F>, size>& tuple) noexcept {
+  auto* const to = static_cast<char*>(base) + index * size * sizeof(raw_t<F>);
+  for (std::size_t c = 0; c < size; ++c) {
+    std::memcpy(to + c * sizeof(raw_t<F>), &tuple[c], sizeof(raw_t<F>));
+  }
+}
+
+}  // namespace fixed::detail
