@@ -46,6 +46,7 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
 ///     static N from_raw(std::int32_t);
 ///     static N constant(double, Conversion);    computed in double
 ///     static std::optional<N> divide(N n, N d); nothing for a divide error
+///     static constexpr bool divides_by_whole_part; whether that drops the fraction of d
 ///     static Turn<N> turn(std::int32_t tenths); from the table of cosines
 ///     static N midpoint(N, N);                  between them, or one of two neighbours
 ///     static Vec3<N> apply(const Transform<N>&, const Vec3<N>&);
@@ -67,6 +68,7 @@ struct Arithmetic<fixed::number<16, P>> {
     return N::from_raw(raw_constant(value, conversion));
   }
   static constexpr std::optional<N> divide(N n, N d) { return fixed::try_divide(n, d); }
+  static constexpr bool divides_by_whole_part = P.divisor == fixed::divisor_width::whole_part;
   static constexpr Turn<N> turn(std::int32_t tenths) {
     const auto [cos, sin] = fixed::sin_cos<N>(tenths);
     return {cos, sin};
@@ -89,6 +91,7 @@ struct Arithmetic<double> {
   static std::optional<double> divide(double n, double d) {
     return d == 0 ? std::nullopt : std::optional(n / d);
   }
+  static constexpr bool divides_by_whole_part = false;
   static Turn<double> turn(std::int32_t tenths) {
     return {std::cos(radians(tenths)), std::sin(radians(tenths))};
   }
@@ -130,7 +133,11 @@ N coordinate(double value, Conversion conversion) {
 /// @param x within 0.5 of the ends of the range neither
 template <Scalar N>
 std::int32_t nearest_pixel(N x) {
-  return static_cast<std::int32_t>(std::floor(static_cast<double>(x) + 0.5));
+  if constexpr (std::same_as<N, double>) {
+    return static_cast<std::int32_t>(std::floor(x + 0.5));
+  } else {
+    return static_cast<std::int32_t>((std::int64_t{Arithmetic<N>::raw(x)} + 0x8000) >> 16);
+  }
 }
 
 template <Scalar N>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -39,12 +40,13 @@ bool inside(const Vec3<N>& point, ClipPlane plane, std::int32_t slope) {
   return false;
 }
 
+/// The same of all planes at once.
 template <Scalar N>
 bool inside(const Vec3<N>& point, std::int32_t slope) {
-  for (const ClipPlane plane : clip_planes) {
-    if (!inside(point, plane, slope)) return false;
-  }
-  return true;
+  const auto z = static_cast<double>(point.z);
+  const double reach = -slope * z;
+  return z <= -1 && std::fabs(static_cast<double>(point.x)) <= reach &&
+         std::fabs(static_cast<double>(point.y)) <= reach;
 }
 
 /// A point of a polygon with what is linear along its edges.

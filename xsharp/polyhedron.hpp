@@ -14,22 +14,19 @@
 #include "xsharp/clip.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/object.hpp"
+#include "xsharp/place.hpp"
 #include "xsharp/reach.hpp"
 #include "xsharp/surface_values.hpp"
 
 namespace xsharp {
 
-/// Whether a convex polygon of the screen shows its front: the cross product of its first and last
-/// edges is positive (y grows downward).
-inline bool faces_viewer(std::span<const ScreenPoint> polygon) {
-  if (polygon.size() < 3) return false;
-  const ScreenPoint& corner = polygon.front();
-  const auto edge = [&corner](const ScreenPoint& to) {
-    return std::pair{std::int64_t{to.x} - corner.x, std::int64_t{to.y} - corner.y};
-  };
-  const auto [first_x, first_y] = edge(polygon[1]);
-  const auto [last_x, last_y] = edge(polygon.back());
-  return first_x * last_y - first_y * last_x > 0;
+/// Whether a convex polygon of the screen shows its front: the cross product of the edges at its
+/// first corner, to the next one and to the last, is positive (y grows downward).
+inline bool faces_viewer(const ScreenPoint& corner, const ScreenPoint& next,
+                         const ScreenPoint& last) {
+  const auto x = [&corner](const ScreenPoint& to) { return std::int64_t{to.x} - corner.x; };
+  const auto y = [&corner](const ScreenPoint& to) { return std::int64_t{to.y} - corner.y; };
+  return x(next) * y(last) - y(next) * x(last) > 0;
 }
 
 /// The same for a polygon that clipping has given new corners, whose first and last edges may have
@@ -52,7 +49,6 @@ class Polyhedron final : public Object<N> {
       : index_(index),
         shading_(object.shading),
         surface_(object.surface),
-        faces_(object.mesh.faces),
         paints_(object.paints),
         normal_ends_(object.mesh.vertex_normal_ends),
         motion_(object, style) {
@@ -61,6 +57,14 @@ class Polyhedron final : public Object<N> {
                            coordinate<N>(v[1], style.conversion),
                            coordinate<N>(v[2], style.conversion)});
       radius_ = std::max(radius_, length(v));
+    }
+    for (const Face& face : object.mesh.faces) {
+      faces_.push_back({static_cast<std::uint32_t>(face_vertices_.size()),
+                        static_cast<std::uint32_t>(face.vertices.size()),
+                        static_cast<std::uint32_t>(face.normal_end.value_or(0))});
+      for (const std::size_t v : face.vertices) {
+        face_vertices_.push_back(static_cast<std::uint32_t>(v));
+      }
     }
     view_.resize(vertices_.size());
     screen_.resize(vertices_.size());
@@ -84,11 +88,18 @@ class Polyhedron final : public Object<N> {
       return;
     }
     to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world);
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      view_[i] = Arithmetic<N>::apply(to_view_, vertices_[i]);
-      screen_[i] = project_inside(view_[i], view.projection, tally);
+    const Unplaced unplaced = place(to_view_, std::span<const Vec3<N>>(vertices_), view.projection,
+                                    Places<N>{view_, screen_});
+    tally.faults += unplaced.faults;
+    const bool all_on_screen = unplaced == Unplaced{};
+    const auto faces = static_cast<std::uint32_t>(faces_.size());
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      if (all_on_screen || is_on_screen(f)) {
+        hide_or_keep(f);
+      } else {
+        clip_or_hide(f, view.projection, tally);
+      }
     }
-    for (std::size_t f = 0; f < faces_.size(); ++f) hide_or_keep(f, view.projection, tally);
   }
 
   [[nodiscard]] N depth(DepthKey key) const override {
@@ -96,31 +107,34 @@ class Polyhedron final : public Object<N> {
     N nearest = farthest;
     // The centre is the origin of object space.
     if (key == DepthKey::none || key == DepthKey::center || !in_reach_) return farthest;
-    for (const Face& face : faces_) {
-      for (const std::size_t v : face.vertices) {
-        farthest = std::min(farthest, view_[v].z);
-        nearest = std::max(nearest, view_[v].z);
-      }
+    for (const std::uint32_t v : face_vertices_) {
+      farthest = std::min(farthest, view_[v].z);
+      nearest = std::max(nearest, view_[v].z);
     }
     return key == DepthKey::nearest ? nearest : farthest;
   }
 
   void draw(const Lighting<N>& lighting, Picture& picture) const override {
-    std::size_t corner = 0;
+    auto clipped = corners_.begin();
     for (const Seen& seen : visible_) {
-      const Face& face = faces_[seen.face];
+      const auto vertices = vertices_of(seen.face);
       Paint paint = paints_[seen.face];
       if (shading_.ambient || shading_.diffuse) {
         // A face that answers to ambient light alone has no normal.
         const Vec3<N> normal =
-            shading_.diffuse ? view_[*face.normal_end] - view_[face.vertices[0]] : Vec3<N>{};
+            shading_.diffuse ? view_[faces_[seen.face].normal_end] - view_[vertices[0]] : Vec3<N>{};
         paint = {false, 0, shade(normal, paint.color, shading_, lighting)};
       }
+      const auto first = static_cast<std::uint32_t>(picture.points.size());
+      if (seen.clipped_corners == 0) {
+        for (const std::uint32_t v : vertices) picture.points.push_back(*screen_[v]);
+      } else {
+        const auto end = clipped + seen.clipped_corners;
+        picture.points.insert(picture.points.end(), clipped, end);
+        clipped = end;
+      }
       picture.polygons.push_back(
-          {index_, static_cast<std::uint32_t>(picture.points.size()), seen.corners, paint});
-      const auto from = corners_.begin() + static_cast<std::ptrdiff_t>(corner);
-      picture.points.insert(picture.points.end(), from, from + seen.corners);
-      corner += seen.corners;
+          {index_, first, static_cast<std::uint32_t>(picture.points.size()) - first, paint});
     }
     if (has_values_) add_values(lighting, picture);
   }
@@ -145,16 +159,21 @@ class Polyhedron final : public Object<N> {
   }
 
  private:
-  /// A face that shows, and how many of `corners_` are its polygon's.
-  struct Seen {
-    std::size_t face = 0;
-    std::uint32_t corners = 0;
+  /// A face among face_vertices_. In 32 bits: a mesh has fewer, and scenes may have millions.
+  struct Corners {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t normal_end = 0;  ///< Face::normal_end; 0 without one
   };
 
-  static std::optional<ScreenPoint> project_inside(const Vec3<N>& point,
-                                                   const Projection<N>& projection, Tally& tally) {
-    if (!inside(point, projection.slope)) return std::nullopt;
-    return project_counted(point, projection, tally);
+  /// A face that shows. Its polygon has the corners of the face, or so many of corners_.
+  struct Seen {
+    std::uint32_t face = 0;
+    std::uint32_t clipped_corners = 0;
+  };
+
+  [[nodiscard]] std::span<const std::uint32_t> vertices_of(std::uint32_t face) const {
+    return std::span(face_vertices_).subspan(faces_[face].first, faces_[face].count);
   }
 
   static std::optional<ScreenPoint> project_counted(const Vec3<N>& point,
@@ -164,43 +183,44 @@ class Polyhedron final : public Object<N> {
     return on_screen;
   }
 
-  /// Keeps the face's polygon if it shows.
-  void hide_or_keep(std::size_t f, const Projection<N>& projection, Tally& tally) {
-    const std::vector<std::size_t>& corners = faces_[f].vertices;
+  [[nodiscard]] bool is_on_screen(std::uint32_t face) const {
+    return std::ranges::all_of(vertices_of(face),
+                               [this](std::uint32_t v) { return screen_[v].has_value(); });
+  }
+
+  /// Keeps a face that shows. @pre is_on_screen(f)
+  void hide_or_keep(std::uint32_t f) {
+    const auto v = vertices_of(f);
+    if (v.size() < 3 || !faces_viewer(*screen_[v[0]], *screen_[v[1]], *screen_[v.back()])) return;
+    visible_.push_back({f, 0});
+    if (!has_values_) return;
+    for (std::size_t i = 0; i < v.size(); ++i) carried_.push_back(corner_of(f, i));
+  }
+
+  /// Keeps what shows of any other face.
+  void clip_or_hide(std::uint32_t f, const Projection<N>& projection, Tally& tally) {
     const std::size_t first = corners_.size();
-    bool clipped = false;
-    for (const std::size_t v : corners) {
-      if (screen_[v]) {
-        corners_.push_back(*screen_[v]);
-      } else {
-        clipped = true;
+    const std::size_t first_carried = carried_.size();
+    std::vector<Corner<N>> polygon;
+    for (std::size_t i = 0; i < faces_[f].count; ++i) polygon.push_back(corner_of(f, i));
+    for (const Corner<N>& point : clip_polygon<Corner<N>>(polygon, projection.slope)) {
+      if (const auto on_screen = project_counted(point.place, projection, tally)) {
+        corners_.push_back(*on_screen);
+        if (has_values_) carried_.push_back(point);
       }
     }
-    if (clipped) {
-      corners_.resize(first);
-      std::vector<Corner<N>> polygon;
-      for (std::size_t i = 0; i < corners.size(); ++i) polygon.push_back(corner_of(f, i));
-      for (const Corner<N>& point : clip_polygon<Corner<N>>(polygon, projection.slope)) {
-        if (const auto on_screen = project_counted(point.place, projection, tally)) {
-          corners_.push_back(*on_screen);
-          if (has_values_) carried_.push_back(point);
-        }
-      }
-    } else if (has_values_) {
-      for (std::size_t i = 0; i < corners.size(); ++i) carried_.push_back(corner_of(f, i));
-    }
-    const auto polygon = std::span<const ScreenPoint>(corners_).subspan(first);
-    if (clipped ? shows_front_area(polygon) : faces_viewer(polygon)) {
-      visible_.push_back({f, static_cast<std::uint32_t>(polygon.size())});
+    const auto on_screen = std::span<const ScreenPoint>(corners_).subspan(first);
+    if (shows_front_area(on_screen)) {
+      visible_.push_back({f, static_cast<std::uint32_t>(on_screen.size())});
     } else {
       corners_.resize(first);
-      if (has_values_) carried_.resize(first);
+      carried_.resize(first_carried);
     }
   }
 
   /// Corner `i` of a face, with what its surface needs.
-  [[nodiscard]] Corner<N> corner_of(std::size_t f, std::size_t i) const {
-    const std::vector<std::size_t>& corners = faces_[f].vertices;
+  [[nodiscard]] Corner<N> corner_of(std::uint32_t f, std::size_t i) const {
+    const auto corners = vertices_of(f);
     const std::size_t v = corners[i];
     if (needs_normals(surface_) && v < normal_ends_.size()) {
       return {view_[v], view_[normal_ends_[v]] - view_[v]};
@@ -224,7 +244,8 @@ class Polyhedron final : public Object<N> {
   std::uint32_t index_;
   Shading shading_;
   Surface surface_;
-  std::vector<Face> faces_;
+  std::vector<Corners> faces_;
+  std::vector<std::uint32_t> face_vertices_;
   std::vector<Paint> paints_;
   std::vector<std::size_t> normal_ends_;
   Motion<N> motion_;
@@ -237,8 +258,9 @@ class Polyhedron final : public Object<N> {
   std::vector<Vec3<N>> view_;
   std::vector<std::optional<ScreenPoint>> screen_;
   std::vector<Seen> visible_;
+  /// Of the polygons that were clipped, in the order of visible_.
   std::vector<ScreenPoint> corners_;
-  /// Whether faces have values at their corners; then these are beside corners_.
+  /// Whether faces have values at their corners; then these are those of all that show.
   bool has_values_ = false;
   N near_{};
   std::vector<Corner<N>> carried_;

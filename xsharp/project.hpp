@@ -58,13 +58,19 @@ std::optional<Projected<N>> project_unrounded(const Vec3<N>& view,
   return Projected<N>{*x * projection.constant, *y * projection.constant};
 }
 
-/// The same in pixels of the page.
+/// Such a place in pixels of the page, y down.
+template <Scalar N>
+ScreenPoint on_page(const Projected<N>& place, const Projection<N>& projection) {
+  return {nearest_pixel(place.x) + projection.center_x,
+          -nearest_pixel(place.y) + projection.center_y};
+}
+
+/// Both in one.
 template <Scalar N>
 std::optional<ScreenPoint> project(const Vec3<N>& view, const Projection<N>& projection) {
   const auto place = project_unrounded(view, projection);
   if (!place) return std::nullopt;
-  return ScreenPoint{nearest_pixel(place->x) + projection.center_x,
-                     -nearest_pixel(place->y) + projection.center_y};
+  return on_page(*place, projection);
 }
 
 }  // namespace xsharp

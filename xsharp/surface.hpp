@@ -41,7 +41,7 @@ enum class DepthBuffering {
   off,       ///< not at all: what is drawn later covers what was there
   on,        ///< by a buffer of 16 bits: greater is nearer, cleared before every picture
   reversed,  ///< the axis the other way: less is nearer
-  no_clear,  ///< cleared before every eighth picture; three bits less of depth
+  no_clear,  ///< cleared before every seventh picture; two bits less of depth
 };
 inline constexpr std::array<std::string_view, 4> depth_buffer_words{"off", "on", "reversed",
                                                                     "no-clear"};
@@ -67,6 +67,12 @@ struct Surface {
 constexpr bool is_lit(const Surface& surface) {
   return surface.kind == SurfaceKind::gouraud8 || surface.kind == SurfaceKind::gouraud16 ||
          surface.kind == SurfaceKind::phong;
+}
+
+/// Whether what is drawn is a place on a ramp of the palette.
+constexpr bool is_on_ramp(const Surface& surface) {
+  return is_lit(surface) || surface.kind == SurfaceKind::depth ||
+         surface.kind == SurfaceKind::distance;
 }
 
 /// Whether its vertices need normals.

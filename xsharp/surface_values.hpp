@@ -51,14 +51,15 @@ N ramp_value(N light, const Surface& surface) {
 
 /// Column and row of the bitmap at corner `i` of a face of `corners`, 1 is 256 texels: a
 /// quadrilateral has the whole bitmap, another face its points on a circle, both from the middle of
-/// the outermost texels, so that what stepping errs by does not leave the bitmap.
+/// the outermost texels, so that what stepping errs by does not leave the bitmap in rows of up to
+/// 255 pixels; longer ones are kept inside (inside_bitmap()).
 inline Triple bitmap_place(std::size_t i, std::size_t corners) {
   constexpr double first = 1.0 / 512;
   constexpr double last = 1 - first;
   if (corners == 4) return {i == 1 || i == 2 ? last : first, i >= 2 ? last : first, 0};
   const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
   constexpr double radius = 0.5 - first;
-  return {0.5 - radius * std::sin(angle), 0.5 - radius * std::cos(angle), 0};
+  return {0.5 + radius * std::sin(angle), 0.5 - radius * std::cos(angle), 0};
 }
 
 /// @param light a normal times it is from -1 to 1

@@ -2,6 +2,8 @@
 /// Messages from words and numbers.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <sstream>
 #include <string>
 
@@ -13,6 +15,13 @@ std::string text_of(const Words&... words) {
   std::ostringstream text;
   (text << ... << words);
   return text.str();
+}
+
+/// The fewest digits that are read back as the same number.
+inline std::string digits_of(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
 }
 
 }  // namespace xsharp::detail

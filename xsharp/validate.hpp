@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "xsharp/scene.hpp"
 #include "xsharp/scene_error.hpp"
@@ -34,7 +35,10 @@ namespace detail {
 template <class Number>
 void demand_range(const std::string& what, Number value, Number least, Number most) {
   if (value >= least && value <= most) return;
-  throw SceneError(text_of(what, " is ", value, ", must be from ", least, " to ", most));
+  // A number just out of range must not read as the end of the range.
+  std::string is = text_of(value);
+  if constexpr (std::is_same_v<Number, double>) is = digits_of(value);
+  throw SceneError(text_of(what, " is ", is, ", must be from ", least, " to ", most));
 }
 
 inline void demand_range(const std::string& what, const Triple& values, double least, double most) {
@@ -109,11 +113,16 @@ inline void validate_surface(const ObjectDescription& object) {
   }
 }
 
-/// A ramp shows light from -1 to 1.
+/// A ramp shows light from -1 to 1; only one palette has ramps.
 inline void validate_ramp_light(const Scene& scene) {
   double level = 0;
   for (const Spot& spot : scene.lights.spots) level += level_of(spot);
   for (const ObjectDescription& object : scene.objects) {
+    if (is_on_ramp(object.surface) && scene.palette != PaletteKind::ramps) {
+      throw SceneError(text_of("object '", object.name, "': surface.kind is \"",
+                               surface_words.at(static_cast<std::size_t>(object.surface.kind)),
+                               "\", so palette must be \"ramps\""));
+    }
     if (is_lit(object.surface) && level > 1.0001) {
       throw SceneError(text_of("the spots' intensities, each the mean of three, add up to ", level,
                                "; a surface that shows light by a ramp has 1 at most"));

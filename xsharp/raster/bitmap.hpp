@@ -2,11 +2,13 @@
 /// Bitmaps for texture mapping, computed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "xsharp/raster/span_loops.hpp"
+#include "xsharp/raster/step.hpp"
 #include "xsharp/surface.hpp"
 
 namespace xsharp {
@@ -25,6 +27,22 @@ inline std::vector<std::uint8_t> bitmap_of(const Surface& surface) {
     texels[i] = surface.texels[second ? 1 : 0];
   }
   return texels;
+}
+
+/// The same words for one coordinate, 1 texel 256 of them, with every pixel in the bitmap. Places
+/// at corners are half a texel inside it, and stepping errs by half a unit a pixel or more: beyond
+/// 255 pixels a row, or an edge, can leave the bitmap, and come in again at its other side. The
+/// slope is then cut so that the last pixel is inside: by less than a unit below the exact slope.
+constexpr StepWords inside_bitmap(StepWords words, std::size_t pixels) {
+  const auto inside = [](std::int64_t place) { return std::clamp<std::int64_t>(place, 0, 0xFFFF); };
+  const std::int64_t start = inside(static_cast<std::int32_t>(words.start));
+  std::int64_t step = static_cast<std::int32_t>(words.step);
+  if (pixels > 1) {
+    const auto steps = static_cast<std::int64_t>(pixels - 1);
+    const std::int64_t last = start + steps * step;
+    if (last != inside(last)) step = (inside(last) - start) / steps;
+  }
+  return {static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(step)};
 }
 
 }  // namespace xsharp

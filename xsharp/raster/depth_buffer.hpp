@@ -18,12 +18,13 @@ namespace xsharp {
 ///
 /// Cleared before every picture a depth is 0 to 32767, in 16.8; on the reversed axis 0 to -32767.
 ///
-/// Without clearing it is 0 to 8191, and each of eight pictures adds 8192 more than the one before,
-/// from -32768 on: whatever a picture left is farther than all of the next. That is right for any
-/// picture, also where it leaves pixels alone, as long as no depth comes out of its 8192, which
-/// vertices never do. The price is two bits of depth, and a clearing after eight pictures: then
-/// the range is used up. Alternating between two halves of the range, with the test turned round
-/// each time, needs no clearing at all, but is right only where every picture sets every pixel.
+/// Without clearing it is 0 to 8191, and each of seven pictures begins 9216 above the one before:
+/// whatever a picture left is farther than all of the next. That is right for any picture, also
+/// where it leaves pixels alone, as long as no stepped depth is more than 512 out of its 8192;
+/// those of vertices are in it, and steps err by less than 2 (step.hpp). The price is two bits of
+/// depth, and a clearing after seven pictures: then the range is used up. Alternating between two
+/// halves of the range, with the test turned round each time, needs no clearing at all, but is
+/// right only where every picture sets every pixel.
 class DepthBuffer {
  public:
   explicit DepthBuffer(DepthBuffering mode) : mode_(mode) {}
@@ -57,12 +58,16 @@ class DepthBuffer {
     StepWords words =
         words_of(depth, mode_ == DepthBuffering::no_clear ? dropped_bits + 2 : dropped_bits);
     if (reversed()) words = {0U - words.start, 0U - words.step};
-    if (mode_ == DepthBuffering::no_clear) words.start += (picture_ * 8192U - 32768U) << 8U;
+    if (mode_ == DepthBuffering::no_clear) words.start += (picture_ * apart + lowest) << 8U;
     return words;
   }
 
  private:
-  static constexpr std::uint32_t pictures = 8;
+  static constexpr std::uint32_t pictures = 7;
+  /// From one picture's depth 0 to that of the next, of 2^16 in all.
+  static constexpr std::uint32_t apart = 8192 + 2 * 512;
+  /// The first picture's depth 0: -32768, as a cleared buffer has, and 512 more.
+  static constexpr std::uint32_t lowest = 512U - 32768U;
 
   DepthBuffering mode_;
   std::int32_t width_ = 0;

@@ -237,8 +237,8 @@ class StepFiller final : public SurfaceFiller {
   void texture(const Surface& surface, const Steps& steps, std::span<std::uint8_t> out) const {
     // 1 is 256 texels, so a number in 16.16 is the loop's texels in 8.8.
     const auto run = [&](std::span<std::uint8_t> piece, const Step<N>& u, const Step<N>& v) {
-      const StepWords across = words_of(u, 0);
-      const StepWords down = words_of(v, 0);
+      const StepWords across = inside_bitmap(words_of(u, 0), piece.size());
+      const StepWords down = inside_bitmap(words_of(v, 0), piece.size());
       loops_->texture(piece, bitmaps_[object_], across.start, across.step, down.start, down.step);
     };
     if (!in_perspective(surface)) {

@@ -1,0 +1,110 @@
+/// @file
+/// The vertices of an object, brought to view space and to the screen.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "fixed/batch.hpp"
+#include "xsharp/clip.hpp"
+#include "xsharp/project.hpp"
+#include "xsharp/transform.hpp"
+
+namespace xsharp {
+
+/// Where vertices go: as many of each as there are vertices.
+template <Scalar N>
+struct Places {
+  std::span<Vec3<N>> view;
+  /// Nothing for a vertex outside of the clip volume, or one whose divide faults.
+  std::span<std::optional<ScreenPoint>> screen;
+
+  [[nodiscard]] Places part(std::size_t first, std::size_t count) const {
+    return {view.subspan(first, count), screen.subspan(first, count)};
+  }
+};
+
+/// Of the vertices that are not on the screen.
+struct Unplaced {
+  std::uint64_t outside = 0;  ///< of the clip volume
+  std::uint64_t faults = 0;   ///< inside, but the divide faults
+
+  friend bool operator==(const Unplaced&, const Unplaced&) = default;
+};
+
+/// One by one, whatever the arithmetic.
+template <Scalar N>
+Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertices,
+                    const Projection<N>& projection, const Places<N>& places) {
+  Unplaced unplaced;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3<N> place = Arithmetic<N>::apply(to_view, vertices[i]);
+    places.view[i] = place;
+    if (!inside(place, projection.slope)) {
+      places.screen[i] = std::nullopt;
+      ++unplaced.outside;
+      continue;
+    }
+    places.screen[i] = project(place, projection);
+    if (!places.screen[i]) ++unplaced.faults;
+  }
+  return unplaced;
+}
+
+/// The same bits by the batches of fixed/batch.hpp, in blocks that stay in the first cache. What a
+/// batch marks is worked out one by one: there it faults, saturates or throws as the type does.
+template <fixed::policy P>
+Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
+                          std::span<const Vec3<fixed::number<16, P>>> vertices,
+                          const Projection<fixed::number<16, P>>& projection,
+                          const Places<fixed::number<16, P>>& places) {
+  using N = fixed::number<16, P>;
+  constexpr std::size_t block = 256;
+  std::array<std::array<N, 2>, block> points;
+  std::array<bool, block> marks{};
+  Unplaced unplaced;
+  for (std::size_t first = 0; first < vertices.size(); first += block) {
+    const auto from = vertices.subspan(first, std::min(block, vertices.size() - first));
+    const Places<N> to = places.part(first, from.size());
+    const fixed::batch::options marked{.marks = marks};
+    if (!fixed::batch::transform(to_view.rows, from, to.view, marked).clean()) {
+      const Unplaced some = place_each(to_view, from, projection, to);
+      unplaced.outside += some.outside;
+      unplaced.faults += some.faults;
+      continue;
+    }
+    const bool clean = fixed::batch::project(to.view, projection.constant, points, marked).clean();
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      if (!inside(to.view[i], projection.slope)) {
+        to.screen[i] = std::nullopt;
+        ++unplaced.outside;
+      } else if (clean || !marks[i]) {
+        to.screen[i] = on_page(Projected<N>{points[i][0], points[i][1]}, projection);
+      } else {
+        to.screen[i] = project(to.view[i], projection);
+        if (!to.screen[i]) ++unplaced.faults;
+      }
+    }
+  }
+  return unplaced;
+}
+
+/// In batches where the arithmetic is the type.
+template <Scalar N>
+Unplaced place(const Transform<N>& to_view, std::span<const Vec3<N>> vertices,
+               const Projection<N>& projection, const Places<N>& places) {
+  return place_each(to_view, vertices, projection, places);
+}
+template <fixed::policy P>
+Unplaced place(const Transform<fixed::number<16, P>>& to_view,
+               std::span<const Vec3<fixed::number<16, P>>> vertices,
+               const Projection<fixed::number<16, P>>& projection,
+               const Places<fixed::number<16, P>>& places) {
+  return place_in_batches(to_view, vertices, projection, places);
+}
+
+}  // namespace xsharp
