@@ -39,6 +39,9 @@ TEST(Decode, OperandsStandInTheirOrder) {
   expect_both({0x03, 0xC8}, "add cx, ax; 2");
   expect_both({0x89, 0xE5}, "mov bp, sp; 2");
   expect_both({0x8B, 0xFE}, "mov di, si; 2");
+  expect_both({0x88, 0xE0}, "mov al, ah; 2");
+  expect_both({0x8A, 0xD6}, "mov dl, dh; 2");
+  expect_both({0x88, 0xC7}, "mov bh, al; 2");
 }
 
 TEST(Decode, ImmediatesOfEachWidth) {
@@ -98,13 +101,14 @@ TEST(Decode, ControlFlow) {
 }
 
 TEST(Decode, BytesAndMemory) {
-  for (const int opcode :
-       {0x00, 0x02, 0x04, 0x80, 0x82, 0x88, 0x8A, 0xA0, 0xA2, 0xB0, 0xB7, 0xD0, 0xFE}) {
+  for (const int opcode : {0x00, 0x02, 0x04, 0x80, 0x82, 0xA0, 0xA2, 0xB0, 0xB7, 0xD0, 0xFE}) {
     // /0, with a register and with a place in memory; of D0h ROL, of FEh INC.
     expect_both({byte(opcode), 0xC0, 1}, "8-bit operand");
     expect_both({byte(opcode), 0x07, 1}, "8-bit operand");
   }
   expect_both({0xF6, 0xE3}, "8-bit operand");
+  expect_both({0x88, 0x07}, "8-bit operand");
+  expect_both({0x8A, 0x07}, "8-bit operand");
   for (const Bytes& bytes : {Bytes{0x01, 0x07},
                              {0x03, 0x47, 1},
                              {0x81, 0x06, 0, 0, 1, 2},

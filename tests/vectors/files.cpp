@@ -77,6 +77,12 @@ void add_moves(Writer& w) {
   w.add(text, {0x8B, modrm(a, b)});
 }
 
+/// Between bytes, high and low ones.
+void add_byte_moves(Writer& w) {
+  w.add("mov al, dh", {0x88, modrm(6, ax)});
+  w.add("mov ch, bl", {0x8A, modrm(5, bx)});
+}
+
 /// Group F7h: NEG is 3, MUL 4, IMUL 5.
 void add_unary(Writer& w, std::string_view name, unsigned number) {
   for (int i = 0; i < 2; ++i) {
@@ -181,6 +187,7 @@ File make_8088() {
   add_shift_by_one(w, "shl", 4);
   add_shift_by_one(w, "shr", 5);
   add_skipped(w);
+  add_byte_moves(w);
   return {"8088.json", w.text(), false};
 }
 
@@ -208,6 +215,7 @@ File make_386() {
   w.add("add eax, 0f4000001h", {0x05, 0x01, 0x00, 0x00, 0xF4});
   w.widen(false);
   add_skipped(w);
+  add_byte_moves(w);
   return {"386.json", w.text(), false};
 }
 

@@ -143,7 +143,7 @@ class Decoder {
   }
 
   /// Bit 0 of the opcode says words, bit 1 that the register comes first.
-  Result register_and_rm(Mnemonic op, std::uint8_t opcode, const ModRm& m) {
+  Result register_and_rm(Mnemonic op, unsigned opcode, const ModRm& m) {
     if (const auto reason = refused(op, (opcode & 1U) == 0, m)) return *reason;
     x86::Instruction result{.mnemonic = op, .operands = {reg(m.rm), reg(m.reg)}};
     if ((opcode & 2U) != 0) std::swap(result.operands[0], result.operands[1]);
@@ -179,8 +179,13 @@ class Decoder {
                      [&] { return opcode == 0x81 ? whole() : signed_byte(); });
       }
       case 0x88:
+      case 0x8A: {
+        const ModRm m = modrm();
+        if (m.mod != 3) return Skip::byte_operand;
+        size_ = Size::byte;
+        return register_and_rm(Mnemonic::mov, opcode | 1U, m);
+      }
       case 0x89:
-      case 0x8A:
       case 0x8B:
         return register_and_rm(Mnemonic::mov, opcode, modrm());
       case 0xC0:

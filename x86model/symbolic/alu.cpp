@@ -153,4 +153,29 @@ Division divide(Terms& t, Mnemonic op, Term dividend, Term divisor) {
           t.negation(t.below(t.extract(dividend, bits, bits), divisor))};
 }
 
+std::optional<Term> taken(Terms& t, Mnemonic op, const FlagTerms& f) {
+  const auto all_defined = [](auto... flags) { return (flags.has_value() && ...); };
+  switch (op) {
+    case Mnemonic::js:
+      return f.sign;
+    case Mnemonic::jns:
+      return f.sign ? std::optional(t.negation(*f.sign)) : std::nullopt;
+    case Mnemonic::jz:
+      return f.zero;
+    case Mnemonic::jnz:
+      return f.zero ? std::optional(t.negation(*f.zero)) : std::nullopt;
+    case Mnemonic::ja:
+      if (!all_defined(f.carry, f.zero)) return std::nullopt;
+      return t.both(t.negation(*f.carry), t.negation(*f.zero));
+    case Mnemonic::jg: {
+      if (!all_defined(f.zero, f.sign, f.overflow)) return std::nullopt;
+      const Term same = t.either(t.both(*f.sign, *f.overflow),
+                                 t.both(t.negation(*f.sign), t.negation(*f.overflow)));
+      return t.both(t.negation(*f.zero), same);
+    }
+    default:
+      return t.truth(true);
+  }
+}
+
 }  // namespace x86model::symbolic

@@ -51,4 +51,7 @@ struct Division {
 };
 Division divide(Terms& terms, Mnemonic op, Term dividend, Term divisor);
 
+/// Whether a jump is taken; empty where it reads an undefined flag. Any but a conditional jump is.
+std::optional<Term> taken(Terms& t, Mnemonic op, const FlagTerms& f);
+
 }  // namespace x86model::symbolic

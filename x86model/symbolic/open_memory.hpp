@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "x86model/instruction.hpp"
-#include "x86model/symbolic/run.hpp"
+#include "x86model/symbolic/state.hpp"
 
 namespace x86model::symbolic::open_memory {
 

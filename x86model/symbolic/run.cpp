@@ -28,32 +28,6 @@ struct Thread {
   bool has_begun = false;             ///< whether it has executed anything
 };
 
-/// Whether a jump is taken; empty where it reads an undefined flag.
-std::optional<Term> taken(Terms& t, Mnemonic op, const FlagTerms& f) {
-  const auto all_defined = [](auto... flags) { return (flags.has_value() && ...); };
-  switch (op) {
-    case Mnemonic::js:
-      return f.sign;
-    case Mnemonic::jns:
-      return f.sign ? std::optional(t.negation(*f.sign)) : std::nullopt;
-    case Mnemonic::jz:
-      return f.zero;
-    case Mnemonic::jnz:
-      return f.zero ? std::optional(t.negation(*f.zero)) : std::nullopt;
-    case Mnemonic::ja:
-      if (!all_defined(f.carry, f.zero)) return std::nullopt;
-      return t.both(t.negation(*f.carry), t.negation(*f.zero));
-    case Mnemonic::jg: {
-      if (!all_defined(f.zero, f.sign, f.overflow)) return std::nullopt;
-      const Term same = t.either(t.both(*f.sign, *f.overflow),
-                                 t.both(t.negation(*f.sign), t.negation(*f.overflow)));
-      return t.both(t.negation(*f.zero), same);
-    }
-    default:
-      return t.truth(true);
-  }
-}
-
 class Runner {
  public:
   Runner(Terms& terms, std::span<const Instruction> code, const RunOptions& options)
@@ -393,29 +367,6 @@ class Runner {
 };
 
 }  // namespace
-
-Term State::read(Terms& terms, Register r, Size size) const {
-  if (size == Size::byte) {
-    const auto number = static_cast<std::size_t>(r);
-    return terms.extract(registers[number % 4], number < 4 ? 0 : 8, 8);
-  }
-  const Term whole = registers[static_cast<std::size_t>(r)];
-  return size == Size::word ? terms.extract(whole, 0, 16) : whole;
-}
-
-void State::write(Terms& terms, Register r, Size size, Term value) {
-  if (size == Size::byte) {
-    const auto number = static_cast<std::size_t>(r);
-    Term& holder = registers[number % 4];
-    const Term above = terms.extract(holder, 16, 16);
-    const Term low = number < 4 ? value : terms.extract(holder, 0, 8);
-    const Term high = number < 4 ? terms.extract(holder, 8, 8) : value;
-    holder = terms.concat(above, terms.concat(high, low));
-    return;
-  }
-  Term& whole = registers[static_cast<std::size_t>(r)];
-  whole = size == Size::word ? terms.concat(terms.extract(whole, 16, 16), value) : value;
-}
 
 std::vector<Path> run(Terms& terms, std::span<const Instruction> code, const State& start,
                       const RunOptions& options) {
