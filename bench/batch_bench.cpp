@@ -1,6 +1,7 @@
 // The batch operations on each of their paths, beside the type in a loop, the plain idiom, float
 // and double, and beside copying what they read. Named operation/contender/elements: 1024 of them
-// stay in the first caches, a million do not. Every result is held against what it should be first.
+// stay in the first caches, a million do not. Every result is first held against what integers of
+// 128 bits make of the operands; floating point within what it resolves.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -9,79 +10,19 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "bench/batch_operands.hpp"
+#include "bench/batch_presets.hpp"
 #include "fixed/batch.hpp"
 #include "fixed/fixed.hpp"
 
 namespace {
 
+using namespace batch_bench;
 using fixed::q16_16;
 using fixed::batch::path;
-using Rounded = q16_16;
-using Truncated = fixed::number<16, fixed::policy{.divide = fixed::rounding::truncate}>;
-
-template <class T>
-T of_raw(std::int32_t raw) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return static_cast<T>(raw) / 65536;
-  } else if constexpr (std::is_integral_v<T>) {
-    return raw;
-  } else {
-    return T::from_raw(raw);
-  }
-}
-
-/// Operands within +-128 and divisors from a half, so that nothing overflows; and room for results.
-template <class T>
-struct Operands {
-  std::vector<T> a, b, c, out, out_y, out_z;
-  std::vector<std::array<T, 3>> vertices, moved;
-  std::vector<std::array<T, 2>> points;
-  std::array<std::array<T, 4>, 3> rows{};
-  T constant = of_raw<T>(-100 * 65536);
-
-  explicit Operands(std::size_t count)
-      : out(count), out_y(count), out_z(count), moved(count), points(count) {
-    std::mt19937 random(54);
-    const auto draw = [&random](int bits) {
-      return static_cast<std::int32_t>(random()) >> (32 - bits);
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      a.push_back(of_raw<T>(draw(24)));
-      const std::int32_t magnitude = (draw(24) & 0x7fffff) | 0x8000;
-      b.push_back(of_raw<T>(draw(1) < 0 ? -magnitude : magnitude));
-      c.push_back(of_raw<T>(draw(24)));
-      vertices.push_back({a[i], c[i], b[i]});
-    }
-    for (auto& row : rows) {
-      for (T& x : row) x = of_raw<T>(draw(18));
-    }
-  }
-};
-
-/// One loop: what is timed, and whether the results of the last run are right.
-struct Loop {
-  std::function<void()> run;
-  std::function<bool()> right;
-};
-
-void time_loop(benchmark::State& state, const std::function<Loop(std::size_t)>& make) {
-  const auto count = static_cast<std::size_t>(state.range(0));
-  const Loop loop = make(count);
-  loop.run();
-  if (!loop.right()) {
-    state.SkipWithError("wrong result");
-    return;
-  }
-  for ([[maybe_unused]] auto _ : state) {
-    loop.run();
-    benchmark::ClobberMemory();
-  }
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-}
 
 void add(const std::string& name, const std::function<Loop(std::size_t)>& make) {
   benchmark::RegisterBenchmark(name.c_str(),
@@ -90,111 +31,36 @@ void add(const std::string& name, const std::function<Loop(std::size_t)>& make) 
       ->Arg(1'000'000);
 }
 
-/// The operations, for one element, as each kind of number has them.
-struct Multiply {
-  template <class T>
-  static T of(T a, T b, T /*c*/) {
-    if constexpr (std::is_integral_v<T>) {
-      return static_cast<T>((std::int64_t{a} * b + 0x8000) >> 16);
-    } else {
-      return a * b;
-    }
+/// Whether x is the number whose stored integer is `right`; float within what it resolves.
+template <class T>
+bool same(T x, std::int64_t right) {
+  if constexpr (std::is_floating_point_v<T>) {
+    const double exact = static_cast<double>(right) / 65536;
+    return std::fabs(static_cast<double>(x) - exact) <= std::fabs(exact) * 0x1p-20 + 0x1p-9;
+  } else if constexpr (std::is_integral_v<T>) {
+    return x == right;
+  } else {
+    return x.raw() == right;
   }
-};
-struct MulAdd {
-  template <class T>
-  static T of(T a, T b, T c) {
-    if constexpr (std::is_integral_v<T>) {
-      return static_cast<T>((std::int64_t{a} * b + std::int64_t{c} * 65536 + 0x8000) >> 16);
-    } else if constexpr (std::is_floating_point_v<T>) {
-      return a * b + c;
-    } else {
-      return fixed::mul_add(a, b, c);
-    }
-  }
-};
-struct Divide {
-  template <class T>
-  static T of(T a, T b, T /*c*/) {
-    if constexpr (std::is_integral_v<T>) {
-      return static_cast<T>(std::int64_t{a} * 65536 / b);
-    } else {
-      return a / b;
-    }
-  }
-};
-struct Root {
-  template <class T>
-  static T of(T a, T /*b*/, T /*c*/) {
-    if constexpr (std::is_floating_point_v<T>) {
-      return std::sqrt(a);
-    } else {
-      return fixed::sqrt(a);
-    }
-  }
-};
+}
 
 template <class Operation, class T>
-[[gnu::noinline]] void apply(const T* __restrict a, const T* __restrict b, const T* __restrict c,
-                             T* __restrict out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) out[i] = Operation::of(a[i], b[i], c[i]);
-}
-
-template <class T>
-[[gnu::noinline]] void apply_transform(const std::array<std::array<T, 4>, 3>& rows,
-                                       const std::array<T, 3>* __restrict in,
-                                       std::array<T, 3>* __restrict out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto product = [&](std::size_t j) { return Multiply::of(rows[k][j], in[i][j], T{}); };
-      out[i][k] = static_cast<T>(product(0) + product(1) + product(2) + rows[k][3]);
-    }
-  }
-}
-
-template <class T>
-[[gnu::noinline]] void apply_project(const std::array<T, 3>* __restrict in, T constant,
-                                     std::array<T, 2>* __restrict out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      out[i][k] = Multiply::of(Divide::of(in[i][k], in[i][2], T{}), constant, T{});
-    }
-  }
-}
-
-/// Whether x is the number that `right` is; float within what it resolves.
-template <class T, class N>
-bool same(T x, N right) {
-  if constexpr (std::is_floating_point_v<T>) {
-    const auto exact = static_cast<double>(right);
-    return std::fabs(static_cast<double>(x) - exact) <= std::fabs(exact) * 1e-4 + 1e-2;
-  } else if constexpr (std::is_integral_v<T>) {
-    return x == right.raw();
-  } else {
-    return x.raw() == right.raw();
-  }
-}
-
-/// `Right` is the type that has the rounding of T.
-template <class Operation, class T, class Right>
-bool right_elements(const std::vector<T>& out) {
-  const Operands<Right> operands(out.size());
+bool right_elements(const std::vector<T>& out, bool truncates) {
+  const Operands<std::int32_t> x(out.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const Right a = operands.a[i];
-    if (std::is_same_v<Operation, Root> && a.raw() < 0) continue;  // NaN in floating point
-    if (!same(out[i], Operation::of(a, operands.b[i], operands.c[i]))) return false;
+    if (!same(out[i], Operation::expected(x.a[i], x.b[i], x.c[i], truncates))) return false;
   }
   return true;
 }
 
-template <class Operation, class T, class Right>
-void add_plain(const std::string& name) {
-  add(name, [](std::size_t count) {
+template <class Operation, class T>
+void add_plain(const std::string& name, bool truncates = false) {
+  add(name, [truncates](std::size_t count) {
     const auto x = std::make_shared<Operands<T>>(count);
     return Loop{[x, count] {
                   apply<Operation>(x->a.data(), x->b.data(), x->c.data(), x->out.data(), count);
                 },
-                [x] { return right_elements<Operation, T, Right>(x->out); }};
+                [x, truncates] { return right_elements<Operation>(x->out, truncates); }};
   });
 }
 
@@ -218,48 +84,57 @@ void add_operation(const std::string& name, const Call& call) {
       return Loop{[x, p, call] {
                     call(*x, fixed::batch::options{p, {}});
                   },
-                  [x] { return right_elements<Operation, q16_16, Rounded>(x->out); }};
+                  [x] { return right_elements<Operation>(x->out, false); }};
     });
   });
-  add_plain<Operation, q16_16, Rounded>(name + "/q16_16");
+  add_plain<Operation, q16_16>(name + "/q16_16");
   if constexpr (!std::is_same_v<Operation, Root>) {
-    using Right = std::conditional_t<std::is_same_v<Operation, Divide>, Truncated, Rounded>;
-    add_plain<Operation, std::int32_t, Right>(name + "/idiom");
+    add_plain<Operation, std::int32_t>(name + "/idiom", true);
   }
-  add_plain<Operation, float, Rounded>(name + "/float");
-  add_plain<Operation, double, Rounded>(name + "/double");
+  add_plain<Operation, float>(name + "/float");
+  add_plain<Operation, double>(name + "/double");
 }
 
-template <std::size_t size, class T, class Right>
-bool right_tuples(const std::vector<std::array<T, size>>& out) {
-  Operands<Right> operands(out.size());
-  std::vector<std::array<Right, size>> right(out.size());
-  if constexpr (size == 3) {
-    apply_transform(operands.rows, operands.vertices.data(), right.data(), out.size());
-  } else {
-    apply_project(operands.vertices.data(), operands.constant, right.data(), out.size());
-  }
+template <class T>
+bool right_vertices(const std::vector<std::array<T, 3>>& out) {
+  const Operands<std::int32_t> x(out.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    for (std::size_t k = 0; k < size; ++k) {
-      if (!same(out[i][k], right[i][k])) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::int64_t sum = x.rows[k][3];
+      for (std::size_t j = 0; j < 3; ++j)
+        sum += nearest(Wide{x.rows[k][j]} * x.vertices[i][j], one);
+      if (!same(out[i][k], sum)) return false;
     }
   }
   return true;
 }
 
-template <class T, class Right>
-void add_plain_vertices(const std::string& contender) {
+template <class T>
+bool right_points(const std::vector<std::array<T, 2>>& out, bool truncates) {
+  const Operands<std::int32_t> x(out.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& v = x.vertices[i];
+      const std::int64_t quotient = Divide::expected(v[k], v[2], 0, truncates);
+      if (!same(out[i][k], nearest(Wide{quotient} * x.constant, one))) return false;
+    }
+  }
+  return true;
+}
+
+template <class T>
+void add_plain_vertices(const std::string& contender, bool truncates = false) {
   add("transform/" + contender, [](std::size_t count) {
     const auto x = std::make_shared<Operands<T>>(count);
     return Loop{
         [x, count] { apply_transform(x->rows, x->vertices.data(), x->moved.data(), count); },
-        [x] { return right_tuples<3, T, Rounded>(x->moved); }};
+        [x] { return right_vertices(x->moved); }};
   });
-  add("project/" + contender, [](std::size_t count) {
+  add("project/" + contender, [truncates](std::size_t count) {
     const auto x = std::make_shared<Operands<T>>(count);
     return Loop{
         [x, count] { apply_project(x->vertices.data(), x->constant, x->points.data(), count); },
-        [x] { return right_tuples<2, T, Right>(x->points); }};
+        [x, truncates] { return right_points(x->points, truncates); }};
   });
 }
 
@@ -269,7 +144,7 @@ void add_vertices() {
     add("transform/batch_" + path_name, [how](std::size_t count) {
       const auto x = std::make_shared<Operands<q16_16>>(count);
       return Loop{[x, how] { fixed::batch::transform(x->rows, x->vertices, x->moved, how); },
-                  [x] { return right_tuples<3, q16_16, Rounded>(x->moved); }};
+                  [x] { return right_vertices(x->moved); }};
     });
     add("transform_columns/batch_" + path_name, [how](std::size_t count) {
       const auto x = std::make_shared<Operands<q16_16>>(count);
@@ -281,19 +156,19 @@ void add_vertices() {
                     for (std::size_t i = 0; i < count; ++i) {
                       x->moved[i] = {x->out[i], x->out_y[i], x->out_z[i]};
                     }
-                    return right_tuples<3, q16_16, Rounded>(x->moved);
+                    return right_vertices(x->moved);
                   }};
     });
     add("project/batch_" + path_name, [how](std::size_t count) {
       const auto x = std::make_shared<Operands<q16_16>>(count);
       return Loop{[x, how] { fixed::batch::project(x->vertices, x->constant, x->points, how); },
-                  [x] { return right_tuples<2, q16_16, Rounded>(x->points); }};
+                  [x] { return right_points(x->points, false); }};
     });
   });
-  add_plain_vertices<q16_16, Rounded>("q16_16");
-  add_plain_vertices<std::int32_t, Truncated>("idiom");
-  add_plain_vertices<float, Rounded>("float");
-  add_plain_vertices<double, Rounded>("double");
+  add_plain_vertices<q16_16>("q16_16");
+  add_plain_vertices<std::int32_t>("idiom", true);
+  add_plain_vertices<float>("float");
+  add_plain_vertices<double>("double");
   add("transform/copy", [](std::size_t count) {
     const auto x = std::make_shared<Operands<q16_16>>(count);
     const std::size_t bytes = count * sizeof x->vertices[0];
@@ -305,7 +180,10 @@ void add_vertices() {
 
 void add_dot() {
   const auto right = [](const Operands<q16_16>& x) {
-    return [&x, sum = fixed::dot(x.a, x.b)] { return x.out[0] == sum; };
+    Wide sum = 0;
+    for (std::size_t i = 0; i < x.a.size(); ++i) sum += Wide{x.a[i].raw()} * x.b[i].raw();
+    const auto wrapped = static_cast<std::int32_t>(nearest(sum, one));
+    return [&x, wrapped] { return x.out[0].raw() == wrapped; };
   };
   on_every_path([&](path p, const std::string& path_name) {
     add("dot/batch_" + path_name, [p, right](std::size_t count) {
@@ -332,7 +210,7 @@ int main(int argc, char** argv) {
   add_operation<Divide>(
       "divide", [](auto& x, const auto& how) { fixed::batch::divide(x.a, x.b, x.out, how); });
   add_operation<Root>("sqrt",
-                      [](auto& x, const auto& how) { fixed::batch::sqrt(x.a, x.out, how); });
+                      [](auto& x, const auto& how) { fixed::batch::sqrt(x.c, x.out, how); });
   add_dot();
   add_vertices();
   add("copy", [](std::size_t count) {
@@ -341,6 +219,7 @@ int main(int argc, char** argv) {
     return Loop{[x, bytes] { std::memcpy(static_cast<void*>(x->out.data()), x->a.data(), bytes); },
                 [x] { return x->out == x->a; }};
   });
+  add_presets();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

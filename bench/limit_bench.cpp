@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #if defined(__x86_64__)
@@ -18,13 +19,30 @@ namespace {
 constexpr std::size_t chains = 12;
 constexpr int rounds = 100;
 
+/// Makes the compiler keep the value in a register and know nothing of it. benchmark::DoNotOptimize
+/// lets it choose memory, and clang does: what is timed then is how a store reaches the next load.
+template <class Value>
+void hide(Value& value) {
+#if defined(__x86_64__)
+  if constexpr (std::is_floating_point_v<Value>) {
+    asm volatile("" : "+x"(value));
+  } else {
+    asm volatile("" : "+r"(value));
+  }
+#else
+  benchmark::DoNotOptimize(value);
+#endif
+}
+
 /// Times `step` on chains of values that it changes; counts `lanes` results for each.
 template <class Value, class Step>
 void throughput(benchmark::State& state, std::array<Value, chains> values, int lanes, Step step) {
   for (auto _ : state) {
     for (int round = 0; round < rounds; ++round) {
-      for (Value& value : values) value = step(value);
-      benchmark::DoNotOptimize(values);
+      for (Value& value : values) {
+        value = step(value);
+        hide(value);
+      }
     }
   }
   state.SetItemsProcessed(state.iterations() * rounds * static_cast<int>(chains) * lanes);
@@ -34,7 +52,7 @@ void throughput(benchmark::State& state, std::array<Value, chains> values, int l
 // constant.
 void multiply_scalar(benchmark::State& state) {
   std::uint64_t factor = 0x12345;
-  benchmark::DoNotOptimize(factor);
+  hide(factor);
   std::array<std::uint64_t, chains> values;
   values.fill(0x1234567);
   throughput(state, values, 1, [factor](std::uint64_t x) { return x * factor; });
@@ -44,7 +62,7 @@ BENCHMARK(multiply_scalar);
 void divide_64_by_64(benchmark::State& state) {
   // As large as a shifted 16.16 numerator, and a quotient of 32 bits.
   std::int64_t divisor = 0x12345;
-  benchmark::DoNotOptimize(divisor);
+  hide(divisor);
   std::array<std::int64_t, chains> values;
   values.fill(0x712345678123);
   throughput(state, values, 1, [divisor](std::int64_t x) { return x / divisor + 0x712345670000; });
@@ -53,7 +71,7 @@ BENCHMARK(divide_64_by_64);
 
 void divide_double(benchmark::State& state) {
   double divisor = 1.0000001;
-  benchmark::DoNotOptimize(divisor);
+  hide(divisor);
   std::array<double, chains> values;
   values.fill(3.7);
   throughput(state, values, 1, [divisor](double x) { return x / divisor; });

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: page.py FOLDER
 
-Makes FOLDER/performance.md and FOLDER/pictures/*.svg of what the programs of bench/ have written as JSON
-in FOLDER. Status 1, and no page, if one of them has computed something wrong.
+Makes FOLDER/performance.md and FOLDER/pictures/*.svg of what the programs of bench/ and `fixproof verify`
+have written as JSON in FOLDER. Status 1, and no page, if one of them has computed something wrong.
 """
 
 import json
@@ -52,7 +52,8 @@ def read(folder, program):
     with open(f"{folder}/{program}.json", encoding="utf-8") as file:
         text = json.load(file)
     runs = {}
-    for run in text["benchmarks"]:
+    # As they are registered: repetitions come in any order.
+    for run in sorted(text["benchmarks"], key=lambda r: (r["family_index"], r["per_family_instance_index"])):
         if run.get("error_occurred"):
             print(f"page.py: {program}: {run['name']}: {run['error_message']}", file=sys.stderr)
             sys.exit(1)
@@ -151,12 +152,25 @@ def limits(limit, batch):
     return lines + [""]
 
 
+def presets(batch):
+    """Batches beside loops under the presets that have other rules than q16_16."""
+    lines = ["### Under other presets, 1,024 elements", "",
+             "On the quickest path, beside the same loop over the type: ns, median.", "",
+             "| | multiply | loop | divide | loop | transform | loop | project | loop |",
+             "| --- |" + " --- |" * 8]
+    for preset in dict.fromkeys(label for label, _ in grouped(batch, r"preset/(\w+)/.+")):
+        times = [batch[f"preset/{preset}/{operation}/{contender}/1024"].median
+                 for operation in ("multiply", "divide", "transform", "project") for contender in ("batch", "loop")]
+        lines.append(f"| `q16_16_{preset}` | " + " | ".join(number(t) for t in times) + " |")
+    return lines + [""]
+
+
 def batch_section(folder, batch, limit):
     page = ["## Batches beside loops", "",
             "`build/release/bench/batch_bench`: operations over spans, on every path the processor has, beside the same "
             "loop over the type, the plain idiom (64-bit products, rounded half up; 64-bit `idiv`, truncated), `float` and `double`, as "
-            "g++ compiles them without `-march`. 1,024 elements stay in the first caches, 1,000,000 do not.", ""]
-    operations = list(dict.fromkeys(name.split("/")[0] for name in batch))
+            "the compiler makes them with the flags above. 1,024 elements stay in the first caches, 1,000,000 do not.", ""]
+    operations = [o for o in dict.fromkeys(name.split("/")[0] for name in batch) if o != "preset"]
     for operation in operations:
         for elements in (1024, 1_000_000):
             rows = grouped(batch, rf"{operation}/(.+)/{elements}") or \
@@ -170,6 +184,7 @@ def batch_section(folder, batch, limit):
         if operation in ("multiply", "divide", "transform") and small:
             bars(folder, f"performance_{operation}", f"{operation}, 1,024 elements", small)
             page += [f"![Times of {operation}](pictures/performance_{operation}.svg)", ""]
+    page += presets(batch)
     page += ["### How near that is to what the processor can do", "",
              "`build/release/bench/limit_bench`, in the same run: independent multiplies and divides, and copying in the "
              "first cache.", ""]
@@ -207,6 +222,51 @@ def scale_section(folder, scale):
     return page + ["", "![Time of sorting](pictures/performance_sorting.svg)", ""]
 
 
+def fill_section(folder, fill):
+    kinds = {(bits, what): sized(fill, rf"{what}<std::uint{bits}_t>/(\d+)")
+             for bits in (8, 32) for what in ("fill", "memset_same")}
+    names = {"fill": "fill", "memset_same": "memset"}
+    pixels = {radius: t.counters["pixels"] for bits in (8, 32) for radius, t in kinds[bits, "fill"]}
+    curves(folder, "performance_fill", "Filling an octagon", ("pixels", "µs"),
+           [(f"{names[what]}, {bits} bits", [(pixels[r], t.median * pixels[r] / 1e3) for r, t in points])
+            for (bits, what), points in kinds.items()])
+    page = ["## Filling", "",
+            "`build/release/bench/fill_bench`: an octagon on a page of 2048 x 2048, beside `memset` of as many pixels in one "
+            "piece. In ns for a pixel: what does not grow with the pixels (finding the rows, and beginning each of "
+            "them) is soon nothing beside them, and from there on the memory is the bound.", "",
+            "| pixels | 8 bits | memset | 32 bits | memset |", "| --- | --- | --- | --- | --- |"]
+    for row in zip(*kinds.values()):
+        page.append(f"| {pixels[row[0][0]]:,.0f} | " + " | ".join(number(t.median) for _, t in row) + " |")
+    page += ["", "![Time of filling](pictures/performance_fill.svg)", "",
+             "Whole frames of a ball of 36 faces, erasing included, 320 x 240; for a pixel:", ""]
+    return page + table([(f"`{name}`", t) for name, t in fill.items() if name.startswith("frames")])
+
+
+def duration(seconds):
+    if seconds < 100:
+        return f"{seconds:.1f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
+
+
+def tier_section(folder):
+    page = ["## What each level of verification takes", "",
+            "`build/release/fixproof verify --level N`, on all processors. A level too long for this run is timed over a part "
+            "(`--shard`), and **the time of the whole is computed** from the cases a second of that part.", "",
+            "| level | cases | run here | cases a second | time of the whole | |",
+            "| --- | --- | --- | --- | --- | --- |"]
+    for level in (1, 2, 3):
+        with open(f"{folder}/level_{level}.json", encoding="utf-8") as file:
+            report = json.load(file)
+        if report["mismatches"] or not report["complete"]:
+            sys.exit(f"page.py: level {level}: {report['mismatches']} mismatches, complete: {report['complete']}")
+        cases = sum(sum(row["streams"].values()) for row in report["rows"])
+        rate = report["cases"] / report["seconds"]
+        part = report["shard"][1]
+        page.append(f"| {level} | {cases:,} | {report['cases']:,} in {report['seconds']:.1f} s | {rate / 1e6:,.1f} million | "
+                    f"{duration(cases / rate)} | {'measured' if part == 1 else f'computed from 1/{part}'} |")
+    return page + [""]
+
+
 def plain_section(title, text, timed, base=None):
     return [f"## {title}", "", text, ""] + \
         table([(f"`{name}`", t) for name, t in timed.items()], base and (base, timed[base]))
@@ -229,8 +289,8 @@ def main():
             "the other; every program but `limit_bench` first holds what it computes against what it should be. Times are for one "
             "operation, vertex, call or frame: the least and the median of the repetitions, and the middle half of them "
             "in percent of the median. Compare within this page, not with that of another machine.", "",
-            f"{processor}, {context['num_cpus']} processors; g++ {os.popen('g++ -dumpfullversion').read().strip()} "
-            f"-O3 without `-march`; {context['date'][:10]}; load at the beginning {context['load_avg'][0]:.1f}.", ""]
+            f"{processor}, {context['num_cpus']} processors; {context['compiler']}, `{context['flags']}`; "
+            f"{context['date'][:10]}; load at the beginning {context['load_avg'][0]:.1f}.", ""]
     page += plain_section("What the processor can do",
                           "`limit_bench`: independent operations; for `copy`, one byte.", limit)
     page += batch_section(folder, everything["batch"], limit)
@@ -244,8 +304,9 @@ def main():
                           "operand of the next.", everything["arithmetic"])
     page += scale_section(folder, everything["scale"])
     page += plain_section("Whole frames", "`scene_bench`: 320 x 240, erased and filled.", everything["scene"])
-    page += plain_section("Filling", "`fill_bench`: for a pixel: alone, and over whole frames of a ball.", everything["fill"])
+    page += fill_section(folder, everything["fill"])
     page += plain_section("The register-level model", "`model_bench`: for a call.", everything["model"])
+    page += tier_section(folder)
     with open(f"{folder}/performance.md", "w", encoding="utf-8") as file:
         file.write("\n".join(page).rstrip() + "\n")
 

@@ -116,9 +116,6 @@ void time_contender(benchmark::State& state, const Contender& contender, bool fa
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
   state.counters["off"] = static_cast<double>(off);
-  state.counters["each"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(count),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace
