@@ -10,7 +10,7 @@ namespace {
 using namespace fixproof;
 
 constexpr std::string_view places =
-    "<!--style--><!--pictures--><!--strip--><!--data--><!--libraries--><!--charts-->";
+    "<!--style--><!--pictures--><!--beside--><!--strip--><!--data--><!--libraries--><!--charts-->";
 
 TEST(Page, EscapesHtml) {
   EXPECT_EQ(escaped_html("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
@@ -42,17 +42,26 @@ TEST(Page, TakesNamesThatAreNoUtf8) {
 }
 
 TEST(Page, HasEverythingInItsPlace) {
-  const std::string page = assemble_page({places, "STYLE", "D3", "PLOT", "CHARTS"}, {{"n", 7}},
-                                         {{"a \"<b>\" scene", "foobar"}}, "<svg>STRIP</svg>");
+  const std::string page =
+      assemble_page({places, "STYLE", "D3", "PLOT", "CHARTS"}, {{"n", 7}},
+                    {{"a \"<b>\" scene", "foobar", "foo", "3 of <4>"}}, "<svg>STRIP</svg>");
   for (const char* part :
        {"<style>\nSTYLE</style>", "<script>\nD3\n</script>", "\nPLOT\n", "\nCHARTS\n",
         "<svg>STRIP</svg>", "{\"n\":7}", "alt=\"Animation: a &quot;&lt;b&gt;&quot; scene\"",
-        "src=\"data:image/png;base64,Zm9vYmFy\""}) {
+        "src=\"data:image/png;base64,Zm9vYmFy\"", "src=\"data:image/png;base64,Zm9v\"",
+        "in all frames 3 of &lt;4&gt;<"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
   }
   EXPECT_LT(page.find("D3"), page.find("PLOT"));
   EXPECT_LT(page.find("PLOT"), page.find("CHARTS"));
   EXPECT_EQ(page.find("<!--"), std::string::npos) << page;
+}
+
+TEST(Page, SaysThatNothingIsStepped) {
+  const std::string page =
+      assemble_page({places, "", "", "", ""}, {}, {{"flat", "foobar", "", ""}}, "");
+  EXPECT_NE(page.find("None of these scenes is stepped"), std::string::npos) << page;
+  EXPECT_EQ(page.find("class=\"beside\""), std::string::npos) << page;
 }
 
 TEST(Page, RefusesPartsThatWouldBreakIt) {

@@ -40,14 +40,15 @@ std::size_t lines(const std::string& file) {
 
 TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   const Folder out("report_command_test");
-  const std::string command = std::string("report ") + cubes + " --quick --out " + out.path();
+  const std::string command =
+      std::string("report ") + cubes + " " SCENES "/phong.json --quick --out " + out.path();
   const auto run = cli::fixproof(command);
   ASSERT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("report.html"), std::string::npos) << run.out;
 
   const auto json = nlohmann::json::parse(fixproof::read_file(out.file("report.json")));
   EXPECT_TRUE(json.at("made").at("quick"));
-  EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes"}));
+  EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes", "phong"}));
   EXPECT_FALSE(json.at("host").at("host").empty());
   EXPECT_EQ(json.at("findings").size(), 17U);
   EXPECT_GT(json.at("verify").at("cases").get<int>(), 65'536);
@@ -60,6 +61,10 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   }
   const std::string page = fixproof::read_file(out.file("report.html"));
   EXPECT_NE(page.find("alt=\"Animation: twelve cubes\""), std::string::npos);
+  // What is stepped stands beside the exact picture: three frames of 320 by 240.
+  EXPECT_EQ(page.find("alt=\"twelve cubes: as stepped"), std::string::npos);
+  EXPECT_NE(page.find("alt=\"phong: as stepped, exact"), std::string::npos);
+  EXPECT_NE(page.find(" of 230,400 pixels differ"), std::string::npos);
   EXPECT_NE(page.find("id=\"data\">{\"made\":{"), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
   EXPECT_NE(fixproof::read_file(out.file("data/accuracy.txt")).find("seed 1994"),
@@ -85,6 +90,19 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   const auto remade = cli::fixproof(command + " --resume");
   EXPECT_EQ(remade.status, 0) << remade.err;
   EXPECT_GT(fs::file_size(out.file("data/clocks.json")), 2U);
+}
+
+// Six steps, and one for every scene of the tree, where the command runs beside them.
+TEST(ReportCommand, FindsTheScenesOfTheTree) {
+  const Folder out("report_scenes_test");
+  fs::create_directories(out.path());
+  fs::create_directory_symlink(SCENES, out.file("scenes"));
+  const auto run =
+      cli::run({"sh", "-c",
+                "cd '" + out.path() + "' && exec " + INTERRUPTED + " INT 0.1 " + FIXPROOF_COMMAND +
+                    " report --out page"});
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_NE(run.out.find("STOPPED after 0 of 12 "), std::string::npos) << run.out;
 }
 
 TEST(ReportCommand, KeepsASecondRunOutOfItsFolder) {
@@ -132,11 +150,30 @@ TEST(ReportCommand, MeasuresNothingOfASceneWithoutObjects) {
   EXPECT_NE(run.err.find("nothing has no objects"), std::string::npos) << run.err;
 }
 
+TEST(ReportCommand, LeavesNoPageOfASceneThatChanges) {
+  const Folder out("report_changing_test");
+  fs::create_directories(out.path());
+  const std::string scene = out.file("scene.json");
+  fs::copy_file(cubes, scene);
+  // Another picture takes its place when the first of the steps has ended.
+  const auto run =
+      cli::run({"bash", "-c", R"(
+      "$1" report "$2" --quick --out "$3" &
+      until [[ -s $3/data/steps.json ]]; do kill -0 $! || break; sleep 0.01; done
+      cp "$4" "$3/other" && mv "$3/other" "$2"
+      wait $!)",
+                "changing", FIXPROOF_COMMAND, scene, out.path(), SCENES "/shaded_ball.json"});
+  EXPECT_EQ(run.status, 2) << run.out;
+  EXPECT_NE(run.err.find("a scene has changed while it was measured"), std::string::npos)
+      << run.err;
+  EXPECT_FALSE(fs::exists(out.file("report.html")));
+}
+
 TEST(ReportCommand, LeavesNoPageWhenStopped) {
   const Folder out("report_stopped_test");
   // The first step of a whole report takes seconds; the signal comes before it ends.
-  const auto run = cli::run({"timeout", "--preserve-status", "--signal", "INT", "0.5",
-                             FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
+  const auto run =
+      cli::run({INTERRUPTED, "INT", "0.1", FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.out.find("STOPPED after 0 of "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("goes on"), std::string::npos) << run.out;
