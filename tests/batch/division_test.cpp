@@ -128,5 +128,30 @@ TEST(Roots, AreNearestInEveryRoundingMode) {
   }
 }
 
+TEST(Roots, OfEvery88WordInEveryRoundingMode) {
+  using N = fixed::q8_8;
+  std::vector<N> x;
+  std::vector<int> want;
+  int root = 0;
+  for (int raw = -32768; raw <= 32767; ++raw) {
+    x.push_back(N::from_raw(static_cast<std::int16_t>(raw)));
+    // The nearest: the first whose next half, squared, is above the operand.
+    while (raw > 0 && (2 * root + 1) * (2 * root + 1) < 4 * 256 * raw) ++root;
+    want.push_back(root);
+  }
+  std::vector<N> out(x.size());
+  for (const auto path : paths()) {
+    for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+      {
+        const RoundingMode set(mode);
+        fixed::batch::sqrt(x, out, {path, {}});
+      }
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        ASSERT_EQ(out[i].raw(), want[i]) << x[i] << ", path " << static_cast<int>(path);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace batch_test

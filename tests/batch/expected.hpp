@@ -155,22 +155,25 @@ std::vector<Number> operands(std::size_t count, unsigned seed) {
   return all;
 }
 
-/// Room for results, with one more at either end that nobody may write.
+/// Room for results, with `before` more in front and one behind that nobody may write.
 template <class T>
 class Guarded {
  public:
-  explicit Guarded(std::size_t count) : all_(count + 2) {
+  explicit Guarded(std::size_t count, std::size_t before = 1)
+      : before_(before), all_(before + count + 1) {
     std::memset(static_cast<void*>(all_.data()), 0x5a, all_.size() * sizeof(T));
   }
-  std::span<T> inside() { return std::span(all_).subspan(1, all_.size() - 2); }
+  std::span<T> inside() { return std::span(all_).subspan(before_, all_.size() - before_ - 1); }
+  std::vector<T> copy() { return {inside().begin(), inside().end()}; }
   [[nodiscard]] bool intact() const {
     T noise;
     std::memset(static_cast<void*>(&noise), 0x5a, sizeof(T));
-    return std::memcmp(&noise, &all_.front(), sizeof(T)) == 0 &&
+    return std::memcmp(&noise, &all_[before_ - 1], sizeof(T)) == 0 &&
            std::memcmp(&noise, &all_.back(), sizeof(T)) == 0;
   }
 
  private:
+  std::size_t before_;
   std::vector<T> all_;
 };
 

@@ -109,9 +109,10 @@ TYPED_TEST(Transforms, EveryLayout) {
       std::vector<Coordinates<TypeParam, 3>> want;
       for (const auto& vertex : v.all) want.push_back(expected_vertex(rows, vertex));
       check<TypeParam, 3>(want, [&](auto how) {
-        std::vector<Vertex<TypeParam>> out(n);
-        const auto report = fixed::batch::transform(rows, v.all, out, how);
-        return std::pair(report, out);
+        Guarded<Vertex<TypeParam>> out(n);
+        const auto report = fixed::batch::transform(rows, v.all, out.inside(), how);
+        EXPECT_TRUE(out.intact());
+        return std::pair(report, out.copy());
       });
       check<TypeParam, 3>(want, [&](auto how) {
         auto in_place = v.all;
@@ -119,11 +120,15 @@ TYPED_TEST(Transforms, EveryLayout) {
         return std::pair(report, in_place);
       });
       check<TypeParam, 3>(want, [&](auto how) {
-        std::array<std::vector<TypeParam>, 3> out{
-            std::vector<TypeParam>(n), std::vector<TypeParam>(n), std::vector<TypeParam>(n)};
+        // Each from another address modulo the registers.
+        Guarded<TypeParam> to_x(n, 1);
+        Guarded<TypeParam> to_y(n, 2);
+        Guarded<TypeParam> to_z(n, 3);
         const auto& [x, y, z] = v.columns;
-        const auto report = fixed::batch::transform(rows, x, y, z, out[0], out[1], out[2], how);
-        return std::pair(report, gathered<TypeParam, 3>(out));
+        const auto report = fixed::batch::transform(rows, x, y, z, to_x.inside(), to_y.inside(),
+                                                    to_z.inside(), how);
+        EXPECT_TRUE(to_x.intact() && to_y.intact() && to_z.intact());
+        return std::pair(report, gathered<TypeParam, 3>({to_x.copy(), to_y.copy(), to_z.copy()}));
       });
     }
   }
@@ -154,16 +159,19 @@ TYPED_TEST(Projections, EveryLayout) {
       std::vector<Coordinates<TypeParam, 2>> want;
       for (const auto& vertex : v.all) want.push_back(expected_point(vertex, constant));
       check<TypeParam, 2>(want, [&](auto how) {
-        std::vector<Point<TypeParam>> out(n);
-        const auto report = fixed::batch::project(v.all, constant, out, how);
-        return std::pair(report, out);
+        Guarded<Point<TypeParam>> out(n);
+        const auto report = fixed::batch::project(v.all, constant, out.inside(), how);
+        EXPECT_TRUE(out.intact());
+        return std::pair(report, out.copy());
       });
       check<TypeParam, 2>(want, [&](auto how) {
-        std::array<std::vector<TypeParam>, 2> out{std::vector<TypeParam>(n),
-                                                  std::vector<TypeParam>(n)};
+        Guarded<TypeParam> to_x(n, 1);
+        Guarded<TypeParam> to_y(n, 2);
         const auto& [x, y, z] = v.columns;
-        const auto report = fixed::batch::project(x, y, z, constant, out[0], out[1], how);
-        return std::pair(report, gathered<TypeParam, 2>(out));
+        const auto report =
+            fixed::batch::project(x, y, z, constant, to_x.inside(), to_y.inside(), how);
+        EXPECT_TRUE(to_x.intact() && to_y.intact());
+        return std::pair(report, gathered<TypeParam, 2>({to_x.copy(), to_y.copy()}));
       });
     }
   }

@@ -152,7 +152,9 @@ def complete(driver):
     expect(len(hosts) > 7, f"contenders: {len(hosts)}")
     expect_equal(number(driver, "#trade .points path, #trade .points circle"), len(hosts), "points of the trade")
     expect_equal(number(driver, "#trade details tbody tr"), len(hosts), "rows of the trade")
-    expect_equal(number(driver, "#scenes img"), len(DATA["made"]["scenes"]), "animations")
+    expect_equal(number(driver, "#scenes .scene img"), len(DATA["made"]["scenes"]), "animations")
+    expect_equal(number(driver, "#scenes .beside img"), sum("--beside" in c["command"] for c in DATA["commands"]),
+                 "pictures beside the exact ones")
     sizes = driver.execute_script("return [...document.querySelectorAll('#scenes img')].map(i => i.naturalWidth)")
     expect(all(s > 0 for s in sizes), f"animations do not show: {sizes}")
     expect_equal(number(driver, "#claims article"), len(DATA["clocks"]["claims"]), "claims")

@@ -65,7 +65,7 @@ TEST(CheckCommand, RightResults) {
 }
 
 TEST(CheckCommand, WrongResults) {
-  const auto run = check_two("--rounding half-away", "0003c000\r\n\n# a comment\n00000000");
+  const auto run = check_two("--rounding half-away", "0003c000\r\n# a comment\n00000000");
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_NE(run.out.find("ffffffff 00008000 (-0.00002 0.5): ffffffff expected, 00000000 said; "
                          "exact -1 + 1/2 ulp, tie"),
@@ -97,7 +97,7 @@ TEST(CheckCommand, TooFewResults) {
 }
 
 TEST(CheckCommand, TooManyResults) {
-  expect_usage_error(check_two("--rounding half-up", "0003c000\n00000000\n\n00000000\n"),
+  expect_usage_error(check_two("--rounding half-up", "0003c000\n00000000\n# end\n00000000\n"),
                      "standard input, line 4: a result too many: there are 2 cases");
 }
 
@@ -128,6 +128,46 @@ TEST(CheckCommand, LinesThatAreNoCases) {
                      "there are no cases");
 }
 
+// An answer that is missing moves all that follow to other cases.
+TEST(CheckCommand, BlankLineBetweenResults) {
+  const std::string command = "check mul --cases 3 --rounding floor";
+  expect_usage_error(cli::fixproof(command, "00000000\n\n00000000\n00000000\n"),
+                     "standard input, line 2: blank; a result is");
+  const auto at_the_end = cli::fixproof(command + " --overflow any", "#\nDE\nDE\nDE\n\n \n# end\n");
+  EXPECT_EQ(at_the_end.status, 1) << at_the_end.err;
+}
+
+// Nothing that never ends a line fills the memory.
+TEST(CheckCommand, LineWithoutAnEnd) {
+  const std::string long_line(1 << 20, '0');
+  expect_usage_error(
+      cli::fixproof("check mul --cases 3 --rounding floor", "00000000\n" + long_line),
+      "standard input, line 2: longer than 4096 characters");
+  expect_usage_error(cli::fixproof("eval mul", long_line), "line 1: longer than 4096 characters");
+  EXPECT_EQ(
+      cli::run({"sh", "-c", "ulimit -v 4000000; exec \"$0\" check mul --rounding floor /dev/zero",
+                FIXPROOF_COMMAND})
+          .status,
+      2);
+}
+
+// The root of 2 is 92681.9 ulps, and minus that lies between -92682 and -92681: the rules that are
+// one for roots are two for mirrored ones.
+TEST(CheckCommand, MirroredRootsAreTwoRules) {
+  const Folder folder;
+  const std::string command = "check sqrt --negative-root mirror --from " +
+                              folder.with("roots", "00020000\nfffe0000\n") + " --rounding ";
+  const auto cut = cli::fixproof(command + "toward-zero", "00016a09\nfffe95f7\n");
+  EXPECT_EQ(cut.status, 0) << cut.out << cut.err;
+  EXPECT_NE(cut.out.find("rounded toward zero on all 1 negative operands"), std::string::npos)
+      << cut.out;
+  const auto down = cli::fixproof(command + "floor", "00016a09\nfffe95f6\n");
+  EXPECT_EQ(down.status, 0) << down.out << down.err;
+  EXPECT_NE(down.out.find("rounded down, away from zero on all 1 negative operands"),
+            std::string::npos)
+      << down.out;
+}
+
 TEST(CheckCommand, OptionsThatAreNone) {
   const auto refused = [](std::string_view arguments, std::string_view part) {
     expect_usage_error(cli::fixproof(arguments), part);
@@ -146,9 +186,12 @@ TEST(CheckCommand, OptionsThatAreNone) {
   refused("check mul --rounding floor --from a --seed 3", "excludes");
   refused("check mul --rounding floor --from no_such_file", "cannot read no_such_file");
   refused("check mul --rounding floor no_such_file", "cannot read no_such_file");
-  refused("check mul --rounding floor /tmp", "cannot read /tmp");
-  refused("check mul --rounding floor --from /tmp", "cannot read /tmp");
+  refused("check mul --rounding floor /tmp", "/tmp, line 1: cannot be read: ");
+  refused("check mul --rounding floor --from /tmp", "/tmp, line 1: cannot be read: ");
   refused("check mul --rounding floor --show -1", "whole number");
+  refused("check mul --rounding floor --divide-by-zero zero", "--divide-by-zero is for div");
+  refused("check div --rounding floor --negative-root zero", "--negative-root is for sqrt");
+  refused("check sqrt --rounding floor --overflow wrap", "--overflow is for mul and div");
   refused("gen", "operation");
   refused("gen add", "unknown operation");
   refused("gen mul --level 3", "whole number from 1 to 2");

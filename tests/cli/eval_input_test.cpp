@@ -149,7 +149,7 @@ TEST(EvalInput, CountsTheWordsOfEachOperation) {
 }
 
 TEST(EvalInput, QuotesForeignTextShortAndPrintable) {
-  const auto run = cli::fixproof("eval cossin", "\x1b]0;\x07" + std::string(5000, 'x') + "\n");
+  const auto run = cli::fixproof("eval cossin", "\x1b]0;\x07" + std::string(3000, 'x') + "\n");
   EXPECT_EQ(run.err,
             "fixproof: line 1: '?]0;?" + std::string(35, 'x') + "...' is not lower-case hex\n");
 }

@@ -116,7 +116,7 @@ TEST(Loops, FormsThatDoNotExistAreRefused) {
   expect_loop_refused("list mul --loop dec-jnz", "--loop is for");
   expect_loop_refused("list gouraud-byte --loop twice", "--loop");
   expect_loop_refused("prove texture --round on", "rounds nothing");
-  expect_loop_refused("prove depth --target i8088", "no loop has this target");
+  expect_loop_refused("prove depth --target i8088", "the loop depth is for the 386 alone");
   expect_loop_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
   expect_loop_refused("eval gouraud-byte", "gouraud-byte");
 }

@@ -1,14 +1,13 @@
-/// Sines and cosines of many angles: what the functions of one angle give, on every path that this
-/// processor has.
+/// Sines and cosines of many angles: what the functions of one angle give, on every path.
 #include "fixed/batch_radian.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <random>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "fixed/fixed.hpp"
@@ -17,76 +16,48 @@ namespace {
 
 using namespace fixed;
 
-/// One way to calculate a batch; it may leave out a rest that is less than a block.
-template <int F>
-struct way {
-  using raw = detail::raw_t<F>;
-  std::string name;
-  std::function<std::size_t(const raw*, raw*, std::size_t, std::uint64_t)> sines;
-  std::function<std::size_t(const raw*, raw*, raw*, std::size_t)> both;
-};
-
-template <int F>
-std::vector<way<F>> ways() {
-  std::vector<way<F>> all;
-#if defined(FIXED_BATCH_X86)
-  if (batch::has(batch::path::avx2)) {
-    all.push_back({"avx2", detail::radian_avx2::sines<F>, detail::radian_avx2::both<F>});
-  }
-  if (batch::has(batch::path::avx512)) {
-    all.push_back({"avx512", detail::radian_avx512::sines<F>, detail::radian_avx512::both<F>});
-  }
-#endif
-  all.push_back({"best",
-                 [](const auto* angles, auto* results, std::size_t count, std::uint64_t ahead) {
-                   detail::all_sines<F>(batch::best(), angles, results, count, ahead);
-                   return count;
-                 },
-                 [](const auto* angles, auto* cosines, auto* sines, std::size_t count) {
-                   detail::all_of_both<F>(batch::best(), angles, cosines, sines, count);
-                   return count;
-                 }});
-  return all;
-}
+/// Every path: what is not to be had is replaced.
+constexpr std::array paths{batch::path::portable, batch::path::neon, batch::path::avx2,
+                           batch::path::avx512};
 
 /// Enough that some hundred blocks have a doubtful lane: a lane is one in 2^12.
-template <int F>
-std::vector<detail::raw_t<F>> many_angles() {
+template <class Number>
+std::vector<Number> many_angles() {
   std::mt19937 random(16);
-  std::vector<detail::raw_t<F>> angles(100'003);
-  for (auto& angle : angles) {
+  std::vector<Number> angles(100'003);
+  for (Number& angle : angles) {
     const auto word = static_cast<std::int32_t>(random());
-    angle = static_cast<detail::raw_t<F>>(word >> (random() % 4 == 0 ? random() % 32 : 0));
+    angle = Number::from_raw(
+        static_cast<typename Number::raw_type>(word >> (random() % 4 == 0 ? random() % 32 : 0)));
   }
   return angles;
 }
 
-template <int F>
+template <class Number>
 void expect_same_bits() {
-  using raw = detail::raw_t<F>;
-  const std::vector<raw> angles = many_angles<F>();
-  for (const way<F>& w : ways<F>()) {
-    std::vector<raw> results(angles.size());
-    std::vector<raw> cosines(angles.size());
-    for (const std::uint64_t ahead : {std::uint64_t{0}, detail::quarter_turn}) {
-      const std::size_t done = w.sines(angles.data(), results.data(), angles.size(), ahead);
-      ASSERT_GT(done + 16, angles.size()) << w.name;
-      for (std::size_t i = 0; i < done; ++i) {
-        ASSERT_EQ(results[i], detail::nearest_sine<F>(angles[i], ahead)) << w.name << angles[i];
-      }
-    }
-    const std::size_t done = w.both(angles.data(), cosines.data(), results.data(), angles.size());
-    ASSERT_GT(done + 16, angles.size()) << w.name;
-    for (std::size_t i = 0; i < done; ++i) {
-      ASSERT_EQ(results[i], detail::nearest_sine<F>(angles[i], 0)) << w.name << angles[i];
-      ASSERT_EQ(cosines[i], detail::nearest_sine<F>(angles[i], detail::quarter_turn)) << w.name;
-    }
+  const std::vector<Number> angles = many_angles<Number>();
+  std::vector<Number> sines;
+  std::vector<Number> cosines;
+  for (const Number angle : angles) {
+    sines.push_back(fixed::sin(angle));
+    cosines.push_back(fixed::cos(angle));
+  }
+  for (const batch::path path : paths) {
+    std::vector<Number> results(angles.size());
+    std::vector<Number> others(angles.size());
+    batch::sin(angles, results, path);
+    ASSERT_EQ(results, sines) << static_cast<int>(path);
+    batch::cos(angles, results, path);
+    ASSERT_EQ(results, cosines) << static_cast<int>(path);
+    batch::sin_cos(angles, others, results, path);
+    ASSERT_EQ(results, sines) << static_cast<int>(path);
+    ASSERT_EQ(others, cosines) << static_cast<int>(path);
   }
 }
 
 TEST(BatchRadian, SameBitsAsOneByOne) {
-  expect_same_bits<16>();
-  expect_same_bits<8>();
+  expect_same_bits<q16_16>();
+  expect_same_bits<q8_8>();
 }
 
 template <class Number>
@@ -123,6 +94,16 @@ TEST(BatchRadian, EveryLength) {
   expect_every_length<q16_16>();
   expect_every_length<q8_8_saturating>();
 }
+
+/// Whether results of another kind than the angles', or that cannot be written, are refused.
+template <class Results>
+concept takes_sines = requires(const std::vector<q16_16>& angles, Results& results) {
+  batch::sin(angles, results);
+  batch::sin_cos(angles, std::span(results), results);
+};
+static_assert(takes_sines<std::vector<q16_16>> && takes_sines<std::array<q16_16, 3>>);
+static_assert(!takes_sines<const std::vector<q16_16>>);
+static_assert(!takes_sines<std::vector<q16_16_saturating>> && !takes_sines<std::vector<int>>);
 
 TEST(BatchRadian, InPlace) {
   const std::vector<q16_16> angles = numbers<q16_16>(50'000);

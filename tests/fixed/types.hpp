@@ -25,6 +25,11 @@ inline constexpr policy whole_divisor_saturating{.range = overflow::saturate,
 inline constexpr policy fault_before_trap{.range = overflow::trap,
                                           .fault = divide_fault::unsigned_quotient};
 
+inline constexpr policy fault_and_saturate{.range = overflow::saturate,
+                                           .fault = divide_fault::signed_quotient};
+inline constexpr policy zero_fault_and_trap{
+    .divide = rounding::truncate, .range = overflow::trap, .fault = divide_fault::zero_divisor};
+
 using all_types = testing::Types<
     q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386, q16_16_i386_mul_rounded,
     q16_16_i386_div_rounded, q16_16_i386_unrounded, q16_16_i8088, q16_16_i8088_mul_rounded,
@@ -34,7 +39,8 @@ using all_types = testing::Types<
     number<16, floor_and_saturate>, number<16, truncate_and_saturate>,
     number<16, away_and_saturate>, number<16, truncate_and_trap>, number<16, floor_and_wrap>,
     number<16, away_and_wrap>, number<16, whole_divisor_saturating>, number<16, fault_before_trap>,
-    number<8, floor_and_saturate>, number<8, whole_divisor_saturating>>;
+    number<16, fault_and_saturate>, number<16, zero_fault_and_trap>, number<8, floor_and_saturate>,
+    number<8, whole_divisor_saturating>>;
 
 /// Each rounding of products under each overflow, as far as they differ, for what does not divide.
 using some_types =

@@ -21,8 +21,14 @@ TEST(WideSum, IsThe128BitSum) {
     for (int term = 0; term < 50; ++term) {
       std::int64_t value = static_cast<std::int64_t>(random()) >> (random() % 64);
       if (random() % 4 == 0) value = random() % 2 == 0 ? lowest : highest;
-      sum.add(value);
-      expected += value;
+      if (random() % 8 == 0) value = -1;
+      if (random() % 2 == 0) {
+        sum.add(value);
+        expected += value;
+      } else {
+        sum.add_shifted_32(value);
+        expected += value * (exact::integer{1} << 32);
+      }
       ASSERT_EQ(sum.negative(), expected < 0);
       for (const int bits : {1, 8, 16, 63}) {
         // Not by >>, in which Boost 1.74 loses a sign where limbs have 32 bits: -2^63 - 1 by 1.

@@ -87,13 +87,24 @@ TEST(SteppedLine, WholeWords) {
 }
 
 // 200 levels over 1.5078125 pixels: both doubled six times, 12800 by 96.5, of which an 8088 sees
-// 96: 133.3333 instead of 132.6425.
-TEST(SteppedLine, DivisorCutByAn8088) {
+// 96: 133.3333 instead of 132.6425. By 12352, the divisor doubled seven times more, it loses
+// nothing but half a unit by rounding, and half a one by the product.
+TEST(SteppedLine, SteepOnAn8088) {
   const auto values =
       judged_values(LineRule::i8088, wide, {10 * level, 210 * level}, {2, 65536 + 32768 + 512, 0});
-  EXPECT_NEAR(values[1].error, 12800.0 / 96 - 12800.0 / 96.5, 1e-4);
+  EXPECT_LE(std::fabs(values[1].error), 1.0 / 65536);
   EXPECT_TRUE(values[1].within);
-  EXPECT_NEAR(values[1].bound, values[1].error, 1e-4);
+  EXPECT_DOUBLE_EQ(values[1].bound, 1.0 / 65536);
+}
+
+// 1 level over 1.5 pixels and a unit: doubled until 8192 by 12288.125, of which it sees 12288.
+TEST(SteppedLine, DivisorCutByAn8088) {
+  const auto values =
+      judged_values(LineRule::i8088, wide, {10 * level, 11 * level}, {2, 65536 + 32768 + 1, 0});
+  // 2/3 of a level is 43690.67 units, seen 43691; less a hundred thousandth, 43690.22, in truth.
+  EXPECT_NEAR(values[1].error * 65536, 43691 - 65536.0 * 8192 / 12288.125, 1e-6);
+  EXPECT_TRUE(values[1].within);
+  EXPECT_LE(values[1].bound, 2.0 / 65536);
 }
 
 // Of the bound as of the errors: words that are one step too great leave it.

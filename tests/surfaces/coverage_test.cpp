@@ -87,28 +87,45 @@ TEST(Coverage, NoValuesAreUndefinedBehaviour) {
   }));
 }
 
-// Of true colour a pixel is what the palette has for the index, and what is hidden stays.
+/// Two strips of 20 by 2 pixels, the first farther than the second on its left half.
+Picture two_strips() {
+  Picture picture = strip(20, {100, 3}, {30000, 120});
+  const Picture other = strip(20, {15000, 60}, {15000, 60});
+  picture.points.insert(picture.points.end(), other.points.begin(), other.points.end());
+  picture.values.insert(picture.values.end(), other.values.begin(), other.values.end());
+  picture.polygons[0].paint = {.is_index = true, .index = 7};
+  picture.polygons.push_back(
+      {.object = 0, .first = 4, .points = 4, .paint = {.is_index = true, .index = 200}});
+  return picture;
+}
+
+// Of true colour a pixel is what the palette has for the index, and what is hidden stays; so it is
+// of flat surfaces, whose pixel is their paint.
 TEST(Coverage, TrueColorShowsTheSame) {
-  Surface surface;
-  surface.kind = SurfaceKind::gouraud16;
-  for (const DepthBuffering depth : {DepthBuffering::off, DepthBuffering::on}) {
-    const Scene scene = scene_of(surface, depth);
-    Picture picture = strip(20, {100, 3}, {30000, 120});
-    const Picture behind = strip(20, {15000, 60}, {15000, 60});
-    picture.points.insert(picture.points.end(), behind.points.begin(), behind.points.end());
-    picture.values.insert(picture.values.end(), behind.values.begin(), behind.values.end());
-    picture.polygons.push_back({.object = 0, .first = 4, .points = 4, .paint = {}});
-    auto indexed = stepper(scene);
-    auto true_color = stepper(scene);
-    Screen<std::uint8_t> indices(page_width, page_height, PaletteKind::ramps, 0, &indexed);
-    Screen<std::uint32_t> colors(page_width, page_height, PaletteKind::ramps, 0, &true_color);
-    indices.show(picture);
-    colors.show(picture);
-    EXPECT_EQ(indices.count().pixels, depth == DepthBuffering::off ? 80 : 60);
-    EXPECT_EQ(colors.count().pixels, indices.count().pixels);
-    for (std::size_t i = 0; i < colors.page().pixels().size(); ++i) {
-      EXPECT_EQ(colors.page().pixels()[i],
-                rgb(palette_of(PaletteKind::ramps).at(indices.page().pixels()[i])));
+  for (const SurfaceKind kind : {SurfaceKind::gouraud16, SurfaceKind::flat}) {
+    for (const DepthBuffering depth : {DepthBuffering::off, DepthBuffering::on}) {
+      Surface surface;
+      surface.kind = kind;
+      const Scene scene = scene_of(surface, depth);
+      auto indexed = stepper(scene);
+      auto true_color = stepper(scene);
+      Screen<std::uint8_t> indices(page_width, page_height, PaletteKind::ramps, 0, &indexed);
+      Screen<std::uint32_t> colors(page_width, page_height, PaletteKind::ramps, 0, &true_color);
+      indices.show(two_strips());
+      colors.show(two_strips());
+      EXPECT_EQ(indices.count().pixels, depth == DepthBuffering::off ? 80 : 60);
+      EXPECT_EQ(colors.count().pixels, indices.count().pixels);
+      if (kind == SurfaceKind::flat) {
+        const auto painted = [&](std::uint8_t index) {
+          return std::ranges::count(indices.page().pixels(), index);
+        };
+        EXPECT_EQ(painted(7), depth == DepthBuffering::off ? 0 : 20);
+        EXPECT_EQ(painted(200), depth == DepthBuffering::off ? 40 : 20);
+      }
+      for (std::size_t i = 0; i < colors.page().pixels().size(); ++i) {
+        EXPECT_EQ(colors.page().pixels()[i],
+                  rgb(palette_of(PaletteKind::ramps).at(indices.page().pixels()[i])));
+      }
     }
   }
 }

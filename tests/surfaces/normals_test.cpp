@@ -1,11 +1,10 @@
-// Normals at vertices, unit vectors by products alone, and what a corner's values are.
+// Normals at vertices, and unit vectors by products alone.
 #include "xsharp/normals.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/xsharp/pipeline/types.hpp"
 #include "xsharp/shapes.hpp"
-#include "xsharp/surface_values.hpp"
 
 namespace pipeline {
 namespace {
@@ -51,42 +50,6 @@ TYPED_TEST(UnitVectors, HaveLengthOne) {
   }
   const Vec3<N> none{number<N>(0), number<N>(0), number<N>(0)};
   EXPECT_EQ(unit(none), none);
-}
-
-template <class N>
-class Values : public testing::Test {};
-TYPED_TEST_SUITE(Values, all_types);
-
-TYPED_TEST(Values, OfDepthAndDistance) {
-  using N = TypeParam;
-  const N near = number<N>(100);
-  EXPECT_EQ(static_cast<double>(depth_value(vector<N>({5, 5, -100}), near)), nearest_depth);
-  EXPECT_EQ(static_cast<double>(depth_value(vector<N>({5, 5, -1}), near)), nearest_depth);
-  // A quarter, and what the divide and the product err by.
-  EXPECT_NEAR(static_cast<double>(depth_value(vector<N>({7, 9, -400}), near)), 32767 / 4.0, 1);
-  EXPECT_GT(depth_value(vector<N>({0, 0, -30000}), near), number<N>(0));
-  // 3, 4, 12 is 13 long.
-  for (const double scale : {1.0, 20.0, 2000.0}) {
-    const double is =
-        static_cast<double>(distance_from_viewer(vector<N>({-3 * scale, 4 * scale, -12 * scale})));
-    EXPECT_NEAR(is / (13 * scale), 1, 16 * ulp) << scale;
-  }
-}
-
-TYPED_TEST(Values, OfLightStayOnTheRamp) {
-  using N = TypeParam;
-  Surface surface;
-  surface.kind = SurfaceKind::gouraud16;
-  surface.ramp = 1;
-  const Corner<N> corner{vector<N>({0, 0, -200}), vector<N>({0, 0, 1})};
-  const auto light = [&](double z) {
-    return point_values(surface, corner, vector<N>({0, 0, z}), number<N>(100))[1];
-  };
-  EXPECT_EQ(light(1), 128 + 64 + 62);
-  EXPECT_EQ(light(0), 128 + 64);
-  EXPECT_EQ(light(-1), 128 + 64 - 62);
-  EXPECT_EQ(light(1.5), 128 + 64 + 62);
-  EXPECT_EQ(light(-0.5), 128 + 64 - 31);
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
+#include "tests/surfaces/polygon_row.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 
@@ -19,53 +23,117 @@ double bound_at(std::size_t i, double last_bit) {
   return static_cast<double>(i) * slope + (last_bit > ulp ? last_bit / 2 : 0);
 }
 
-void check_kind(SurfaceKind kind, double last_bit, double highest, std::uint32_t modulus_bits) {
+/// What is stepped in which word; depth is that of a flat surface.
+struct Kind {
+  SurfaceKind surface = SurfaceKind::flat;
+  double last_bit = 0;
+  double highest = 0;
+  std::uint32_t word_bits = 32;
+
+  [[nodiscard]] bool is_depth() const { return surface == SurfaceKind::flat; }
+  [[nodiscard]] Scene scene() const {
+    Surface of_kind;
+    of_kind.kind = surface;
+    return scene_of(of_kind, is_depth() ? DepthBuffering::on : DepthBuffering::off);
+  }
+  /// As ramps have it, two levels from either end, where no error wraps. In 16.16 without rest.
+  [[nodiscard]] PointValues any_value() const {
+    const double value = 2 + *generators::among(0, 1 << 24) * ((highest - 4) / (1 << 24));
+    const double number = std::floor(value / ulp) * ulp;
+    return {is_depth() ? number : 0, number};
+  }
+  /// What is drawn is the whole part of this.
+  [[nodiscard]] double value_of(const StepWords& words, std::size_t i) const {
+    const std::uint64_t mask = (std::uint64_t{1} << word_bits) - 1;
+    return static_cast<double>((words.start + i * words.step) & mask) * last_bit;
+  }
+};
+constexpr Kind gouraud8{SurfaceKind::gouraud8, 1.0 / 256, 255, 16};
+constexpr Kind gouraud16{SurfaceKind::gouraud16, ulp, 255};
+constexpr Kind depths{SurfaceKind::flat, 1.0 / 256, 32767};
+
+void check_span(const Kind& kind) {
   const std::int32_t width = *generators::among(1, 321);
-  const double from =
-      std::floor(*generators::among(0, 1 << 24) * (highest / (1 << 24)) / ulp) * ulp;
-  const double to = std::floor(*generators::among(0, 1 << 24) * (highest / (1 << 24)) / ulp) * ulp;
-  const bool depth = kind == SurfaceKind::flat;
-  Surface surface;
-  surface.kind = kind;
-  const auto calls =
-      calls_of<Number>(scene_of(surface, depth ? DepthBuffering::on : DepthBuffering::off),
-                       strip(width, {depth ? from : 0, from}, {depth ? to : 0, to}), width);
+  const PointValues left = kind.any_value();
+  const PointValues right = kind.any_value();
+  const auto calls = calls_of<Number>(kind.scene(), strip(width, left, right), width);
   RC_ASSERT(calls.size() == 1U);
   RC_ASSERT(calls[0].pixels == static_cast<std::size_t>(width));
-  const std::uint64_t mask = (std::uint64_t{1} << modulus_bits) - 1;
   for (std::size_t i = 0; i < calls[0].pixels; ++i) {
-    const double exact = from + (to - from) * static_cast<double>(i) / width;
-    const auto word = (calls[0].one.start + i * calls[0].one.step) & mask;
-    RC_ASSERT(std::fabs(static_cast<double>(word) * last_bit - exact) <=
-              bound_at(i, last_bit) + 1e-9);
+    const double exact = left[1] + (right[1] - left[1]) * static_cast<double>(i) / width;
+    RC_ASSERT(std::fabs(kind.value_of(calls[0].one, i) - exact) <=
+              bound_at(i, kind.last_bit) + 1e-9);
   }
 }
 
 TEST(SpanError, Gouraud8IsWithinAHalfBitAPixel) {
-  EXPECT_TRUE(rc::check([] { check_kind(SurfaceKind::gouraud8, 1.0 / 256, 255, 16); }));
+  EXPECT_TRUE(rc::check([] { check_span(gouraud8); }));
 }
 TEST(SpanError, Gouraud16IsWithinAHalfUnitAPixel) {
-  EXPECT_TRUE(rc::check([] { check_kind(SurfaceKind::gouraud16, ulp, 255, 32); }));
+  EXPECT_TRUE(rc::check([] { check_span(gouraud16); }));
 }
 TEST(SpanError, DepthIsWithinAHalfBitAPixel) {
-  EXPECT_TRUE(rc::check([] { check_kind(SurfaceKind::flat, 1.0 / 256, 32767, 32); }));
+  EXPECT_TRUE(rc::check([] { check_span(depths); }));
 }
 
-// Longer rows begin anew: no error is greater than that of 320 pixels.
+/// A quadrilateral that begins above the page, its left and right ends on either side of the
+/// page's, with another value at each corner.
+Picture around_the_page(const Kind& kind) {
+  const auto left = [] { return *generators::among(-500, 100); };
+  const auto right = [] { return *generators::among(120, 500); };
+  const std::int32_t top = *generators::among(-300, 0);
+  const std::int32_t bottom = *generators::among(1, 300);
+  Picture picture = strip(1, {}, {});
+  picture.points = {{left(), top}, {right(), top}, {right(), bottom}, {left(), bottom}};
+  for (PointValues& value : picture.values) value = kind.any_value();
+  return picture;
+}
+
+void check_clipped(const Kind& kind) {
+  constexpr std::int32_t width = 320;
+  constexpr std::int32_t height = 8;
+  const Picture picture = around_the_page(kind);
+  const auto calls = calls_of<Number>(kind.scene(), picture, width, height);
+  std::int32_t y = 0;
+  for (const auto& call : calls) {
+    const auto row = row_of(picture, picture.polygons[0], y++);
+    RC_ASSERT(row.has_value());
+    const std::int32_t first = row->first();
+    RC_ASSERT(call.pixels == static_cast<std::size_t>(row->end(width) - first));
+    for (std::size_t i = 0; i < call.pixels; ++i) {
+      const std::int32_t x = first + static_cast<std::int32_t>(i);
+      RC_ASSERT(std::fabs(kind.value_of(call.one, i) - row->at(1, x)) <=
+                stepping_error(*row, 1, x, kind.last_bit) + 1e-9);
+    }
+  }
+  RC_ASSERT(y == std::min(height, picture.points[2].y));
+}
+
+// A depth is the first of the values, which Kind gives the second as well.
+TEST(SpanError, WhatBeginsOffThePageIsSteppedToItsSideAndItsTop) {
+  EXPECT_TRUE(rc::check([] { check_clipped(gouraud8); }));
+  EXPECT_TRUE(rc::check([] { check_clipped(gouraud16); }));
+  EXPECT_TRUE(rc::check([] { check_clipped(depths); }));
+}
+
+// Longer rows are drawn in pieces. A piece's start is that of the row and as many slopes as there
+// are pixels before it: the slope's half unit counts for all of these, the word's half bits only
+// from the piece's start on.
 TEST(SpanError, RowsOfMoreThan320PixelsAreDrawnInPieces) {
-  Surface surface;
-  surface.kind = SurfaceKind::gouraud8;
-  const auto calls = calls_of<Number>(scene_of(surface), strip(1000, {0, 1}, {0, 126}), 1000);
+  const auto calls = calls_of<Number>(gouraud8.scene(), strip(1000, {0, 1}, {0, 126}), 1000);
   ASSERT_EQ(calls.size(), 4U);
-  std::size_t first = 0;
+  std::size_t from = 0;
   for (const auto& call : calls) {
     EXPECT_LE(call.pixels, longest_span);
-    const double exact = 1 + 125 * static_cast<double>(first) / 1000;
-    // A slope of 16.16 over the pixels that are passed over, and the word's half bit.
-    EXPECT_NEAR(call.one.start / 256.0, exact, static_cast<double>(first) * ulp / 2 + 1.0 / 512);
-    first += call.pixels;
+    for (std::size_t i = 0; i < call.pixels; ++i) {
+      const double exact = 1 + 125 * static_cast<double>(from + i) / 1000;
+      const double bound = static_cast<double>(from + i) * ulp / 2 +
+                           static_cast<double>(i + 1) * gouraud8.last_bit / 2;
+      EXPECT_NEAR(gouraud8.value_of(call.one, i), exact, bound) << from << " + " << i;
+    }
+    from += call.pixels;
   }
-  EXPECT_EQ(first, 1000U);
+  EXPECT_EQ(from, 1000U);
 }
 
 }  // namespace

@@ -5,6 +5,11 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+
+#include "tests/xsharp/raster/generators.hpp"
+
 namespace {
 
 using namespace xsharp;
@@ -67,6 +72,39 @@ TEST(Step, TheDivideOfThe8088SeesNearlyAllOfTheDivisor) {
   const double exact = 60 / 3.75;
   const auto by = slope(of<q16_16_i8088>(0), of<q16_16_i8088>(60), 15 * pixel / 4);
   EXPECT_NEAR(by.raw() / 65536.0, exact, exact / 256);
+}
+
+/// Of a slope below 1, a divisor of at least 8191 loses less than 1 for its fraction. Of a steeper
+/// one, the upper part leaves at most D / 8191 and half a unit for each of 2^14 pixels, below 4.2;
+/// that is divided by at least 2^11 times a pixel, less than 1 of it lost, and the product and the
+/// quotient round.
+RC_GTEST_PROP(Step, TheDivideOfThe8088SeesItUnderLargeDifferencesToo, ()) {
+  const std::int64_t units = *generators::among(65536, 321 * 65536);
+  const bool steep = *generators::among(0, 2) == 0;
+  const std::int32_t size = steep ? *generators::among(static_cast<std::int32_t>(units), INT32_MAX)
+                                  : *generators::among(0, static_cast<std::int32_t>(units));
+  const std::int32_t to = *generators::among(0, 2) == 0 ? size : -size;
+  const auto from = q16_16_i8088::from_raw(0);
+  const auto end = q16_16_i8088::from_raw(to);
+  const double pixels = static_cast<double>(units) / 65536;
+  const double exact = to / pixels;
+  const double bound = steep ? 1 + 4.2 * 65536 / 2048 / pixels : 0.5 + std::fabs(exact) / 8191;
+  RC_ASSERT(std::fabs(slope(from, end, units).raw() - exact) <= bound);
+}
+
+TEST(Step, TheDivideOfThe8088IsRightForWholeLengths) {
+  // 32767 / 3 is 10922 1/3, and 65536 / 3 is 21845.3.
+  EXPECT_EQ(slope(of<q16_16_i8088>(0), of<q16_16_i8088>(32767), 3 * pixel).raw(),
+            10922 * 65536 + 21845);
+  EXPECT_EQ(slope(of<q16_16_i8088>(32767), of<q16_16_i8088>(0), pixel).raw(), -32767 * 65536);
+  EXPECT_EQ(slope(of<q16_16_i8088>(0), q16_16_i8088::from_raw(INT32_MAX), pixel).raw(), INT32_MAX);
+  EXPECT_EQ(ratio(of<q16_16_i8088>(32767), of<q16_16_i8088>(0.5)).raw(), 0);
+}
+
+// 265.2 pixels: divided once, by 8486 for 8486.4, the slope would be 3 units too great.
+TEST(Step, TheDivideOfThe8088SeesAllOfADivisorThatIsTheDividend) {
+  const std::int32_t way = 17'380'078;
+  EXPECT_NEAR(slope(of<q16_16_i8088>(0), q16_16_i8088::from_raw(way), way).raw(), 65536, 1);
 }
 
 RC_GTEST_PROP(Step, DoublingChangesNoOtherQuotient, (std::int32_t n, std::int32_t d)) {

@@ -82,13 +82,14 @@ class RecordingLoops final : public xsharp::SpanLoops {
   std::vector<Call>* calls_;
 };
 
-/// What the loops are called with for the first row of a picture.
+/// What the loops are called with for the first rows of a picture.
 template <class N>
-std::vector<RecordingLoops::Call> calls_of(const xsharp::Scene& scene, xsharp::Picture picture,
-                                           std::int32_t width) {
+std::vector<RecordingLoops::Call> calls_of(const xsharp::Scene& scene,
+                                           const xsharp::Picture& picture, std::int32_t width,
+                                           std::int32_t height = 1) {
   std::vector<RecordingLoops::Call> calls;
   xsharp::StepFiller<N> filler(scene, std::make_unique<RecordingLoops>(calls));
-  drawn(filler, picture, width, 1);
+  drawn(filler, picture, width, height);
   return calls;
 }
 

@@ -33,19 +33,31 @@ struct Span {
   }
 };
 
+/// Places a texel inside the bitmap: nothing is kept inside that stepping has brought out.
 Span any_span() {
   const auto part = [] { return *generators::among(0, 65536) / 65536.0; };
+  const auto place = [] { return *generators::among(256, 65536 - 255) / 65536.0; };
   return {*generators::among(2, 321), std::floor(100 + 32000 * part()),
-          std::floor(100 + 32000 * part()), part(), part()};
+          std::floor(100 + 32000 * part()), place(), place()};
 }
 
-std::vector<RecordingLoops::Call> calls_of_span(const Span& span, std::int32_t every) {
+/// The same way with other places, for rows.
+Span with_other_places(Span span) {
+  const Span other = any_span();
+  span.from = other.from;
+  span.to = other.to;
+  return span;
+}
+
+std::vector<RecordingLoops::Call> calls_of_span(const Span& span, const Span& down,
+                                                std::int32_t every) {
   Surface surface;
   surface.kind = SurfaceKind::texture;
   surface.exact_every = every;
-  return calls_of<Number>(scene_of(surface),
-                          strip(span.width, {span.near, span.from, 0}, {span.far, span.to, 0}),
-                          span.width);
+  return calls_of<Number>(
+      scene_of(surface),
+      strip(span.width, {span.near, span.from, down.from}, {span.far, span.to, down.to}),
+      span.width);
 }
 
 /// Between exact places h apart a line errs by h^2 / 8 times the bend. An exact place errs by what
@@ -53,17 +65,22 @@ std::vector<RecordingLoops::Call> calls_of_span(const Span& span, std::int32_t e
 TEST(Texture, IsWithinABoundThatFollowsFromThePixelsBetweenExactPlaces) {
   EXPECT_TRUE(rc::check([] {
     const Span span = any_span();
+    const Span down = with_other_places(span);
     for (const std::int32_t every : {1, 8, 16}) {
-      const double linear = every * every / 8.0 * span.bend();
       const double stepped = (0.5 * span.width + 3) * ulp;
       const double exact = 2 * stepped / std::min(span.near, span.far) + ulp / 2;
-      const double bound = linear + exact + (every + 1) * ulp / 2;
       std::size_t x = 0;
-      for (const auto& call : calls_of_span(span, every)) {
+      const auto check = [&](const StepWords& words, std::size_t i, const Span& places) {
+        const double linear = every * every / 8.0 * places.bend();
+        const double bound = linear + exact + (every + 1) * ulp / 2;
+        const auto word = static_cast<std::int32_t>(words.start + i * words.step);
+        const double off = word * ulp - places.place(static_cast<double>(x));
+        RC_ASSERT(std::fabs(off) <= bound + 1e-12);
+      };
+      for (const auto& call : calls_of_span(span, down, every)) {
         for (std::size_t i = 0; i < call.pixels; ++i, ++x) {
-          const auto word = static_cast<std::int32_t>(call.one.start + i * call.one.step);
-          const double off = word * ulp - span.place(static_cast<double>(x));
-          RC_ASSERT(std::fabs(off) <= bound + 1e-12);
+          check(call.one, i, span);
+          check(call.other, i, down);
         }
       }
       RC_ASSERT(x == static_cast<std::size_t>(span.width));
@@ -75,15 +92,57 @@ TEST(Texture, IsWithinABoundThatFollowsFromThePixelsBetweenExactPlaces) {
 TEST(Texture, WithoutExactPlacesIsLinear) {
   EXPECT_TRUE(rc::check([] {
     const Span span = any_span();
-    const auto calls = calls_of_span(span, 0);
+    const Span down = with_other_places(span);
+    const auto calls = calls_of_span(span, down, 0);
     RC_ASSERT(calls.size() == 1U);
-    for (std::size_t i = 0; i < calls[0].pixels; ++i) {
-      const auto word = static_cast<std::int32_t>(calls[0].one.start + i * calls[0].one.step);
+    const auto check = [&](const StepWords& words, std::size_t i, const Span& places) {
+      const auto word = static_cast<std::int32_t>(words.start + i * words.step);
       const double x = static_cast<double>(i);
-      const double line = span.from + (span.to - span.from) * x / span.width;
+      const double line = places.from + (places.to - places.from) * x / places.width;
       RC_ASSERT(std::fabs(word * ulp - line) <= (0.5 * x + 1) * ulp);
+    };
+    for (std::size_t i = 0; i < calls[0].pixels; ++i) {
+      check(calls[0].one, i, span);
+      check(calls[0].other, i, down);
     }
   }));
+}
+
+template <class N>
+void check_inside() {
+  // As corners have them: from the middle of the first texel to that of the last, or back.
+  const std::int32_t width = *generators::among(2, 4097);
+  const bool back = *generators::among(0, 2) == 1;
+  const double from = back ? 255.5 / 256 : 0.5 / 256;
+  Surface surface;
+  surface.kind = SurfaceKind::texture;
+  surface.exact_every = *generators::among(0, 2) == 1 ? 16 : 0;
+  for (const auto& call : calls_of<N>(
+           scene_of(surface), strip(width, {20000, from, from}, {20000, 1 - from, from}), width)) {
+    for (const std::size_t i : {std::size_t{0}, call.pixels - 1}) {
+      for (const StepWords& words : {call.one, call.other}) {
+        const auto place = static_cast<std::int32_t>(words.start + i * words.step);
+        RC_ASSERT(place >= 0);
+        RC_ASSERT(place <= 0xFFFF);
+      }
+    }
+  }
+}
+
+TEST(Texture, NoRowOfAnyLengthLeavesTheBitmap) {
+  EXPECT_TRUE(rc::check([] { check_inside<Number>(); }));
+  EXPECT_TRUE(rc::check([] { check_inside<fixed::q16_16_i386_unrounded>(); }));
+  EXPECT_TRUE(rc::check([] { check_inside<fixed::q16_16_i8088>(); }));
+  EXPECT_TRUE(rc::check([] { check_inside<fixed::q16_16_i8088_unrounded>(); }));
+}
+
+TEST(Texture, APlaceOutsideIsBroughtToTheEdgeOfTheBitmap) {
+  EXPECT_EQ(inside_bitmap({100, 20}, 4), (StepWords{100, 20}));
+  EXPECT_EQ(inside_bitmap({0xFFFFFFF0, 0xFFFFFFFF}, 3), (StepWords{0, 0}));
+  EXPECT_EQ(inside_bitmap({65000, 200}, 4), (StepWords{65000, 178}));  // (65535 - 65000) / 3
+  EXPECT_EQ(inside_bitmap({100, static_cast<std::uint32_t>(-60)}, 4),
+            (StepWords{100, static_cast<std::uint32_t>(-33)}));
+  EXPECT_EQ(inside_bitmap({70000, 5}, 1), (StepWords{65535, 5}));
 }
 
 /// Pixels of frame 40 of the textured scene that are not those of the exact rendering.

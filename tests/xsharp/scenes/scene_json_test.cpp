@@ -132,8 +132,9 @@ TEST(SceneJson, ReadsSurfaces) {
   std::size_t kind = 0;
   for (const std::string word :
        {"flat", "gouraud8", "gouraud16", "depth", "distance", "texture", "environment", "phong"}) {
-    EXPECT_EQ(read(R"({"kind": ")" + word + "\"}").objects[0].surface.kind,
-              static_cast<SurfaceKind>(kind++));
+    EXPECT_EQ(
+        read(R"({"kind": ")" + word + "\"}", R"("palette": "ramps", )").objects[0].surface.kind,
+        static_cast<SurfaceKind>(kind++));
   }
 }
 

@@ -56,6 +56,8 @@ const std::vector<BadScene>& bad_settings() {
       {"height is -2147483648, must be from 1 to 4096", [](Scene& s) { s.height = least; }},
       {"frames_per_second is 0, must be from 0.001 to 1000",
        [](Scene& s) { s.frames_per_second = 0; }},
+      {"frames_per_second is 1000.0001, must be from 0.001 to 1000",
+       [](Scene& s) { s.frames_per_second = 1000.0001; }},
       {"frames_per_second is nan, must be from 0.001 to 1000",
        [](Scene& s) { s.frames_per_second = nan; }},
       {"projection_ratio is 2, must be from -1000 to -0.01",
@@ -76,8 +78,17 @@ const std::vector<BadScene>& bad_settings() {
        [](Scene& s) {
          s.objects[0].mesh = with_vertex_normals(s.objects[0].mesh);
          s.objects[0].surface.kind = SurfaceKind::gouraud16;
+         s.palette = PaletteKind::ramps;
          s.lights.spots[0].intensity = {1, 2, 0};
          s.lights.spots[1].intensity = {0, 0, 1.5};
+       }},
+      {"object 'cube': surface.kind is \"distance\", so palette must be \"ramps\"",
+       [](Scene& s) { s.objects[0].surface.kind = SurfaceKind::distance; }},
+      {"object 'ball': surface.kind is \"phong\", so palette must be \"ramps\"",
+       [](Scene& s) {
+         s.palette = PaletteKind::shading;
+         s.objects[1].mesh = with_vertex_normals(s.objects[1].mesh);
+         s.objects[1].surface.kind = SurfaceKind::phong;
        }},
       {"camera: page is 1000001, must be from -1000000 to 1000000",
        [](Scene& s) { s.camera.page[2] = 1000001; }},
