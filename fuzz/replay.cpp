@@ -1,5 +1,6 @@
 // The driver without a fuzzer: gives a target every file that is named, and those of every folder.
 // Exit status 0: it took them all. 2: a file cannot be read, or there was none.
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -7,6 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -14,9 +18,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace {
 
 void replay(const std::filesystem::path& file) {
-  std::ifstream in;
-  in.exceptions(std::ios::failbit | std::ios::badbit);
-  in.open(file, std::ios::binary);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    throw std::runtime_error("cannot read " + file.string() + ": " +
+                             std::generic_category().message(errno));
+  }
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
   const std::vector<std::uint8_t> input(bytes.begin(), bytes.end());
   std::fprintf(stderr, "%s\n", file.c_str());
@@ -40,6 +46,12 @@ std::size_t replay_all(const std::filesystem::path& place) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc < 2 || std::string_view(argv[1]).starts_with('-')) {
+    std::fprintf(stderr,
+                 "usage: %s FILE|FOLDER...\nGives the target every file, and all in a folder.\n",
+                 argv[0]);
+    return 2;
+  }
   std::size_t files = 0;
   try {
     for (int i = 1; i < argc; ++i) files += replay_all(argv[i]);

@@ -112,7 +112,7 @@ Programs chosen_programs(const Selection& selection) {
     if (asked(form)) chosen.loops.push_back(form);
   }
   if (chosen.routines.empty() && chosen.loops.empty()) {
-    throw UsageError("no loop has this target");
+    throw UsageError("the loop depth is for the 386 alone");  // all others are for both
   }
   return chosen;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "verify/advise/cost.hpp"
+#include "verify/scenes/canvas.hpp"
 #include "verify/scenes/frame_clocks.hpp"
 #include "verify/scenes/model_number.hpp"
 #include "verify/scenes/players.hpp"
@@ -61,6 +62,7 @@ Cost between(double least, double most) { return {least, most, (least + most) / 
 /// The clocks of the sampled frames, as counted.
 Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto player = make_player(scene, scene.arithmetic);
+  const auto canvas = canvas_of_surfaces(scene);
   std::optional<FromAngles> angles;
   if (scene.from_scratch) angles.emplace(scene);
   xsharp::Picture picture;
@@ -77,6 +79,7 @@ Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
         player->move();
         if (angles) angles->advance(counts);
         if (counts) player->draw(picture);
+        if (counts && canvas) canvas->show(picture);
       }
       if (counts) sum += clocks_of(log, scene.arithmetic, cpu);
     }

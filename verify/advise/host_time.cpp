@@ -5,6 +5,7 @@
 
 #include "verify/advise/cost.hpp"
 #include "verify/measure/host_times.hpp"
+#include "verify/scenes/canvas.hpp"
 #include "verify/scenes/players.hpp"
 
 namespace fixproof {
@@ -13,12 +14,14 @@ namespace {
 
 double time_a_frame(const xsharp::Scene& scene, xsharp::Picture& picture) {
   const auto player = make_player(scene, scene.arithmetic);
+  const auto canvas = canvas_of_surfaces(scene);
   // Afterwards nothing is left to prepare but what moves.
   player->draw(picture);
   const auto begin = thread_time();
   for (std::uint64_t frame = 0; frame < TimeSample::frames; ++frame) {
     player->move();
     player->draw(picture);
+    if (canvas) canvas->show(picture);
   }
   const std::chrono::duration<double, std::nano> passed = thread_time() - begin;
   return passed.count() / static_cast<double>(TimeSample::frames);

@@ -9,6 +9,7 @@
 
 #include "verify/arguments.hpp"
 #include "verify/hex.hpp"
+#include "verify/read_line.hpp"
 #include "verify/selection.hpp"
 #include "verify/usage_error.hpp"
 
@@ -113,17 +114,6 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
   }
 }
 
-bool next_line(std::istream& in, std::string_view name, std::string& line, std::uint64_t& number) {
-  while (std::getline(in, line)) {
-    ++number;
-    if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    if (line.back() == '\r') line.pop_back();
-    return true;
-  }
-  if (in.bad()) throw UsageError(fmt::format("cannot read {}", name));
-  return false;
-}
-
 FileCases::FileCases(Operation operation, std::string path)
     : variant_(variant_of(operation)), path_(std::move(path)), file_(path_) {
   if (!file_) {
@@ -134,8 +124,11 @@ FileCases::FileCases(Operation operation, std::string path)
 
 bool FileCases::next(std::span<std::uint32_t> words) {
   std::string line;
-  if (!next_line(file_, path_, line, line_)) return false;
   try {
+    do {
+      ++line_;
+      if (!read_line(file_, line)) return false;
+    } while (says_nothing(line));
     parse_words(line, variant_, words);
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));

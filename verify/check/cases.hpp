@@ -100,9 +100,4 @@ class FileCases final : public CaseSource {
   std::uint64_t line_ = 0;
 };
 
-/// The next line that says something, without its line end: blank lines and those that start with #
-/// are passed over. `number` is that of the line, from 1.
-/// @throws UsageError naming the input, which is called `name`, where it cannot be read
-bool next_line(std::istream& in, std::string_view name, std::string& line, std::uint64_t& number);
-
 }  // namespace fixproof

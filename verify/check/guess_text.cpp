@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,11 @@ std::string_view phrase(NoResult rule) {
   }
   return "gives anything";
 }
+
+constexpr std::string_view mirrored_down =
+    "gives minus the root of the magnitude, rounded down, away from zero";
+constexpr std::string_view mirrored_toward_zero =
+    "gives minus the root of the magnitude, rounded toward zero";
 
 std::string joined(const std::vector<std::string_view>& names, std::string_view last) {
   std::string text;
@@ -119,7 +125,10 @@ std::string guess_text(const Judge& judge) {
     const bool down = roundings()[rounding.rules.front()] == oracle::Rounding::floor;
     names = {down ? "down" : "to nearest"};
   }
-  const std::size_t rule = rounding.rules.front();
+  // Of roots the rules that are one in range are two where a negative operand is mirrored.
+  const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&trial](std::size_t r) {
+    return trial.no_result(r).first.exceptions.count();
+  });
   followed.rounding = roundings()[rule];
   text += line_of("rounding", rounding, names, "cases in range", followed);
 
@@ -137,6 +146,10 @@ std::string guess_text(const Judge& judge) {
     for (const std::size_t i : none.rules) names.push_back(phrase(rules[i]));
     followed.no_result = rules[none.rules.front()];
     const bool root = operation == Operation::sqrt;
+    if (followed.no_result == NoResult::mirror && names.size() == 1) {
+      if (followed.rounding == oracle::Rounding::floor) names = {mirrored_down};
+      if (followed.rounding == oracle::Rounding::truncate) names = {mirrored_toward_zero};
+    }
     text += line_of(root ? "negative operand" : "divide by zero", none, names,
                     root ? "negative operands" : "zero divisors", followed);
   }

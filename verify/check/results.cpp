@@ -2,25 +2,40 @@
 
 #include <fmt/format.h>
 
-#include "verify/check/cases.hpp"
 #include "verify/hex.hpp"
+#include "verify/read_line.hpp"
 #include "verify/usage_error.hpp"
 
 namespace fixproof {
+
+namespace {
+
+constexpr std::string_view what_a_result_is =
+    "a result is 8 lower-case hex digits, or DE for a divide error";
+
+}  // namespace
 
 Said parse_result(std::string_view line) {
   if (line == "DE") return std::nullopt;
   try {
     return parse_hex(line, 8);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format(
-        "{}; a result is 8 lower-case hex digits, or DE for a divide error", error.what()));
+    throw UsageError(fmt::format("{}; {}", error.what(), what_a_result_is));
   }
 }
 
 std::optional<Said> Results::next() {
-  if (!next_line(in_, name_, text_, line_)) return std::nullopt;
+  std::uint64_t blank = 0;
   try {
+    do {
+      ++line_;
+      if (!read_line(in_, text_)) return std::nullopt;
+      if (blank == 0 && !text_.starts_with('#') && says_nothing(text_)) blank = line_;
+    } while (says_nothing(text_));
+    if (blank != 0) {
+      line_ = blank;
+      throw UsageError(fmt::format("blank; {}", what_a_result_is));
+    }
     return parse_result(text_);
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("{}, line {}: {}", name_, line_, error.what()));

@@ -15,7 +15,9 @@ namespace fixproof {
 /// @throws UsageError saying what is wrong with it
 Said parse_result(std::string_view line);
 
-/// Results in their order. Blank lines and lines that start with # are passed over.
+/// Results in their order. Lines that start with # are passed over, and blank ones at the end: one
+/// before a result is an answer that was not given, and all that follow would be judged as those of
+/// other cases.
 class Results {
  public:
   /// @param name what the stream is called in errors

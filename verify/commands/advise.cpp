@@ -16,6 +16,7 @@
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/scenes/outputs.hpp"
+#include "verify/scenes/surface_options.hpp"
 #include "verify/text.hpp"
 #include "verify/usage_error.hpp"
 #include "xsharp/files/scene_json.hpp"
@@ -26,6 +27,7 @@ namespace {
 
 struct AdviseOptions {
   std::string scene;
+  SurfaceOptions surfaces;
   std::string budget;
   std::uint64_t minutes = 30;
   x86model::Cpu cpu = x86model::Cpu::i386;
@@ -98,7 +100,8 @@ int stopped(std::uint64_t frames, std::uint64_t wanted, const AdviseOptions& opt
 
 int advise_on(const AdviseOptions& options) {
   const double budget = pixels_of(options.budget);
-  const xsharp::Scene scene = xsharp::read_scene(options.scene);
+  xsharp::Scene scene = xsharp::read_scene(options.scene);
+  options.surfaces.apply(scene);
   if (scene.objects.empty()) throw UsageError(scene.name + " has no objects");
   if (!options.json.empty()) {
     refuse_inputs("--json", options.json, scene.files);
@@ -149,6 +152,7 @@ void add_advise(CLI::App& app, int& status) {
   command->add_option("scene", options->scene, "a scene, such as scenes/twelve_cubes.json")
       ->required()
       ->check(not_empty());
+  options->surfaces.add_to(*command);
   command
       ->add_option("--budget", options->budget,
                    "how far a corner may be from where it should be, in pixels, as 0.5px")
@@ -174,7 +178,9 @@ void add_advise(CLI::App& app, int& status) {
       "not, orientations made from scratch, or by appending rotations and restoring orthogonality\n"
       "never or after every 600, 60, 10 or 1 rotations. Of those that cost the same, the most\n"
       "exact is taken: with --host, those whose times differ by less than they do from round to\n"
-      "round, between the quartiles.\n\n"
+      "round, between the quartiles. Surfaces that are stepped count among what is paid for; the "
+      "budget\n"
+      "is of corners: what stepping adds at the pixels, render --beside shows.\n\n"
       "Exit status: 0 one stays within the budget, 1 none does, 2 bad usage or a scene that is\n"
       "refused, 130 stopped before the end.\n\n"
       "Examples:\n"

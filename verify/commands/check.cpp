@@ -61,7 +61,6 @@ Rules rules_of(const CheckOptions& options) {
   rules.rounding = rule_named("--rounding", options.rounding, roundings());
   rules.overflow =
       rule_named("--overflow", options.overflow, overflow_rules(), std::optional(Overflow::any));
-  // Both are read even where one has no say: a name that is none is a slip of the pen anywhere.
   const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
                                no_result_rules(Operation::div), std::optional(NoResult::any));
   const auto root = rule_named("--negative-root", options.negative_root,
@@ -109,6 +108,17 @@ void judge_all(CaseSource& cases, Results& results, Judge& judge) {
     throw UsageError(fmt::format("{}, line {}: a result too many: there are {} cases",
                                  results.name(), results.line(), grouped(judge.cases())));
   }
+}
+
+/// An option without a say is a slip of the pen.
+void refuse_idle_options(const CLI::App& command, Operation operation) {
+  const auto refuse = [&command](const char* option, bool has_a_say, std::string_view of) {
+    if (has_a_say || command.count(option) == 0) return;
+    throw UsageError(fmt::format("{} is for {}", option, of));
+  };
+  refuse("--overflow", operation != Operation::sqrt, "mul and div");
+  refuse("--divide-by-zero", operation == Operation::div, "div");
+  refuse("--negative-root", operation == Operation::sqrt, "sqrt");
 }
 
 int check(const CheckOptions& options) {
@@ -207,7 +217,8 @@ void add_check(CLI::App& app, int& status) {
       "7fffffff; minimum always 80000000; mirror -sqrt(-x); any accepts everything, and is "
       "counted.\n"
       "A root has no ties: of sqrt the three rules half-... are one, to nearest, and floor and\n"
-      "toward-zero are another. 0 / 0 may be 0 too where a rule goes by the sign.\n\n"
+      "toward-zero are another, but for mirror: down is away from zero there. 0 / 0 may be 0 too "
+      "where a rule goes by the sign.\n\n"
       "Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 stopped before the "
       "end.\n\n"
       "Examples:\n"
@@ -215,7 +226,10 @@ void add_check(CLI::App& app, int& status) {
       "  fixproof gen div --level 2 -o cases && ./mine < cases > results\n"
       "  fixproof check div results --level 2 --rounding toward-zero --overflow saturate\n"
       "  ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any");
-  command->callback([options, &status] { status = check(*options); });
+  command->callback([options, command, &status] {
+    refuse_idle_options(*command, operation_named(options->operation));
+    status = check(*options);
+  });
 }
 
 }  // namespace fixproof

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "verify/read_line.hpp"
 #include "verify/usage_error.hpp"
 
 namespace fixproof {
@@ -17,10 +18,6 @@ void write(std::ostream& out, std::string& pending) {
   if (!out) throw UsageError("cannot write standard output");
 }
 
-bool passed_over(std::string_view line) {
-  return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
-
 }  // namespace
 
 void answer_lines(std::istream& in, std::ostream& out,
@@ -28,10 +25,10 @@ void answer_lines(std::istream& in, std::ostream& out,
   constexpr std::size_t enough = 1U << 16U;
   std::string line;
   std::string pending;
-  for (std::uint64_t number = 1; std::getline(in, line); ++number) {
-    if (passed_over(line)) continue;
-    if (line.back() == '\r') line.pop_back();
+  for (std::uint64_t number = 1;; ++number) {
     try {
+      if (!read_line(in, line)) break;
+      if (says_nothing(line)) continue;
       answer(line, pending);
     } catch (const UsageError& error) {
       write(out, pending);
@@ -41,7 +38,6 @@ void answer_lines(std::istream& in, std::ostream& out,
     if (pending.size() > enough || in.rdbuf()->in_avail() <= 0) write(out, pending);
   }
   write(out, pending);
-  if (in.bad()) throw UsageError("cannot read standard input");
 }
 
 }  // namespace fixproof

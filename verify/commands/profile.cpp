@@ -15,9 +15,11 @@
 #include "verify/hex.hpp"
 #include "verify/interrupt.hpp"
 #include "verify/profile/profile_text.hpp"
+#include "verify/scenes/canvas.hpp"
 #include "verify/scenes/outputs.hpp"
 #include "verify/scenes/players.hpp"
 #include "verify/scenes/scene_options.hpp"
+#include "verify/scenes/surface_options.hpp"
 #include "verify/text.hpp"
 
 namespace fixproof {
@@ -26,12 +28,14 @@ namespace {
 
 struct ProfileOptions {
   SceneOptions scene;
+  SurfaceOptions surfaces;
   std::optional<std::uint64_t> frames;
   std::string json;
 };
 
 int run_profile(const ProfileOptions& options) {
-  const xsharp::Scene scene = options.scene.read();
+  xsharp::Scene scene = options.scene.read();
+  options.surfaces.apply(scene);
   if (!options.json.empty()) {
     refuse_inputs("--json", options.json, scene.files);
     check_replaceable(options.json);
@@ -40,6 +44,7 @@ int run_profile(const ProfileOptions& options) {
       std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
   std::unique_ptr<xsharp::Player> player;
   Profiler profiler(scene, scene.arithmetic);
+  const auto canvas = canvas_of_surfaces(scene);
   xsharp::Picture picture;
   const Interrupt interrupt;
   FrameProgress progress(frames);
@@ -55,6 +60,7 @@ int run_profile(const ProfileOptions& options) {
         player = make_player(scene, scene.arithmetic);
       }
       player->draw(picture);
+      if (canvas) canvas->show(picture);
     }
     profiler.add(log, *player);
     progress.show(done + 1);
@@ -82,6 +88,8 @@ void add_profile(CLI::App& app, int& status) {
   // Listings alone have instructions to be recorded.
   command->remove_option(command->get_option("--arith"));
   options->scene.by = "model";
+  command->get_option("--target")->description("rules of i386 or i8088");
+  options->surfaces.add_to(*command);
   command->add_option("--frames", options->frames, "how many; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--json", options->json, "the same as JSON")->check(not_empty());

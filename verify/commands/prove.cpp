@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "verify/arguments.hpp"
 #include "verify/commands/commands.hpp"
@@ -81,7 +82,12 @@ std::string file_name(std::string name) {
 }
 
 void write_scripts(const std::string& directory, const Programs& programs) {
-  std::filesystem::create_directories(directory);
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    throw UsageError(
+        fmt::format("--write {}: cannot be made a folder: {}", directory, error.message()));
+  }
   std::size_t written = 0;
   const auto write = [&](const std::string& name, const std::string& script) {
     replace_file((std::filesystem::path(directory) / file_name(name)).string(), script);

@@ -36,11 +36,14 @@ struct RenderOptions {
   SceneOptions scene;
   SurfaceOptions surfaces;
   std::optional<std::uint64_t> frames;
+  std::uint64_t threads = 1;
   std::string size;
   bool true_color = false;
   OutputNames outputs;
   bool show = false;
 };
+
+constexpr std::uint64_t most_threads = 256;
 
 void set_size(xsharp::Scene& scene, const std::string& size) {
   const auto refuse = [&size] {
@@ -70,7 +73,8 @@ void set_size(xsharp::Scene& scene, const std::string& size) {
 /// Clocks of the listings in a frame, on the processors that people would ask about.
 class ClockMeter {
  public:
-  explicit ClockMeter(const xsharp::ArithmeticChoice& choice) : choice_(choice) {
+  ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops)
+      : choice_(choice), has_loops_(has_loops) {
     if (choice.by != "model") return;
     if (choice.target == "i8088") totals_.push_back({x86model::Cpu::i8088});
     totals_.push_back({x86model::Cpu::i386});
@@ -102,7 +106,9 @@ class ClockMeter {
           least == most ? grouped(least) : fmt::format("{} to {}", grouped(least), grouped(most));
       text += fmt::format(" clocks a frame on the {}", x86model::name_of(cpu));
     }
-    return text.empty() ? text : fmt::format("{} (mean of {} frames)\n", text, grouped(counted_));
+    return text.empty() ? text
+                        : fmt::format("{} (mean of {} frames{})\n", text, grouped(counted_),
+                                      has_loops_ ? "; routines, without the inner loops" : "");
   }
 
  private:
@@ -114,6 +120,7 @@ class ClockMeter {
   static constexpr std::uint64_t every = 10;
 
   xsharp::ArithmeticChoice choice_;
+  bool has_loops_;
   std::vector<Total> totals_;
   std::uint64_t counted_ = 0;
 };
@@ -122,11 +129,12 @@ int render(const RenderOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
   if (!options.size.empty()) set_size(scene, options.size);
-  if (options.show) return show_scene(scene, options.true_color);
+  const auto threads = static_cast<std::size_t>(options.threads);
+  if (options.show) return show_scene(scene, options.true_color, threads);
 
   const std::uint64_t frames = options.frames.value_or(
       std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
-  const auto player = make_player(scene, scene.arithmetic);
+  const auto player = make_player(scene, scene.arithmetic, threads);
   const auto canvas = make_canvas(scene, options.true_color);
   Outputs outputs(options.outputs, scene.files, scene.frames_per_second);
   std::optional<BesideExact> beside;
@@ -138,7 +146,7 @@ int render(const RenderOptions& options) {
   std::chrono::duration<double> drawing{};
   const Interrupt interrupt;
   FrameProgress progress(frames);
-  ClockMeter meter(scene.arithmetic);
+  ClockMeter meter(scene.arithmetic, xsharp::interpolates(scene));
   OperandLog log;
   for (; done < frames && !Interrupt::flag(); ++done) {
     const auto begin = std::chrono::steady_clock::now();
@@ -194,6 +202,11 @@ void add_render(CLI::App& app, int& status) {
   options->surfaces.add_to(*command);
   command->add_option("--frames", options->frames, "how many; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
+  command
+      ->add_option("--threads", options->threads,
+                   "that move, prepare and draw objects; pictures are the same on any number")
+      ->transform(whole_number(1, most_threads))
+      ->capture_default_str();
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
   command->add_flag("--true-color", options->true_color, "24 bits a pixel instead of the palette");
   command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")

@@ -16,7 +16,8 @@ namespace {
 std::vector<std::string> scenes_here() {
   std::vector<std::string> scenes;
   for (const char* name :
-       {"scenes/twelve_cubes.json", "scenes/ball_and_cubes.json", "scenes/shaded_ball.json"}) {
+       {"scenes/twelve_cubes.json", "scenes/ball_and_cubes.json", "scenes/shaded_ball.json",
+        "scenes/intersecting.json", "scenes/textured.json", "scenes/phong.json"}) {
     if (std::filesystem::is_regular_file(name)) scenes.emplace_back(name);
   }
   return scenes;

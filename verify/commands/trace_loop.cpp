@@ -20,7 +20,7 @@ namespace x86 = x86model;
 
 constexpr std::uint32_t traced_row = 0x2800;
 
-/// 64 KiB of zeros but for the texture; up to the row, behind which nothing of it is drawn.
+/// 64 KiB of zeros but for the texture, which goes to their end.
 std::vector<std::uint8_t> loop_memory(const x86::LoopForm& form) {
   std::vector<std::uint8_t> memory(0x10000);
   if (form.loop != x86::Loop::texture) return memory;

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "verify/commands/command_line.hpp"
@@ -31,6 +33,15 @@ namespace {
 
 using PageJson = nlohmann::ordered_json;
 
+/// What stands behind `start` in the line that begins with it; empty where none does.
+std::string line_of(const std::string& text, std::string_view start) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(start)) return line.substr(start.size());
+  }
+  return {};
+}
+
 class ReportRun {
  public:
   explicit ReportRun(const ReportRequest& request) : request_(request) {
@@ -45,7 +56,7 @@ class ReportRun {
           fmt::format("--out {}: cannot be made a folder: {}", request.folder, error.message()));
     }
     lock_.emplace("--out", request.folder);
-    steps_ = report_steps(request);
+    steps_ = report_steps(request, scenes_);
     for (const char* name : {"/report.html", "/report.json", "/data/steps.json"}) {
       check(request.folder + name);
     }
@@ -80,15 +91,11 @@ class ReportRun {
         std::cout << stopped_text(step, captured.status, records_.size(), steps_.size());
         return report_status(captured.status);
       }
+      refuse_changed_scenes();
       replace_file(text_file(step), captured.out);
       records_.push_back({step.name, command, made_from_, date_now(), passed.count(),
                           captured.status, sum_of_files(left_by(step))});
       write_records(records_file(), records_);
-    }
-    std::vector<xsharp::Scene> now;
-    for (const std::string& file : request_.scenes) now.push_back(xsharp::read_scene(file));
-    if (fingerprint(now, processor_name()) != made_from_) {
-      throw UsageError("report: a scene has changed while it was measured; no page is written");
     }
     return 0;
   }
@@ -102,8 +109,11 @@ class ReportRun {
 
     std::vector<PagePicture> pictures;
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
-      pictures.push_back({scenes_[i].name,
-                          read_file(fmt::format("{}/data/scene_{}.png", request_.folder, i + 1))});
+      const std::string stem = fmt::format("{}/data/scene_{}", request_.folder, i + 1);
+      pictures.push_back({scenes_[i].name, read_file(stem + ".png"), "", ""});
+      if (!has_beside(scenes_[i])) continue;
+      pictures.back().beside = read_file(stem + "_beside.png");
+      pictures.back().beside_text = line_of(read_file(stem + ".txt"), "Beside exact: ");
     }
     const std::string page = assemble_page(page_parts(), report, pictures,
                                            read_file(request_.folder + "/data/drift.svg"));
@@ -131,6 +141,14 @@ class ReportRun {
         throw UsageError(fmt::format("{} and {} are both named {}: give one another name",
                                      request_.scenes[j], request_.scenes[i], scenes_[i].name));
       }
+    }
+  }
+
+  void refuse_changed_scenes() const {
+    std::vector<xsharp::Scene> now;
+    for (const std::string& file : request_.scenes) now.push_back(xsharp::read_scene(file));
+    if (fingerprint(now, processor_name()) != made_from_) {
+      throw UsageError("report: a scene has changed while it was measured; no page is written");
     }
   }
 

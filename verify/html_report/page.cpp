@@ -34,6 +34,17 @@ std::string figure_of(const PagePicture& picture) {
       escaped_html(picture.name), base64(picture.png));
 }
 
+/// In a box of its own, which scrolls: small, single pixels would not be seen.
+std::string beside_of(const PagePicture& picture) {
+  if (picture.beside.empty()) return {};
+  return fmt::format(
+      "<figure class=\"beside\"><div class=\"scroll\" tabindex=\"0\" role=\"group\" "
+      "aria-label=\"{0}: as stepped, exact, and where they differ\"><img alt=\"{0}: as stepped, "
+      "exact, and where they differ\" src=\"data:image/png;base64,{1}\"></div><figcaption>{0}, its "
+      "last frame; in all frames {2}</figcaption></figure>\n",
+      escaped_html(picture.name), base64(picture.beside), escaped_html(picture.beside_text));
+}
+
 }  // namespace
 
 std::string escaped_html(std::string_view text) {
@@ -95,11 +106,16 @@ std::string base64(std::string_view bytes) {
 std::string assemble_page(const PageParts& parts, const nlohmann::ordered_json& report,
                           const std::vector<PagePicture>& pictures, std::string_view strip) {
   std::string shown;
-  for (const PagePicture& picture : pictures) shown += figure_of(picture);
+  std::string beside;
+  for (const PagePicture& picture : pictures) {
+    shown += figure_of(picture);
+    beside += beside_of(picture);
+  }
   std::string page(parts.page);
   // The texts of the project first: what others have in them is not looked through for places.
   put(page, "<!--style-->", fmt::format("<style>\n{}</style>", parts.style));
   put(page, "<!--pictures-->", shown);
+  put(page, "<!--beside-->", beside.empty() ? "<p>None of these scenes is stepped.</p>" : beside);
   put(page, "<!--strip-->", strip);
   put(page, "<!--data-->",
       fmt::format("<script type=\"application/json\" id=\"data\">{}</script>",

@@ -15,6 +15,9 @@ namespace fixproof {
 struct PagePicture {
   std::string name;
   std::string png;  ///< the bytes of the file
+  /// As stepped, exact, and where they differ, in one picture, and what it says; or empty.
+  std::string beside;
+  std::string beside_text;
 };
 
 /// Text as it may stand in HTML, between tags or in quotes.

@@ -7,8 +7,9 @@
 namespace fixproof {
 
 struct PageParts {
-  std::string_view page;   ///< HTML with places for the others: <!--style-->, <!--libraries-->,
-                           ///< <!--pictures-->, <!--strip-->, <!--data-->, <!--charts-->
+  std::string_view
+      page;  ///< HTML with places for the others: <!--style-->, <!--libraries-->,
+             ///< <!--pictures-->, <!--beside-->, <!--strip-->, <!--data-->, <!--charts-->
   std::string_view style;  ///< CSS
   std::string_view d3;
   std::string_view plot;

@@ -49,7 +49,12 @@ std::string shell_word(const std::string& word) {
 
 }  // namespace
 
-std::vector<ReportStep> report_steps(const ReportRequest& request) {
+bool has_beside(const xsharp::Scene& scene) {
+  return xsharp::interpolates(scene) && scene.arithmetic.by != "double";
+}
+
+std::vector<ReportStep> report_steps(const ReportRequest& request,
+                                     const std::vector<xsharp::Scene>& scenes) {
   const auto file = [&](const std::string& name) { return request.folder + "/data/" + name; };
   const std::string seed = fmt::to_string(request.seed);
   std::vector<ReportStep> steps;
@@ -61,8 +66,12 @@ std::vector<ReportStep> report_steps(const ReportRequest& request) {
 
   for (const std::string what : {"accuracy", "clocks"}) {
     steps.push_back({what, {"measure", "--" + what}, {file(what + ".json")}});
-    append(steps.back().arguments, request.scenes);
-    if (request.quick) append(steps.back().arguments, {"--cases", few_operands});
+    // Clocks take seconds a scene.
+    if (request.quick) {
+      append(steps.back().arguments, {request.scenes.front(), "--cases", few_operands});
+    } else {
+      append(steps.back().arguments, request.scenes);
+    }
     append(steps.back().arguments, {"--seed", seed, "--json", file(what + ".json")});
   }
   steps.push_back({"host", {"measure", "--host"}, {file("host.json")}});
@@ -84,6 +93,9 @@ std::vector<ReportStep> report_steps(const ReportRequest& request) {
                      {"render", request.scenes[i], "--frames",
                       request.quick ? few_frames : shown_frames, "--animate", file(name + ".png")},
                      {file(name + ".png")}});
+    if (!has_beside(scenes[i])) continue;
+    append(steps.back().arguments, {"--beside", file(name + "_beside.png")});
+    steps.back().files.push_back(file(name + "_beside.png"));
   }
   return steps;
 }

@@ -28,7 +28,12 @@ struct ReportStep {
 };
 
 /// In the order in which they run.
-std::vector<ReportStep> report_steps(const ReportRequest& request);
+/// @param scenes those of the request, as they were read
+std::vector<ReportStep> report_steps(const ReportRequest& request,
+                                     const std::vector<xsharp::Scene>& scenes);
+
+/// Whether a scene is drawn beside the exact picture: it is interpolated, and not in double.
+bool has_beside(const xsharp::Scene& scene);
 
 /// `fixproof measure --host`, as a shell would be given it.
 std::string command_line_of(const ReportStep& step);

@@ -108,7 +108,7 @@ std::vector<PixelCost> measure_pixel_costs(const std::vector<SetupClocks>& setup
 }
 
 std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups) {
-  Claim depth{"Writing under a depth buffer is two times slower than Gouraud shading.",
+  Claim depth{"A pixel under a depth buffer takes twice as long as one of Gouraud's.",
               "clocks of a pixel that is drawn over those of Gouraud's bytes; 1.6 to 2.5",
               "times",
               {1.6, 2.5},
@@ -118,12 +118,13 @@ std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups)
               "times",
               {1.0001, without_end},
               {}};
-  Claim linear{"The linear method is fast beside true texture mapping.",
-               "the texture loop and two FixedDivs a pixel, which a true one needs at least, over "
-               "the loop alone;\ntwice at least",
-               "times",
-               {2, without_end},
-               {}};
+  Claim linear{
+      "The linear method is fast beside true texture mapping.",
+      "the texture loop and two FixedDivs a pixel, as an exact place has here, over the loop "
+      "alone;\ntwice at least",
+      "times",
+      {2, without_end},
+      {}};
   for (const SetupClocks& setup : setups) {
     const std::string on{x86::name_of(setup.cpu)};
     const Bounds loop = clocks_by_count(Loop::texture, setup.cpu);

@@ -36,20 +36,37 @@ StepWords whole_words(const LineEnds& ends, const SpanPlace& place, unsigned dro
   return {static_cast<std::uint32_t>(word(ends.from)), static_cast<std::uint32_t>(step)};
 }
 
-/// Half units of a pixel's slope that an 8088 adds by dividing n / d, in 2^-16, by d's whole part.
+/// Half units of a pixel's slope that an 8088 is off by for dividing n / d, in 2^-16, by whole
+/// parts of d alone, its rounding left aside.
 std::int64_t dropped_by_8088(std::int64_t difference, std::int64_t units) {
   constexpr std::int64_t most = 8191 * pixel_units;
   std::int64_t n = std::abs(difference);
   std::int64_t d = units;
-  for (int doublings = 0; doublings < 29 && n < most && d < most; ++doublings) {
-    n *= 2;
-    d *= 2;
+  const auto double_both = [&] {
+    for (int doublings = 0; doublings < 29 && n < most && d < most; ++doublings) {
+      n *= 2;
+      d *= 2;
+    }
+  };
+  double_both();
+  std::int64_t product = 0;
+  if (d < most) {
+    // In two parts. The upper part times d is n (1 + fraction / whole) but for the quotient's half
+    // unit, which counts once for each pixel of the doubled divisor, and for the product's half
+    // unit, which d divides.
+    std::int64_t divisor = d;
+    while (divisor < most) divisor *= 2;
+    n = quotient_up(n * (divisor % pixel_units), divisor / pixel_units * pixel_units) +
+        quotient_up(divisor, 2 * pixel_units) + 1;
+    product = d % pixel_units == 0 ? 0 : 1;
   }
+  const std::int64_t divided = n;
+  const std::int64_t by = d;
+  double_both();
   const std::int64_t whole = d / pixel_units;
   const std::int64_t fraction = d % pixel_units;
-  // |D| / units * fraction / whole units of the slope: what D is by 2^-16 of a pixel is 65536
-  // units.
-  return fraction == 0 ? 0 : quotient_up(2 * std::abs(difference) * fraction / whole + 1, units);
+  // n / by * fraction / whole units of the slope: what n is by 2^-16 of a pixel is 65536 units.
+  return product + (fraction == 0 ? 0 : quotient_up(2 * divided * fraction / whole + 1, by));
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ xsharp::StepWords line_words(LineRule rule, const LineEnds& ends, const SpanPlac
 /// - where the word has less bits, start and slope become the nearest: 2^dropped / 2 units of each,
 ///   which count 1 + k times;
 /// - an 8088 divides by the whole part w of the divisor, which both were doubled for as often as
-///   fits: with a fraction f the slope is f / w of itself too great;
+///   fits: with a fraction f the slope is f / w of itself too great; where D ends
+///   the doubling, it divides in two parts (xsharp::ratio()), and that is said of the second alone;
 /// - on a way shorter than a pixel the start is D times d / n: |D| s units of 2^-16, and p;
 /// - without pre-step the value of the end stands d pixels further: |D| d / n;
 /// - by whole words the ends become the nearest words, half a word each, which is a half at the

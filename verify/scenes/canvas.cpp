@@ -48,4 +48,8 @@ std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color)
   return std::make_unique<ScreenCanvas<std::uint8_t>>(scene);
 }
 
+std::unique_ptr<Canvas> canvas_of_surfaces(const xsharp::Scene& scene) {
+  return xsharp::interpolates(scene) ? make_canvas(scene, false) : nullptr;
+}
+
 }  // namespace fixproof

@@ -34,4 +34,8 @@ class Canvas {
 /// @throws UsageError for an arithmetic that all_arithmetics() does not have
 std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color);
 
+/// A canvas in the scene's palette if surfaces are filled by its arithmetic; otherwise nothing, for
+/// then filling calls no routine.
+std::unique_ptr<Canvas> canvas_of_surfaces(const xsharp::Scene& scene);
+
 }  // namespace fixproof

@@ -76,6 +76,7 @@ struct Arithmetic<fixproof::ModelNumber<target, mul_round, div_round>> {
     if (!fixproof::call_model(N::variant(Operation::div), in, out)) return std::nullopt;
     return N::from_word(out[0]);
   }
+  static constexpr bool divides_by_whole_part = target == fixproof::Target::i8088;
   static Turn<N> turn(std::int32_t tenths) {
     const std::array in{static_cast<std::uint32_t>(tenths) & 0xFFFFU};
     std::array<std::uint32_t, 2> out{};

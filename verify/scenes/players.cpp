@@ -35,13 +35,23 @@ std::string name_of(const ArithmeticChoice& choice) {
                      on(choice.mul_round), on(choice.div_round));
 }
 
+UsageError no_arithmetic(const ArithmeticChoice& choice) {
+  return UsageError(fmt::format("no arithmetic {} {}: the targets of {} are i386, i8088{}",
+                                choice.by, choice.target, choice.by,
+                                choice.by == "type" ? ", standard, saturating, trapping" : ""));
+}
+
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
-                                            const ArithmeticChoice& choice) {
-  if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene);
+                                            const ArithmeticChoice& choice, std::size_t threads) {
+  if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene, threads);
+  if (choice.by == "model" && threads > 1) {
+    throw UsageError(
+        fmt::format("--threads {}: the model draws on 1, its calls are counted", threads));
+  }
   auto player = choice.by == "model"  ? make_model_player(scene, choice)
-                : choice.by == "type" ? make_type_player(scene, choice)
+                : choice.by == "type" ? make_type_player(scene, choice, threads)
                                       : nullptr;
-  if (!player) throw UsageError(fmt::format("no arithmetic {}", name_of(choice)));
+  if (!player) throw no_arithmetic(choice);
   return player;
 }
 

@@ -22,12 +22,13 @@ using xsharp::Key;
 /// What is being played, and what keys have changed about it.
 class Show {
  public:
-  explicit Show(const xsharp::Scene& scene, bool true_color)
+  Show(const xsharp::Scene& scene, bool true_color, std::size_t threads)
       : scene_(scene),
         true_color_(true_color),
+        threads_(threads),
         window_(title(), scene.width, scene.height),
         canvas_(make_canvas(scene, true_color)),
-        player_(make_player(scene, scene.arithmetic)) {}
+        player_(make_player(scene, scene.arithmetic, threads)) {}
 
   void play() {
     using clock = std::chrono::steady_clock;
@@ -89,7 +90,7 @@ class Show {
     xsharp::ArithmeticChoice& choice = scene_.arithmetic;
     if (choice.by == "double" || !xsharp::is_listing(choice)) return;
     choice.mul_round = !choice.mul_round;
-    player_ = make_player(scene_, choice);
+    player_ = make_player(scene_, choice, threads_);
     canvas_ = make_canvas(scene_, true_color_);
     for (std::uint64_t i = 0; i < moves_ && !Interrupt::flag(); ++i) player_->move();
     for (const std::size_t light : switched_) player_->switch_light(light);
@@ -110,6 +111,7 @@ class Show {
 
   xsharp::Scene scene_;
   bool true_color_;
+  std::size_t threads_;
   xsharp::Window window_;
   std::unique_ptr<Canvas> canvas_;
   std::unique_ptr<xsharp::Player> player_;
@@ -122,10 +124,10 @@ class Show {
 
 }  // namespace
 
-int show_scene(const xsharp::Scene& scene, bool true_color) {
+int show_scene(const xsharp::Scene& scene, bool true_color, std::size_t threads) {
   if (!xsharp::window_available()) throw UsageError("--show: built without SDL2");
   const Interrupt interrupt;
-  Show(scene, true_color).play();
+  Show(scene, true_color, threads).play();
   return Interrupt::flag() ? interrupted_status : 0;
 }
 

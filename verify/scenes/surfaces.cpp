@@ -19,7 +19,7 @@ std::unique_ptr<xsharp::SurfaceFiller> make_surfaces(const xsharp::Scene& scene,
   } else if (choice.by == "type") {
     surfaces = make_type_surfaces(scene, choice, std::make_unique<xsharp::PlainLoops>());
   }
-  if (!surfaces) throw UsageError(fmt::format("no arithmetic {}", name_of(choice)));
+  if (!surfaces) throw no_arithmetic(choice);
   return surfaces;
 }
 
