@@ -27,7 +27,7 @@ parallel --retries 5 --termseq INT,3000,KILL,100 --joblog "$folder/log" \
   ::: $(seq "$shards") </dev/null &
 jobs=$!
 stopped=0
-trap 'stopped=1; kill -TERM $jobs; sleep 0.2; kill -TERM $jobs' INT TERM HUP
+trap 'stopped=1; kill -TERM $jobs; sleep 0.2; kill -TERM $jobs 2>/dev/null' INT TERM HUP
 wait $jobs
 if ((stopped)); then
   wait $jobs
