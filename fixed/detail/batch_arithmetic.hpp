@@ -198,5 +198,18 @@ FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
   return low_words(whole<false>(root(n) + 0.5));
 }
 
+/// Notes where a lane of `bad` is set, of the lanes whose bit is in `of`. Nothing is, under
+/// overflow::wrap.
+template <policy P>
+FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found,
+                                        std::uint32_t of = ~0U) {
+  if constexpr (P.range != overflow::wrap) {
+    const std::uint32_t out = bits(bad) & of;
+    if (out != 0) [[unlikely]] {
+      found.note_bits(fault::overflow, out, index);
+    }
+  }
+}
+
 }  // namespace fixed::detail::FIXED_LANES
 #endif

@@ -35,10 +35,9 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
   return x;
 }
 
-// mul_even(a, b)        the lower halves multiplied, in 64-bit lanes, signed or unsigned as they
-// are unknown(x)            x, of which the compiler knows nothing: where clang can prove that
-// operands
-//                       have 32 bits it forgets it, and multiplies 64 in three products
+// mul_even(a, b)        the lower halves multiplied, in 64-bit lanes, signed as the lanes are
+// unknown(x)            x, of which the compiler knows nothing: where clang can prove operands of
+//                       32 bits it forgets it, and multiplies 64 in three products
 // middle(even, odd)     bits 16 to 47 of 64-bit lanes, in the even and in the odd lanes
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b where bit i of mask is set, else of a
@@ -54,6 +53,9 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // root(x)               the square root, rounded once
 // whole<by_floor>(x)    floor(x) or trunc(x) of |x| < 2^51 modulo 2^32 in the lower halves, in
 //                       every rounding mode
+// store_past(to, x)     x, past the caches, to a multiple of the register's size; can_store_past
+//                       where there is such an instruction
+// wait_for_stores()     what store_past() has written is seen before what is written later
 
 #if FIXED_LANE_BYTES == 64
 
@@ -124,6 +126,11 @@ FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
   return _mm512_maskz_min_pd(0xff, _mm512_maskz_max_pd(0xff, x, low), high);
 }
 FIXED_LANE_FUNCTION f64 root(f64 x) { return _mm512_maskz_sqrt_pd(0xff, x); }
+inline constexpr bool can_store_past = true;
+FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
+  _mm512_stream_si512(static_cast<__m512i*>(to), __m512i(x));
+}
+FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
 // Without optimisation these two are macros in g++ 12, which warn of their mask.
 #if !defined(__clang__)
 #pragma GCC diagnostic push
@@ -196,6 +203,11 @@ FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
   return _mm256_min_pd(_mm256_max_pd(x, low), high);
 }
 FIXED_LANE_FUNCTION f64 root(f64 x) { return _mm256_sqrt_pd(x); }
+inline constexpr bool can_store_past = true;
+FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
+  _mm256_stream_si256(static_cast<__m256i*>(to), __m256i(x));
+}
+FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   constexpr int mode = by_floor ? _MM_FROUND_TO_NEG_INF : _MM_FROUND_TO_ZERO;
@@ -250,6 +262,9 @@ FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
   return f64(vminq_f64(vmaxq_f64(float64x2_t(x), float64x2_t(low)), float64x2_t(high)));
 }
 FIXED_LANE_FUNCTION f64 root(f64 x) { return f64(vsqrtq_f64(float64x2_t(x))); }
+inline constexpr bool can_store_past = false;
+FIXED_LANE_FUNCTION void store_past(void* to, i32 x) { __builtin_memcpy(to, &x, sizeof x); }
+FIXED_LANE_FUNCTION void wait_for_stores() {}
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   return i64(by_floor ? vcvtmq_s64_f64(float64x2_t(x)) : vcvtq_s64_f64(float64x2_t(x)));
@@ -285,6 +300,21 @@ FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
   } else {
     const narrow_i16 low = __builtin_convertvector(x, narrow_i16);
     __builtin_memcpy(to, &low, sizeof low);
+  }
+}
+
+/// Whether results go to the caches, or past them. Only whole integers of 32 bits do.
+enum class stores : bool { cached, past_caches };
+template <int F>
+inline constexpr bool may_store_past = can_store_past&& F == 16;
+
+/// \pre past the caches: may_store_past, and element `index` is at a multiple of a register's size
+template <int F, stores how>
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
+  if constexpr (how == stores::past_caches) {
+    store_past(static_cast<raw_t<F>*>(base) + index, x);
+  } else {
+    store<F>(base, index, x);
   }
 }
 

@@ -8,173 +8,6 @@
 #if defined(FIXED_LANES)
 namespace fixed::detail::FIXED_LANES {
 
-/// \name Numbers x y z x y z ... and x y x y ..., from and to blocks of each
-/// \{
-
-struct block_of_vertices {
-  i32 x, y, z;
-};
-
-/// The lanes of the i-th register of three in which there is component c, as bits.
-constexpr unsigned lanes_of(std::size_t c, std::size_t i) {
-  unsigned lanes = 0;
-  for (std::size_t lane = 0; lane < width; ++lane) {
-    if ((width * i + lane) % 3 == c) lanes |= 1U << lane;
-  }
-  return lanes;
-}
-
-/// The lane in which component c of vertex k is, in whichever register. The width is no multiple of
-/// three: no two vertices share one.
-constexpr std::size_t lane_of(std::size_t c, std::size_t k) { return (3 * k + c) % width; }
-
-/// What permute() wants to bring component c to the lane of its vertex, and back.
-template <std::size_t c>
-inline constexpr lane_array to_vertices = [] {
-  lane_array from{};
-  for (std::size_t k = 0; k < width; ++k) from[k] = static_cast<std::int32_t>(lane_of(c, k));
-  return from;
-}();
-template <std::size_t c>
-inline constexpr lane_array from_vertices = [] {
-  lane_array from{};
-  for (std::size_t k = 0; k < width; ++k) from[lane_of(c, k)] = static_cast<std::int32_t>(k);
-  return from;
-}();
-
-/// The same for points, whose lanes come in pairs.
-template <std::size_t i>
-inline constexpr lane_array from_points = [] {
-  lane_array from{};
-  for (std::size_t lane = 0; lane < width; ++lane) {
-    from[lane] = static_cast<std::int32_t>((width * i + lane) / 2);
-  }
-  return from;
-}();
-
-template <std::size_t c>
-FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
-  return permute(blend<lanes_of(c, 2)>(blend<lanes_of(c, 1)>(first, second), third),
-                 lanes(to_vertices<c>));
-}
-
-/// Asks for what is read eight blocks of AVX-512 later: in one stream of three registers a block
-/// the processor does not look ahead far enough by itself. An address beyond the end is no access.
-/// \param index  of the next byte that is read
-/// \tparam block bytes that are read before this is called again
-template <std::size_t block>
-FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
-  constexpr std::uintptr_t distance = 1536;
-  const auto at = reinterpret_cast<std::uintptr_t>(base) + index + distance;
-  for (std::uintptr_t line = 0; line < block; line += 64) {
-    __builtin_prefetch(reinterpret_cast<const void*>(at + line));
-  }
-}
-
-/// Vertices index, index + 1, ...
-template <int F>
-FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
-  constexpr std::size_t vertex = 3 * sizeof(raw_t<F>);
-  ask_ahead<vertex * width>(base, vertex * index);
-  const i32 first = load<F>(base, 3 * index);
-  const i32 second = load<F>(base, 3 * index + width);
-  const i32 third = load<F>(base, 3 * index + 2 * width);
-  return {component<0>(first, second, third), component<1>(first, second, third),
-          component<2>(first, second, third)};
-}
-
-template <int F>
-FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v) {
-  const i32 x = permute(v.x, lanes(from_vertices<0>));
-  const i32 y = permute(v.y, lanes(from_vertices<1>));
-  const i32 z = permute(v.z, lanes(from_vertices<2>));
-  store<F>(base, 3 * index, blend<lanes_of(2, 0)>(blend<lanes_of(1, 0)>(x, y), z));
-  store<F>(base, 3 * index + width, blend<lanes_of(2, 1)>(blend<lanes_of(1, 1)>(x, y), z));
-  store<F>(base, 3 * index + 2 * width, blend<lanes_of(2, 2)>(blend<lanes_of(1, 2)>(x, y), z));
-}
-
-template <int F>
-FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 y) {
-  const i32 low = lanes(from_points<0>);
-  const i32 high = lanes(from_points<1>);
-  constexpr unsigned odds = 0xaaaa;
-  store<F>(base, 2 * index, blend<odds>(permute(x, low), permute(y, low)));
-  store<F>(base, 2 * index + width, blend<odds>(permute(x, high), permute(y, high)));
-}
-
-/// \}
-
-/// The coefficients of a transform, each in every lane.
-struct broadcast_transform {
-  i32 rows[3][4];
-};
-
-template <int F>
-FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<F>& transform) {
-  broadcast_transform result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      result.rows[i][k] = i32{} + std::int32_t{transform[i][k]};
-    }
-  }
-  return result;
-}
-
-template <int F, policy P>
-FIXED_LANE_FUNCTION i32 coordinate(const i32 (&row)[4], const block_of_vertices& v, i32& bad) {
-  i32 sum = product<F, P>(row[0], v.x, bad);
-  sum = added<F, P>(sum, product<F, P>(row[1], v.y, bad), bad);
-  sum = added<F, P>(sum, product<F, P>(row[2], v.z, bad), bad);
-  return added<F, P>(sum, row[3], bad);
-}
-
-template <int F, policy P>
-FIXED_LANE_FUNCTION block_of_vertices transformed_block(const broadcast_transform& t,
-                                                        const block_of_vertices& v, i32& bad) {
-  return {coordinate<F, P>(t.rows[0], v, bad), coordinate<F, P>(t.rows[1], v, bad),
-          coordinate<F, P>(t.rows[2], v, bad)};
-}
-
-/// x and y over z, times a constant.
-template <int F, policy P>
-FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant, i32& x, i32& y,
-                                       std::size_t index, fault_recorder& found) {
-  const divisor_lanes low = divisor_of<F, P>(lower(v.z));
-  const divisor_lanes high = divisor_of<F, P>(upper(v.z));
-  std::uint32_t errors[4];
-  std::uint32_t overflows[4];
-  x = join(quotient<F, P>(lower(v.x), low, errors[0], overflows[0]),
-           quotient<F, P>(upper(v.x), high, errors[1], overflows[1]));
-  y = join(quotient<F, P>(lower(v.y), low, errors[2], overflows[2]),
-           quotient<F, P>(upper(v.y), high, errors[3], overflows[3]));
-  i32 bad{};
-  x = product<F, P>(x, constant, bad);
-  y = product<F, P>(y, constant, bad);
-  const std::uint32_t no_quotient = errors[0] | errors[2] | (errors[1] | errors[3]) << (width / 2);
-  if (no_quotient != 0) [[unlikely]] {
-    found.note_bits(fault::divide_error, no_quotient, index);
-  }
-  if constexpr (P.range != overflow::wrap) {
-    const std::uint32_t out =
-        (overflows[0] | overflows[2] | (overflows[1] | overflows[3]) << (width / 2) | bits(bad)) &
-        ~no_quotient;
-    if (out != 0) [[unlikely]] {
-      found.note_bits(fault::overflow, out, index);
-    }
-  }
-}
-
-/// Notes where a lane of `bad` is set. Nothing is, under overflow::wrap.
-template <policy P>
-FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found) {
-  if constexpr (P.range != overflow::wrap) {
-    const std::uint32_t out = bits(bad);
-    if (out != 0) [[unlikely]] {
-      found.note_bits(fault::overflow, out, index);
-    }
-  }
-}
-
 /// The loops, as a type: what on_path() hands over.
 struct loops {
   template <int F, policy P>
@@ -283,14 +116,7 @@ struct loops {
   FIXED_LANE_TARGET static std::size_t transform(const raw_transform<F>& by, const void* in,
                                                  void* out, std::size_t count,
                                                  fault_recorder& found) {
-    const broadcast_transform t = broadcast<F>(by);
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      i32 bad{};
-      store_vertices<F>(out, i, transformed_block<F, P>(t, load_vertices<F>(in, i), bad));
-      note_overflows<P>(bad, i, found);
-    }
-    return i;
+    return transform_blocks<F, P>(by, interleaved_vertices<F>{in, out}, count, found);
   }
 
   template <int F, policy P>
@@ -298,18 +124,7 @@ struct loops {
                                                  const std::array<const void*, 3>& in,
                                                  const std::array<void*, 3>& out, std::size_t count,
                                                  fault_recorder& found) {
-    const broadcast_transform t = broadcast<F>(by);
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      i32 bad{};
-      const block_of_vertices v = transformed_block<F, P>(
-          t, {load<F>(in[0], i), load<F>(in[1], i), load<F>(in[2], i)}, bad);
-      store<F>(out[0], i, v.x);
-      store<F>(out[1], i, v.y);
-      store<F>(out[2], i, v.z);
-      note_overflows<P>(bad, i, found);
-    }
-    return i;
+    return transform_blocks<F, P>(by, vertex_columns<F>{in, out}, count, found);
   }
 
   template <int F, policy P>

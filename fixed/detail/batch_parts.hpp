@@ -10,6 +10,8 @@
 //
 #include "fixed/detail/batch_arithmetic.hpp"
 //
+#include "fixed/detail/batch_vertices.hpp"
+//
 #include "fixed/detail/radian_lanes.hpp"
 //
 #include "fixed/detail/batch_loops.hpp"

@@ -3,6 +3,7 @@
 /// compiler can be asked for, and which of them the processor has.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -134,6 +134,51 @@ TYPED_TEST(Transforms, EveryLayout) {
   }
 }
 
+/// So many that results go past the caches, which begins at multiples of a register's size and is
+/// not done where an output is an input.
+template <class Number>
+void check_many() {
+  constexpr std::size_t n = (std::size_t{8} << 20) / 12 + 101;
+  const auto drawn = operands<Number>(12, 4);
+  Rows<Number> rows;
+  for (std::size_t k = 0; k < 12; ++k) rows[k / 4][k % 4] = drawn[k];
+  const Vertices<Number> v(n);
+  std::vector<Coordinates<Number, 3>> want;
+  for (const auto& vertex : v.all) want.push_back(expected_vertex(rows, vertex));
+  for (const std::size_t before : {1U, 2U, 16U}) {
+    check<Number, 3>(want, [&](auto how) {
+      Guarded<Vertex<Number>> out(n, before);
+      const auto report = fixed::batch::transform(rows, v.all, out.inside(), how);
+      EXPECT_TRUE(out.intact());
+      return std::pair(report, out.copy());
+    });
+    check<Number, 3>(want, [&](auto how) {
+      const auto& [x, y, z] = v.columns;
+      std::array<Guarded<Number>, 3> to{Guarded<Number>(n, before), Guarded<Number>(n, before),
+                                        Guarded<Number>(n, before + 16)};
+      const auto report = fixed::batch::transform(rows, x, y, z, to[0].inside(), to[1].inside(),
+                                                  to[2].inside(), how);
+      for (const auto& out : to) EXPECT_TRUE(out.intact());
+      return std::pair(report, gathered<Number, 3>({to[0].copy(), to[1].copy(), to[2].copy()}));
+    });
+  }
+  check<Number, 3>(want, [&](auto how) {
+    auto in_place = v.all;
+    const auto report = fixed::batch::transform(rows, in_place, in_place, how);
+    return std::pair(report, in_place);
+  });
+  check<Number, 3>(want, [&](auto how) {
+    auto [x, y, z] = v.columns;
+    const auto report = fixed::batch::transform(rows, x, y, z, y, z, x, how);
+    return std::pair(report, gathered<Number, 3>({y, z, x}));
+  });
+}
+
+TEST(ManyVertices, GoPastTheCaches) {
+  check_many<fixed::q16_16>();
+  check_many<fixed::q16_16_saturating>();
+}
+
 template <class Number>
 class Projections : public testing::Test {};
 TYPED_TEST_SUITE(Projections, fixed::all_types);

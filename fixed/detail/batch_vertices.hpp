@@ -1,0 +1,263 @@
+/// \file
+/// Vertices and points on vector registers; see fixed/detail/batch_lanes.hpp.
+
+#if defined(FIXED_LANES)
+namespace fixed::detail::FIXED_LANES {
+
+/// \name Numbers x y z x y z ... and x y x y ..., from and to blocks of each
+/// \{
+
+struct block_of_vertices {
+  i32 x, y, z;
+};
+
+/// The lanes of the i-th register of three in which there is component c, as bits.
+constexpr unsigned lanes_of(std::size_t c, std::size_t i) {
+  unsigned lanes = 0;
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    if ((width * i + lane) % 3 == c) lanes |= 1U << lane;
+  }
+  return lanes;
+}
+
+/// The lane in which component c of vertex k is, in whichever register. The width is no multiple of
+/// three: no two vertices share one.
+constexpr std::size_t lane_of(std::size_t c, std::size_t k) { return (3 * k + c) % width; }
+
+/// What permute() wants to bring component c to the lane of its vertex, and back.
+template <std::size_t c>
+inline constexpr lane_array to_vertices = [] {
+  lane_array from{};
+  for (std::size_t k = 0; k < width; ++k) from[k] = static_cast<std::int32_t>(lane_of(c, k));
+  return from;
+}();
+template <std::size_t c>
+inline constexpr lane_array from_vertices = [] {
+  lane_array from{};
+  for (std::size_t k = 0; k < width; ++k) from[lane_of(c, k)] = static_cast<std::int32_t>(k);
+  return from;
+}();
+
+/// The same for points, whose lanes come in pairs.
+template <std::size_t i>
+inline constexpr lane_array from_points = [] {
+  lane_array from{};
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    from[lane] = static_cast<std::int32_t>((width * i + lane) / 2);
+  }
+  return from;
+}();
+
+template <std::size_t c>
+FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
+  return permute(blend<lanes_of(c, 2)>(blend<lanes_of(c, 1)>(first, second), third),
+                 lanes(to_vertices<c>));
+}
+
+/// Whether element `index` is at a multiple of a register's size.
+template <int F>
+bool is_register_aligned(const void* base, std::size_t index) {
+  return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(raw_t<F>)) % FIXED_LANE_BYTES ==
+         0;
+}
+
+/// Asks for what is read eight blocks of AVX-512 later: in one stream of three registers a block
+/// the processor does not look ahead far enough by itself. An address beyond the end is no access.
+/// \param index  of the next byte that is read
+/// \tparam block bytes that are read before this is called again
+template <std::size_t block>
+FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
+  constexpr std::uintptr_t distance = 1536;
+  const auto at = reinterpret_cast<std::uintptr_t>(base) + index + distance;
+  for (std::uintptr_t line = 0; line < block; line += 64) {
+    __builtin_prefetch(reinterpret_cast<const void*>(at + line));
+  }
+}
+
+/// Vertices index, index + 1, ...
+template <int F>
+FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
+  constexpr std::size_t vertex = 3 * sizeof(raw_t<F>);
+  ask_ahead<vertex * width>(base, vertex * index);
+  const i32 first = load<F>(base, 3 * index);
+  const i32 second = load<F>(base, 3 * index + width);
+  const i32 third = load<F>(base, 3 * index + 2 * width);
+  return {component<0>(first, second, third), component<1>(first, second, third),
+          component<2>(first, second, third)};
+}
+
+template <int F, stores how>
+FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v) {
+  const i32 x = permute(v.x, lanes(from_vertices<0>));
+  const i32 y = permute(v.y, lanes(from_vertices<1>));
+  const i32 z = permute(v.z, lanes(from_vertices<2>));
+  store<F, how>(base, 3 * index, blend<lanes_of(2, 0)>(blend<lanes_of(1, 0)>(x, y), z));
+  store<F, how>(base, 3 * index + width, blend<lanes_of(2, 1)>(blend<lanes_of(1, 1)>(x, y), z));
+  store<F, how>(base, 3 * index + 2 * width, blend<lanes_of(2, 2)>(blend<lanes_of(1, 2)>(x, y), z));
+}
+
+template <int F>
+FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 y) {
+  const i32 low = lanes(from_points<0>);
+  const i32 high = lanes(from_points<1>);
+  constexpr unsigned odds = 0xaaaa;
+  store<F>(base, 2 * index, blend<odds>(permute(x, low), permute(y, low)));
+  store<F>(base, 2 * index + width, blend<odds>(permute(x, high), permute(y, high)));
+}
+
+/// \}
+
+/// The coefficients of a transform, each in every lane.
+struct broadcast_transform {
+  i32 rows[3][4];
+};
+
+template <int F>
+FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<F>& transform) {
+  broadcast_transform result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      result.rows[i][k] = i32{} + std::int32_t{transform[i][k]};
+    }
+  }
+  return result;
+}
+
+template <int F, policy P>
+FIXED_LANE_FUNCTION i32 coordinate(const i32 (&row)[4], const block_of_vertices& v, i32& bad) {
+  i32 sum = product<F, P>(row[0], v.x, bad);
+  sum = added<F, P>(sum, product<F, P>(row[1], v.y, bad), bad);
+  sum = added<F, P>(sum, product<F, P>(row[2], v.z, bad), bad);
+  return added<F, P>(sum, row[3], bad);
+}
+
+template <int F, policy P>
+FIXED_LANE_FUNCTION block_of_vertices transformed_block(const broadcast_transform& t,
+                                                        const block_of_vertices& v, i32& bad) {
+  return {coordinate<F, P>(t.rows[0], v, bad), coordinate<F, P>(t.rows[1], v, bad),
+          coordinate<F, P>(t.rows[2], v, bad)};
+}
+
+/// \name Where vertices are read and written
+/// \{
+
+/// x y z x y z ...
+template <int F>
+struct interleaved_vertices {
+  const void* in;
+  void* out;
+
+  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load(std::size_t i) const {
+    return load_vertices<F>(in, i);
+  }
+  template <stores how>
+  FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
+    store_vertices<F, how>(out, i, v);
+  }
+  [[nodiscard]] bool in_place() const { return in == out; }
+  /// Whether the results from vertex i on are at a multiple of a register's size.
+  [[nodiscard]] bool is_aligned(std::size_t i) const { return is_register_aligned<F>(out, 3 * i); }
+};
+
+/// Each coordinate in an array of its own.
+template <int F>
+struct vertex_columns {
+  std::array<const void*, 3> in;
+  std::array<void*, 3> out;
+
+  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load(std::size_t i) const {
+    using FIXED_LANES::load;
+    return {load<F>(in[0], i), load<F>(in[1], i), load<F>(in[2], i)};
+  }
+  template <stores how>
+  FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
+    using FIXED_LANES::store;
+    store<F, how>(out[0], i, v.x);
+    store<F, how>(out[1], i, v.y);
+    store<F, how>(out[2], i, v.z);
+  }
+  [[nodiscard]] bool in_place() const {
+    return std::any_of(out.begin(), out.end(), [this](const void* to) {
+      return std::find(in.begin(), in.end(), to) != in.end();
+    });
+  }
+  [[nodiscard]] bool is_aligned(std::size_t i) const {
+    return std::all_of(out.begin(), out.end(),
+                       [i](const void* to) { return is_register_aligned<F>(to, i); });
+  }
+};
+
+/// \}
+
+/// \param of the lanes whose overflows are noted
+template <int F, policy P, stores how, class Places>
+FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Places& places,
+                                         std::size_t i, std::uint32_t of, fault_recorder& found) {
+  i32 bad{};
+  places.template store<how>(i, transformed_block<F, P>(t, places.load(i), bad));
+  note_overflows<P>(bad, i, found, of);
+}
+
+/// As many bytes of results go past the caches: more than a core's share of the last one, so that
+/// they would have left it again before they are read from the first on. What they would have
+/// pushed out stays, and no line is read only to be written over.
+inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
+
+/// All whole blocks. \return how many vertices are done
+template <int F, policy P, class Places>
+FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<F>& by, const Places& places,
+                                               std::size_t count, fault_recorder& found) {
+  constexpr std::uint32_t all = ~0U;
+  const broadcast_transform t = broadcast<F>(by);
+  std::size_t i = 0;
+  if constexpr (may_store_past<F>) {
+    std::size_t first = 0;
+    while (first < width && !places.is_aligned(first)) ++first;
+    const bool many = count >= past_caches_from / (3 * sizeof(raw_t<F>));
+    if (many && first < width && !places.in_place()) {
+      // The first block reaches into the second, which makes the same of what both have.
+      transform_block<F, P, stores::cached>(t, places, 0, (1U << first) - 1, found);
+      for (i = first; count - i >= width; i += width) {
+        transform_block<F, P, stores::past_caches>(t, places, i, all, found);
+      }
+      wait_for_stores();
+      return i;
+    }
+  }
+  for (; count - i >= width; i += width) {
+    transform_block<F, P, stores::cached>(t, places, i, all, found);
+  }
+  return i;
+}
+
+/// x and y over z, times a constant.
+template <int F, policy P>
+FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant, i32& x, i32& y,
+                                       std::size_t index, fault_recorder& found) {
+  const divisor_lanes low = divisor_of<F, P>(lower(v.z));
+  const divisor_lanes high = divisor_of<F, P>(upper(v.z));
+  std::uint32_t errors[4];
+  std::uint32_t overflows[4];
+  x = join(quotient<F, P>(lower(v.x), low, errors[0], overflows[0]),
+           quotient<F, P>(upper(v.x), high, errors[1], overflows[1]));
+  y = join(quotient<F, P>(lower(v.y), low, errors[2], overflows[2]),
+           quotient<F, P>(upper(v.y), high, errors[3], overflows[3]));
+  i32 bad{};
+  x = product<F, P>(x, constant, bad);
+  y = product<F, P>(y, constant, bad);
+  const std::uint32_t no_quotient = errors[0] | errors[2] | (errors[1] | errors[3]) << (width / 2);
+  if (no_quotient != 0) [[unlikely]] {
+    found.note_bits(fault::divide_error, no_quotient, index);
+  }
+  if constexpr (P.range != overflow::wrap) {
+    const std::uint32_t out =
+        (overflows[0] | overflows[2] | (overflows[1] | overflows[3]) << (width / 2) | bits(bad)) &
+        ~no_quotient;
+    if (out != 0) [[unlikely]] {
+      found.note_bits(fault::overflow, out, index);
+    }
+  }
+}
+
+}  // namespace fixed::detail::FIXED_LANES
+#endif
