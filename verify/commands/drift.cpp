@@ -182,17 +182,20 @@ void add_drift(CLI::App& app, int& status) {
                    "rotations between two restorings of orthogonality, in the rows that have any")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
-  command
-      ->add_option("--strip", options->strip,
-                   "an SVG of one object after 0, 1, 5, 15 and 30 minutes under each arithmetic")
-      ->check(not_empty());
+  auto* strip =
+      command
+          ->add_option(
+              "--strip", options->strip,
+              "an SVG of one object after 0, 1, 5, 15 and 30 minutes under each arithmetic")
+          ->check(not_empty());
   command
       ->add_option("--json", options->json,
                    "a file for the same figures, and for their way through time, as JSON")
       ->check(not_empty());
   command->add_option("--object", options->object, "of the strip, by its index")
       ->transform(whole_number(0, 1'000'000))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(strip);
   command->footer(
       "A row leaves out one source of error: `offset` the published conversion's unit (constants\n"
       "are then rounded to nearest), `step` all rounding of sines and cosines, `products` the\n"
