@@ -11,7 +11,7 @@
 #include "verify/draw.hpp"
 #include "verify/measure/host_run.hpp"
 #include "xsharp/normals.hpp"
-#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"
 #include "xsharp/surface_values.hpp"
 

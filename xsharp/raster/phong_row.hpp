@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "xsharp/normals.hpp"
-#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/step.hpp"
 #include "xsharp/raster/stretch.hpp"
 #include "xsharp/surface.hpp"

@@ -13,8 +13,9 @@
 
 #include "xsharp/raster/bitmap.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
+#include "xsharp/raster/depth_row.hpp"
 #include "xsharp/raster/edge.hpp"
-#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/perspective_place.hpp"
 #include "xsharp/raster/phong_row.hpp"
 #include "xsharp/raster/span_loops.hpp"
