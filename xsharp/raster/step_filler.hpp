@@ -30,12 +30,7 @@ template <Scalar N>
 class StepFiller final : public SurfaceFiller {
  public:
   StepFiller(const Scene& scene, std::unique_ptr<const SpanLoops> loops)
-      : SurfaceFiller(scene), loops_(std::move(loops)), depths_(scene.depth_buffer) {
-    for (const ObjectDescription& object : scene.objects) {
-      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
-                                                    : std::vector<std::uint8_t>{});
-    }
-  }
+      : SurfaceFiller(scene), loops_(std::move(loops)), depths_(scene.depth_buffer) {}
 
   void begin(const Picture& picture, std::int32_t width, std::int32_t height) override {
     depths_.begin(width, height);
@@ -66,7 +61,6 @@ class StepFiller final : public SurfaceFiller {
     rows_.clear();
     const auto points = picture.points_of(polygon);
     if (points.size() < 3) return rows_;
-    object_ = polygon.object;
     choose_slots(surface);
     const auto [least, most] = std::ranges::minmax(points, {}, &ScreenPoint::y);
     top_ = std::max(least.y, 0);
@@ -210,7 +204,7 @@ class StepFiller final : public SurfaceFiller {
     const auto run = [&](std::span<std::uint8_t> piece, const Step<N>& u, const Step<N>& v) {
       const StepWords across = inside_bitmap(words_of(u, 0), piece.size());
       const StepWords down = inside_bitmap(words_of(v, 0), piece.size());
-      loops_->texture(piece, bitmaps_[object_], across.start, across.step, down.start, down.step);
+      loops_->texture(piece, bitmap(), across.start, across.step, down.start, down.step);
     };
     if (!in_perspective(surface)) {
       in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
@@ -252,11 +246,9 @@ class StepFiller final : public SurfaceFiller {
 
   std::unique_ptr<const SpanLoops> loops_;
   DepthBuffer depths_;
-  std::vector<std::vector<std::uint8_t>> bitmaps_{};
   Vec3<N> light_{};
 
   // of the polygon that is filled
-  std::size_t object_ = 0;
   std::size_t first_slot_ = 0;
   std::size_t end_slot_ = 0;
   std::int32_t top_ = 0;
