@@ -13,7 +13,8 @@
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"
-#include "xsharp/surface_values.hpp"
+#include "xsharp/raster/step.hpp"
+#include "xsharp/ratio.hpp"
 
 namespace fixproof {
 

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "xsharp/raster/step.hpp"
+#include "xsharp/arithmetic.hpp"
+#include "xsharp/ratio.hpp"
 
 namespace xsharp {
 

@@ -8,6 +8,7 @@
 
 #include "xsharp/raster/step.hpp"
 #include "xsharp/raster/stretch.hpp"
+#include "xsharp/ratio.hpp"
 
 namespace xsharp {
 

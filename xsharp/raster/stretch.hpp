@@ -11,6 +11,7 @@
 #include "xsharp/arithmetic.hpp"
 #include "xsharp/raster/span_loops.hpp"
 #include "xsharp/raster/step.hpp"
+#include "xsharp/ratio.hpp"
 
 namespace xsharp {
 
