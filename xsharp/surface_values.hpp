@@ -11,7 +11,7 @@
 #include "xsharp/clip.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/picture.hpp"
-#include "xsharp/raster/step.hpp"
+#include "xsharp/ratio.hpp"
 #include "xsharp/surface.hpp"
 #include "xsharp/transform.hpp"
 

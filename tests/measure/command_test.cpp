@@ -117,6 +117,7 @@ TEST(MeasureCommand, StepsEveryVariantWithinItsBound) {
   EXPECT_EQ(found, (std::map<std::string, int>{{"intensity 8.8", 5},
                                                {"intensity 16.16", 5},
                                                {"depth 16.8", 5},
+                                               {"depth 14.8, not cleared", 5},
                                                {"texture 8.8, affine", 5},
                                                {"texture, perspective", 4},
                                                {"texture, perspective, cut", 3},

@@ -12,6 +12,7 @@
 #include "verify/measure/stepping_run.hpp"
 #include "verify/measure/stepping_statistics.hpp"
 #include "verify/measure/stepping_times.hpp"
+#include "xsharp/raster/depth_buffer.hpp"
 #include "xsharp/raster/step_filler.hpp"
 
 namespace {
@@ -277,6 +278,34 @@ TEST(SteppedLine, IsWhatTheFillerDraws) {
     EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud8, ends, pixels),
               narrow_words);
   }
+}
+
+// Two bits less, above where the first picture's depths begin.
+TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
+  using N = fixed::q16_16;
+  xsharp::DepthBuffer buffer(xsharp::DepthBuffering::no_clear);
+  buffer.begin(320, 1);
+  const xsharp::StepWords nothing = buffer.words(xsharp::Step<N>{});
+  for (std::int32_t pixels = 1; pixels <= 320; ++pixels) {
+    const SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
+    const LineEnds ends{5 * level + pixels, 32000 * level - 77 * pixels};
+    const auto step = xsharp::step_across(N::from_raw(static_cast<std::int32_t>(ends.from)),
+                                          N::from_raw(static_cast<std::int32_t>(ends.to)),
+                                          place.units, place.distance);
+    xsharp::StepWords words = line_words(LineRule::rounded, ends, place, 10);
+    words.start += nothing.start;
+    EXPECT_EQ(buffer.words(step), words);
+  }
+}
+
+// 21845 units are 21.3 words of 1024 units, so 21: 21504 a pixel. In units of four depths, 2^18:
+// half a word of the start, and half a word and half a unit a pixel.
+TEST(SteppedLine, WordOfABufferThatIsNotCleared) {
+  constexpr LineFormat uncleared{10, 18, 0, 32767 * level};
+  const auto values =
+      judged_values(LineRule::rounded, uncleared, {8 * level, 9 * level}, three_pixels);
+  expect_value(values[1], (-341 - 1.0 / 3) / 4, (512 + 512.5) / 4.0);
+  expect_value(values[2], (-682 - 2.0 / 3) / 4, (512 + 1025) / 4.0);
 }
 
 // The loop, two quotients every eighth pixel, and three values that begin a span of 160 pixels.

@@ -1,4 +1,5 @@
-// The pipeline against frames that golden/work_out.py has worked out in exact integers.
+// The pipeline against frames that golden/work_out.py has worked out in exact integers, and
+// pictures that golden/work_out_pixels.py has.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -7,7 +8,9 @@
 #include <sstream>
 
 #include "verify/scenes/players.hpp"
+#include "verify/scenes/surfaces.hpp"
 #include "xsharp/files/scene_json.hpp"
+#include "xsharp/raster/screen.hpp"
 
 namespace fixproof {
 namespace {
@@ -57,9 +60,49 @@ void expect_golden(const std::string& name, const std::string& by) {
   EXPECT_EQ(all, read(fmt::format("{}/{}.txt", GOLDEN, name)));
 }
 
+/// FNV-1a, 64 bits.
+std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325;
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3;
+  return hash;
+}
+
+/// What golden/work_out_pixels.py keeps of every picture.
+void expect_golden_pixels(const std::string& name) {
+  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+  std::string all;
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+    if (choice.by != "type" || !xsharp::is_listing(choice)) continue;
+    all += fmt::format("# {} multiply {} divide {}\n", choice.target,
+                       choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");
+    const auto player = make_player(scene, choice);
+    const auto surfaces = make_surfaces(scene, choice);
+    xsharp::Screen<std::uint8_t> screen(scene.width, scene.height, scene.palette, scene.background,
+                                        surfaces.get());
+    xsharp::Picture picture;
+    for (std::uint64_t frame = 0; frame <= kept_frames.back(); ++frame) {
+      if (frame > 0) player->move();
+      player->draw(picture);
+      if (std::ranges::find(kept_frames, frame) == kept_frames.end()) continue;
+      screen.show(picture);
+      const auto pixels = screen.page().pixels();
+      const auto drawn =
+          std::ranges::count_if(pixels, [](std::uint8_t pixel) { return pixel != 0; });
+      all += fmt::format("frame {} drawn {} hash {:016x}\n", frame, drawn, hash_of(pixels));
+    }
+  }
+  EXPECT_EQ(all, read(fmt::format("{}/{}_pixels.txt", GOLDEN, name)));
+}
+
 TEST(Golden, TwelveCubes) { expect_golden("twelve_cubes", "type"); }
 TEST(Golden, BallAndCubes) { expect_golden("ball_and_cubes", "type"); }
 TEST(Golden, ShadedBall) { expect_golden("shaded_ball", "type"); }
+TEST(Golden, Intersecting) { expect_golden("intersecting", "type"); }
+TEST(Golden, Textured) { expect_golden("textured", "type"); }
+TEST(Golden, Phong) { expect_golden("phong", "type"); }
+TEST(Golden, PixelsOfIntersecting) { expect_golden_pixels("intersecting"); }
+TEST(Golden, PixelsOfTextured) { expect_golden_pixels("textured"); }
+TEST(Golden, PixelsOfPhong) { expect_golden_pixels("phong"); }
 TEST(Golden, TwelveCubesOnTheModel) { expect_golden("twelve_cubes", "model"); }
 
 // Worked by hand from the listings of chapter 52: cube 11 after 199 steps.

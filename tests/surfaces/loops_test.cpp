@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/depth_row.hpp"
+#include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"
 
 namespace {

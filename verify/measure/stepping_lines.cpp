@@ -1,10 +1,11 @@
 // The variants that step straight lines, and what they draw.
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 
+#include "fixed/fixed.hpp"
 #include "verify/measure/stepping_line.hpp"
+#include "xsharp/raster/depth_buffer.hpp"
 
 namespace fixproof {
 
@@ -15,6 +16,8 @@ constexpr std::int64_t one_level = 65536;
 constexpr LineFormat light_words{8, 16, 2 * one_level, 254 * one_level};
 constexpr LineFormat wide_light_words{0, 16, 2 * one_level, 254 * one_level};
 constexpr LineFormat depth_words{8, 16, 0, 32767 * one_level};
+/// Two bits less, for a buffer that is not cleared: a unit is four of depth.
+constexpr LineFormat uncleared_words{10, 18, 0, 32767 * one_level};
 /// 1 is 256 texels; from the middle of the first texel to that of the last.
 constexpr LineFormat texel_words{0, 8, 128, 65536 - 128};
 
@@ -58,20 +61,25 @@ void step_light(LineRule rule, const LineFormat& format, const SpanPlace& place,
   }
 }
 
+/// In a buffer of its own, which adds to depths where it is not cleared before the next picture.
 void step_depth(LineRule rule, const LineFormat& format, const SpanPlace& place, Ends which,
                 Draw draw, SteppedSpan& out) {
   const LineEnds ends = choose_ends(format, place, which, draw);
   const xsharp::StepWords words = line_words(rule, ends, place, format.dropped);
   judge_line(rule, format, ends, place, words, out);
+  using xsharp::DepthBuffering;
+  xsharp::DepthBuffer buffer(format.dropped == xsharp::dropped_bits ? DepthBuffering::on
+                                                                    : DepthBuffering::no_clear);
+  buffer.begin(static_cast<std::int32_t>(place.pixels), 1);
+  const std::uint32_t nothing = buffer.words(xsharp::Step<fixed::q16_16>{}).start;
+  const auto depths = buffer.pixels(0, 0, place.pixels);
   std::array<std::uint8_t, xsharp::longest_span> pixels{};
-  std::array<std::int16_t, xsharp::longest_span> room{};
-  room.fill(std::numeric_limits<std::int16_t>::min());
-  const auto depths = std::span(room).first(place.pixels);
-  xsharp::PlainLoops().depth(std::span(pixels).first(place.pixels), depths, 1, words.start,
-                             words.step);
+  xsharp::PlainLoops().depth(std::span(pixels).first(place.pixels), depths, 1,
+                             nothing + words.start, words.step);
+  const std::int64_t mask = (std::int64_t{1} << (32 - format.drawn_below)) - 1;
   for (std::size_t k = 0; k < depths.size(); ++k) {
-    out.drawn.push_back(depths[k]);
-    check_drawn(format, words, 0xFFFF, depths[k], k, out.values[k]);
+    out.drawn.push_back(depths[k] - (static_cast<std::int32_t>(nothing) >> 8));
+    check_drawn(format, words, mask, out.drawn[k], k, out.values[k]);
   }
 }
 
@@ -116,6 +124,8 @@ constexpr std::array line_kinds{
     LineKind{"intensity 8.8", Drawn::level, "2 to 254", light_words, step_light},
     LineKind{"intensity 16.16", Drawn::level, "2 to 254", wide_light_words, step_light},
     LineKind{"depth 16.8", Drawn::depth, "0 to 32767", depth_words, step_depth},
+    LineKind{"depth 14.8, not cleared", Drawn::depth, "0 to 32767, a unit is four", uncleared_words,
+             step_depth},
     LineKind{"texture 8.8, affine", Drawn::texel, "0.5 to 255.5", texel_words, step_texels},
 };
 

@@ -1,4 +1,5 @@
-// Phong's light in three forms, as xsharp/raster/step_filler.hpp has them, set against double.
+// Phong's light in three forms, by what draws them (xsharp/raster/phong_row.hpp), set against
+// double.
 //
 // Light at a pixel is 64 + 62 (L . n) / |n|, where n goes straight from one unit normal to another,
 // an angle a apart. With T = tan(a / 2) and s = -T ... T, in proportion to the pixels, it is
@@ -24,8 +25,7 @@
 #include "fixed/fixed.hpp"
 #include "verify/measure/stepping_line.hpp"
 #include "xsharp/normals.hpp"
-#include "xsharp/raster/more_loops.hpp"
-#include "xsharp/surface_values.hpp"
+#include "xsharp/raster/phong_row.hpp"
 
 namespace fixproof {
 
@@ -99,25 +99,17 @@ template <class N>
 class PhongLight {
  public:
   PhongLight(LineRule rule, const PhongEnds& ends, const SpanPlace& place)
-      : rule_(rule), ends_(ends), place_(place), light_(vector(ends.light)) {
+      : rule_(rule), ends_(ends), place_(place) {
     for (std::size_t i = 0; i < 3; ++i) {
-      steps_.at(i) = xsharp::step_across(number(ends.from.at(i)), number(ends.to.at(i)),
-                                         place.units, place.distance);
+      row_.normal.at(i) = xsharp::step_across(number(ends.from.at(i)), number(ends.to.at(i)),
+                                              place.units, place.distance);
     }
+    row_.light = {number(ends.light[0]), number(ends.light[1]), number(ends.light[2])};
   }
 
-  /// So many units from the first pixel.
-  [[nodiscard]] N at(std::int64_t units) const {
-    const N distance = xsharp::distance_of<N>(units);
-    const auto component = [&](std::size_t i) {
-      const auto& step = steps_.at(i);
-      return units == 0 ? step.start : step.start + step.slope * distance;
-    };
-    const Vec3<N> normal = xsharp::unit(Vec3<N>{component(0), component(1), component(2)});
-    return xsharp::ramp_value(dot(light_, normal), xsharp::Surface{});
-  }
+  [[nodiscard]] const xsharp::PhongRow<N>& row() const { return row_; }
 
-  /// What at() is off at most up to pixel k, in levels.
+  /// What row().at() is off at most up to pixel k, in levels.
   [[nodiscard]] double bound_to(std::size_t k) const {
     const double s = rounding();
     double component = 0;
@@ -139,16 +131,12 @@ class PhongLight {
 
  private:
   static N number(std::int64_t raw) { return N::from_raw(static_cast<std::int32_t>(raw)); }
-  static Vec3<N> vector(const RawVector& v) { return {number(v[0]), number(v[1]), number(v[2])}; }
 
   LineRule rule_;
   const PhongEnds& ends_;
   const SpanPlace& place_;
-  Vec3<N> light_;
-  std::array<xsharp::Step<N>, 3> steps_{};
+  xsharp::PhongRow<N> row_{};
 };
-
-std::int64_t units_of(std::size_t pixels) { return static_cast<std::int64_t>(pixels) * 65536; }
 
 /// Appends one pixel. @param value with `bits` after the point
 void add_light(SteppedSpan& out, std::uint32_t value, unsigned bits, double exact, double bound) {
@@ -166,28 +154,18 @@ std::uint32_t raw_word(N value) {
 template <class N>
 void straight(std::size_t every, const PhongLight<N>& light, const PhongEnds& ends,
               const SpanPlace& place, SteppedSpan& out) {
-  N value = light.at(0);
-  for (std::size_t from = 0;;) {
-    const std::size_t to = std::min(from + every, place.pixels - 1);
-    const bool last = to + 1 == place.pixels;
-    const N next = light.at(units_of(to));
-    N slope{};
-    if (to != from) {
-      slope =
-          xsharp::ratio(next - value, xsharp::from_whole<N>(static_cast<std::int32_t>(to - from)));
-    }
-    const double h = light.curve_a_pixel() * static_cast<double>(to - from);
-    std::uint32_t word = raw_word(value);
-    for (std::size_t k = from; k < to + (last ? 1 : 0); ++k, word += raw_word(slope)) {
-      const double chord = k == from || k == to ? 0 : light_levels * h * h / 8;
-      const double steps = light.rounding() * static_cast<double>(k - from) / one_raw;
-      add_light(out, word, 16, exact_light(ends, place, place.centre(k)),
-                light.bound_to(to) + steps + chord);
-    }
-    if (last) return;
-    from = to;
-    value = next;
-  }
+  light.row().in_lines(
+      place.pixels, every, [&](const xsharp::Stretch& stretch, const xsharp::Step<N>& line) {
+        const auto [from, to, count] = stretch;
+        const double h = light.curve_a_pixel() * static_cast<double>(to - from);
+        xsharp::StepWords words = xsharp::words_of(line, 0);
+        for (std::size_t k = from; k < from + count; ++k, words.start += words.step) {
+          const double chord = k == from || k == to ? 0 : light_levels * h * h / 8;
+          const double steps = light.rounding() * static_cast<double>(k - from) / one_raw;
+          add_light(out, words.start, 16, exact_light(ends, place, place.centre(k)),
+                    light.bound_to(to) + steps + chord);
+        }
+      });
 }
 
 /// What the rounding of n / d loses, in 2^-24, d a divisor of more than one divide, as fine_ratio()
@@ -202,10 +180,9 @@ template <class N>
 void parabola(const PhongLight<N>& light, const PhongEnds& ends, const SpanPlace& place,
               SteppedSpan& out) {
   const auto last = static_cast<std::int32_t>(place.pixels - 1);
-  const N first = light.at(0);
-  const N middle = light.at(std::int64_t{last} * 32768);
-  const N end = light.at(std::int64_t{last} * 65536);
-  const xsharp::Parabola p = xsharp::parabola_through(first, middle, end, last);
+  const N first = light.row().at(0);
+  const N middle = light.row().at(std::int64_t{last} * 32768);
+  const N end = light.row().at(std::int64_t{last} * 65536);
   const std::int64_t to_middle = std::int64_t{middle.raw()} - first.raw();
   const std::int64_t to_end = std::int64_t{end.raw()} - first.raw();
   const double s = light.rounding();
@@ -214,12 +191,11 @@ void parabola(const PhongLight<N>& light, const PhongEnds& ends, const SpanPlace
   const double half = light.curve_a_pixel() * last / 2;
   const double curve = light_levels * half * half * half / (3 * std::numbers::sqrt3);
   const double through = 1.25 * light.bound_to(place.pixels - 1) + curve;
-  std::uint32_t word = p.start;
-  std::uint32_t step = p.step;
-  for (std::size_t k = 0; k < place.pixels; ++k, word += step, step += p.second) {
+  xsharp::Parabola p = light.row().parabola(0, place.pixels);
+  for (std::size_t k = 0; k < place.pixels; ++k, p.start += p.step, p.step += p.second) {
     const auto x = static_cast<double>(k);
     const double words = (x * step_loss + x * x * bend_loss) / (1 << 24);
-    add_light(out, word, 24, exact_light(ends, place, place.centre(k)), through + words);
+    add_light(out, p.start, 24, exact_light(ends, place, place.centre(k)), through + words);
   }
 }
 
@@ -230,7 +206,7 @@ void step_phong(LineRule rule, PhongStepping form, const PhongEnds& ends, const 
   switch (form) {
     case PhongStepping::exact:
       for (std::size_t k = 0; k < place.pixels; ++k) {
-        add_light(out, raw_word(light.at(units_of(k))), 16,
+        add_light(out, raw_word(light.row().at(xsharp::units_of(k))), 16,
                   exact_light(ends, place, place.centre(k)), light.bound_to(k));
       }
       return;

@@ -1,5 +1,5 @@
-// Textures in perspective: exact places every so many pixels, affine steps between, as
-// xsharp/raster/step_filler.hpp has them.
+// Textures in perspective: exact places every so many pixels, affine steps between, by what draws
+// them (xsharp/raster/perspective_place.hpp, xsharp/raster/stretch.hpp).
 //
 // A place p, 1 is 256 texels, is q / w, where depth w and q = p w are straight lines on the screen.
 // The bound, with s = 1/2 unit where the arithmetic rounds and 1 where it cuts:
@@ -16,6 +16,8 @@
 
 #include "fixed/fixed.hpp"
 #include "verify/measure/stepping_line.hpp"
+#include "xsharp/raster/perspective_place.hpp"
+#include "xsharp/raster/stretch.hpp"
 
 namespace fixproof {
 
@@ -91,14 +93,12 @@ class Perspective {
     const N far = number(ends.depth.to);
     const N from = number(ends.place.from) * near;
     const N to = number(ends.place.to) * far;
-    depth_ = xsharp::step_across(near, far, place.units, place.distance);
-    product_ = xsharp::step_across(from, to, place.units, place.distance);
+    stepped_.products.front() = xsharp::step_across(from, to, place.units, place.distance);
+    stepped_.depth = xsharp::step_across(near, far, place.units, place.distance);
   }
 
   /// The place at pixel k as the arithmetic finds it.
-  [[nodiscard]] N at(std::size_t k) const {
-    return xsharp::ratio(stepped(product_, k), stepped(depth_, k));
-  }
+  [[nodiscard]] std::array<N, 1> at(std::size_t k) const { return stepped_.at(k); }
 
   /// What at(k) is off at most, in units.
   [[nodiscard]] double bound_at(std::size_t k) const {
@@ -115,10 +115,6 @@ class Perspective {
 
  private:
   static N number(std::int64_t raw) { return N::from_raw(static_cast<std::int32_t>(raw)); }
-  static N stepped(const xsharp::Step<N>& step, std::size_t k) {
-    if (k == 0) return step.start;
-    return step.start + step.slope * xsharp::from_whole<N>(static_cast<std::int32_t>(k));
-  }
   static std::int64_t product_end(std::int64_t place, std::int64_t depth) {
     return place * depth / 65536;
   }
@@ -126,8 +122,7 @@ class Perspective {
   LineRule rule_;
   PerspectiveEnds ends_;
   SpanPlace place_;
-  xsharp::Step<N> depth_;
-  xsharp::Step<N> product_;
+  xsharp::PerspectivePlace<N, 1> stepped_;
 };
 
 /// @param every pixels from one exact place to the next
@@ -136,34 +131,24 @@ void step_places(LineRule rule, std::size_t every, const PerspectiveEnds& ends,
                  const SpanPlace& place, SteppedPlaces& out) {
   const Perspective<N> perspective(rule, ends, place);
   const double s = rule == LineRule::cut ? 1 : 0.5;
-  N here = perspective.at(0);
-  double bound = perspective.bound_at(0);
-  for (std::size_t from = 0;;) {
-    const std::size_t to = std::min(from + every, place.pixels - 1);
-    const bool last = to + 1 == place.pixels;
-    const N next = perspective.at(to);
+  const auto draw = [&](const xsharp::Stretch& stretch,
+                        const std::array<xsharp::Step<N>, 1>& line) {
+    const auto [from, to, count] = stretch;
+    const double bound = perspective.bound_at(from);
     const double bound_there = perspective.bound_at(to);
-    N slope{};
-    double chord = 0;
-    if (to != from) {
-      slope =
-          xsharp::ratio(next - here, xsharp::from_whole<N>(static_cast<std::int32_t>(to - from)));
-      chord = std::fabs(value_of(exact_place(ends, place, to)) -
-                        value_of(exact_place(ends, place, from))) *
-              chord_error(depth_at(ends, place, from), depth_at(ends, place, to));
-    }
-    auto word = static_cast<std::uint32_t>(here.raw());
-    for (std::size_t j = 0; j < to - from + (last ? 1 : 0); ++j) {
-      out.words.push_back(word);
+    const double chord = std::fabs(value_of(exact_place(ends, place, to)) -
+                                   value_of(exact_place(ends, place, from))) *
+                         chord_error(depth_at(ends, place, from), depth_at(ends, place, to));
+    xsharp::StepWords words = xsharp::words_of(line.front(), 0);
+    for (std::size_t j = 0; j < count; ++j) {
+      out.words.push_back(words.start);
       const double steps = static_cast<double>(j) * s + (from + j == to ? 0 : chord);
       out.bounds.push_back(j == 0 ? bound : std::max(bound, bound_there) + steps);
-      word += static_cast<std::uint32_t>(slope.raw());
+      words.start += words.step;
     }
-    if (last) return;
-    from = to;
-    here = next;
-    bound = bound_there;
-  }
+  };
+  xsharp::in_stretches(
+      place.pixels, every, [&](std::size_t k) { return perspective.at(k); }, draw);
 }
 
 /// No exact place but those of the ends: a straight line where a curve is meant.

@@ -11,9 +11,10 @@
 #include "verify/draw.hpp"
 #include "verify/measure/host_run.hpp"
 #include "xsharp/normals.hpp"
-#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"
-#include "xsharp/surface_values.hpp"
+#include "xsharp/raster/step.hpp"
+#include "xsharp/ratio.hpp"
 
 namespace fixproof {
 
@@ -181,6 +182,7 @@ constexpr std::array recipes{
     Recipe{"intensity 8.8", "rounded", "intensity 8.8", 1, "", 0},
     Recipe{"intensity 16.16", "rounded", "intensity 16.16", 1, "", 0},
     Recipe{"depth 16.8", "rounded", "depth 16.8, drawn", 1, "", 0},
+    Recipe{"depth 14.8, not cleared", "rounded", "depth 16.8, drawn", 1, "", 0},
     Recipe{"texture 8.8, affine", "rounded", "texture 8.8", 2, "", 0},
     Recipe{"texture, perspective", "every pixel", "texture 8.8", 3, "an exact place", 1},
     Recipe{"texture, perspective", "every 8th", "texture 8.8", 3, "an exact place", 1.0 / 8},

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "xsharp/normals.hpp"
-#include "xsharp/raster/bitmap.hpp"
 #include "xsharp/raster/surface_filler.hpp"
 #include "xsharp/surface_values.hpp"
 
@@ -23,12 +22,7 @@ namespace xsharp {
 /// double, cleared before every picture. Indices are still whole: values are cut, as the loops do.
 class ExactFiller final : public SurfaceFiller {
  public:
-  explicit ExactFiller(const Scene& scene) : SurfaceFiller(scene) {
-    for (const ObjectDescription& object : scene.objects) {
-      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
-                                                    : std::vector<std::uint8_t>{});
-    }
-  }
+  explicit ExactFiller(const Scene& scene) : SurfaceFiller(scene) {}
 
   void begin(const Picture& picture, std::int32_t width, std::int32_t height) override {
     light_ = {picture.light[0], picture.light[1], picture.light[2]};
@@ -65,7 +59,6 @@ class ExactFiller final : public SurfaceFiller {
                                  std::int32_t height) override {
     rows_.clear();
     spans_.clear();
-    object_ = polygon.object;
     const auto points = picture.points_of(polygon);
     if (points.size() < 3) return rows_;
     corners_.assign(picture.values_of(polygon).begin(), picture.values_of(polygon).end());
@@ -145,7 +138,7 @@ class ExactFiller final : public SurfaceFiller {
         const auto texel = [&](double value) -> std::size_t {
           return depth > 0 ? index(value / depth * 256) : 0;
         };
-        return bitmaps_[object_][texel(values[2]) * 256 + texel(values[1])];
+        return bitmap()[texel(values[2]) * 256 + texel(values[1])];
       }
       case SurfaceKind::phong:
         return index(
@@ -155,13 +148,11 @@ class ExactFiller final : public SurfaceFiller {
     }
   }
 
-  std::vector<std::vector<std::uint8_t>> bitmaps_{};
   Vec3<double> light_{};
   std::size_t width_ = 0;
   std::vector<double> depths_{};
 
   // of the polygon that is filled
-  std::size_t object_ = 0;
   std::vector<PointValues> corners_{};
   std::vector<Row> rows_{};
   std::vector<Span> spans_{};

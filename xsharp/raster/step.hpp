@@ -12,61 +12,13 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "xsharp/arithmetic.hpp"
+#include "xsharp/ratio.hpp"
 
 namespace xsharp {
-
-/// Whether twice the number is in range, with room to spare.
-template <Scalar N>
-bool can_be_doubled(N x) {
-  const N most = from_whole<N>(8191);
-  return -most < x && x < most;
-}
-
-/// Doubles both as long as both fit: a quotient does not change by it, but a divide that looks at
-/// its divisor's whole part alone, as that of the 8088, then looks at nearly all of it.
-template <Scalar N>
-void double_both(N& n, N& d) {
-  for (int i = 0; i < 29 && can_be_doubled(n) && can_be_doubled(d); ++i) {
-    n = n + n;
-    d = d + d;
-  }
-}
-
-/// n / d, rounded as the arithmetic's divide is; 0 where there is no quotient.
-///
-/// A dividend that is not less than the divisor ends the doubling too early, one beyond 8191 before
-/// it begins. A divide by the whole part is then done as by hand: first by the divisor doubled
-/// alone, which gives the quotient's upper digits, doubled back as often; then what they leave,
-/// which is little.
-template <Scalar N>
-N ratio(N n, N d) {
-  const N zero = from_whole<N>(0);
-  N upper = zero;
-  double_both(n, d);
-  // Of negatives, which have the greater range.
-  const auto minus_size = [&zero](N x) { return zero < x ? -x : x; };
-  if (Arithmetic<N>::divides_by_whole_part && !(minus_size(d) < minus_size(n))) {
-    N divisor = d;
-    int doublings = 0;
-    for (; doublings < 29 && can_be_doubled(divisor); ++doublings) divisor = divisor + divisor;
-    upper = Arithmetic<N>::divide(n, divisor).value_or(zero);
-    const N most = from_whole<N>(16384);
-    for (; doublings > 0; --doublings) {
-      // Just 16384 may be rounded up from less: it wraps, and comes back with the rest.
-      if (upper < -most || upper > most) return zero;
-      upper = upper + upper;
-    }
-    n = n - upper * d;
-    double_both(n, d);
-  }
-  const auto quotient = Arithmetic<N>::divide(n, d);
-  return quotient ? upper + *quotient : zero;
-}
 
 /// A distance on the screen in units of 2^-16 pixels; what is out of range becomes its end.
 template <Scalar N>

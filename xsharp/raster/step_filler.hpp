@@ -11,15 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "xsharp/normals.hpp"
 #include "xsharp/raster/bitmap.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
+#include "xsharp/raster/depth_row.hpp"
 #include "xsharp/raster/edge.hpp"
-#include "xsharp/raster/more_loops.hpp"
+#include "xsharp/raster/parabola.hpp"
+#include "xsharp/raster/perspective_place.hpp"
+#include "xsharp/raster/phong_row.hpp"
 #include "xsharp/raster/span_loops.hpp"
 #include "xsharp/raster/step.hpp"
+#include "xsharp/raster/stretch.hpp"
 #include "xsharp/raster/surface_filler.hpp"
-#include "xsharp/surface_values.hpp"
+#include "xsharp/transform.hpp"
 
 namespace xsharp {
 
@@ -27,12 +30,7 @@ template <Scalar N>
 class StepFiller final : public SurfaceFiller {
  public:
   StepFiller(const Scene& scene, std::unique_ptr<const SpanLoops> loops)
-      : SurfaceFiller(scene), loops_(std::move(loops)), depths_(scene.depth_buffer) {
-    for (const ObjectDescription& object : scene.objects) {
-      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
-                                                    : std::vector<std::uint8_t>{});
-    }
-  }
+      : SurfaceFiller(scene), loops_(std::move(loops)), depths_(scene.depth_buffer) {}
 
   void begin(const Picture& picture, std::int32_t width, std::int32_t height) override {
     depths_.begin(width, height);
@@ -63,7 +61,6 @@ class StepFiller final : public SurfaceFiller {
     rows_.clear();
     const auto points = picture.points_of(polygon);
     if (points.size() < 3) return rows_;
-    object_ = polygon.object;
     choose_slots(surface);
     const auto [least, most] = std::ranges::minmax(points, {}, &ScreenPoint::y);
     top_ = std::max(least.y, 0);
@@ -160,7 +157,7 @@ class StepFiller final : public SurfaceFiller {
     line_.assign(out.size(), pixel);
     if (!constant) color(surface, steps, line_);
     in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-      const StepWords words = depths_.words(Step<N>{at(steps[0], from), steps[0].slope});
+      const StepWords words = depths_.words(step_from(steps[0], from));
       const auto piece = out.subspan(from, count);
       const auto depths = buffer.subspan(from, count);
       if (published) {
@@ -173,44 +170,13 @@ class StepFiller final : public SurfaceFiller {
     for (std::size_t x = 0; x < out.size(); ++x) set[x] = before_[x] == buffer[x] ? 0 : 1;
   }
 
-  template <class Draw>
-  static void in_pieces(std::size_t count, const Draw& draw) {
-    for (std::size_t from = 0; from < count; from += longest_span) {
-      draw(from, std::min(longest_span, count - from));
-    }
-  }
-
-  /// From an exact pixel to the next, `every` further or the last: draw(from, to, count), where
-  /// `to` is drawn with what follows, unless it is the last.
-  template <class Draw>
-  static void in_stretches(std::size_t count, std::size_t every, const Draw& draw) {
-    for (std::size_t from = 0; from < count;) {
-      const std::size_t to = std::min(from + every, count - 1);
-      const bool last = to + 1 == count;
-      draw(from, to, to - from + (last ? 1 : 0));
-      if (last) return;
-      from = to;
-    }
-  }
-
-  static N at(const Step<N>& step, std::size_t pixel) {
-    if (pixel == 0) return step.start;
-    return step.start + step.slope * from_whole<N>(static_cast<std::int32_t>(pixel));
-  }
-
-  /// What is added for each of `pixels` pixels; 0 where there are none.
-  static N stretch_slope(N from, N to, std::size_t pixels) {
-    if (pixels == 0) return from_whole<N>(0);
-    return ratio(to - from, from_whole<N>(static_cast<std::int32_t>(pixels)));
-  }
-
   void color(const Surface& surface, const Steps& steps, std::span<std::uint8_t> out) const {
     switch (surface.kind) {
       case SurfaceKind::flat:
         return;
       case SurfaceKind::gouraud16:
         in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-          const StepWords words = words_of(Step<N>{at(steps[1], from), steps[1].slope}, 0);
+          const StepWords words = words_of(step_from(steps[1], from), 0);
           loops_->gouraud_wide(out.subspan(from, count), words.start, words.step);
         });
         return;
@@ -218,8 +184,7 @@ class StepFiller final : public SurfaceFiller {
       case SurfaceKind::depth:
       case SurfaceKind::distance:
         in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-          const StepWords words =
-              words_of(Step<N>{at(steps[1], from), steps[1].slope}, dropped_bits);
+          const StepWords words = words_of(step_from(steps[1], from), dropped_bits);
           loops_->gouraud(out.subspan(from, count), static_cast<std::uint16_t>(words.start),
                           static_cast<std::uint16_t>(words.step));
         });
@@ -239,77 +204,51 @@ class StepFiller final : public SurfaceFiller {
     const auto run = [&](std::span<std::uint8_t> piece, const Step<N>& u, const Step<N>& v) {
       const StepWords across = inside_bitmap(words_of(u, 0), piece.size());
       const StepWords down = inside_bitmap(words_of(v, 0), piece.size());
-      loops_->texture(piece, bitmaps_[object_], across.start, across.step, down.start, down.step);
+      loops_->texture(piece, bitmap(), across.start, across.step, down.start, down.step);
     };
     if (!in_perspective(surface)) {
       in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-        run(out.subspan(from, count), {at(steps[1], from), steps[1].slope},
-            {at(steps[2], from), steps[2].slope});
+        run(out.subspan(from, count), step_from(steps[1], from), step_from(steps[2], from));
       });
       return;
     }
-    const auto place = [&](std::size_t pixel) {
-      const N depth = at(steps[0], pixel);
-      return std::pair{ratio(at(steps[1], pixel), depth), ratio(at(steps[2], pixel), depth)};
-    };
-    std::pair<N, N> here = place(0);
-    in_stretches(out.size(), static_cast<std::size_t>(surface.exact_every),
-                 [&](std::size_t from, std::size_t to, std::size_t count) {
-                   const std::pair<N, N> next = place(to);
-                   run(out.subspan(from, count),
-                       {here.first, stretch_slope(here.first, next.first, to - from)},
-                       {here.second, stretch_slope(here.second, next.second, to - from)});
-                   here = next;
-                 });
-  }
-
-  /// The ramp's value `units` of 2^-16 pixels from the first pixel.
-  N shaded(const Surface& surface, const Steps& steps, std::int64_t units) const {
-    const N distance = distance_of<N>(units);
-    const auto component = [&](std::size_t k) {
-      return units == 0 ? steps[k].start : steps[k].start + steps[k].slope * distance;
-    };
-    const Vec3<N> normal = unit(Vec3<N>{component(1), component(2), component(3)});
-    return ramp_value(dot(light_, normal), surface);
+    const PerspectivePlace<N, 2> place{{steps[1], steps[2]}, steps[0]};
+    in_stretches(
+        out.size(), static_cast<std::size_t>(surface.exact_every),
+        [&](std::size_t pixel) { return place.at(pixel); },
+        [&](const Stretch& stretch, const std::array<Step<N>, 2>& lines) {
+          run(out.subspan(stretch.from, stretch.count), lines[0], lines[1]);
+        });
   }
 
   void phong(const Surface& surface, const Steps& steps, std::span<std::uint8_t> out) const {
-    const auto shaded_at = [&](std::size_t pixel) {
-      return shaded(surface, steps, static_cast<std::int64_t>(pixel) * 65536);
-    };
-    if (surface.phong == PhongForm::exact) {
-      for (std::size_t x = 0; x < out.size(); ++x) {
-        const auto word = static_cast<std::uint32_t>(Arithmetic<N>::raw(shaded_at(x)));
-        out[x] = static_cast<std::uint8_t>(word >> 16U);
-      }
-    } else if (surface.phong == PhongForm::fourth) {
-      N value = shaded_at(0);
-      in_stretches(out.size(), 4, [&](std::size_t from, std::size_t to, std::size_t count) {
-        const N next = shaded_at(to);
-        const StepWords words = words_of(Step<N>{value, stretch_slope(value, next, to - from)}, 0);
-        loops_->gouraud_wide(out.subspan(from, count), words.start, words.step);
-        value = next;
-      });
-    } else {
-      in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-        const auto last = static_cast<std::int32_t>(count - 1);
-        const std::int64_t begin = static_cast<std::int64_t>(from) * 65536;
-        quadratic(
-            out.subspan(from, count),
-            parabola_through(shaded(surface, steps, begin),
-                             shaded(surface, steps, begin + std::int64_t{last} * 32768),
-                             shaded(surface, steps, begin + std::int64_t{last} * 65536), last));
-      });
+    const PhongRow<N> row{{steps[1], steps[2], steps[3]}, light_, surface};
+    switch (surface.phong) {
+      case PhongForm::exact:
+        for (std::size_t x = 0; x < out.size(); ++x) {
+          const auto word = static_cast<std::uint32_t>(Arithmetic<N>::raw(row.at(units_of(x))));
+          out[x] = static_cast<std::uint8_t>(word >> 16U);
+        }
+        return;
+      case PhongForm::fourth:
+        row.in_lines(out.size(), 4, [&](const Stretch& stretch, const Step<N>& line) {
+          const StepWords words = words_of(line, 0);
+          loops_->gouraud_wide(out.subspan(stretch.from, stretch.count), words.start, words.step);
+        });
+        return;
+      case PhongForm::quadratic:
+        in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+          quadratic(out.subspan(from, count), row.parabola(from, count));
+        });
+        return;
     }
   }
 
   std::unique_ptr<const SpanLoops> loops_;
   DepthBuffer depths_;
-  std::vector<std::vector<std::uint8_t>> bitmaps_{};
   Vec3<N> light_{};
 
   // of the polygon that is filled
-  std::size_t object_ = 0;
   std::size_t first_slot_ = 0;
   std::size_t end_slot_ = 0;
   std::int32_t top_ = 0;

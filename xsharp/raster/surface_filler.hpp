@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "xsharp/picture.hpp"
+#include "xsharp/raster/bitmap.hpp"
 #include "xsharp/raster/page.hpp"
 #include "xsharp/raster/palette.hpp"
 #include "xsharp/scene.hpp"
@@ -24,7 +25,11 @@ class SurfaceFiller {
  public:
   explicit SurfaceFiller(const Scene& scene)
       : palette_(scene.palette), buffered_(scene.depth_buffer != DepthBuffering::off) {
-    for (const ObjectDescription& object : scene.objects) surfaces_.push_back(object.surface);
+    for (const ObjectDescription& object : scene.objects) {
+      surfaces_.push_back(object.surface);
+      bitmaps_.push_back(has_bitmap(object.surface) ? bitmap_of(object.surface)
+                                                    : std::vector<std::uint8_t>{});
+    }
   }
   SurfaceFiller(const SurfaceFiller&) = delete;
   SurfaceFiller& operator=(const SurfaceFiller&) = delete;
@@ -48,6 +53,7 @@ class SurfaceFiller {
                     Pixel pixel) {
     std::int64_t set = 0;
     const Surface& surface = surface_of(polygon);
+    object_ = polygon.object;
     const auto rows = find_rows(picture, polygon, surface, page.width(), page.height());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Row& row = rows[i];
@@ -80,6 +86,9 @@ class SurfaceFiller {
 
   [[nodiscard]] bool buffered() const { return buffered_; }
 
+  /// That of the polygon that is filled. @pre its surface has one
+  [[nodiscard]] std::span<const std::uint8_t> bitmap() const { return bitmaps_[object_]; }
+
   /// The polygon's rows on the page; draw() is asked for each by its index, until the next call.
   virtual std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
                                          const Surface& surface, std::int32_t width,
@@ -99,6 +108,8 @@ class SurfaceFiller {
   PaletteKind palette_;
   bool buffered_;
   std::vector<Surface> surfaces_{};
+  std::vector<std::vector<std::uint8_t>> bitmaps_{};
+  std::size_t object_ = 0;
   std::vector<std::uint8_t> set_{};
   std::vector<std::uint8_t> line_{};
 };

@@ -13,6 +13,7 @@ import sys
 ONE = 1 << 16
 FRAMES = (0, 1, 199, 599)
 VERTICES = 8
+LIT_AT_VERTICES = {"gouraud8", "gouraud16", "environment", "phong"}
 
 
 def wrap(x):
@@ -97,11 +98,26 @@ def add_normals(vertices, faces):
         vertices.append([a[i] + n[i] / size for i in range(3)])
 
 
+def add_vertex_normals(vertices, faces):
+    """Behind the vertices, the end of each one's normal: the mean of its faces' unit normals."""
+    sums = [[0.0] * 3 for _ in vertices]
+    for face in faces:
+        a, b, c = (vertices[face[i]] for i in (0, 1, 2))
+        u = [c[i] - a[i] for i in range(3)]
+        v = [b[i] - a[i] for i in range(3)]
+        n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        for corner in face:
+            sums[corner] = [s + x / math.hypot(*n) for s, x in zip(sums[corner], n)]
+    vertices += [[p + x / math.hypot(*n) for p, x in zip(v, n)] for v, n in zip(list(vertices), sums)]
+
+
 class Body:
     def __init__(self, scene, data, rules):
         self.rules = rules
         (kind, of), = data["shape"].items()
         vertices, self.faces = cube(of["half_edge"]) if kind == "cube" else ball(**of)
+        if data.get("surface", {}).get("kind") in LIT_AT_VERTICES:
+            add_vertex_normals(vertices, self.faces)
         if data.get("shading"):
             add_normals(vertices, self.faces)
         self.vertices = [[coordinate(c) for c in v] for v in vertices]
@@ -208,14 +224,16 @@ def frames(scene, rules, count):
         for body in bodies:
             body.prepare()
         if scene.get("depth_key", "center") == "center":
-            order.sort(key=lambda i: bodies[i].m[2][3])  # stable
+            # Stable. What a depth buffer hides need not be drawn: the nearest comes first.
+            first = -1 if scene.get("depth_buffer", "off") != "off" else 1
+            order.sort(key=lambda i: first * bodies[i].m[2][3])
         yield frame, bodies, order
 
 
 KNOWN = {"name", "frames_per_second", "conversion", "trigonometry", "depth_key", "palette", "arithmetic",
-         "defaults", "objects", "lights", "restore_every"}
+         "defaults", "objects", "lights", "restore_every", "depth_buffer", "near"}
 KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "position", "spin", "drift",
-                    "orbit"}
+                    "orbit", "surface"}
 
 
 def refuse_unknown(scene):
@@ -256,4 +274,5 @@ def main():
                     print("  visible", join(b.visible))
 
 
-main()
+if __name__ == "__main__":
+    main()
