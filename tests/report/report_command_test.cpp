@@ -97,10 +97,9 @@ TEST(ReportCommand, FindsTheScenesOfTheTree) {
   const Folder out("report_scenes_test");
   fs::create_directories(out.path());
   fs::create_directory_symlink(SCENES, out.file("scenes"));
-  const auto run =
-      cli::run({"sh", "-c",
-                "cd '" + out.path() + "' && exec " + INTERRUPTED + " INT 0.1 " + FIXPROOF_COMMAND +
-                    " report --out page"});
+  const auto run = cli::run({"sh", "-c",
+                             "cd '" + out.path() + "' && exec " + INTERRUPTED + " INT 0.1 " +
+                                 FIXPROOF_COMMAND + " report --out page"});
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.out.find("STOPPED after 0 of 12 "), std::string::npos) << run.out;
 }
