@@ -130,6 +130,12 @@ TYPED_TEST(Transforms, EveryLayout) {
         EXPECT_TRUE(to_x.intact() && to_y.intact() && to_z.intact());
         return std::pair(report, gathered<TypeParam, 3>({to_x.copy(), to_y.copy(), to_z.copy()}));
       });
+      check<TypeParam, 3>(want, [&](auto how) {
+        auto columns = v.columns;
+        auto& [x, y, z] = columns;
+        const auto report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
+        return std::pair(report, gathered<TypeParam, 3>(columns));
+      });
     }
   }
 }
@@ -172,6 +178,11 @@ TYPED_TEST(Projections, EveryLayout) {
             fixed::batch::project(x, y, z, constant, to_x.inside(), to_y.inside(), how);
         EXPECT_TRUE(to_x.intact() && to_y.intact());
         return std::pair(report, gathered<TypeParam, 2>({to_x.copy(), to_y.copy()}));
+      });
+      check<TypeParam, 2>(want, [&](auto how) {
+        auto [x, y, z] = v.columns;
+        const auto report = fixed::batch::project(x, y, z, constant, z, x, how);
+        return std::pair(report, gathered<TypeParam, 2>({z, x}));
       });
     }
   }
