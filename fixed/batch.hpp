@@ -41,6 +41,7 @@
 #include <type_traits>
 
 #include "fixed/detail/batch_element.hpp"
+#include "fixed/detail/batch_portable.hpp"
 #include "fixed/detail/batch_report.hpp"
 #include "fixed/detail/batch_spans.hpp"
 #include "fixed/detail/batch_targets.hpp"
