@@ -37,11 +37,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <type_traits>
 
 #include "fixed/detail/batch_element.hpp"
+#include "fixed/detail/batch_portable.hpp"
 #include "fixed/detail/batch_report.hpp"
 #include "fixed/detail/batch_spans.hpp"
 #include "fixed/detail/batch_targets.hpp"
@@ -64,10 +64,10 @@ struct options {
 
 namespace fixed::detail {
 
-inline std::size_t batch_length(const batch::options& how,
-                                std::initializer_list<std::size_t> sizes) noexcept {
-  const std::size_t shortest = std::min(sizes);
-  return how.marks.empty() ? shortest : std::min(shortest, how.marks.size());
+template <class... Ranges>
+std::size_t batch_length(const batch::options& how, const Ranges&... ranges) noexcept {
+  const std::size_t count = shortest(ranges...);
+  return how.marks.empty() ? count : std::min(count, how.marks.size());
 }
 
 inline std::span<bool> batch_marks(const batch::options& how, std::size_t count) noexcept {
@@ -111,7 +111,7 @@ report multiply(const A& a, const B& b, Out&& out,
   const N* const x = std::data(a);
   const N* const y = std::data(b);
   N* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, {std::size(a), std::size(b), std::size(out)});
+  const std::size_t count = detail::batch_length(how, a, b, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template multiply<F, P>(x, y, to, count, found); });
@@ -134,8 +134,7 @@ report mul_add(const A& a, const B& b, const C& c, Out&& out,
   const N* const y = std::data(b);
   const N* const z = std::data(c);
   N* const to = std::data(out);
-  const std::size_t count =
-      detail::batch_length(how, {std::size(a), std::size(b), std::size(c), std::size(out)});
+  const std::size_t count = detail::batch_length(how, a, b, c, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template mul_add<F, P>(x, y, z, to, count, found); });
@@ -160,7 +159,7 @@ report divide(const Numerators& n, const Divisors& d, Out&& out, const options& 
   const N* const x = std::data(n);
   const N* const y = std::data(d);
   N* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, {std::size(n), std::size(d), std::size(out)});
+  const std::size_t count = detail::batch_length(how, n, d, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
   std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template divide<F, P>(x, y, to, count, found); });
@@ -180,7 +179,7 @@ report sqrt(const X& x, Out&& out,
   constexpr int F = N::fraction_bits;
   const N* const from = std::data(x);
   N* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, {std::size(x), std::size(out)});
+  const std::size_t count = detail::batch_length(how, x, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template sqrt<F>(from, to, count, found); });
@@ -201,7 +200,7 @@ detail::element_t<A> dot(const A& a, const B& b,
   constexpr std::size_t at_once = std::size_t{1} << 30;  // what loops::dot() has room for
   const N* const x = std::data(a);
   const N* const y = std::data(b);
-  const std::size_t count = std::min(std::size(a), std::size(b));
+  const std::size_t count = detail::shortest(a, b);
   std::conditional_t<detail::rounds_modulo<P>, std::uint64_t, detail::wide_sum> sum{};
   for (std::size_t done = 0; done < count;) {
     const std::size_t end = done + std::min(count - done, at_once);
@@ -233,7 +232,7 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const I
   const detail::raw_transform<F> by = detail::raws_of(rows);
   const void* const from = std::data(in);
   void* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, {std::size(in), std::size(out)});
+  const std::size_t count = detail::batch_length(how, in, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(
       how.use, [&](auto on) { return on.template transform<F, P>(by, from, to, count, found); });
@@ -257,9 +256,7 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X
   const detail::raw_transform<F> by = detail::raws_of(rows);
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
-  const std::size_t count =
-      detail::batch_length(how, {std::size(x), std::size(y), std::size(z), std::size(to_x),
-                                 std::size(to_y), std::size(to_z)});
+  const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y, to_z);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(how.use, [&](auto on) {
     return on.template transform<F, P>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
@@ -284,7 +281,7 @@ report project(const In& in, number<F, P> constant, Out&& out,
                const options& how = {}) noexcept(number<F, P>::divide_never_throws) {
   const void* const from = std::data(in);
   void* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, {std::size(in), std::size(out)});
+  const std::size_t count = detail::batch_length(how, in, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(how.use, [&](auto on) {
     return on.template project<F, P>(constant.raw(), from, to, count, found);
@@ -307,8 +304,7 @@ report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& 
   using N = number<F, P>;
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
-  const std::size_t count = detail::batch_length(
-      how, {std::size(x), std::size(y), std::size(z), std::size(to_x), std::size(to_y)});
+  const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);
   detail::fault_recorder found(detail::batch_marks(how, count));
   const std::size_t done = detail::on_path(how.use, [&](auto on) {
     return on.template project<F, P>(constant.raw(),

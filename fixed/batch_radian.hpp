@@ -5,7 +5,6 @@
 /// Spans and paths are those of fixed/batch.hpp.
 #pragma once
 
-#include <algorithm>
 #include <array>  // std::data, std::size
 #include <cstddef>
 #include <cstdint>
@@ -41,14 +40,14 @@ namespace fixed::batch {
 ///     fixed::batch::sin(angles, sines);
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void sin(const Angles& angles, Results&& results, path use = best()) noexcept {
-  const std::size_t count = std::min<std::size_t>(std::size(angles), std::size(results));
+  const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, 0);
 }
 
 /// As sin(), with fixed::cos.
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
-  const std::size_t count = std::min<std::size_t>(std::size(angles), std::size(results));
+  const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
 
@@ -62,8 +61,7 @@ void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = 
   const N* const from = std::data(angles);
   N* const to_cos = std::data(cosines);
   N* const to_sin = std::data(sines);
-  const std::size_t count = std::min<std::size_t>(
-      std::size(angles), std::min<std::size_t>(std::size(cosines), std::size(sines)));
+  const std::size_t count = detail::shortest(angles, cosines, sines);
   std::size_t i = detail::on_path(
       use, [&](auto on) { return on.template sines_and_cosines<F>(from, to_cos, to_sin, count); });
   for (; i < count; ++i) {

@@ -23,7 +23,8 @@ namespace xsharp {
 template <Scalar N>
 class Animation final : public Player {
  public:
-  /// @param threads that move, prepare and draw objects; the pictures do not depend on how many
+  /// @param threads that move, prepare and draw objects, of which there are no more than the scene
+  ///                describes objects, whatever add() adds; the pictures do not depend on how many
   explicit Animation(const Scene& scene, std::size_t threads = 1)
       : crew_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
         tallies_(crew_.workers()),

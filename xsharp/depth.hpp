@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,7 @@ namespace xsharp {
 /// finds the same order, for insertion has left objects of equal depth as they were.
 template <class N>
 void sort_by_depth(std::vector<std::size_t>& order, std::span<const N> depths) {
-  const int bits = std::numeric_limits<std::size_t>::digits - std::countl_zero(order.size());
+  const auto bits = static_cast<int>(std::bit_width(order.size()));
   const std::size_t most = 8 * order.size() * static_cast<std::size_t>(bits);
   std::size_t moves = 0;
   for (std::size_t i = 1; i < order.size(); ++i) {

@@ -46,7 +46,7 @@ class Object {
   virtual ~Object() = default;
 
   /// Works out all that drawing needs. Called before each frame; an object that has not moved
-  /// since, under the same view, need not do anything.
+  /// since, under the same view, need only add what became of it to the tally again.
   virtual void prepare(const View<N>& view, Tally& tally) = 0;
   /// View z of the part that `key` names; any value under DepthKey::none.
   [[nodiscard]] virtual N depth(DepthKey key) const = 0;

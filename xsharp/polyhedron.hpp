@@ -3,10 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -71,35 +69,12 @@ class Polyhedron final : public Object<N> {
   }
 
   void prepare(const View<N>& view, Tally& tally) override {
-    if (prepared_) {
-      tally.out_of_reach += in_reach_ ? 0 : 1;
-      return;
+    if (!prepared_) {
+      look(view);
+      // Not before: what has thrown is to throw again, not to leave out the object.
+      prepared_ = true;
     }
-    prepared_ = true;
-    visible_.clear();
-    corners_.clear();
-    carried_.clear();
-    has_values_ = view.depth_buffer || surface_.kind != SurfaceKind::flat;
-    near_ = view.near;
-    const auto to_world = within_reach(motion_, view, radius_);
-    in_reach_ = to_world.has_value();
-    if (!to_world) {
-      ++tally.out_of_reach;
-      return;
-    }
-    to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world);
-    const Unplaced unplaced = place(to_view_, std::span<const Vec3<N>>(vertices_), view.projection,
-                                    Places<N>{view_, screen_});
-    tally.faults += unplaced.faults;
-    const bool all_on_screen = unplaced == Unplaced{};
-    const auto faces = static_cast<std::uint32_t>(faces_.size());
-    for (std::uint32_t f = 0; f < faces; ++f) {
-      if (all_on_screen || is_on_screen(f)) {
-        hide_or_keep(f);
-      } else {
-        clip_or_hide(f, view.projection, tally);
-      }
-    }
+    tally = tally + tally_;
   }
 
   [[nodiscard]] N depth(DepthKey key) const override {
@@ -176,10 +151,39 @@ class Polyhedron final : public Object<N> {
     return std::span(face_vertices_).subspan(faces_[face].first, faces_[face].count);
   }
 
-  static std::optional<ScreenPoint> project_counted(const Vec3<N>& point,
-                                                    const Projection<N>& projection, Tally& tally) {
+  /// All of prepare() that depends on where the object is.
+  void look(const View<N>& view) {
+    tally_ = {};
+    visible_.clear();
+    corners_.clear();
+    carried_.clear();
+    has_values_ = view.depth_buffer || surface_.kind != SurfaceKind::flat;
+    near_ = view.near;
+    const auto to_world = within_reach(motion_, view, radius_);
+    in_reach_ = to_world.has_value();
+    if (!to_world) {
+      ++tally_.out_of_reach;
+      return;
+    }
+    to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world);
+    const Unplaced unplaced = place(to_view_, std::span<const Vec3<N>>(vertices_), view.projection,
+                                    Places<N>{view_, screen_});
+    tally_.faults += unplaced.faults;
+    const bool all_on_screen = unplaced == Unplaced{};
+    const auto faces = static_cast<std::uint32_t>(faces_.size());
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      if (all_on_screen || is_on_screen(f)) {
+        hide_or_keep(f);
+      } else {
+        clip_or_hide(f, view.projection);
+      }
+    }
+  }
+
+  std::optional<ScreenPoint> project_counted(const Vec3<N>& point,
+                                             const Projection<N>& projection) {
     const auto on_screen = project(point, projection);
-    if (!on_screen) ++tally.faults;
+    if (!on_screen) ++tally_.faults;
     return on_screen;
   }
 
@@ -198,13 +202,13 @@ class Polyhedron final : public Object<N> {
   }
 
   /// Keeps what shows of any other face.
-  void clip_or_hide(std::uint32_t f, const Projection<N>& projection, Tally& tally) {
+  void clip_or_hide(std::uint32_t f, const Projection<N>& projection) {
     const std::size_t first = corners_.size();
     const std::size_t first_carried = carried_.size();
     std::vector<Corner<N>> polygon;
     for (std::size_t i = 0; i < faces_[f].count; ++i) polygon.push_back(corner_of(f, i));
     for (const Corner<N>& point : clip_polygon<Corner<N>>(polygon, projection.slope)) {
-      if (const auto on_screen = project_counted(point.place, projection, tally)) {
+      if (const auto on_screen = project_counted(point.place, projection)) {
         corners_.push_back(*on_screen);
         if (has_values_) carried_.push_back(point);
       }
@@ -232,8 +236,10 @@ class Polyhedron final : public Object<N> {
              Arithmetic<N>::constant(place[1], Conversion::nearest), from_whole<N>(0)}};
   }
 
-  /// Of the points that draw() has added; those of objects before that have none get zeros.
+  /// Of the points that draw() has added, if there are any; those of objects before that have none
+  /// get zeros.
   void add_values(const Lighting<N>& lighting, Picture& picture) const {
+    if (carried_.empty()) return;
     const Vec3<N> light = light_vector(lighting);
     picture.values.resize(picture.points.size() - carried_.size());
     for (const Corner<N>& corner : carried_) {
@@ -253,6 +259,8 @@ class Polyhedron final : public Object<N> {
   std::vector<Vec3<N>> vertices_;
 
   bool prepared_ = false;
+  /// As it was last prepared.
+  Tally tally_{};
   bool in_reach_ = true;
   Transform<N> to_view_{};
   std::vector<Vec3<N>> view_;

@@ -1,8 +1,9 @@
 /// \file
 /// The rules of fixed/policy.hpp on blocks of numbers; see fixed/detail/batch_lanes.hpp.
 ///
-/// Lanes of `bad` are set to ones, and bits of `faults` to one, where a result is out of range or
-/// none at all.
+/// Lanes of `bad` become ones where a result is out of range, and stay as they are elsewhere. Bits
+/// of `errors` and `overflows` are assigned: ones for the lanes that have no result, or only one
+/// out of range.
 
 #if defined(FIXED_LANES)
 namespace fixed::detail::FIXED_LANES {

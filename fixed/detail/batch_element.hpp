@@ -66,17 +66,12 @@ constexpr outcome<raw_t<F>> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F
 /// What the scalar divide returns; where it throws, what it would return if it wrapped instead.
 template <int F, policy P>
 constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
-  using raw = raw_t<F>;
   const std::int32_t divisor = effective_divisor<F, P>(d);
   if (divisor == 0) return {total_divide<F, P>(n, d), fault::divide_error};
   const std::int64_t quotient = rounded_quotient<P.divide, numerator_shift<F, P>>(n, divisor);
-  const outcome<raw> result = narrowed_element<F, P>(quotient);
-  if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    if (exceeds_unsigned<F, P>(n, divisor)) return {result.raw, fault::divide_error};
-  }
-  if constexpr (P.fault == divide_fault::signed_quotient) {
-    if (!fits<raw>(quotient)) return {result.raw, fault::divide_error};
-  }
+  outcome<raw_t<F>> result = narrowed_element<F, P>(quotient);
+  const division end = ending_of<F, P>(n, divisor, quotient);
+  if (end == division::divide_error) result.what = fault::divide_error;
   return result;
 }
 

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "fixed/detail/batch_element.hpp"
-#include "fixed/detail/divide.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"
@@ -112,44 +111,5 @@ class fault_recorder {
   std::array<fault_count, 4> found_;
   std::span<bool> marks_;
 };
-
-/// Elements `i` to `count` as the number type makes them: all of them on the portable path, the
-/// last few on every other one.
-/// \param element (index) -> outcome
-/// \param store   (index, raw)
-template <class Element, class Store>
-void each_element(std::size_t i, std::size_t count, fault_recorder& found, const Element& element,
-                  const Store& store) noexcept {
-  for (; i < count; ++i) {
-    const auto one = element(i);
-    store(i, one.raw);
-    found.note(one.what, i);
-  }
-}
-
-/// Blocks of quotients of a policy that never throws, in a loop that compilers vectorise: faults,
-/// which are rare, are looked for apart, and results kept until all operands are read, as an output
-/// may be an input.
-/// \return how many elements are done; each_element() does the last few
-template <class N, class Element>
-std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to, std::size_t count,
-                          fault_recorder& found, const Element& element) noexcept {
-  constexpr int F = N::fraction_bits;
-  constexpr policy P = N::rules;
-  constexpr std::size_t block = 64;
-  std::array<raw_t<F>, block> results;
-  for (; count - i >= block; i += block) {
-    int suspect = 0;
-    for (std::size_t k = 0; k < block; ++k) {
-      results[k] = total_divide<F, P>(n[i + k].raw(), d[i + k].raw());
-      suspect |= static_cast<int>(may_be_fault<F, P>(d[i + k].raw(), results[k]));
-    }
-    if (suspect != 0) {
-      for (std::size_t k = 0; k < block; ++k) found.note(element(i + k).what, i + k);
-    }
-    for (std::size_t k = 0; k < block; ++k) to[i + k] = N::from_raw(results[k]);
-  }
-  return i;
-}
 
 }  // namespace fixed::detail

@@ -2,7 +2,8 @@
 /// What a batch is given: spans of numbers, of vertices and of points.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <array>  // std::data, std::size
 #include <concepts>
 #include <cstddef>
 #include <cstring>
@@ -47,6 +48,12 @@ concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
 template <class Range, class N, std::size_t size>
 concept output_tuples_of = tuples_of<Range, N, size> &&
     !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
+
+/// The length of the shortest of some ranges. Sizes may have a sign, as those of Qt's have.
+template <class... Ranges>
+constexpr std::size_t shortest(const Ranges&... ranges) noexcept {
+  return std::min({static_cast<std::size_t>(std::size(ranges))...});
+}
 
 /// The stored integers of an element of `size` numbers. One by one: where memcpy moves more than a
 /// register's worth, GCC 12 keeps the array in memory.

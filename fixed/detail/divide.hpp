@@ -65,23 +65,32 @@ constexpr bool exceeds_unsigned(raw_t<FractionBits> n, std::int32_t divisor) noe
   return numerator >= magnitude << (2 * FractionBits - numerator_shift<FractionBits, P>);
 }
 
-/// How n / d ends under the policy.
+/// How a division ends by the rules of the policy.
+/// \param divisor  the effective one, not zero
+/// \param quotient rounded, not yet brought into range
 template <int FractionBits, policy P>
-constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
+constexpr division ending_of(raw_t<FractionBits> n, std::int32_t divisor,
+                             std::int64_t quotient) noexcept {
   using raw = raw_t<FractionBits>;
-  constexpr int shift = numerator_shift<FractionBits, P>;
-  const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
-  if (divisor == 0) return division::divide_error;
   if constexpr (P.fault == divide_fault::unsigned_quotient) {
     if (exceeds_unsigned<FractionBits, P>(n, divisor)) return division::divide_error;
   }
   if constexpr (P.fault == divide_fault::signed_quotient) {
-    if (!fits<raw>(rounded_quotient<P.divide, shift>(n, divisor))) return division::divide_error;
+    if (!fits<raw>(quotient)) return division::divide_error;
   }
   if constexpr (P.range == overflow::trap) {
-    if (!fits<raw>(rounded_quotient<P.divide, shift>(n, divisor))) return division::out_of_range;
+    if (!fits<raw>(quotient)) return division::out_of_range;
   }
   return division::done;
+}
+
+/// How n / d ends under the policy.
+template <int FractionBits, policy P>
+constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
+  constexpr int shift = numerator_shift<FractionBits, P>;
+  const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
+  if (divisor == 0) return division::divide_error;
+  return ending_of<FractionBits, P>(n, divisor, rounded_quotient<P.divide, shift>(n, divisor));
 }
 
 }  // namespace fixed::detail

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/types.hpp"
 
@@ -11,25 +12,6 @@ namespace batch_test {
 namespace {
 
 using fixed::batch::path;
-
-/// `call(out, options)` computes a batch of `want`, on every path.
-template <class Number, class Call>
-void check(const std::vector<Expected<Number>>& want, const Call& call) {
-  std::vector<Fault> faults;
-  for (const auto& one : want) faults.push_back(one.fault);
-  for (const path on : paths()) {
-    Guarded<Number> out(want.size());
-    Marked marked(want.size());
-    const auto report = call(out.inside(), marked.how(on));
-    for (std::size_t i = 0; i < want.size(); ++i) {
-      ASSERT_EQ(out.inside()[i].raw(), want[i].value.raw())
-          << "path " << static_cast<int>(on) << ", element " << i << " of " << want.size();
-    }
-    marked.check(report, faults);
-    ASSERT_TRUE(out.intact());
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
 
 /// Operands of `n` elements that begin at different elements of their arrays.
 template <class Number>

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "fixed/batch_radian.hpp"
 #include "tests/batch/expected.hpp"
 
 namespace batch_test {
@@ -74,6 +77,69 @@ TEST(Errors, NameTheFirstElementOnEveryPath) {
   }
 }
 
+TEST(Errors, NameTheFirstElementOfMulAdd) {
+  using N = q16_16_trapping;
+  std::vector<N> a(100, N(2));
+  a[37] = a[61] = N(300);
+  for (const auto path : paths()) {
+    std::vector<N> out(100);
+    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
+                fixed::batch::mul_add(a, a, a, out, {path, {}});
+              }),
+              "fixed-point overflow: mul_add(element 37, 2 in all)");
+    EXPECT_EQ(out[99], N(6));
+  }
+}
+
+TEST(Errors, NameTheFirstVertexOfTransform) {
+  using N = q16_16_trapping;
+  std::array<std::array<N, 4>, 3> rows{};
+  for (std::size_t i = 0; i < 3; ++i) rows[i][i] = N(200);
+  std::vector<std::array<N, 3>> vertices(100, {N(1), N(2), N(3)});
+  std::array<std::vector<N>, 3> columns{std::vector<N>(100, N(1)), std::vector<N>(100, N(2)),
+                                        std::vector<N>(100, N(3))};
+  vertices[37][1] = vertices[61][2] = columns[1][37] = columns[2][61] = N(300);
+  const std::string text = "fixed-point overflow: transform(element 37, 2 in all)";
+  for (const auto path : paths()) {
+    std::vector<std::array<N, 3>> out(100);
+    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
+                fixed::batch::transform(rows, vertices, out, {path, {}});
+              }),
+              text);
+    EXPECT_EQ(out[99], (std::array{N(200), N(400), N(600)}));
+    auto [x, y, z] = columns;
+    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
+                fixed::batch::transform(rows, x, y, z, x, y, z, {path, {}});
+              }),
+              text);
+    EXPECT_EQ((std::array{x[99], y[99], z[99]}), out[99]);
+  }
+}
+
+TEST(Errors, NameTheFirstVertexOfProject) {
+  using N = q16_16_trapping;
+  std::vector<std::array<N, 3>> vertices(100, {N(2), N(4), N(2)});
+  std::array<std::vector<N>, 3> columns{std::vector<N>(100, N(2)), std::vector<N>(100, N(4)),
+                                        std::vector<N>(100, N(2))};
+  vertices[37][2] = columns[2][37] = N();
+  vertices[61][0] = columns[0][61] = N(30000);  // times 3 / 2 is an overflow, which comes later
+  const std::string text = "fixed-point divide error: project(element 37, 1 in all)";
+  for (const auto path : paths()) {
+    std::vector<std::array<N, 2>> out(100);
+    EXPECT_EQ(error_of<fixed::divide_error>([&] {
+                fixed::batch::project(vertices, N(3), out, {path, {}});
+              }),
+              text);
+    EXPECT_EQ(out[99], (std::array{N(3), N(6)}));
+    auto [x, y, z] = columns;
+    EXPECT_EQ(error_of<fixed::divide_error>([&] {
+                fixed::batch::project(x, y, z, N(3), x, y, {path, {}});
+              }),
+              text);
+    EXPECT_EQ((std::array{x[99], y[99]}), out[99]);
+  }
+}
+
 TEST(Errors, AreThoseOfTheType) {
   std::vector<q16_16_i386> n(20, q16_16_i386(7));
   std::vector<q16_16_i386> d(20, q16_16_i386(2));
@@ -115,13 +181,20 @@ TEST(Errors, ComeInTheOrderOfTheElements) {
 }
 
 TEST(Marks, KeepFromThrowing) {
-  const auto n = numbers<q16_16_trapping>({1, 30000, 1});
-  const auto d = numbers<q16_16_trapping>({0, 0.5, 1});
-  std::array<bool, 3> marks{};
-  std::vector<q16_16_trapping> out(3);
-  EXPECT_EQ(fixed::batch::divide(n, d, out, {.marks = marks}),
-            (Report{.divide_errors = 1, .overflows = 1, .first = 0}));
-  EXPECT_EQ(marks, (std::array{true, true, false}));
+  std::vector<q16_16_trapping> n(40, q16_16_trapping(1));
+  std::vector<q16_16_trapping> d(40, q16_16_trapping(1));
+  d[3] = d[39] = q16_16_trapping();
+  n[20] = q16_16_trapping(30000);
+  d[20] = q16_16_trapping(0.5);
+  std::array<bool, 40> faults{};
+  faults[3] = faults[20] = faults[39] = true;
+  for (const auto path : paths()) {
+    std::array<bool, 40> marks{};
+    std::vector<q16_16_trapping> out(40);
+    EXPECT_EQ(fixed::batch::divide(n, d, out, {path, marks}),
+              (Report{.divide_errors = 2, .overflows = 1, .first = 3}));
+    EXPECT_EQ(marks, faults);
+  }
 }
 
 TEST(Lengths, TheShortestCounts) {
@@ -138,6 +211,56 @@ TEST(Lengths, TheShortestCounts) {
     EXPECT_EQ(out[19], q16_16(6));
     EXPECT_EQ(out[20], q16_16());
   }
+}
+
+/// As of Qt's containers: the size has a sign.
+template <class T>
+class SignedSize {
+ public:
+  explicit SignedSize(std::vector<T> all) : all_(std::move(all)) {}
+  [[nodiscard]] T* data() { return all_.data(); }
+  [[nodiscard]] const T* data() const { return all_.data(); }
+  [[nodiscard]] std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(all_.size()); }
+
+ private:
+  std::vector<T> all_;
+};
+
+TEST(Lengths, MayHaveASign) {
+  using N = q16_16;
+  const SignedSize<N> a(std::vector<N>(20, N(6)));
+  const std::vector<N> b(30, N(2));
+  SignedSize<N> out(std::vector<N>(25));
+  const auto last = [&out] { return std::pair(out.data()[19], out.data()[20]); };
+  fixed::batch::multiply(a, b, out);
+  EXPECT_EQ(last(), std::pair(N(12), N()));
+  fixed::batch::mul_add(a, b, b, out);
+  EXPECT_EQ(last(), std::pair(N(14), N()));
+  fixed::batch::divide(a, b, out);
+  EXPECT_EQ(last(), std::pair(N(3), N()));
+  fixed::batch::sqrt(b, out);
+  EXPECT_EQ(out.data()[24], fixed::sqrt(N(2)));
+  fixed::batch::sin(a, out);
+  fixed::batch::sin_cos(b, out, std::vector<N>(30));
+  EXPECT_EQ(out.data()[24], fixed::cos(N(2)));
+  EXPECT_EQ(fixed::batch::dot(a, b), N(240));
+
+  const std::array<std::array<N, 4>, 3> rows{{{N(2)}, {N(), N(2)}, {N(), N(), N(2)}}};
+  const SignedSize<std::array<N, 3>> in(std::vector<std::array<N, 3>>(20, {N(4), N(6), N(2)}));
+  std::vector<std::array<N, 3>> vertices(30);
+  fixed::batch::transform(rows, in, vertices);
+  EXPECT_EQ(vertices[19], (std::array{N(8), N(12), N(4)}));
+  EXPECT_EQ(vertices[20], (std::array<N, 3>{}));
+  SignedSize<std::array<N, 2>> points(std::vector<std::array<N, 2>>(20));
+  fixed::batch::project(vertices, N(3), points);
+  EXPECT_EQ(points.data()[19], (std::array{N(6), N(9)}));
+  std::vector<N> x(30);
+  std::vector<N> y(30);
+  fixed::batch::transform(rows, a, b, a, x, y, out);
+  EXPECT_EQ((std::array{x[19], y[19], out.data()[19], x[20]}),
+            (std::array{N(12), N(4), N(12), N()}));
+  fixed::batch::project(b, a, b, N(3), x, out);
+  EXPECT_EQ((std::array{x[19], out.data()[19], x[20]}), (std::array{N(3), N(9), N()}));
 }
 
 TEST(Outputs, MayBeInputs) {

@@ -5,18 +5,13 @@
 #include <array>
 #include <vector>
 
+#include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
+#include "tests/batch/expected_vertex.hpp"
 #include "tests/fixed/types.hpp"
 
 namespace batch_test {
 namespace {
-
-template <class Number>
-using Vertex = std::array<Number, 3>;
-template <class Number>
-using Point = std::array<Number, 2>;
-template <class Number>
-using Rows = std::array<std::array<Number, 4>, 3>;
 
 /// Whether vertices in a vector can be transformed by rows of fixed::q16_16.
 template <class V>
@@ -30,12 +25,6 @@ static_assert(transformed_by_q16_16<Vertex<fixed::q16_16>> && transformed_by_q16
 static_assert(!transformed_by_q16_16<Vertex<float>>);
 static_assert(!transformed_by_q16_16<Vertex<fixed::q16_16_saturating>>);
 static_assert(!transformed_by_q16_16<Point<fixed::q16_16>>);
-
-template <class Number, std::size_t size>
-struct Coordinates {
-  std::array<Number, size> values;
-  Fault fault = Fault::none;
-};
 
 /// The vertices, and the same as three arrays.
 template <class Number>
@@ -51,25 +40,6 @@ struct Vertices {
   }
 };
 
-template <class Number, std::size_t size, class Call>
-void check(const std::vector<Coordinates<Number, size>>& want, const Call& call) {
-  std::vector<Fault> faults;
-  for (const auto& one : want) faults.push_back(one.fault);
-  for (const auto path : paths()) {
-    Marked marked(want.size());
-    const auto [report, got] = call(marked.how(path));
-    for (std::size_t i = 0; i < want.size(); ++i) {
-      for (std::size_t c = 0; c < size; ++c) {
-        ASSERT_EQ(got[i][c].raw(), want[i].values[c].raw())
-            << "path " << static_cast<int>(path) << ", element " << i << " of " << want.size()
-            << ", coordinate " << c;
-      }
-    }
-    marked.check(report, faults);
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
-
 /// Tuples of columns.
 template <class Number, std::size_t size>
 std::vector<std::array<Number, size>> gathered(
@@ -84,20 +54,6 @@ std::vector<std::array<Number, size>> gathered(
 template <class Number>
 class Transforms : public testing::Test {};
 TYPED_TEST_SUITE(Transforms, fixed::some_types);
-
-template <class Number>
-Coordinates<Number, 3> expected_vertex(const Rows<Number>& rows, const Vertex<Number>& v) {
-  Coordinates<Number, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& row = rows[i];
-    const auto one = expected<Number>([](auto a, auto b, auto c, auto t, auto x, auto y,
-                                         auto z) { return a * x + b * y + c * z + t; },
-                                      row[0], row[1], row[2], row[3], v[0], v[1], v[2]);
-    result.values[i] = one.value;
-    if (result.fault == Fault::none) result.fault = one.fault;
-  }
-  return result;
-}
 
 TYPED_TEST(Transforms, EveryLayout) {
   for (const unsigned seed : {1U, 2U, 3U}) {
@@ -129,6 +85,12 @@ TYPED_TEST(Transforms, EveryLayout) {
                                                     to_z.inside(), how);
         EXPECT_TRUE(to_x.intact() && to_y.intact() && to_z.intact());
         return std::pair(report, gathered<TypeParam, 3>({to_x.copy(), to_y.copy(), to_z.copy()}));
+      });
+      check<TypeParam, 3>(want, [&](auto how) {
+        auto columns = v.columns;
+        auto& [x, y, z] = columns;
+        const auto report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
+        return std::pair(report, gathered<TypeParam, 3>(columns));
       });
     }
   }
@@ -183,18 +145,6 @@ template <class Number>
 class Projections : public testing::Test {};
 TYPED_TEST_SUITE(Projections, fixed::all_types);
 
-template <class Number>
-Coordinates<Number, 2> expected_point(const Vertex<Number>& v, Number constant) {
-  const auto times = [](auto a, auto b) { return a * b; };
-  const auto x = expected_quotient(v[0], v[2]);
-  const auto y = expected_quotient(v[1], v[2]);
-  const auto to_x = expected<Number>(times, x.value, constant);
-  const auto to_y = expected<Number>(times, y.value, constant);
-  const bool error = x.fault == Fault::divide_error || y.fault == Fault::divide_error;
-  return {{to_x.value, to_y.value},
-          error ? Fault::divide_error : first_fault<Number>({x, y, to_x, to_y})};
-}
-
 TYPED_TEST(Projections, EveryLayout) {
   for (const double factor : {-160.0, 0.5, 1.0 / 256}) {
     const auto constant =
@@ -217,6 +167,11 @@ TYPED_TEST(Projections, EveryLayout) {
             fixed::batch::project(x, y, z, constant, to_x.inside(), to_y.inside(), how);
         EXPECT_TRUE(to_x.intact() && to_y.intact());
         return std::pair(report, gathered<TypeParam, 2>({to_x.copy(), to_y.copy()}));
+      });
+      check<TypeParam, 2>(want, [&](auto how) {
+        auto [x, y, z] = v.columns;
+        const auto report = fixed::batch::project(x, y, z, constant, z, x, how);
+        return std::pair(report, gathered<TypeParam, 2>({z, x}));
       });
     }
   }

@@ -71,28 +71,37 @@ std::vector<Number> numbers(std::size_t count) {
 
 /// Nothing beyond the shorter is read or written, whatever the length.
 template <class Number>
-void expect_every_length() {
+void expect_every_length(batch::path path) {
   const Number untouched = Number::from_raw(77);
   for (std::size_t count = 0; count < 70; ++count) {
     const std::vector<Number> angles = numbers<Number>(count);
-    std::vector<Number> sines(count + 3, untouched);
-    std::vector<Number> cosines(count + 3, untouched);
-    batch::sin(angles, sines);
-    batch::cos(angles, cosines);
+    std::array<std::vector<Number>, 4> results;
+    results.fill(std::vector<Number>(count + 3, untouched));
+    auto& [sines, cosines, cosines_of_both, sines_of_both] = results;
+    batch::sin(angles, sines, path);
+    batch::cos(angles, cosines, path);
+    batch::sin_cos(angles, cosines_of_both, sines_of_both, path);
     for (std::size_t i = 0; i < count; ++i) {
-      ASSERT_EQ(sines[i], fixed::sin(angles[i]));
-      ASSERT_EQ(cosines[i], fixed::cos(angles[i]));
+      const Number sine = fixed::sin(angles[i]);
+      const Number cosine = fixed::cos(angles[i]);
+      ASSERT_EQ(sines[i], sine);
+      ASSERT_EQ(sines_of_both[i], sine);
+      ASSERT_EQ(cosines[i], cosine);
+      ASSERT_EQ(cosines_of_both[i], cosine);
     }
-    for (std::size_t i = count; i < count + 3; ++i) {
-      ASSERT_EQ(sines[i], untouched);
-      ASSERT_EQ(cosines[i], untouched);
+    for (const std::vector<Number>& one : results) {
+      for (std::size_t i = count; i < count + 3; ++i) {
+        ASSERT_EQ(one[i], untouched) << "path " << static_cast<int>(path) << ", length " << count;
+      }
     }
   }
 }
 
 TEST(BatchRadian, EveryLength) {
-  expect_every_length<q16_16>();
-  expect_every_length<q8_8_saturating>();
+  for (const batch::path path : paths) {
+    expect_every_length<q16_16>(path);
+    expect_every_length<q8_8_saturating>(path);
+  }
 }
 
 /// Whether results of another kind than the angles', or that cannot be written, are refused.

@@ -1,13 +1,18 @@
 // fixproof render: draws a scene into files, or into a window.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -154,9 +159,7 @@ int render(const RenderOptions& options) {
       std::optional<Recording> recording;
       if (meter.wants(done)) recording.emplace(log);
       if (done > 0) player->move();
-      const xsharp::Tally drawn = player->draw(picture);
-      tally.faults += drawn.faults;
-      tally.out_of_reach += drawn.out_of_reach;
+      tally = tally + player->draw(picture);
       canvas->show(picture);
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));

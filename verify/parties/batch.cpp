@@ -77,7 +77,8 @@ void answer_column(Operation operation, fixed::batch::path path, const Batch& ba
 }
 
 /// Each case has a transform of its own, so it is the one of a block of vertices: those of the
-/// cases after it, in turn at each place, and in turn interleaved and in arrays of their own.
+/// cases after it, in turn at each place, and in turn interleaved and in arrays of their own. Where
+/// anything is reported or marked, it breaks down: rules that wrap have nothing to report.
 template <class Number>
 void answer_transforms(fixed::batch::path path, const Batch& batch) {
   constexpr std::size_t block = 16;  // as many as the widest registers have
@@ -85,6 +86,7 @@ void answer_transforms(fixed::batch::path path, const Batch& batch) {
   const std::size_t cases = batch.endings.size();
   std::array<std::array<Number, 3>, block> in;
   std::array<std::array<Number, block>, 3> columns;
+  const Marks marks(block);
   for (std::size_t i = 0; i < cases; ++i) {
     std::array<std::array<Number, 4>, 3> rows;
     for (std::size_t k = 0; k < 12; ++k) {
@@ -100,16 +102,19 @@ void answer_transforms(fixed::batch::path path, const Batch& batch) {
       }
     }
     const bool interleaved = i / block % 2 == 0;
+    const fixed::batch::options how{path, marks.all()};
+    fixed::batch::report report;
     if (interleaved) {
-      fixed::batch::transform(rows, in, in, {path, {}});
+      report = fixed::batch::transform(rows, in, in, how);
     } else {
       auto& [x, y, z] = columns;
-      fixed::batch::transform(rows, x, y, z, x, y, z, {path, {}});
+      report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
     }
     for (std::size_t c = 0; c < 3; ++c) {
       batch.out[3 * i + c] = word_of(interleaved ? in[place][c] : columns[c][place]);
     }
-    batch.endings[i] = Ending::value;
+    const bool sound = report.clean() && marks.agree(report);
+    batch.endings[i] = sound ? Ending::value : Ending::broken;
   }
 }
 

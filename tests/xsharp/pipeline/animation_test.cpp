@@ -80,6 +80,20 @@ TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+/// An object whose surface has values, but nothing of which shows, begins none for others.
+TYPED_TEST(AnimationOf, HasNoValuesWhereNothingIsInterpolated) {
+  Scene scene =
+      pipeline::scene(frame_side, {spinning(40, {0, 0, -600}), spinning(40, {0, 0, 600})});
+  scene.objects[1].surface.kind = SurfaceKind::texture;
+  for (const std::size_t threads : {1U, 2U}) {
+    Animation<TypeParam> animation(scene, threads);
+    Picture picture;
+    animation.draw(picture);
+    EXPECT_FALSE(picture.points.empty());
+    EXPECT_TRUE(picture.values.empty()) << threads;
+  }
+}
+
 TYPED_TEST(AnimationOf, AFarPageIsSeenAsTheFirstIs) {
   Animation<TypeParam> here(moved_to({0, 0, 0}));
   for (const Page3& page : {Page3{1000000, -1000000, 999999}, {1, 0, -1}, {-7, 300000, 12}}) {

@@ -1,0 +1,54 @@
+/// \file
+/// A batch on every path of this processor, held against what is expected of it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "tests/batch/expected.hpp"
+#include "tests/batch/expected_vertex.hpp"
+
+namespace batch_test {
+
+/// `call(out, options)` computes a batch of `want`, on every path.
+template <class Number, class Call>
+void check(const std::vector<Expected<Number>>& want, const Call& call) {
+  std::vector<Fault> faults;
+  for (const auto& one : want) faults.push_back(one.fault);
+  for (const auto on : paths()) {
+    Guarded<Number> out(want.size());
+    Marked marked(want.size());
+    const auto report = call(out.inside(), marked.how(on));
+    for (std::size_t i = 0; i < want.size(); ++i) {
+      ASSERT_EQ(out.inside()[i].raw(), want[i].value.raw())
+          << "path " << static_cast<int>(on) << ", element " << i << " of " << want.size();
+    }
+    marked.check(report, faults);
+    ASSERT_TRUE(out.intact());
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+/// `call(options)` returns the report of a batch of `want`, and its results.
+template <class Number, std::size_t size, class Call>
+void check(const std::vector<Coordinates<Number, size>>& want, const Call& call) {
+  std::vector<Fault> faults;
+  for (const auto& one : want) faults.push_back(one.fault);
+  for (const auto path : paths()) {
+    Marked marked(want.size());
+    const auto [report, got] = call(marked.how(path));
+    for (std::size_t i = 0; i < want.size(); ++i) {
+      for (std::size_t c = 0; c < size; ++c) {
+        ASSERT_EQ(got[i][c].raw(), want[i].values[c].raw())
+            << "path " << static_cast<int>(path) << ", element " << i << " of " << want.size()
+            << ", coordinate " << c;
+      }
+    }
+    marked.check(report, faults);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+}  // namespace batch_test

@@ -1,0 +1,54 @@
+/// An object that is prepared again and again without moving: what became of it, and what it
+/// throws.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <utility>
+
+#include "fixed/error.hpp"
+#include "tests/xsharp/pipeline/stage.hpp"
+#include "tests/xsharp/pipeline/types.hpp"
+#include "xsharp/polyhedron.hpp"
+
+namespace xsharp {
+namespace {
+
+/// A triangle in front of the viewer, but for its first corner.
+Polyhedron<fixed::q16_16_trapping> with_corner(const Triple& corner) {
+  Mesh mesh;
+  mesh.vertices = {corner, {0, 10, -40}, {10, 0, -40}};
+  mesh.faces = {{.vertices = {0, 1, 2}}};
+  return {pipeline::body(std::move(mesh), {}), 0, {}};
+}
+
+/// x is stretched; nothing behind z = -1 is outside of the clip volume.
+View<fixed::q16_16_trapping> stretched(double x, double constant) {
+  using N = fixed::q16_16_trapping;
+  View<N> view{.world_to_view = identity<N>()};
+  view.world_to_view.rows[0][0] = pipeline::number<N>(x);
+  view.projection = {pipeline::number<N>(constant), 160, 120, std::int32_t{1} << 20};
+  return view;
+}
+
+TEST(Preparing, ThrowsAgain) {
+  auto object = with_corner({300, -200, -1.5});
+  const auto view = stretched(1, -320);  // of 200 times 320
+  for (int frame = 0; frame < 2; ++frame) {
+    Tally tally;
+    EXPECT_THROW(object.prepare(view, tally), fixed::overflow_error) << frame;
+  }
+}
+
+TEST(Preparing, TellsOfFaultsInEveryFrame) {
+  auto object = with_corner({-8192, 0, -1});
+  const auto view = stretched(4, -1);  // the quotient would be 2^15
+  Tally tally;
+  for (std::uint64_t frames = 1; frames < 4; ++frames) {
+    object.prepare(view, tally);
+    EXPECT_EQ(tally.faults, 2 * frames) << "of the vertex, and of the corner of the face";
+    EXPECT_EQ(tally.out_of_reach, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace xsharp
