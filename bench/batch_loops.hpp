@@ -18,7 +18,9 @@ namespace batch_bench {
 __extension__ using Wide = __int128;
 
 /// n / d toward -infinity.
-constexpr Wide floor_of(Wide n, Wide d) { return n / d - (n % d != 0 && (n < 0) != (d < 0)); }
+constexpr Wide floor_of(Wide n, Wide d) {
+  return n / d - (n % d != 0 && (n < 0) != (d < 0) ? 1 : 0);
+}
 
 constexpr Wide rounded(Wide n, Wide d, fixed::rounding by) {
   const bool negative = n != 0 && (n < 0) != (d < 0);
@@ -38,7 +40,7 @@ constexpr Wide rounded(Wide n, Wide d, fixed::rounding by) {
 /// What results are held against.
 struct Rules {
   fixed::policy by;
-  int bits;  ///< after the point, and before it
+  int bits = 16;  ///< after the point, and before it
 
   [[nodiscard]] constexpr Wide one() const { return Wide{1} << bits; }
   [[nodiscard]] constexpr Wide lowest() const { return -(one() * one() / 2); }

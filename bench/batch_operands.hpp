@@ -51,32 +51,38 @@ struct Words {
     const auto below = [&random](int n) {
       return static_cast<int>(random() % static_cast<unsigned>(n));
     };
+    const bool any = draw == Draw::any;
     const auto word = [&](int in_range_bits) {
-      const int width = draw == Draw::any ? 1 + below(2 * bits) : in_range_bits;
+      const int width = any ? 1 + below(2 * bits) : in_range_bits;
       const std::int32_t x = static_cast<std::int32_t>(random()) >> (32 - width);
       // Some end in zeros: their products and quotients fall half way between two numbers.
       return below(2) == 0 ? x : x & -(1 << below(bits));
     };
+    const auto wide = [&] { return word(bits + bits / 2); };
     const std::int32_t one = 1 << bits;
-    const int width = bits + bits / 2;
-    constexpr std::size_t drawn = 100'000;  // then they begin again, to be quick
-    for (std::vector<std::int32_t>* of : {&a, &b, &c, &small}) {
-      of->resize(count);
-      for (std::size_t i = 0; i < std::min(count, drawn); ++i) {
-        std::int32_t x = word(of == &small ? bits : width);
-        if (draw == Draw::in_range && of == &b) x = x < 0 ? std::min(x, -one) : std::max(x, one);
-        if (draw == Draw::in_range && of == &c) x = x < 0 ? ~x : x;
-        (*of)[i] = x;
-      }
-      for (std::size_t i = drawn; i < count; ++i) (*of)[i] = (*of)[i - drawn];
-    }
-    for (auto& row : rows) {
-      for (std::int32_t& x : row) x = word(bits + 2);
-    }
+    const auto divisor = [&](std::int32_t x) {
+      return any ? x : x < 0 ? std::min(x, -one) : std::max(x, one);
+    };
+    const auto radicand = [&](std::int32_t x) { return any || x >= 0 ? x : ~x; };
+    a = filled(count, wide);
+    b = filled(count, [&] { return divisor(wide()); });
+    c = filled(count, [&] { return radicand(wide()); });
+    small = filled(count, [&] { return word(bits); });
+    for (auto& row : rows) std::ranges::generate(row, [&] { return word(bits + 2); });
   }
 
   [[nodiscard]] std::array<std::int32_t, 3> vertex(std::size_t i) const {
     return {a[i], c[i], b[i]};
+  }
+
+ private:
+  /// A hundred thousand are drawn, then they begin again, to be quick.
+  static std::vector<std::int32_t> filled(std::size_t count, const auto& draw) {
+    constexpr std::size_t drawn = 100'000;
+    std::vector<std::int32_t> words(count);
+    std::generate_n(words.begin(), std::min(count, drawn), draw);
+    for (std::size_t i = drawn; i < count; ++i) words[i] = words[i - drawn];
+    return words;
   }
 };
 

@@ -162,7 +162,7 @@ template <class Pixel>
 bool is_drawn(const Page<Pixel>& page, const Picture& picture) {
   const auto pixels = page.pixels();
   const auto empty = std::count(pixels.begin(), pixels.end(), pixels.front());
-  const double drawn = static_cast<double>(std::ssize(pixels) - empty);
+  const auto drawn = static_cast<double>(std::ssize(pixels) - empty);
   return std::fabs(drawn / area_of(picture) - 1) < 0.02;
 }
 

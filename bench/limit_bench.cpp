@@ -37,7 +37,7 @@ void hide(Value& value) {
 /// Times `step` of the value, over and over.
 template <class Value, class Step>
 void throughput(benchmark::State& state, Value value, Step step) {
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (int round = 0; round < rounds; ++round) {
       for (int i = 0; i < unrolled; ++i) {
         hide(value);
@@ -79,12 +79,15 @@ BENCHMARK(divide_double);
 // A lambda does not take part in its function's target, so these loops are written out. The asm
 // is what hide() is.
 
+// std::array of vectors drops their attributes, GCC says.
+// NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses,*-avoid-c-arrays)
+
 /// `step` is made of `value` and `other`.
 #define VECTOR_LIMIT(name, instructions, Value, start, operand, step)             \
   __attribute__((target(instructions))) void name(benchmark::State& state) {      \
     Value value = start;                                                          \
     [[maybe_unused]] const Value other = operand;                                 \
-    for (auto _ : state) {                                                        \
+    for ([[maybe_unused]] auto _ : state) {                                       \
       for (int round = 0; round < rounds; ++round) {                              \
         for (int i = 0; i < unrolled; ++i) {                                      \
           asm volatile("" : "+x"(value));                                         \
@@ -104,7 +107,7 @@ BENCHMARK(divide_double);
     Value value = block[0];                                                               \
     Value* at = block;                                                                    \
     asm volatile("" : "+r"(at));                                                          \
-    for (auto _ : state) {                                                                \
+    for ([[maybe_unused]] auto _ : state) {                                               \
       for (int round = 0; round < rounds; ++round) {                                      \
         for (int i = 0; i < unrolled; ++i) {                                              \
           step;                                                                           \
@@ -134,8 +137,10 @@ MEMORY_LIMIT(load_avx512, "avx512f", __m512i, value = at[i])
 MEMORY_LIMIT(store_avx512, "avx512f", __m512i, at[i] = value)
 #undef VECTOR_LIMIT
 #undef MEMORY_LIMIT
+// NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses,*-avoid-c-arrays)
 
-const bool registered = [] {
+// NOLINTNEXTLINE(cert-err58-cpp): without memory there is nothing to measure
+[[maybe_unused]] const bool registered = [] {
   if (__builtin_cpu_supports("avx2")) {
     benchmark::RegisterBenchmark("multiply_avx2", multiply_avx2);
     benchmark::RegisterBenchmark("divide_double_avx2", divide_double_avx2);
@@ -159,7 +164,7 @@ const bool registered = [] {
 void copy(benchmark::State& state) {
   const std::vector<unsigned char> from(static_cast<std::size_t>(state.range(0)), 7);
   std::vector<unsigned char> to(from.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     std::memcpy(to.data(), from.data(), from.size());
     benchmark::DoNotOptimize(to.data());
     benchmark::ClobberMemory();
