@@ -1,23 +1,22 @@
 /// \file
-/// What the benchmarks of batches work on, and the loops that they are set beside.
+/// What the benchmarks of batches work on, and how one is timed.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <random>
+#include <set>
+#include <string>
 #include <type_traits>
 #include <vector>
 
-#include "fixed/fixed.hpp"
-
 namespace batch_bench {
-
-__extension__ using Wide = __int128;
 
 template <class T>
 T of_raw(std::int32_t raw) {
@@ -26,36 +25,99 @@ T of_raw(std::int32_t raw) {
   } else if constexpr (std::is_integral_v<T>) {
     return raw;
   } else {
-    return T::from_raw(raw);
+    return T::from_raw(static_cast<typename T::raw_type>(raw));
   }
 }
 
-/// Operands within +-128, divisors from 1 and radicands from zero, so that nothing overflows or
-/// faults under any preset; and room for results.
+enum class Draw {
+  /// Nothing overflows or faults under any preset: within +-128 in 16.16 and +-8 in 8.8, divisors
+  /// from 1, radicands from zero.
+  in_range,
+  /// Words of the type of all sizes.
+  any,
+};
+
+/// Stored integers, drawn anew but the same each time.
+struct Words {
+  std::vector<std::int32_t> a, b, c;
+  /// Within +-1/2 where they are in range, so that products of a thousand can be summed.
+  std::vector<std::int32_t> small;
+  std::array<std::array<std::int32_t, 4>, 3> rows{};
+  std::int32_t constant;
+
+  /// \param bits after the point, and before it
+  Words(std::size_t count, int bits, Draw draw) : constant(-(bits == 16 ? 100 : 10) * (1 << bits)) {
+    std::mt19937 random(54);
+    const auto below = [&random](int n) {
+      return static_cast<int>(random() % static_cast<unsigned>(n));
+    };
+    const bool any = draw == Draw::any;
+    const auto word = [&](int in_range_bits) {
+      const int width = any ? 1 + below(2 * bits) : in_range_bits;
+      const std::int32_t x = static_cast<std::int32_t>(random()) >> (32 - width);
+      // Some end in zeros: their products and quotients fall half way between two numbers.
+      return below(2) == 0 ? x : x & -(1 << below(bits));
+    };
+    const auto wide = [&] { return word(bits + bits / 2); };
+    const std::int32_t one = 1 << bits;
+    const auto divisor = [&](std::int32_t x) {
+      return any ? x : x < 0 ? std::min(x, -one) : std::max(x, one);
+    };
+    const auto radicand = [&](std::int32_t x) { return any || x >= 0 ? x : ~x; };
+    a = filled(count, wide);
+    b = filled(count, [&] { return divisor(wide()); });
+    c = filled(count, [&] { return radicand(wide()); });
+    small = filled(count, [&] { return word(bits); });
+    for (auto& row : rows) std::ranges::generate(row, [&] { return word(bits + 2); });
+  }
+
+  [[nodiscard]] std::array<std::int32_t, 3> vertex(std::size_t i) const {
+    return {a[i], c[i], b[i]};
+  }
+
+ private:
+  /// A hundred thousand are drawn, then they begin again, to be quick.
+  static std::vector<std::int32_t> filled(std::size_t count, const auto& draw) {
+    constexpr std::size_t drawn = 100'000;
+    std::vector<std::int32_t> words(count);
+    std::generate_n(words.begin(), std::min(count, drawn), draw);
+    for (std::size_t i = drawn; i < count; ++i) words[i] = words[i - drawn];
+    return words;
+  }
+};
+
+/// The same as numbers, and room for results.
 template <class T>
 struct Operands {
-  std::vector<T> a, b, c, out, out_y, out_z;
+  std::vector<T> a, b, c, small, out, out_y, out_z;
   std::vector<std::array<T, 3>> vertices, moved;
   std::vector<std::array<T, 2>> points;
   std::array<std::array<T, 4>, 3> rows{};
-  T constant = of_raw<T>(-100 * 65536);
+  T constant;
 
-  explicit Operands(std::size_t count)
-      : out(count), out_y(count), out_z(count), moved(count), points(count) {
-    std::mt19937 random(54);
-    const auto draw = [&random](int bits) {
-      return static_cast<std::int32_t>(random()) >> (32 - bits);
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      a.push_back(of_raw<T>(draw(24)));
-      const std::int32_t magnitude = (draw(24) & 0x7fffff) | 0x10000;
-      b.push_back(of_raw<T>(draw(1) < 0 ? -magnitude : magnitude));
-      c.push_back(of_raw<T>(draw(24) & 0x7fffff));
-      vertices.push_back({a[i], c[i], b[i]});
+  explicit Operands(const Words& words)
+      : a(numbers(words.a)),
+        b(numbers(words.b)),
+        c(numbers(words.c)),
+        small(numbers(words.small)),
+        out(a.size()),
+        out_y(a.size()),
+        out_z(a.size()),
+        vertices(a.size()),
+        moved(a.size()),
+        points(a.size()),
+        constant(of_raw<T>(words.constant)) {
+    for (std::size_t i = 0; i < a.size(); ++i) vertices[i] = {a[i], c[i], b[i]};
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      std::ranges::transform(words.rows[k], rows[k].begin(), of_raw<T>);
     }
-    for (auto& row : rows) {
-      for (T& x : row) x = of_raw<T>(draw(18));
-    }
+  }
+
+ private:
+  static std::vector<T> numbers(const std::vector<std::int32_t>& words) {
+    std::vector<T> result(words.size());
+    std::ranges::transform(words, result.begin(), of_raw<T>);
+    return result;
   }
 };
 
@@ -65,124 +127,29 @@ struct Loop {
   std::function<bool()> right;
 };
 
-inline void time_loop(benchmark::State& state, const std::function<Loop(std::size_t)>& make) {
-  const auto count = static_cast<std::size_t>(state.range(0));
-  const Loop loop = make(count);
-  loop.run();
-  if (!loop.right()) {
-    state.SkipWithError("wrong result");
-    return;
-  }
-  for ([[maybe_unused]] auto _ : state) {
-    loop.run();
-    benchmark::ClobberMemory();
-  }
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-}
-
-/// n / d to nearest, halves up.
-inline std::int64_t nearest(Wide n, Wide d) {
-  const Wide halves = d < 0 ? -2 * n - d : 2 * n + d;
-  const Wide unit = d < 0 ? -2 * d : 2 * d;
-  return static_cast<std::int64_t>(halves / unit - (halves % unit < 0 ? 1 : 0));
-}
-
-inline constexpr Wide one = 65536;
-
-/// The operations, for one element, as each kind of number has them; and what is expected of stored
-/// integers. `truncates` tells of quotients.
-struct Multiply {
-  template <class T>
-  static T of(T a, T b, T /*c*/) {
-    if constexpr (std::is_integral_v<T>) {
-      return static_cast<T>((std::int64_t{a} * b + 0x8000) >> 16);
-    } else {
-      return a * b;
-    }
-  }
-  static std::int64_t expected(Wide a, Wide b, Wide /*c*/, bool /*truncates*/) {
-    return nearest(a * b, one);
-  }
-};
-struct MulAdd {
-  template <class T>
-  static T of(T a, T b, T c) {
-    if constexpr (std::is_integral_v<T>) {
-      return static_cast<T>((std::int64_t{a} * b + std::int64_t{c} * 65536 + 0x8000) >> 16);
-    } else if constexpr (std::is_floating_point_v<T>) {
-      return a * b + c;
-    } else {
-      return fixed::mul_add(a, b, c);
-    }
-  }
-  static std::int64_t expected(Wide a, Wide b, Wide c, bool /*truncates*/) {
-    return nearest(a * b + c * one, one);
-  }
-};
-struct Divide {
-  template <class T>
-  static T of(T a, T b, T /*c*/) {
-    if constexpr (std::is_integral_v<T>) {
-      return static_cast<T>(std::int64_t{a} * 65536 / b);
-    } else {
-      return a / b;
-    }
-  }
-  static std::int64_t expected(Wide a, Wide b, Wide /*c*/, bool truncates) {
-    return truncates ? static_cast<std::int64_t>(a * one / b) : nearest(a * one, b);
-  }
-};
-struct Root {
-  template <class T>
-  static T of(T /*a*/, T /*b*/, T c) {
-    if constexpr (std::is_floating_point_v<T>) {
-      return std::sqrt(c);
-    } else {
-      return fixed::sqrt(c);
-    }
-  }
-  /// The r with (r - 1/2)^2 < c 2^16 < (r + 1/2)^2, by halving.
-  static std::int64_t expected(Wide /*a*/, Wide /*b*/, Wide c, bool /*truncates*/) {
-    Wide low = 0;
-    Wide high = Wide{1} << 24;
-    while (low < high) {
-      const Wide middle = (low + high) / 2;
-      if ((2 * middle + 1) * (2 * middle + 1) > 4 * c * one) {
-        high = middle;
-      } else {
-        low = middle + 1;
-      }
-    }
-    return static_cast<std::int64_t>(low);
-  }
-};
-
-template <class Operation, class T>
-[[gnu::noinline]] void apply(const T* __restrict a, const T* __restrict b, const T* __restrict c,
-                             T* __restrict out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) out[i] = Operation::of(a[i], b[i], c[i]);
-}
-
-template <class T>
-[[gnu::noinline]] void apply_transform(const std::array<std::array<T, 4>, 3>& rows,
-                                       const std::array<T, 3>* __restrict in,
-                                       std::array<T, 3>* __restrict out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto product = [&](std::size_t j) { return Multiply::of(rows[k][j], in[i][j], T{}); };
-      out[i][k] = static_cast<T>(product(0) + product(1) + product(2) + rows[k][3]);
-    }
-  }
-}
-
-template <class T>
-[[gnu::noinline]] void apply_project(const std::array<T, 3>* __restrict in, T constant,
-                                     std::array<T, 2>* __restrict out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      out[i][k] = Multiply::of(Divide::of(in[i][k], in[i][2], T{}), constant, T{});
-    }
-  }
+/// Times what `make` makes for each size. Judged before it is timed, but once: a benchmark is
+/// called again for every repetition.
+inline void add_loop(const std::string& name, const std::vector<std::int64_t>& sizes,
+                     const std::function<Loop(std::size_t)>& make) {
+  const auto known_right = std::make_shared<std::set<std::int64_t>>();
+  auto* const timed =
+      benchmark::RegisterBenchmark(name.c_str(), [make, known_right](benchmark::State& state) {
+        const Loop loop = make(static_cast<std::size_t>(state.range(0)));
+        loop.run();
+        if (!known_right->contains(state.range(0))) {
+          if (!loop.right()) {
+            state.SkipWithError("wrong result");
+            return;
+          }
+          known_right->insert(state.range(0));
+        }
+        for ([[maybe_unused]] auto _ : state) {
+          loop.run();
+          benchmark::ClobberMemory();
+        }
+        state.SetItemsProcessed(state.iterations() * state.range(0));
+      });
+  for (const std::int64_t size : sizes) timed->Arg(size);
 }
 
 }  // namespace batch_bench

@@ -1,9 +1,9 @@
-// What this processor can do at most: independent multiplies and divides by each kind of
-// instruction that the type's operations are made of, and the bytes it can copy. Times are for one
-// result, so that they stand beside those of the other benchmarks.
+// What this processor can do at most: multiplies, divides and roots by each kind of instruction
+// that the type's operations are made of, the bytes it can load and store in the first cache, and
+// those it can copy. No result is an operand of anything, so that none is waited for. Times are for
+// one result or byte, so that they stand beside those of the other benchmarks. Nothing is checked.
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -15,8 +15,8 @@
 
 namespace {
 
-/// Chains enough that no result is waited for.
-constexpr std::size_t chains = 12;
+/// Steps without a branch, so that the loop is not what is timed.
+constexpr int unrolled = 16;
 constexpr int rounds = 100;
 
 /// Makes the compiler keep the value in a register and know nothing of it. benchmark::DoNotOptimize
@@ -34,18 +34,19 @@ void hide(Value& value) {
 #endif
 }
 
-/// Times `step` on chains of values that it changes; counts `lanes` results for each.
+/// Times `step` of the value, over and over.
 template <class Value, class Step>
-void throughput(benchmark::State& state, std::array<Value, chains> values, int lanes, Step step) {
-  for (auto _ : state) {
+void throughput(benchmark::State& state, Value value, Step step) {
+  for ([[maybe_unused]] auto _ : state) {
     for (int round = 0; round < rounds; ++round) {
-      for (Value& value : values) {
-        value = step(value);
+      for (int i = 0; i < unrolled; ++i) {
         hide(value);
+        Value result = step(value);
+        hide(result);
       }
     }
   }
-  state.SetItemsProcessed(state.iterations() * rounds * static_cast<int>(chains) * lanes);
+  state.SetItemsProcessed(state.iterations() * rounds * unrolled);
 }
 
 // The operand is hidden from the compiler, which could do without a multiply or divide by a
@@ -53,9 +54,7 @@ void throughput(benchmark::State& state, std::array<Value, chains> values, int l
 void multiply_scalar(benchmark::State& state) {
   std::uint64_t factor = 0x12345;
   hide(factor);
-  std::array<std::uint64_t, chains> values;
-  values.fill(0x1234567);
-  throughput(state, values, 1, [factor](std::uint64_t x) { return x * factor; });
+  throughput(state, std::uint64_t{0x1234567}, [factor](std::uint64_t x) { return x * factor; });
 }
 BENCHMARK(multiply_scalar);
 
@@ -63,61 +62,98 @@ void divide_64_by_64(benchmark::State& state) {
   // As large as a shifted 16.16 numerator, and a quotient of 32 bits.
   std::int64_t divisor = 0x12345;
   hide(divisor);
-  std::array<std::int64_t, chains> values;
-  values.fill(0x712345678123);
-  throughput(state, values, 1, [divisor](std::int64_t x) { return x / divisor + 0x712345670000; });
+  throughput(state, std::int64_t{0x712345678123},
+             [divisor](std::int64_t x) { return x / divisor; });
 }
 BENCHMARK(divide_64_by_64);
 
 void divide_double(benchmark::State& state) {
   double divisor = 1.0000001;
   hide(divisor);
-  std::array<double, chains> values;
-  values.fill(3.7);
-  throughput(state, values, 1, [divisor](double x) { return x / divisor; });
+  throughput(state, 3.7, [divisor](double x) { return x / divisor; });
 }
 BENCHMARK(divide_double);
 
 #if defined(__x86_64__)
 
-/// GCC 12 warns of the undefined lanes of the form without a mask.
-__attribute__((target("avx512f"))) __m512i multiply_all(__m512i a, __m512i b) {
-  return _mm512_maskz_mul_epi32(0xFF, a, b);
-}
+// A lambda does not take part in its function's target, so these loops are written out. The asm
+// is what hide() is.
 
-// A lambda does not take part in its function's target, so these loops are written out.
-#define VECTOR_LIMIT(name, instructions, lanes, Value, start, operand, step)      \
+// std::array of vectors drops their attributes, GCC says.
+// NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses,*-avoid-c-arrays)
+
+/// `step` is made of `value` and `other`.
+#define VECTOR_LIMIT(name, instructions, Value, start, operand, step)             \
   __attribute__((target(instructions))) void name(benchmark::State& state) {      \
-    Value values[chains];                                                         \
-    for (Value & value : values) value = start;                                   \
-    const Value other = operand;                                                  \
-    for (auto _ : state) {                                                        \
+    Value value = start;                                                          \
+    [[maybe_unused]] const Value other = operand;                                 \
+    for ([[maybe_unused]] auto _ : state) {                                       \
       for (int round = 0; round < rounds; ++round) {                              \
-        for (Value & value : values) value = step(value, other);                  \
-        benchmark::ClobberMemory();                                               \
+        for (int i = 0; i < unrolled; ++i) {                                      \
+          asm volatile("" : "+x"(value));                                         \
+          const Value result = step;                                              \
+          asm volatile("" : : "x"(result));                                       \
+        }                                                                         \
       }                                                                           \
-      benchmark::DoNotOptimize(values[0]);                                        \
     }                                                                             \
-    state.SetItemsProcessed(state.iterations() * rounds * int{chains} * (lanes)); \
+    constexpr int lanes = sizeof(Value) / sizeof(double);                         \
+    state.SetItemsProcessed(state.iterations() * rounds * unrolled * int{lanes}); \
   }
-VECTOR_LIMIT(multiply_avx2, "avx2", 4, __m256i, _mm256_set1_epi64x(0x1234567),
-             _mm256_set1_epi64x(0x12345), _mm256_mul_epi32)
-VECTOR_LIMIT(multiply_avx512, "avx512f", 8, __m512i, _mm512_set1_epi64(0x1234567),
-             _mm512_set1_epi64(0x12345), multiply_all)
-VECTOR_LIMIT(divide_double_avx2, "avx2", 4, __m256d, _mm256_set1_pd(3.7), _mm256_set1_pd(1.0000001),
-             _mm256_div_pd)
-VECTOR_LIMIT(divide_double_avx512, "avx512f", 8, __m512d, _mm512_set1_pd(3.7),
-             _mm512_set1_pd(1.0000001), _mm512_div_pd)
-#undef VECTOR_LIMIT
 
-const bool registered = [] {
+/// `step` moves from `at[i]` to `value` or the other way.
+#define MEMORY_LIMIT(name, instructions, Value, step)                                     \
+  __attribute__((target(instructions))) void name(benchmark::State& state) {              \
+    Value block[unrolled] = {};                                                           \
+    Value value = block[0];                                                               \
+    Value* at = block;                                                                    \
+    asm volatile("" : "+r"(at));                                                          \
+    for ([[maybe_unused]] auto _ : state) {                                               \
+      for (int round = 0; round < rounds; ++round) {                                      \
+        for (int i = 0; i < unrolled; ++i) {                                              \
+          step;                                                                           \
+          asm volatile("" : "+x"(value) : : "memory");                                    \
+        }                                                                                 \
+      }                                                                                   \
+    }                                                                                     \
+    state.SetBytesProcessed(state.iterations() * rounds * unrolled * int{sizeof(Value)}); \
+  }
+
+VECTOR_LIMIT(multiply_avx2, "avx2", __m256i, _mm256_set1_epi64x(0x1234567),
+             _mm256_set1_epi64x(0x12345), _mm256_mul_epi32(value, other))
+VECTOR_LIMIT(divide_double_avx2, "avx2", __m256d, _mm256_set1_pd(3.7), _mm256_set1_pd(1.0000001),
+             _mm256_div_pd(value, other))
+VECTOR_LIMIT(root_double_avx2, "avx2", __m256d, _mm256_set1_pd(3.7), value, _mm256_sqrt_pd(value))
+MEMORY_LIMIT(load_avx2, "avx2", __m256i, value = at[i])
+MEMORY_LIMIT(store_avx2, "avx2", __m256i, at[i] = value)
+
+// GCC 12 warns of the undefined lanes of the forms without a mask.
+VECTOR_LIMIT(multiply_avx512, "avx512f", __m512i, _mm512_set1_epi64(0x1234567),
+             _mm512_set1_epi64(0x12345), _mm512_maskz_mul_epi32(0xFF, value, other))
+VECTOR_LIMIT(divide_double_avx512, "avx512f", __m512d, _mm512_set1_pd(3.7),
+             _mm512_set1_pd(1.0000001), _mm512_div_pd(value, other))
+VECTOR_LIMIT(root_double_avx512, "avx512f", __m512d, _mm512_set1_pd(3.7), value,
+             _mm512_maskz_sqrt_pd(0xFF, value))
+MEMORY_LIMIT(load_avx512, "avx512f", __m512i, value = at[i])
+MEMORY_LIMIT(store_avx512, "avx512f", __m512i, at[i] = value)
+#undef VECTOR_LIMIT
+#undef MEMORY_LIMIT
+// NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses,*-avoid-c-arrays)
+
+// NOLINTNEXTLINE(cert-err58-cpp): without memory there is nothing to measure
+[[maybe_unused]] const bool registered = [] {
   if (__builtin_cpu_supports("avx2")) {
     benchmark::RegisterBenchmark("multiply_avx2", multiply_avx2);
     benchmark::RegisterBenchmark("divide_double_avx2", divide_double_avx2);
+    benchmark::RegisterBenchmark("root_double_avx2", root_double_avx2);
+    benchmark::RegisterBenchmark("load_avx2", load_avx2);
+    benchmark::RegisterBenchmark("store_avx2", store_avx2);
   }
   if (__builtin_cpu_supports("avx512f")) {
     benchmark::RegisterBenchmark("multiply_avx512", multiply_avx512);
     benchmark::RegisterBenchmark("divide_double_avx512", divide_double_avx512);
+    benchmark::RegisterBenchmark("root_double_avx512", root_double_avx512);
+    benchmark::RegisterBenchmark("load_avx512", load_avx512);
+    benchmark::RegisterBenchmark("store_avx512", store_avx512);
   }
   return true;
 }();
@@ -128,7 +164,7 @@ const bool registered = [] {
 void copy(benchmark::State& state) {
   const std::vector<unsigned char> from(static_cast<std::size_t>(state.range(0)), 7);
   std::vector<unsigned char> to(from.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     std::memcpy(to.data(), from.data(), from.size());
     benchmark::DoNotOptimize(to.data());
     benchmark::ClobberMemory();

@@ -23,12 +23,14 @@ void calls(benchmark::State& state, const char* party, Variant variant) {
   party_named("oracle").answer(variant, {in, expected, expected_endings});
   const Party& asked = party_named(party);
   asked.answer(variant, {in, out, endings});
+  bool right = endings == expected_endings;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const bool valued = expected_endings[i / words_out(variant.operation)] == Ending::value;
-    if (endings != expected_endings || (valued && out[i] != expected[i])) {
-      state.SkipWithError("wrong result");
-      return;
-    }
+    right = right && (!valued || out[i] == expected[i]);
+  }
+  if (!right) {
+    state.SkipWithError("wrong result");
+    return;
   }
   for ([[maybe_unused]] auto _ : state) {
     asked.answer(variant, {in, out, endings});

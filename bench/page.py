@@ -2,7 +2,8 @@
 """usage: page.py FOLDER
 
 Makes FOLDER/performance.md and FOLDER/pictures/*.svg of what the programs of bench/ and `fixproof verify`
-have written as JSON in FOLDER. Status 1, and no page, if one of them has computed something wrong.
+have written as JSON in FOLDER. No page, and status 1, if one of them has computed something wrong; 2 if the page
+cannot be made.
 """
 
 import json
@@ -10,8 +11,13 @@ import os
 import re
 import statistics
 import sys
+import traceback
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError as missing:
+    print(f"page.py: {missing}", file=sys.stderr)
+    sys.exit(2)
 
 matplotlib.use("svg")
 # The same figures make the same files.
@@ -22,6 +28,10 @@ import matplotlib.pyplot as plt  # noqa: E402
 UNITS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 
+class Wrong(Exception):
+    """Something has computed a wrong result."""
+
+
 class Timed:
     """What one benchmark took for one item, in ns."""
 
@@ -29,6 +39,7 @@ class Timed:
         self.name = name
         self.times = [1e9 / run["items_per_second"] for run in runs]
         self.counters = runs[0]
+        self.clock = "the clock on the wall" if "/real_time" in runs[0]["run_name"] else "processor time"
 
     @property
     def best(self):
@@ -55,8 +66,7 @@ def read(folder, program):
     # As they are registered: repetitions come in any order.
     for run in sorted(text["benchmarks"], key=lambda r: (r["family_index"], r["per_family_instance_index"])):
         if run.get("error_occurred"):
-            print(f"page.py: {program}: {run['name']}: {run['error_message']}", file=sys.stderr)
-            sys.exit(1)
+            raise Wrong(f"{program}: {run['name']}: {run['error_message']}")
         if run["run_type"] == "iteration":
             if "items_per_second" not in run:
                 run["items_per_second"] = run["bytes_per_second"]
@@ -72,9 +82,14 @@ def number(x):
     return f"{x:.3g}" if x < 1 else f"{x:.{2 if x < 10 else 1}f}"
 
 
+def clock(timed):
+    """By which clock a program's times were taken."""
+    return " and ".join(sorted({t.clock for t in timed.values()}))
+
+
 def table(rows, base=None):
-    """Lines of a table of Timed; with the one named `base` each is compared."""
-    lines = ["| | ns, least | ns, median | spread % |" + (f" times {base[0]} |" if base else ""),
+    """Lines of a table of Timed; with the one named `base` each is compared: 2 is twice as quick."""
+    lines = ["| | ns, least | ns, median | spread % |" + (f" rate, {base[0]} = 1 |" if base else ""),
              "| --- | --- | --- | --- |" + (" --- |" if base else "")]
     for label, timed in rows:
         line = f"| {label} | {number(timed.best)} | {number(timed.median)} | {timed.spread} |"
@@ -98,7 +113,6 @@ def bars(folder, name, title, rows):
               for label, _ in rows]
     bar = axes.barh([label for label, _ in rows], [t.median for _, t in rows], color=colors)
     axes.bar_label(bar, [number(t.median) for _, t in rows], padding=3)
-    axes.set_xscale("log")
     axes.set_xlabel("ns for one, median")
     axes.set_title(title, loc="left")
     axes.margins(x=0.12)
@@ -133,62 +147,78 @@ def sized(timed, pattern):
 
 def limits(limit, batch):
     """How near the batches come to what the processor can do."""
-    lines = ["| | ns, median | at least | reached | the limit |", "| --- | --- | --- | --- | --- |"]
-    path = next((p for p in ("avx512", "avx2") if f"multiply/batch_{p}/1024" in batch), None)
+    path = next((p for p in ("avx512", "avx2") if f"multiply_{p}" in limit), None)
     if not path:
         return []
-    multiply = limit[f"multiply_{path}"].median
-    divide = limit[f"divide_double_{path}"].median
-    cached = limit["copy/16384"].median
-    for operation, least, what in (
-            ("multiply", max(multiply, 6 * cached), "one product; 8 bytes read, 4 written"),
-            ("divide", divide, "one quotient of doubles"),
-            ("transform", max(9 * multiply, 12 * cached), "nine products; 12 bytes read and written"),
-            ("project", max(2 * divide, 10 * cached), "two quotients of doubles")):
-        timed = batch.get(f"{operation}/batch_{path}/1024")
-        if timed:
-            lines.append(f"| {operation} | {number(timed.median)} | {number(least)} | "
-                         f"{100 * least / timed.median:.0f} % | {what} |")
+    lines = ["### How near the batches come to what the processor can do", "",
+             "1,024 elements on the quickest path, beside the most that `limit_bench` has found of what they need: products, "
+             "quotients and roots of that path's registers, and bytes loaded and stored in the first cache at aligned "
+             "addresses. The arrays of `batch_bench` are where the allocator has put them.", "",
+             "| | ns, median | at least | reached | what takes that |", "| --- | --- | --- | --- | --- |"]
+    one = {"products": f"multiply_{path}", "quotients": f"divide_double_{path}", "roots": f"root_double_{path}",
+           "bytes loaded": f"load_{path}", "bytes stored": f"store_{path}"}
+    needs = {"multiply": (1, 0, 0, 8, 4), "mul_add": (1, 0, 0, 12, 4), "divide": (0, 1, 0, 8, 4), "sqrt": (0, 0, 1, 4, 4),
+             "dot": (1, 0, 0, 8, 0), "transform": (9, 0, 0, 12, 12), "project": (2, 2, 0, 12, 8)}
+    for operation, counts in needs.items():
+        least, what = max((count * limit[name].median, f"{kind}: {count}")
+                          for count, (kind, name) in zip(counts, one.items()))
+        timed = batch[f"{operation}/batch_{path}/1024"]
+        lines.append(f"| {operation} | {number(timed.median)} | {number(least)} | "
+                     f"{100 * least / timed.median:.0f} % | {what} |")
     return lines + [""]
 
 
-def presets(batch):
-    """Batches beside loops under the presets that have other rules than q16_16."""
-    lines = ["### Under other presets, 1,024 elements", "",
-             "On the quickest path, beside the same loop over the type: ns, median.", "",
-             "| | multiply | loop | divide | loop | transform | loop | project | loop |",
-             "| --- |" + " --- |" * 8]
-    for preset in dict.fromkeys(label for label, _ in grouped(batch, r"preset/(\w+)/.+")):
-        times = [batch[f"preset/{preset}/{operation}/{contender}/1024"].median
-                 for operation in ("multiply", "divide", "transform", "project") for contender in ("batch", "loop")]
-        lines.append(f"| `q16_16_{preset}` | " + " | ".join(number(t) for t in times) + " |")
-    return lines + [""]
+def moving(batch):
+    """Vertices that no cache holds, beside copying them."""
+    rows = {"transform, interleaved": "transform/batch_{}", "transform, in columns": "transform_columns/batch_{}",
+            "copy": "transform/copy"}
+    path = next(p for p in ("avx512", "avx2", "neon", "portable") if f"transform/batch_{p}/10000000" in batch)
+    page = ["### Vertices in memory beside the copy of the same bytes", "",
+            f"For a vertex, of which 12 bytes are read and 12 written; `memcpy` for the copy; the path `{path}`; all in one "
+            f"run, in turns; {batch['transform/copy/1000000'].clock}.", ""]
+    for vertices in (1_000_000, 10_000_000):
+        timed = [(label, batch[f"{name.format(path)}/{vertices}"]) for label, name in rows.items()]
+        page += [f"{vertices:,} vertices, {24 * vertices / 1e6:.0f} MB:", ""] + table(timed, timed[-1])
+    return page
+
+
+def preset_section(preset):
+    """Batches beside loops under every preset."""
+    page = ["## Every operation under every preset", "",
+            "`build/release/bench/preset_bench`: batches on the quickest path, beside the same loop over the type, 1,024 "
+            f"elements; {clock(preset)}.", ""]
+    names = [name.split("/") for name in preset]
+    for operation in dict.fromkeys(name[1] for name in names):
+        page += [f"### {operation} under every preset", "",
+                 "| | batch: ns, least | median | spread % | loop: ns, least | median | spread % | rate of the batch, loop = 1 |",
+                 "| --- |" + " --- |" * 7]
+        for name in dict.fromkeys(name[0] for name in names):
+            batch, loop = (preset[f"{name}/{operation}/{how}/1024"] for how in ("batch", "loop"))
+            cells = [cell for t in (batch, loop) for cell in (number(t.best), number(t.median), t.spread)]
+            page.append(f"| `{name}` | {' | '.join(cells)} | {number(loop.median / batch.median)} |")
+        page.append("")
+    return page
 
 
 def batch_section(folder, batch, limit):
     page = ["## Batches beside loops", "",
             "`build/release/bench/batch_bench`: operations over spans, on every path the processor has, beside the same "
             "loop over the type, the plain idiom (64-bit products, rounded half up; 64-bit `idiv`, truncated), `float` and `double`, as "
-            "the compiler makes them with the flags above. 1,024 elements stay in the first caches, 1,000,000 do not.", ""]
-    operations = [o for o in dict.fromkeys(name.split("/")[0] for name in batch) if o != "preset"]
-    for operation in operations:
+            "the compiler makes them with the flags of the program. 1,024 elements stay in the first caches, 1,000,000 do not; "
+            f"{clock(batch)}.", ""]
+    page += moving(batch) + limits(limit, batch)
+    for operation in dict.fromkeys(name.split("/")[0] for name in batch):
         for elements in (1024, 1_000_000):
-            rows = grouped(batch, rf"{operation}/(.+)/{elements}") or \
-                [(operation, t) for _, t in grouped(batch, rf"({operation})/{elements}")]
-            if not rows:
-                sys.exit(f"page.py: no times of {operation} for {elements}")
-            base = next(((label, t) for label, t in rows if label in ("idiom", "q16_16")), None)
-            base = next(((label, t) for label, t in rows if label == "idiom"), base)
-            page += [f"### {operation}, {elements:,} elements", ""] + table(rows, base)
+            rows = dict(grouped(batch, rf"{operation}/(.+)/{elements}") or
+                        [(operation, t) for _, t in grouped(batch, rf"({operation})/{elements}")])
+            base = next((label for label in ("idiom", "q16_16") if label in rows), None)
+            page += [f"### {operation}, {elements:,} elements", ""] + \
+                table(rows.items(), base and (base, rows[base]))
         small = grouped(batch, rf"{operation}/(.+)/1024")
-        if operation in ("multiply", "divide", "transform") and small:
+        if operation in ("multiply", "divide", "transform"):
             bars(folder, f"performance_{operation}", f"{operation}, 1,024 elements", small)
             page += [f"![Times of {operation}](pictures/performance_{operation}.svg)", ""]
-    page += presets(batch)
-    page += ["### How near that is to what the processor can do", "",
-             "`build/release/bench/limit_bench`, in the same run: independent multiplies and divides, and copying in the "
-             "first cache.", ""]
-    return page + limits(limit, batch)
+    return page
 
 
 def scale_section(folder, scale):
@@ -206,7 +236,8 @@ def scale_section(folder, scale):
             for how, label in (("little", "a tenth changes places"), ("reversed", "all turned about"))])
     page = ["## Scenes of any size", "",
             "`build/release/bench/scale_bench`: balls of 114 vertices and 128 faces, each turning in its own way, all in "
-            "sight: moved, transformed, projected, hidden, sorted and made into polygons. In ns for a vertex:", "",
+            "sight: moved, transformed, projected, hidden, sorted and made into polygons. In ns for a vertex, by "
+            f"{clock({n: t for n, t in scale.items() if not n.startswith('sort')})}:", "",
             "| vertices | type | type, 2 threads | double | double, 2 threads | copying coordinates | bytes a vertex |",
             "| --- | --- | --- | --- | --- | --- | --- |"]
     copies = dict(sized(scale, r"copy/(\d+)"))
@@ -215,7 +246,8 @@ def scale_section(folder, scale):
         page.append(f"| {114 * objects:,} | " + " | ".join(row) + f" | {number(copies[objects].median)} | "
                     f"{one.counters['bytes_per_vertex']:.0f} |")
     page += ["", "![Time of a frame](pictures/performance_frames.svg)", "",
-             "Sorting by depth, in ns for an object:", "",
+             "Sorting by depth, in ns for an object, by "
+             f"{clock({n: t for n, t in scale.items() if n.startswith('sort')})}:", "",
              "| objects | a tenth changes places | all turned about |", "| --- | --- | --- |"]
     for (objects, little), (_, turned) in zip(sorts["little"], sorts["reversed"]):
         page.append(f"| {objects:,} | {number(little.median)} | {number(turned.median)} |")
@@ -233,7 +265,7 @@ def fill_section(folder, fill):
     page = ["## Filling", "",
             "`build/release/bench/fill_bench`: an octagon on a page of 2048 x 2048, beside `memset` of as many pixels in one "
             "piece. In ns for a pixel: what does not grow with the pixels (finding the rows, and beginning each of "
-            "them) is soon nothing beside them, and from there on the memory is the bound.", "",
+            f"them) is soon nothing beside them, and from there on the memory is the bound. {clock(fill).capitalize()}.", "",
             "| pixels | 8 bits | memset | 32 bits | memset |", "| --- | --- | --- | --- | --- |"]
     for row in zip(*kinds.values()):
         page.append(f"| {pixels[row[0][0]]:,.0f} | " + " | ".join(number(t.median) for _, t in row) + " |")
@@ -251,14 +283,15 @@ def duration(seconds):
 def tier_section(folder):
     page = ["## What each level of verification takes", "",
             "`build/release/fixproof verify --level N`, on all processors. A level too long for this run is timed over a part "
-            "(`--shard`), and **the time of the whole is computed** from the cases a second of that part.", "",
+            "(`--shard`), and **the time of the whole is computed** from the cases a second of that part. By the clock on the "
+            "wall.", "",
             "| level | cases | run here | cases a second | time of the whole | |",
             "| --- | --- | --- | --- | --- | --- |"]
     for level in (1, 2, 3):
         with open(f"{folder}/level_{level}.json", encoding="utf-8") as file:
             report = json.load(file)
         if report["mismatches"] or not report["complete"]:
-            sys.exit(f"page.py: level {level}: {report['mismatches']} mismatches, complete: {report['complete']}")
+            raise Wrong(f"level {level}: {report['mismatches']} mismatches, complete: {report['complete']}")
         cases = sum(sum(row["streams"].values()) for row in report["rows"])
         rate = report["cases"] / report["seconds"]
         part = report["shard"][1]
@@ -268,17 +301,22 @@ def tier_section(folder):
 
 
 def plain_section(title, text, timed, base=None):
-    return [f"## {title}", "", text, ""] + \
+    return [f"## {title}", "", f"{text} {clock(timed).capitalize()}.", ""] + \
         table([(f"`{name}`", t) for name, t in timed.items()], base and (base, timed[base]))
+
+
+PROGRAMS = ("limit", "batch", "preset", "radian", "arithmetic", "scale", "scene", "fill", "model")
 
 
 def main():
     if len(sys.argv) != 2:
-        sys.exit(__doc__)
+        print(__doc__, file=sys.stderr)
+        return 2
     folder = sys.argv[1]
-    limit, context = read(folder, "limit_bench")
-    everything = {name: read(folder, f"{name}_bench")[0]
-                  for name in ("arithmetic", "batch", "radian", "model", "fill", "scene", "scale")}
+    everything, contexts = {}, {}
+    for name in PROGRAMS:
+        everything[name], contexts[name] = read(folder, f"{name}_bench")
+    limit, context = everything["limit"], contexts["limit"]
     processor = "an unknown processor"
     if os.path.exists("/proc/cpuinfo"):
         with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -286,14 +324,20 @@ def main():
             processor = match.group(1) if match else processor
     page = ["# How quick everything is", "",
             "Made by `scripts/performance`, which builds and runs the programs of [bench/](../bench/README.md) one after "
-            "the other; every program but `limit_bench` first holds what it computes against what it should be. Times are for one "
-            "operation, vertex, call or frame: the least and the median of the repetitions, and the middle half of them "
-            "in percent of the median. Compare within this page, not with that of another machine.", "",
-            f"{processor}, {context['num_cpus']} processors; {context['compiler']}, `{context['flags']}`; "
-            f"{context['date'][:10]}; load at the beginning {context['load_avg'][0]:.1f}.", ""]
+            "the other. What is timed is first held against what it should compute, but for `limit_bench` and `memset`. "
+            "Times are for one operation, vertex, call or frame: the least and the median of the repetitions, and the "
+            "middle half of them in percent of the median (spread). A rate of 2 is twice as quick as what it is compared "
+            "with. Compare within this page, not with that of another machine.", "",
+            f"{processor}, {context['num_cpus']} processors; {context['compiler']}; "
+            f"{context['date'][:10]}; load at the beginning {context['load_avg'][0]:.1f}. Processor time is what the thread "
+            "has run, without what others took of the processor meanwhile.", "",
+            "| program | its clock | flags |", "| --- | --- | --- |"]
+    page += [f"| `{name}_bench` | {clock(everything[name])} | `{contexts[name]['flags']}` |" for name in PROGRAMS] + [""]
     page += plain_section("What the processor can do",
-                          "`limit_bench`: independent operations; for `copy`, one byte.", limit)
+                          "`limit_bench`: operations that do not wait for one another; for `load`, `store` and `copy`, one byte.",
+                          limit)
     page += batch_section(folder, everything["batch"], limit)
+    page += preset_section(everything["preset"])
     bars(folder, "performance_sine", "Sine of an angle in radians, all words",
          grouped(everything["radian"], r"sin/(.+)/all"))
     page += plain_section("Sine and cosine in radians", "`radian_bench`; within ±8, and all words.",
@@ -309,6 +353,14 @@ def main():
     page += tier_section(folder)
     with open(f"{folder}/performance.md", "w", encoding="utf-8") as file:
         file.write("\n".join(page).rstrip() + "\n")
+    return 0
 
 
-main()
+try:
+    sys.exit(main())
+except Wrong as wrong:
+    print(f"page.py: {wrong}", file=sys.stderr)
+    sys.exit(1)
+except Exception:
+    traceback.print_exc()
+    sys.exit(2)
