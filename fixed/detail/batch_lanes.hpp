@@ -135,6 +135,7 @@ FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
 #if !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Woverflow"
+#pragma GCC diagnostic ignored "-Wconversion"
 #endif
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
