@@ -200,6 +200,32 @@ def preset_section(preset):
     return page
 
 
+def short_section(everything):
+    """The figures that most people come for."""
+    batch, radian, arithmetic, scale = (everything[name] for name in ("batch", "radian", "arithmetic", "scale"))
+    path = next(p for p in ("avx512", "avx2", "neon", "portable") if f"multiply/batch_{p}/1024" in batch)
+    largest = max(size for size, _ in sized(scale, r"frame<Type>/objects:(\d+)/threads:1"))
+    rows = [(f"{operation}, 1,024 at once", batch[f"{operation}/batch_{path}/1024"], "plain idiom",
+             batch[f"{operation}/idiom/1024"]) for operation in ("multiply", "divide")]
+    rows.append(("divide, one by one over arrays", arithmetic["div/q16_16"], "plain idiom", arithmetic["div/idiom"]))
+    rows += [(f"sine of any word, {what}", radian[f"sin/{name}/all"], beside, radian[f"sin/{beside}/all"])
+             for what, name in (("one by one", "q16_16"), ("at once", "q16_16_batch"))
+             for beside in ("libfixmath", "double") if f"sin/{beside}/all" in radian]
+    rows += [(f"transform of {count:,} vertices, {layout}", batch[f"{name}/batch_{path}/{count}"],
+              "copy of the same bytes", batch[f"transform/copy/{count}"])
+             for count in (1_000_000, 10_000_000)
+             for layout, name in (("in columns", "transform_columns"), ("interleaved", "transform"))]
+    rows.append((f"frame of {114 * largest:,} vertices before it is filled, on two threads",
+                 scale[f"frame<Type>/objects:{largest}/threads:2"], "on one",
+                 scale[f"frame<Type>/objects:{largest}/threads:1"]))
+    lines = ["## In short", "", "Medians; the sections below have the rest, and what each was timed by.", "",
+             "| | ns | beside | ns | rate |", "| --- | --- | --- | --- | --- |"]
+    for what, timed, beside, other in rows:
+        lines.append(f"| {what} | {number(timed.median)} | {beside} | {number(other.median)} | "
+                     f"{number(other.median / timed.median)} |")
+    return lines + [""]
+
+
 def batch_section(folder, batch, limit):
     page = ["## Batches beside loops", "",
             "`build/release/bench/batch_bench`: operations over spans, on every path the processor has, beside the same "
@@ -333,6 +359,7 @@ def main():
             "has run, without what others took of the processor meanwhile.", "",
             "| program | its clock | flags |", "| --- | --- | --- |"]
     page += [f"| `{name}_bench` | {clock(everything[name])} | `{contexts[name]['flags']}` |" for name in PROGRAMS] + [""]
+    page += short_section(everything)
     page += plain_section("What the processor can do",
                           "`limit_bench`: operations that do not wait for one another; for `load`, `store` and `copy`, one byte.",
                           limit)

@@ -107,7 +107,10 @@ TEST(Errors, NameTheFirstVertexOfTransform) {
               }),
               text);
     EXPECT_EQ(out[99], (std::array{N(200), N(400), N(600)}));
-    auto [x, y, z] = columns;
+    auto replaced = columns;
+    auto& x = replaced[0];
+    auto& y = replaced[1];
+    auto& z = replaced[2];
     EXPECT_EQ(error_of<fixed::overflow_error>([&] {
                 fixed::batch::transform(rows, x, y, z, x, y, z, {path, {}});
               }),
@@ -131,7 +134,10 @@ TEST(Errors, NameTheFirstVertexOfProject) {
               }),
               text);
     EXPECT_EQ(out[99], (std::array{N(3), N(6)}));
-    auto [x, y, z] = columns;
+    auto replaced = columns;
+    auto& x = replaced[0];
+    auto& y = replaced[1];
+    const auto& z = replaced[2];
     EXPECT_EQ(error_of<fixed::divide_error>([&] {
                 fixed::batch::project(x, y, z, N(3), x, y, {path, {}});
               }),

@@ -125,12 +125,14 @@ class ClockMemory {
 }  // namespace
 
 std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                 x86model::Cpu cpu, const std::atomic<bool>& stop) {
+                                 x86model::Cpu cpu, const std::atomic<bool>& stop,
+                                 const std::function<void(std::uint64_t)>& counted) {
   ClockMemory memory(scene, cpu);
   std::vector<Cost> costs;
   for (const Choice& choice : choices) {
     if (stop) break;
     costs.push_back(memory.of(choice));
+    counted(costs.size());
   }
   return costs;
 }

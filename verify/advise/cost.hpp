@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -43,9 +44,12 @@ struct TimeSample {
 /// as what FIXED.ASM would need for it, one CosSin and the twelve products of a rotation for each
 /// axis that turns.
 ///
+/// @param counted called with how many choices are done
 /// @return fewer than there are choices when `stop` ended the run
-std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                 x86model::Cpu cpu, const std::atomic<bool>& stop);
+std::vector<Cost> clocks_a_frame(
+    const xsharp::Scene& scene, std::span<const Choice> choices, x86model::Cpu cpu,
+    const std::atomic<bool>& stop,
+    const std::function<void(std::uint64_t)>& counted = [](std::uint64_t) {});
 
 /// Nanoseconds of this processor for moving, transforming, projecting, hiding and sorting by the
 /// type: the least and the median, which ranks, of rounds that take the choices in turn. The spread

@@ -116,8 +116,14 @@ int advise_on(const AdviseOptions& options) {
 
   const Interrupt interrupt;
   const std::atomic<bool>& stop = Interrupt::flag();
-  const auto costs = report.cpu ? clocks_a_frame(scene, choices, *report.cpu, stop)
-                                : nanoseconds_a_frame(scene, choices, stop);
+  std::vector<Cost> costs;
+  if (report.cpu) {
+    FrameProgress progress(choices.size(), "choices");
+    costs = clocks_a_frame(scene, choices, *report.cpu, stop,
+                           [&](std::uint64_t done) { progress.show(done); });
+  } else {
+    costs = nanoseconds_a_frame(scene, choices, stop);
+  }
   if (costs.size() < choices.size()) return stopped(0, wanted, options);
   std::vector<ScreenError> errors;
   {

@@ -112,7 +112,8 @@ class ClockMeter {
       text += fmt::format(" clocks a frame on the {}", x86model::name_of(cpu));
     }
     return text.empty() ? text
-                        : fmt::format("{} (mean of {} frames{})\n", text, grouped(counted_),
+                        : fmt::format("{} (mean of {} frame{}{})\n", text, grouped(counted_),
+                                      counted_ == 1 ? "" : "s",
                                       has_loops_ ? "; routines, without the inner loops" : "");
   }
 
@@ -207,7 +208,8 @@ void add_render(CLI::App& app, int& status) {
       ->transform(whole_number(1, 100'000'000));
   command
       ->add_option("--threads", options->threads,
-                   "that move, prepare and draw objects; pictures are the same on any number")
+                   "that move, prepare and draw objects; pictures are the same on any number, and "
+                   "small ones no quicker; the model has 1")
       ->transform(whole_number(1, most_threads))
       ->capture_default_str();
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());

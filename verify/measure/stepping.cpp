@@ -140,11 +140,12 @@ void print_stepping(const MeasureRequest& request, std::uint64_t spans,
                     const std::vector<SteppingRow>& rows) {
   std::cout << fmt::format(
       "{}\n\n"
-      "Values stepped across {} spans of each length from 1 to {} pixels, set against the exact "
+      "Values stepped across {} span{} of each length from 1 to {} pixels, set against the exact "
       "ones.\nErrors are of values before they are cut to what is drawn, in that unit: the largest "
       "of all beside\nthe largest that one can be, as derived, the largest part of its own bound "
       "that any takes; then\nalong spans of {} pixels, with the bound at the last.\n",
-      made_by(request.seed), grouped(spans), xsharp::longest_span, xsharp::longest_span);
+      made_by(request.seed), grouped(spans), spans == 1 ? "" : "s", xsharp::longest_span,
+      xsharp::longest_span);
   print_errors(rows);
   std::cout
       << "\nOf the spans whose ends are random, half of all: wrong pixels are not those of the "

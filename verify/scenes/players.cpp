@@ -46,7 +46,7 @@ std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
   if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene, threads);
   if (choice.by == "model" && threads > 1) {
     throw UsageError(
-        fmt::format("--threads {}: the model draws on 1, its calls are counted", threads));
+        fmt::format("--threads {}: the model draws on 1 thread, its calls are counted", threads));
   }
   auto player = choice.by == "model"  ? make_model_player(scene, choice)
                 : choice.by == "type" ? make_type_player(scene, choice, threads)
