@@ -179,7 +179,7 @@ bool same(T x, Wide right) {
 }
 
 template <class Operation, class T>
-bool right_elements(const Words& words, const std::vector<T>& out) {
+bool right_elements(const Words& words, const Array<T>& out) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (!same(out[i], Operation::right(rules_of<T>, words.a[i], words.b[i], words.c[i]))) {
       return false;
@@ -190,7 +190,7 @@ bool right_elements(const Words& words, const std::vector<T>& out) {
 
 /// Each product rounded, then summed from the left; the rule of overflow holds at each step.
 template <class T>
-bool right_vertices(const Words& words, const std::vector<std::array<T, 3>>& out) {
+bool right_vertices(const Words& words, const Array<std::array<T, 3>>& out) {
   constexpr const Rules& rules = rules_of<T>;
   for (std::size_t i = 0; i < out.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -206,7 +206,7 @@ bool right_vertices(const Words& words, const std::vector<std::array<T, 3>>& out
 }
 
 template <class T>
-bool right_points(const Words& words, const std::vector<std::array<T, 2>>& out) {
+bool right_points(const Words& words, const Array<std::array<T, 2>>& out) {
   constexpr const Rules& rules = rules_of<T>;
   for (std::size_t i = 0; i < out.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {

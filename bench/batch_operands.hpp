@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <new>
 #include <random>
 #include <set>
 #include <string>
@@ -86,12 +87,31 @@ struct Words {
   }
 };
 
+/// Begins at a line of the cache, as arrays that are to be quick do.
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t line{64};
+
+  LineAllocator() = default;
+  template <class U>
+  explicit LineAllocator(const LineAllocator<U>& /*other*/) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), line));
+  }
+  void deallocate(T* at, std::size_t /*count*/) { ::operator delete(at, line); }
+  friend bool operator==(const LineAllocator&, const LineAllocator&) = default;
+};
+template <class T>
+using Array = std::vector<T, LineAllocator<T>>;
+
 /// The same as numbers, and room for results.
 template <class T>
 struct Operands {
-  std::vector<T> a, b, c, small, out, out_y, out_z;
-  std::vector<std::array<T, 3>> vertices, moved;
-  std::vector<std::array<T, 2>> points;
+  Array<T> a, b, c, small, out, out_y, out_z;
+  Array<std::array<T, 3>> vertices, moved;
+  Array<std::array<T, 2>> points;
   std::array<std::array<T, 4>, 3> rows{};
   T constant;
 
@@ -114,8 +134,8 @@ struct Operands {
   }
 
  private:
-  static std::vector<T> numbers(const std::vector<std::int32_t>& words) {
-    std::vector<T> result(words.size());
+  static Array<T> numbers(const std::vector<std::int32_t>& words) {
+    Array<T> result(words.size());
     std::ranges::transform(words, result.begin(), of_raw<T>);
     return result;
   }

@@ -153,7 +153,7 @@ def limits(limit, batch):
     lines = ["### How near the batches come to what the processor can do", "",
              "1,024 elements on the quickest path, beside the most that `limit_bench` has found of what they need: products, "
              "quotients and roots of that path's registers, and bytes loaded and stored in the first cache at aligned "
-             "addresses. The arrays of `batch_bench` are where the allocator has put them.", "",
+             "addresses. The arrays of `batch_bench` begin at multiples of 64 bytes.", "",
              "| | ns, median | at least | reached | what takes that |", "| --- | --- | --- | --- | --- |"]
     one = {"products": f"multiply_{path}", "quotients": f"divide_double_{path}", "roots": f"root_double_{path}",
            "bytes loaded": f"load_{path}", "bytes stored": f"store_{path}"}
