@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: page.py FOLDER
 
-Makes FOLDER/performance.md and FOLDER/pictures/*.svg of what the programs of bench/ and `fixproof verify`
-have written as JSON in FOLDER. No page, and status 1, if one of them has computed something wrong; 2 if the page
+Makes FOLDER/performance.md, FOLDER/performance_presets.md and FOLDER/pictures/*.svg of what the programs of
+bench/ and `fixproof verify` have written as JSON in FOLDER. No page, and status 1, if one of them has computed something wrong; 2 if the page
 cannot be made.
 """
 
@@ -101,8 +101,14 @@ def table(rows, base=None):
 
 def save(figure, folder, name):
     figure.tight_layout()
-    figure.savefig(f"{folder}/pictures/{name}.svg", metadata={"Date": None})
+    path = f"{folder}/pictures/{name}.svg"
+    figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
+    with open(path, encoding="utf-8") as file:
+        svg = file.read()
+    # One line for each group, where Matplotlib takes one for each point.
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(re.sub(r"\n\s*(?!\s|<g)", " ", svg))
 
 
 def bars(folder, name, title, rows):
@@ -184,12 +190,13 @@ def moving(batch):
 
 def preset_section(preset):
     """Batches beside loops under every preset."""
-    page = ["## Every operation under every preset", "",
+    page = ["# Every operation under every preset", "",
+            "A part of [performance.md](performance.md), made with it: the machine and the flags are there.", "",
             "`build/release/bench/preset_bench`: batches on the quickest path, beside the same loop over the type, 1,024 "
             f"elements; {clock(preset)}.", ""]
     names = [name.split("/") for name in preset]
     for operation in dict.fromkeys(name[1] for name in names):
-        page += [f"### {operation} under every preset", "",
+        page += [f"## {operation}", "",
                  "| | batch: ns, least | median | spread % | loop: ns, least | median | spread % | rate of the batch, loop = 1 |",
                  "| --- |" + " --- |" * 7]
         for name in dict.fromkeys(name[0] for name in names):
@@ -364,7 +371,7 @@ def main():
                           "`limit_bench`: operations that do not wait for one another; for `load`, `store` and `copy`, one byte.",
                           limit)
     page += batch_section(folder, everything["batch"], limit)
-    page += preset_section(everything["preset"])
+    page += ["[performance_presets.md](performance_presets.md) has every operation under every preset.", ""]
     bars(folder, "performance_sine", "Sine of an angle in radians, all words",
          grouped(everything["radian"], r"sin/(.+)/all"))
     page += plain_section("Sine and cosine in radians", "`radian_bench`; within ±8, and all words.",
@@ -378,8 +385,10 @@ def main():
     page += fill_section(folder, everything["fill"])
     page += plain_section("The register-level model", "`model_bench`: for a call.", everything["model"])
     page += tier_section(folder)
-    with open(f"{folder}/performance.md", "w", encoding="utf-8") as file:
-        file.write("\n".join(page).rstrip() + "\n")
+    presets = preset_section(everything["preset"])
+    for name, lines in (("performance", page), ("performance_presets", presets)):
+        with open(f"{folder}/{name}.md", "w", encoding="utf-8") as file:
+            file.write("\n".join(lines).rstrip() + "\n")
     return 0
 
 
