@@ -94,6 +94,23 @@ TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
   }
 }
 
+/// Every path in every rounding mode of the processor. \param want stored integers
+template <class N>
+void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want) {
+  std::vector<N> out(x.size());
+  for (const auto path : paths()) {
+    for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+      {
+        const RoundingMode set(mode);
+        fixed::batch::sqrt(x, out, {path, {}});
+      }
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        ASSERT_EQ(out[i].raw(), want[i]) << x[i] << ", path " << static_cast<int>(path);
+      }
+    }
+  }
+}
+
 // The operands r (r + 1) have roots nearest to r + 1/2, and squares have exact ones.
 TEST(Roots, AreNearestInEveryRoundingMode) {
   using N = fixed::q16_16;
@@ -114,24 +131,13 @@ TEST(Roots, AreNearestInEveryRoundingMode) {
       }
     }
   }
-  std::vector<N> out(x.size());
-  for (const auto path : paths()) {
-    for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
-      {
-        const RoundingMode set(mode);
-        fixed::batch::sqrt(x, out, {path, {}});
-      }
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        ASSERT_EQ(out[i].raw(), want[i]) << x[i] << ", path " << static_cast<int>(path);
-      }
-    }
-  }
+  check_roots(x, want);
 }
 
 TEST(Roots, OfEvery88WordInEveryRoundingMode) {
   using N = fixed::q8_8;
   std::vector<N> x;
-  std::vector<int> want;
+  std::vector<std::int64_t> want;
   int root = 0;
   for (int raw = -32768; raw <= 32767; ++raw) {
     x.push_back(N::from_raw(static_cast<std::int16_t>(raw)));
@@ -139,18 +145,7 @@ TEST(Roots, OfEvery88WordInEveryRoundingMode) {
     while (raw > 0 && (2 * root + 1) * (2 * root + 1) < 4 * 256 * raw) ++root;
     want.push_back(root);
   }
-  std::vector<N> out(x.size());
-  for (const auto path : paths()) {
-    for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
-      {
-        const RoundingMode set(mode);
-        fixed::batch::sqrt(x, out, {path, {}});
-      }
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        ASSERT_EQ(out[i].raw(), want[i]) << x[i] << ", path " << static_cast<int>(path);
-      }
-    }
-  }
+  check_roots(x, want);
 }
 
 }  // namespace
