@@ -45,6 +45,8 @@ struct Build {
   /// The 8088 divide with its last ADC after the endif, as the scan of chapter 54 has it: without
   /// rounding it adds a carry that DIV leaves undefined.
   bool endif_as_scanned = false;
+  /// The 8088 ConcatXforms with the carry that its listing loses. 8088 only.
+  bool repaired = false;
 
   friend constexpr bool operator==(const Build&, const Build&) = default;
 };
@@ -71,6 +73,8 @@ constexpr bool holds(Condition condition, const Build& build) {
       return build.chapter_52;
     case Condition::endif_as_scanned:
       return build.endif_as_scanned;
+    case Condition::repaired:
+      return build.repaired;
     case Condition::none:
       break;
   }

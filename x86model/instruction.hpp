@@ -103,7 +103,8 @@ enum class Condition : std::uint8_t {
   mul_rounding,
   div_rounding,
   chapter_52,
-  endif_as_scanned
+  endif_as_scanned,
+  repaired
 };
 
 /// One row of a listing; once assembled, one instruction.

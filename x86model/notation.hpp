@@ -162,5 +162,6 @@ inline constexpr Condition mul_rounding_on = Condition::mul_rounding;
 inline constexpr Condition div_rounding_on = Condition::div_rounding;
 inline constexpr Condition chapter_52 = Condition::chapter_52;
 inline constexpr Condition endif_as_scanned = Condition::endif_as_scanned;
+inline constexpr Condition repaired = Condition::repaired;
 
 }  // namespace x86model::notation

@@ -134,6 +134,7 @@ std::string nasm_source(Routine routine, Target target, const Build& build) {
   source += target == Target::i386 ? " for the 386" : " for the 8088";
   if (build.chapter_52) source += ", as chapter 52 has it";
   if (build.endif_as_scanned) source += ", with its last ADC after the endif";
+  if (build.repaired) source += ", repaired: with the carry that the listing loses";
   source += '\n';
   source += target == Target::i386 ? "        cpu 386\n" : "        cpu 8086\n";
   source += "        bits 16\n";

@@ -47,7 +47,9 @@ inline constexpr Listing concat_xforms_i386 = [] {
   return listing;
 }();
 
-/// Calls FixedMul, which follows it here.
+/// Calls FixedMul, which follows it here. The listing adds the high word of the translation with
+/// ADD: the carry of the low words is lost, and the high word of the result is one too low. With
+/// `repaired` it is ADC, as in XformVec.
 inline constexpr Listing concat_xforms_i8088 = [] {
   using namespace notation;
   using namespace detail;
@@ -69,7 +71,15 @@ inline constexpr Listing concat_xforms_i8088 = [] {
       listing += {push(bx)};
       listing += sum_of_products_i8088(roff, coff, 16);
       if (column == 3) {
-        listing += {add(cx, word[si + roff + 12]), adc(bp, word[si + roff + 12 + 2])};
+        const Operand high = word[si + roff + 12 + 2];
+        listing += {
+            add(cx, word[si + roff + 12]),
+            if_(repaired),
+            adc(bp, high),
+            else_(),
+            add(bp, high),
+            endif(),
+        };
       }
       listing += {
           pop(bx),
