@@ -47,6 +47,9 @@ struct Build {
   bool endif_as_scanned = false;
   /// The 8088 ConcatXforms with the carry that its listing loses. 8088 only.
   bool repaired = false;
+  /// The 8088 CosSin with SHL BX,2, as printed, which an 8088 does not have. 8088 only; without it
+  /// the routine shifts twice by one.
+  bool shl_as_printed = false;
 
   friend constexpr bool operator==(const Build&, const Build&) = default;
 };
@@ -75,6 +78,8 @@ constexpr bool holds(Condition condition, const Build& build) {
       return build.endif_as_scanned;
     case Condition::repaired:
       return build.repaired;
+    case Condition::shl_as_printed:
+      return build.shl_as_printed;
     case Condition::none:
       break;
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "x86model/compiled.hpp"
 #include "x86model/cosine_table.hpp"
@@ -17,7 +18,7 @@ namespace x86model {
 namespace detail {
 
 // Where things stand in memory, in bytes for 16-bit words: the stack below 0x60, then operands and
-// results, then the cosine table at cos_table_address.
+// results.
 inline constexpr std::int32_t stack_top = 0x60;
 inline constexpr std::int32_t data = stack_top;
 inline constexpr std::int32_t bytes_of_value = 4;
@@ -30,7 +31,6 @@ constexpr std::size_t words_of_memory(Routine routine) {
     case Routine::div:
       return stack_top / 2;
     case Routine::cossin:
-      return cos_table_address / 2 + 2 * cosine_table.size();
     case Routine::xformvec:
     case Routine::concat:
       break;
@@ -38,11 +38,31 @@ constexpr std::size_t words_of_memory(Routine routine) {
   return static_cast<std::size_t>(data + operands * bytes_of_value) / 2;
 }
 
+/// Memory of words, and the cosine table in the segment of the code.
+template <int WordBits, std::size_t Words>
+class MemoryAndTable : public WordMemory<WordBits, Words> {
+ public:
+  /// @return false where the table has no word at `address`.
+  X86MODEL_INLINE bool read_code(std::uint32_t address, std::uint32_t& value) const {
+    constexpr std::uint32_t step = WordBits / 8;
+    constexpr auto first = static_cast<std::uint32_t>(scaled_bytes<WordBits>(cos_table_address));
+    // Below the table this is larger than any index.
+    const std::uint32_t index = (address - first) / step;
+    if (address % step != 0 || index / 2 >= cosine_table.size()) return false;
+    value = cosine_table[index / 2] >> (index % 2 == 0 ? 0 : WordBits) & alu::mask(WordBits);
+    return true;
+  }
+};
+
 }  // namespace detail
 
 /// A machine with just the memory that a call of `routine` needs.
 template <Routine routine, int WordBits>
-using CallMachine = Machine<WordBits, WordMemory<WordBits, detail::words_of_memory(routine)>>;
+using CallMachine =
+    Machine<WordBits,
+            std::conditional_t<routine == Routine::cossin,
+                               detail::MemoryAndTable<WordBits, detail::words_of_memory(routine)>,
+                               WordMemory<WordBits, detail::words_of_memory(routine)>>>;
 
 namespace detail {
 
@@ -70,14 +90,6 @@ X86MODEL_INLINE void push_pointer(M& m, std::int32_t address) {
 }
 
 }  // namespace detail
-
-/// Puts the cosine table in place; needed once for a machine that runs CosSin.
-template <class M>
-X86MODEL_INLINE void load_cosine_table(M& m) {
-  for (std::size_t i = 0; i < cosine_table.size(); ++i) {
-    detail::store(m, cos_table_address + static_cast<std::int32_t>(4 * i), cosine_table[i]);
-  }
-}
 
 /// Puts words that count up from `junk` where results in memory are to come: a routine that does
 /// not write one is not to be right by chance.
@@ -155,7 +167,6 @@ template <Routine routine, int WordBits, class Observer>
 Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in,
             std::span<std::uint32_t> out, Observer&& observe) {
   CallMachine<routine, WordBits> m;
-  if constexpr (routine == Routine::cossin) load_cosine_table(m);
   leave_junk<routine>(m, in);
   enter<routine>(m, in);
   const Ending ending = run(code, m, observe);
@@ -179,7 +190,6 @@ void call_compiled(std::span<const std::uint32_t> in, std::span<std::uint32_t> o
   constexpr auto taken = static_cast<std::size_t>(arity(routine).in);
   constexpr auto given = static_cast<std::size_t>(arity(routine).out);
   CallMachine<routine, WordBits> ready;
-  if constexpr (routine == Routine::cossin) load_cosine_table(ready);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if constexpr (routine == Routine::mul || routine == Routine::div) {
       // A machine of its own for each case: it never leaves the processor's registers.

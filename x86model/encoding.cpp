@@ -57,10 +57,16 @@ int prefixes_of(const Instruction& i) {
     return o.addressing == Addressing::index || o.addressing == Addressing::index_twice;
   };
   return (std::any_of(all.begin(), all.end(), is_dword) ? 1 : 0) +
-         (std::any_of(all.begin(), all.end(), is_indexed) ? 1 : 0);
+         (std::any_of(all.begin(), all.end(), is_indexed) ? 1 : 0) + (overrides_segment(i) ? 1 : 0);
 }
 
 }  // namespace
+
+bool overrides_segment(const Instruction& instruction) {
+  const auto& all = instruction.operands;
+  return std::any_of(all.begin(), all.end(),
+                     [](const Operand& o) { return o.segment != SegmentOverride::none; });
+}
 
 Encoding encoding_of(const Instruction& instruction) {
   Encoding encoding;

@@ -12,7 +12,7 @@ namespace x86model {
 
 /// The parts of one instruction of 16-bit code, each in bytes.
 struct Encoding {
-  int prefixes = 0;      ///< of a dword operand, of a dword in an address
+  int prefixes = 0;      ///< of a dword operand, of a dword in an address, of a segment
   int opcode = 1;        ///< 1 or 2
   int mod_rm = 0;        ///< 0 or 1; 2 with the SIB byte of a scaled index
   int displacement = 0;  ///< 0 to 4, of an address or of a jump
@@ -31,6 +31,9 @@ struct Encoding {
 /// The shortest encoding at full width, which is the one that assemblers choose. A jump is short:
 /// in every routine each label is near enough.
 Encoding encoding_of(const Instruction& instruction);
+
+/// Whether a prefix takes a memory operand from another segment.
+bool overrides_segment(const Instruction& instruction);
 
 /// The instruction that stands `offset` bytes behind the first one; the number of instructions
 /// where none begins there.

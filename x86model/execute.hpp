@@ -69,6 +69,18 @@ X86MODEL_INLINE std::uint32_t immediate(const Operand& o) {
   return static_cast<std::uint32_t>(o.value);
 }
 
+/// The word at `address` in the segment of operand `o`. A machine without `read_code` keeps no data
+/// with its code.
+template <class M>
+X86MODEL_INLINE bool read_word(const Operand& o, const M& m, std::uint32_t address,
+                               std::uint32_t& value) {
+  if (o.segment == SegmentOverride::none) return m.memory.read(address, value);
+  if constexpr (requires { m.memory.read_code(address, value); }) {
+    return m.memory.read_code(address, value);
+  }
+  return false;
+}
+
 /// Reads `size` bits at an operand into `value`; false where there is no memory.
 template <class M>
 X86MODEL_INLINE bool read(const Operand& o, Size size, const M& m, std::uint32_t& value) {
@@ -82,13 +94,15 @@ X86MODEL_INLINE bool read(const Operand& o, Size size, const M& m, std::uint32_t
   }
   const std::uint32_t address = address_of(o, m);
   if (size == Size::byte) {
-    if constexpr (HasBytes<M>) return m.memory.read_byte(address, value);
+    if constexpr (HasBytes<M>) {
+      return o.segment == SegmentOverride::none && m.memory.read_byte(address, value);
+    }
     return false;
   }
-  if (!m.memory.read(address, value)) return false;
+  if (!read_word(o, m, address, value)) return false;
   if (size == Size::word) return true;
   std::uint32_t high = 0;
-  if (!m.memory.read(address + M::word_bits / 8, high)) return false;
+  if (!read_word(o, m, address + M::word_bits / 8, high)) return false;
   value |= high << M::word_bits;
   return true;
 }
@@ -99,6 +113,8 @@ X86MODEL_INLINE bool write(const Operand& o, Size size, M& m, std::uint32_t valu
     m.registers.write(o.reg, size, value);
     return true;
   }
+  // Code cannot be written.
+  if (o.segment != SegmentOverride::none) return false;
   const std::uint32_t address = address_of(o, m);
   if (size == Size::byte) {
     if constexpr (HasBytes<M>) return m.memory.write_byte(address, value);

@@ -41,16 +41,22 @@ Form form_of(const Instruction& i) {
           form_of(third, false)};
 }
 
-void append(std::vector<Instruction>& all, const Listing& rows) {
-  for (std::size_t i = 0; i < rows.size; ++i) {
-    if (rows.rows.at(i).directive == Directive::none) all.push_back(rows.rows.at(i));
-  }
+void append(std::vector<Instruction>& all, const Program& program) {
+  const auto code = program.instructions();
+  all.insert(all.end(), code.begin(), code.end());
 }
 
-/// The instructions of the routines for one processor.
+/// The instructions of the routines for one processor. SHL BX,2 in the printed CosSin is none of an
+/// 8088: no build here has it.
 std::vector<Instruction> instructions_of(Target target) {
+  constexpr std::array builds{Build{}, Build{.mul_rounding = false, .div_rounding = false},
+                              Build{.chapter_52 = true}};
   std::vector<Instruction> all;
-  for (int r = 0; r < routine_count; ++r) append(all, listing(static_cast<Routine>(r), target));
+  for (int r = 0; r < routine_count; ++r) {
+    for (const Build& build : builds) {
+      append(all, assemble(listing(static_cast<Routine>(r), target), build));
+    }
+  }
   return all;
 }
 
@@ -58,7 +64,7 @@ std::vector<Instruction> instructions_of(Target target) {
 std::vector<Form> forms_of(Target target) {
   std::vector<Instruction> all = instructions_of(target);
   for (const LoopForm& form : all_loop_forms()) {
-    if (form.target == target) append(all, listing(form));
+    if (form.target == target) append(all, assemble(listing(form), {}));
   }
   std::vector<Form> forms;
   for (const Instruction& i : all) forms.push_back(form_of(i));

@@ -81,6 +81,10 @@ enum class Addressing : std::uint8_t {
   index_twice,  ///< twice that register and displacement, modulo 2^32
 };
 
+/// The segment that a memory operand is in: that of its base register, or the one that a prefix
+/// names. Only CS is overridden to: CosSin's table lies with its code.
+enum class SegmentOverride : std::uint8_t { none, cs };
+
 struct Operand {
   enum class Kind : std::uint8_t { none, reg, memory, immediate, label };
 
@@ -89,6 +93,7 @@ struct Operand {
   Scaling scaling = Scaling::literal;
   Symbol symbol = Symbol::none;  ///< memory: added to the displacement
   Addressing addressing = Addressing::base;
+  SegmentOverride segment = SegmentOverride::none;
   Register reg = Register::ax;  ///< register, or base of a memory operand
   std::int32_t value = 0;       ///< immediate, displacement in bytes, or position of a label
   const char* name = nullptr;   ///< label
@@ -104,7 +109,8 @@ enum class Condition : std::uint8_t {
   div_rounding,
   chapter_52,
   endif_as_scanned,
-  repaired
+  repaired,
+  shl_as_printed
 };
 
 /// One row of a listing; once assembled, one instruction.

@@ -168,10 +168,10 @@ X86MODEL_INLINE std::int32_t scaled_bytes(std::int32_t bytes) {
   return bytes * WordBits / 16;
 }
 
-/// Where the cosine table stands, in bytes for 16-bit words.
+/// Where the cosine table stands in the segment of the code, in bytes for 16-bit words.
 inline constexpr std::int32_t cos_table_address = 0x200;
 
-/// Where a named place stands in the data segment, in bytes for 16-bit words. The texture may lie
+/// Where a named place stands in its segment, in bytes for 16-bit words. The texture may lie
 /// over screen and depth buffer: no loop has both.
 X86MODEL_INLINE std::int32_t address_of(Symbol symbol) {
   switch (symbol) {

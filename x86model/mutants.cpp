@@ -101,6 +101,10 @@ std::vector<Operand> other_operands(const Operand& o) {
     others[0].reg = next_base(o.reg);
     others[1].value -= step;
     others[2].value += step;
+    if (o.segment != SegmentOverride::none) {
+      others.push_back(o);
+      others.back().segment = SegmentOverride::none;
+    }
   }
   return others;
 }

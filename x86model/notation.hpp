@@ -40,6 +40,7 @@ struct Address {
   Symbol symbol = Symbol::none;
   std::int32_t displacement = 0;
   Addressing addressing = Addressing::base;
+  SegmentOverride segment = SegmentOverride::none;
 
   // A bare base register is an address: word[di].
   constexpr Address(Operand r)  // NOLINT(google-explicit-constructor)
@@ -52,10 +53,17 @@ struct Address {
 };
 
 constexpr Address operator+(Address a, int displacement) {
-  return {a.base, a.symbol, a.displacement + displacement, a.addressing};
+  a.displacement += displacement;
+  return a;
 }
 constexpr Address operator+(Symbol s, Address a) {
-  return {a.base, s, a.displacement, a.addressing};
+  a.symbol = s;
+  return a;
+}
+/// The address in the segment of the code: CS:[CosTable + BX].
+constexpr Address cs(Address a) {
+  a.segment = SegmentOverride::cs;
+  return a;
 }
 /// Twice a 32-bit register: ZBuff + twice(edi).
 constexpr Address twice(Operand r) { return {r.reg, Symbol::none, 0, Addressing::index_twice}; }
@@ -74,6 +82,7 @@ struct Memory {
             .scaling = Scaling::bytes,
             .symbol = a.symbol,
             .addressing = a.addressing,
+            .segment = a.segment,
             .reg = a.base,
             .value = a.displacement};
   }
@@ -163,5 +172,6 @@ inline constexpr Condition div_rounding_on = Condition::div_rounding;
 inline constexpr Condition chapter_52 = Condition::chapter_52;
 inline constexpr Condition endif_as_scanned = Condition::endif_as_scanned;
 inline constexpr Condition repaired = Condition::repaired;
+inline constexpr Condition shl_as_printed = Condition::shl_as_printed;
 
 }  // namespace x86model::notation

@@ -6,6 +6,7 @@
 
 #include "x86model/cosine_table.hpp"
 #include "x86model/machine.hpp"
+#include "x86model/originals.hpp"
 
 namespace x86model {
 
@@ -36,6 +37,7 @@ std::string_view name_of(Symbol symbol) {
 std::string address_text(const Operand& o) {
   // NASM makes edi+edi of edi*2 where it may: shorter, but not what the sources' assemblers made.
   std::string text = o.addressing == Addressing::index_twice ? "[nosplit " : "[";
+  if (o.segment == SegmentOverride::cs) text += "cs:";
   text += name_of(o.symbol);
   if (o.addressing != Addressing::direct) {
     if (o.symbol != Symbol::none) text += '+';
@@ -135,8 +137,11 @@ std::string nasm_source(Routine routine, Target target, const Build& build) {
   if (build.chapter_52) source += ", as chapter 52 has it";
   if (build.endif_as_scanned) source += ", with its last ADC after the endif";
   if (build.repaired) source += ", repaired: with the carry that the listing loses";
+  if (build.shl_as_printed) source += ", with the shifts by two that an 8088 does not have";
   source += '\n';
-  source += target == Target::i386 ? "        cpu 386\n" : "        cpu 8086\n";
+  source += source_comment(routine, target, build);
+  const bool assembles_for_386 = target == Target::i386 || build.shl_as_printed;
+  source += assembles_for_386 ? "        cpu 386\n" : "        cpu 8086\n";
   source += "        bits 16\n";
   for (const Instruction& i : program.instructions()) append_row(source, i);
   if (routine == Routine::cossin) append_cosine_table(source);

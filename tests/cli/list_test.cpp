@@ -81,6 +81,7 @@ TEST_F(List, EveryVariantAssembles) {
     }
   }
   EXPECT_NE(assemble(list("div --target i8088 --round off --as-scanned")), "");
+  EXPECT_NE(assemble(list("cossin --target i8088 --as-printed")), "");
 }
 
 TEST_F(List, MultiplyFor386IsThisMachineCode) {
@@ -136,6 +137,36 @@ TEST_F(List, CosSinBringsItsTable) {
   EXPECT_EQ(hex(table.substr(0, 4)), "00 00 01 00 ");
   EXPECT_EQ(hex(table.substr(std::size_t{4} * 600, 4)), "00 80 00 00 ");
   EXPECT_EQ(hex(table.substr(std::size_t{4} * 900)), "00 00 00 00 ");
+}
+
+TEST_F(List, BeginsWithSourceAndDigest) {
+  const auto expect = [](std::string_view arguments, std::string_view source,
+                         std::string_view digest) {
+    const std::string text = list(arguments);
+    EXPECT_NE(text.find(fmt::format("\n; source: {}\n; digest: {}", source, digest)),
+              std::string::npos)
+        << arguments << '\n'
+        << text.substr(0, 300);
+  };
+  expect("mul --target i386", "listing 54.1",
+         "3713cdcf6f7c0b06873a2fefe0c65b83e6611d5678414a2a0318476d80011023, the author's, 9 ");
+  // The rounding of multiplies is not the divide's.
+  expect("div --target i386 --mul-round off --div-round on", "listing 54.1",
+         "b54df775097e980339366294cc1a9365398e170ad1ddd9634cd77a368bfcf6ba, the author's, 29 ");
+  expect("div --target i8088 --mul-round on --div-round off", "listing 54.1",
+         "480e1206c81b88eafdebbc988d0683f1d184494cb261159ad38472dce6d6e0de, the author's, 32 ");
+  expect("cossin --target i8088 --as-printed", "listing 54.1",
+         "73e3cabcad47252fd65ae28d64ca4a92e8c80986ca0178501f90b6d3d563dc66, the author's, 72 ");
+  expect("cossin --target i8088", "listing 54.1, but each SHL BX,2 is two shifts by one",
+         "39f11737eba35c94059943c69a65960f0f6b662204c62397c227463f4bfcf951, ours, 76 ");
+  // Rounded, the scan's reading is the same program.
+  expect("div --target i8088 --round on --as-scanned", "listing 54.1",
+         "d7e871bb696cc0dfb39ec7d2d16e7d48a0ce5d8dfccbbfd456f17609d0ba1892, the author's, 38 ");
+  expect("div --target i8088 --round off --as-scanned",
+         "listing 54.1 as scanned, which is not the author's code", "none recorded\n");
+  expect("div --chapter 52", "listing 52.9", "none recorded\n");
+  expect("concat --chapter 52", "listing 52.4, which is C; the assembly is ours",
+         "none recorded\n");
 }
 
 TEST_F(List, RoundingIsARow) {

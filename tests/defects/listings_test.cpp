@@ -47,9 +47,9 @@ TEST(Defects, NotAn8088Instruction) {
   EXPECT_TRUE(x86::is_modelled(*by_two, x86::Target::i386));
 
   // In each quadrant the 386 listing shifts once by two, the 8088 listing twice by one.
-  const auto count = [](x86::Target target, const std::string& instruction) {
-    const x86::Program program =
-        x86::assemble(x86::listing(x86::Routine::cossin, target), x86::Build{});
+  const auto count = [](x86::Target target, const std::string& instruction,
+                        const x86::Build& build = {}) {
+    const x86::Program program = x86::assemble(x86::listing(x86::Routine::cossin, target), build);
     int found = 0;
     for (const x86::Instruction& i : program.instructions()) {
       if (x86::text_of(i) == instruction) ++found;
@@ -60,6 +60,9 @@ TEST(Defects, NotAn8088Instruction) {
   EXPECT_EQ(count(x86::Target::i386, "shl bx, 1"), 0);
   EXPECT_EQ(count(x86::Target::i8088, "shl bx, 2"), 0);
   EXPECT_EQ(count(x86::Target::i8088, "shl bx, 1"), 8);
+  const x86::Build printed{.shl_as_printed = true};
+  EXPECT_EQ(count(x86::Target::i8088, "shl bx, 2", printed), 4);
+  EXPECT_EQ(count(x86::Target::i8088, "shl bx, 1", printed), 0);
 }
 
 }  // namespace

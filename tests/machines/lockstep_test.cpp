@@ -42,7 +42,6 @@ History history_of(const ProgramKey& key, const x86model::Registers<16>& garbage
                    std::span<const std::uint32_t> in) {
   const auto program = x86model::assemble(x86model::listing(key.routine, key.target), key.build);
   x86model::CallMachine<routine, 16> m;
-  if constexpr (routine == Routine::cossin) x86model::load_cosine_table(m);
   m.registers = garbage;
   x86model::enter<routine>(m, in);
   History h{};

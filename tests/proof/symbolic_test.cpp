@@ -35,7 +35,6 @@ std::uint32_t held(std::size_t r) { return 0x9E3779B9U * static_cast<std::uint32
 template <Routine routine>
 Answer interpreted(std::span<const Instruction> code, std::span<const std::uint32_t> in) {
   CallMachine<routine, 16> m;
-  if constexpr (routine == Routine::cossin) load_cosine_table(m);
   for (std::size_t r = 0; r < register_count; ++r) {
     m.registers.write(static_cast<Register>(r), Size::dword, held(r));
   }

@@ -54,27 +54,29 @@ TEST(Encoding, PartsOfSomeInstructions) {
     int components = 0;
   };
   const std::array cases{
-      Case{push(bp), 1, 1},                      // 55
-      Case{mov(bp, sp), 2, 2},                   // 89 E5
-      Case{mov(word[di], ax), 2, 2},             // 89 05
-      Case{mov(ax, word[bp + 4]), 3, 3},         // 8B 46 04
-      Case{mov(ax, word[CosTable + bx]), 4, 3},  // 8B 87 iw
-      Case{mov(eax, dword[bp + 4]), 4, 4},       // 66 8B 46 04
-      Case{push(word[si + 200]), 4, 3},          // FF B4 C8 00
-      Case{mov(ax, word[bp]), 3, 3},             // 8B 46 00
-      Case{add(sp, bytes(8)), 3, 3},             // 83 C4 08
-      Case{cmp(bx, 3600), 4, 3},                 // 81 FB 10 0E
-      Case{add(ax, half_unit), 3, 2},            // 05 00 80
-      Case{add(eax, half_unit), 6, 3},           // 66 05 00 80 00 00
-      Case{adc(edx, 0), 4, 4},                   // 66 83 D2 00
-      Case{shr(bx, 1), 2, 2},                    // D1 EB
-      Case{shr(eax, word_bits), 4, 4},           // 66 C1 E8 10
-      Case{shld(edx, eax, word_bits), 5, 5},     // 66 0F A4 C2 10
-      Case{shrd(eax, edx, 1), 5, 5},             // 66 0F AC D0 01
-      Case{neg(word[bp + 4]), 3, 3},             // F7 5E 04
-      Case{jz("near"), 2, 2},                    // 74 xx
-      Case{call("procedure"), 3, 2},             // E8 xx xx
-      Case{ret(), 1, 1},                         // C3
+      Case{push(bp), 1, 1},                            // 55
+      Case{mov(bp, sp), 2, 2},                         // 89 E5
+      Case{mov(word[di], ax), 2, 2},                   // 89 05
+      Case{mov(ax, word[bp + 4]), 3, 3},               // 8B 46 04
+      Case{mov(ax, word[CosTable + bx]), 4, 3},        // 8B 87 iw
+      Case{mov(ax, word[cs(CosTable + bx)]), 5, 4},    // 2E 8B 87 iw
+      Case{mov(eax, dword[cs(CosTable + bx)]), 6, 5},  // 2E 66 8B 87 iw
+      Case{mov(eax, dword[bp + 4]), 4, 4},             // 66 8B 46 04
+      Case{push(word[si + 200]), 4, 3},                // FF B4 C8 00
+      Case{mov(ax, word[bp]), 3, 3},                   // 8B 46 00
+      Case{add(sp, bytes(8)), 3, 3},                   // 83 C4 08
+      Case{cmp(bx, 3600), 4, 3},                       // 81 FB 10 0E
+      Case{add(ax, half_unit), 3, 2},                  // 05 00 80
+      Case{add(eax, half_unit), 6, 3},                 // 66 05 00 80 00 00
+      Case{adc(edx, 0), 4, 4},                         // 66 83 D2 00
+      Case{shr(bx, 1), 2, 2},                          // D1 EB
+      Case{shr(eax, word_bits), 4, 4},                 // 66 C1 E8 10
+      Case{shld(edx, eax, word_bits), 5, 5},           // 66 0F A4 C2 10
+      Case{shrd(eax, edx, 1), 5, 5},                   // 66 0F AC D0 01
+      Case{neg(word[bp + 4]), 3, 3},                   // F7 5E 04
+      Case{jz("near"), 2, 2},                          // 74 xx
+      Case{call("procedure"), 3, 2},                   // E8 xx xx
+      Case{ret(), 1, 1},                               // C3
       // of the loops
       Case{mov(al, dh), 2, 2},                        // 88 F0
       Case{mov(al, byte[Texture + bx]), 4, 3},        // 8A 87 iw

@@ -29,7 +29,7 @@ std::string form_of(const Operand& o, bool is_count) {
       if (o.addressing == Addressing::index_twice) return std::string(" index*2 m") + bits();
       if (o.addressing == Addressing::index) return std::string(" index m") + bits();
       if (o.addressing == Addressing::direct) return std::string(" direct m") + bits();
-      return std::string(o.symbol == Symbol::cos_table ? " table" : " m") + bits();
+      return std::string(o.segment == SegmentOverride::cs ? " cs m" : " m") + bits();
     case Operand::Kind::label:
       return " label";
     case Operand::Kind::immediate:
@@ -96,7 +96,6 @@ std::optional<std::size_t> first_broken(const Program& program,
   constexpr auto in = static_cast<std::size_t>(arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(arity(routine).out);
   CallMachine<routine, 16> ready;
-  if constexpr (routine == Routine::cossin) load_cosine_table(ready);
   // Registers hold anything on entry; what is zeroed by the routine must not be zero before.
   for (std::size_t r = 0; r < register_count; ++r) {
     ready.registers.write(static_cast<Register>(r), Size::dword,
@@ -171,6 +170,7 @@ struct Executed {
   std::set<Symbol> symbols;
   std::set<Register> registers;
   std::set<Addressing> addressings;
+  std::set<SegmentOverride> segments;
 
   void note(Target target, const Instruction& i) {
     forms.insert(with_target(target, form_of(i)));
@@ -180,6 +180,7 @@ struct Executed {
       sizes.insert(o.size);
       scalings.insert(o.scaling);
       symbols.insert(o.symbol);
+      segments.insert(o.segment);
       if (o.kind == Operand::Kind::memory) addressings.insert(o.addressing);
       if (o.kind == Operand::Kind::reg) registers.insert(o.reg);
     }
@@ -205,9 +206,14 @@ TEST(Minimal, EveryFormIsExecuted) {
   Executed executed;
   std::set<std::string> listed;
   const auto list = [&](Target target, const Listing& rows) {
+    // SHL BX,2 of the printed CosSin is no instruction of an 8088: no program here has it.
+    bool left_out = false;
     for (std::size_t i = 0; i < rows.size; ++i) {
       const Instruction& row = rows.rows.at(i);
-      if (row.directive == Directive::none) listed.insert(with_target(target, form_of(row)));
+      if (row.condition == Condition::shl_as_printed) left_out = true;
+      if (row.directive == Directive::else_ || row.directive == Directive::endif) left_out = false;
+      if (!left_out && row.directive == Directive::none)
+        listed.insert(with_target(target, form_of(row)));
     }
   };
   test::each_routine(
@@ -240,6 +246,8 @@ TEST(Minimal, EveryFormIsExecuted) {
   EXPECT_EQ(executed.scalings.size(), 4U);
   EXPECT_EQ(executed.symbols.size(), 6U);
   EXPECT_EQ(executed.addressings.size(), 4U);
+  // None, and CS.
+  EXPECT_EQ(executed.segments.size(), 2U);
 }
 
 TEST(Minimal, TheProgramsAreWhole) {

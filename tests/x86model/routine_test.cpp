@@ -45,7 +45,6 @@ std::vector<std::uint32_t> results_from(std::uint32_t garbage) {
       m.registers.write(static_cast<Register>(r), Size::dword,
                         garbage * static_cast<std::uint32_t>(r + 1));
     }
-    if constexpr (routine == Routine::cossin) load_cosine_table(m);
     enter<routine>(m, std::span(words).subspan(i, in));
     const auto before = m.registers;
     const Ending ending = run(program.instructions(), m);
@@ -91,7 +90,6 @@ TEST(Routine, NoAngleReadsOutsideTheTable) {
   for (const Target target : {Target::i386, Target::i8088}) {
     const Program program = assemble(listing(Routine::cossin, target), {});
     CallMachine<Routine::cossin, 16> m;
-    load_cosine_table(m);
     for (std::uint32_t angle = 0; angle < 0x10000; ++angle) {
       enter<Routine::cossin>(m, std::span(&angle, 1));
       ASSERT_EQ(run(program.instructions(), m).outcome, Outcome::returned) << angle;

@@ -36,8 +36,16 @@ void append_answer(std::string& output, Ending ending, std::span<const std::uint
 
 Variant chosen(const EvalOptions& options) {
   const Operation operation = operation_named(options.operation);
-  if (is_routine(operation)) return options.variant.choose(operation);
   const VariantOptions& v = options.variant;
+  if (is_routine(operation)) {
+    const Variant variant = v.choose(operation);
+    if (v.as_printed && operation == Operation::cossin && variant.target == Target::i8088) {
+      throw UsageError(
+          "cossin as printed has 'shl bx, 2', which an 8088 does not have and no party models; "
+          "without --as-printed it shifts twice by one (docs/findings.md, 8)");
+    }
+    return variant;
+  }
   if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
     throw UsageError(fmt::format("{} is no routine: it has neither target, rounding nor chapter",
                                  options.operation));

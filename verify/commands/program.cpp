@@ -63,6 +63,8 @@ ProgramKey ProgramOptions::choose() const {
   }
   ProgramKey key = key_of(v);
   key.build.endif_as_scanned = as_scanned;
+  key.build.shl_as_printed =
+      variant.as_printed && chosen == Operation::cossin && v.target == Target::i8088;
   return key;
 }
 

@@ -17,6 +17,7 @@
 #include "verify/parties/not_kept.hpp"
 #include "verify/usage_error.hpp"
 #include "x86model/call.hpp"
+#include "x86model/forms.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof {
@@ -83,11 +84,17 @@ struct Traced {
   std::vector<std::uint32_t> in;
 };
 
+/// The row of the instruction that a run stops at.
+void print_end(std::size_t at, const x86::Instruction& instruction, const x86::Flags& flags,
+               std::string_view why) {
+  fmt::print(std::cout, "{:4}  {:<30}{}  {}\n", at, x86::text_of(instruction), flag_columns(flags),
+             why);
+}
+
 template <x86::Routine routine>
 void trace(const Traced& traced) {
   const auto code = traced.program.instructions();
   x86::CallMachine<routine, 16> machine;
-  if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(machine);
   // A mistake may show only where registers hold what a caller has left; else zeros read better.
   if (!traced.mistake.empty()) x86::leave_junk<routine>(machine, traced.in);
   x86::enter<routine>(machine, traced.in);
@@ -96,19 +103,27 @@ void trace(const Traced& traced) {
   fmt::print(std::cout, "   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
   const auto entered = machine.registers;
   auto before = machine;
+  // A mutant may hold a form that its processor has and no listing uses.
+  const bool has_every_form = !traced.mistake.empty();
+  bool stopped = false;
   const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {
+    if (stopped) return;
+    if (!has_every_form && !x86::is_modelled(code[at], traced.key.target)) {
+      print_end(at, code[at], before.flags, "is not modelled: an 8088 has no such instruction");
+      stopped = true;
+      return;
+    }
     fmt::print(std::cout, "{:4}  {:<30}{}{}\n", at, x86::text_of(code[at]),
                flag_columns(after.flags), changes(before, after, size));
     before = after;
   });
+  if (stopped) return;
   if (ending.position >= code.size()) {
     fmt::print(std::cout, "{:4}  leaves the program\n", ending.position);
     return;
   }
   if (ending.outcome != x86::Outcome::returned) {
-    fmt::print(std::cout, "{:4}  {:<30}{}  {}\n", ending.position,
-               x86::text_of(code[ending.position]), flag_columns(machine.flags),
-               reason(ending.outcome));
+    print_end(ending.position, code[ending.position], machine.flags, reason(ending.outcome));
     return;
   }
   std::array<std::uint32_t, most_words_out> out{};
@@ -140,6 +155,7 @@ int run(const TraceOptions& options) {
   traced.program = x86::assemble(x86::listing(key.routine, key.target), key.build);
   if (options.mutant != 0) {
     if (options.program.as_scanned) throw UsageError("--mutant excludes --as-scanned");
+    if (key.build.shl_as_printed) throw UsageError("--mutant excludes cossin --as-printed");
     const Variant v = options.program.variant.choose(operation_named(options.program.operation));
     const x86::Mutant mutant = mutant_of(v, options.mutant);
     fmt::print(std::cout, "mutant {}: {}\n", options.mutant, mutant.change);

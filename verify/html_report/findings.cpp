@@ -235,11 +235,12 @@ std::vector<Finding> last_findings() {
          swapped_in_place(x86::Target::i8088)}}},
       {"A carry that means nothing",
        "Defects.AdcAfterEndif",
-       "In a scan the last ADC of the 8088 divide stands outside the conditional: it then adds a "
-       "carry that DIV leaves undefined. 2.5 / 2, unrounded.",
+       "A scan moved the last ADC of the 8088 divide out of the conditional: it then adds a carry "
+       "that DIV leaves undefined. 2.5 / 2, unrounded.",
        {traced("8088, as scanned", "div 00028000 00020000 --target i8088 --round off --as-scanned",
                ""),
-        evaluated("8088, as we read it", "00028000 00020000", "div --target i8088 --round off")}},
+        evaluated("8088, the author's code", "00028000 00020000",
+                  "div --target i8088 --round off")}},
       {"Arguments that are not the callee's",
        "Defects.ClobberedArguments",
        "The 8088 divide negates the low words of its operands where the caller pushed them. "

@@ -62,14 +62,14 @@ Entries& entries() {
   return all;
 }
 
-/// A descriptor of 64 KiB of 16-bit code or data.
+/// A descriptor of `bytes` bytes of 16-bit code or data.
 class Descriptor {
  public:
-  Descriptor(std::uint32_t base, unsigned contents) : entry_(entries().take()) {
+  Descriptor(std::uint32_t base, unsigned contents, std::size_t bytes) : entry_(entries().take()) {
     user_desc d{};
     d.entry_number = entry_;
     d.base_addr = base;
-    d.limit = segment_size - 1;
+    d.limit = static_cast<unsigned>(bytes - 1);
     d.contents = contents & 3U;
     d.useable = 1;
     if (!write_descriptor(d)) {
@@ -152,8 +152,9 @@ bool has_shadow_stack() {
 struct Processor::Parts {
   LowMemory memory;
   Landing* landing = new (memory.at(LowMemory::landing)) Landing{};
-  Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE};
-  Descriptor data{memory.address_of(0), MODIFY_LDT_CONTENTS_DATA};
+  Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE, segment_size};
+  /// Ends before the code: a table that stands there is read with a CS: override or not at all.
+  Descriptor data{memory.address_of(0), MODIFY_LDT_CONTENTS_DATA, caller_origin};
   /// For the handler; the largest register files of x86-64 take 11 KiB of it.
   std::vector<std::uint8_t> signal_stack = std::vector<std::uint8_t>(0x10000);
 };

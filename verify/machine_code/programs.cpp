@@ -45,6 +45,7 @@ std::string name_of(const ProgramKey& key) {
   if (key.routine != Routine::cossin) name += round ? "-on" : "-off";
   if (key.build.chapter_52) name += "-ch52";
   if (key.build.endif_as_scanned) name += "-scanned";
+  if (key.build.shl_as_printed) name += "-printed";
   return name;
 }
 

@@ -32,7 +32,6 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
   x86::CallMachine<routine, word_bits> fresh;
-  if constexpr (routine == x86::Routine::cossin) x86::load_cosine_table(fresh);
   // The stack holds what earlier calls have left there.
   for (std::int32_t at = 0; at < x86::detail::stack_top; at += x86::detail::bytes_of_value) {
     x86::detail::store(fresh, at, 0x6D2B79F5U * static_cast<std::uint32_t>(at + 1));

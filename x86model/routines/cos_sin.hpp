@@ -1,5 +1,6 @@
 /// @file
 /// CosSin: cosine and sine of an angle in tenths of a degree, by table. Listings 53.1 and 54.1.
+/// The table is in the segment of the code, so each read of it has a CS: override.
 #pragma once
 
 #include "x86model/assemble.hpp"
@@ -41,19 +42,19 @@ inline constexpr Listing cos_sin_i386 = [] {
   Listing listing = angle_in_range();
   listing += {
       shl(bx, 2),
-      mov(eax, dword[CosTable + bx]),
+      mov(eax, dword[cs(CosTable + bx)]),
       neg(bx),
-      mov(edx, dword[CosTable + bx + quarter_turn]),
+      mov(edx, dword[cs(CosTable + bx + quarter_turn)]),
       jmp("CSDone"),
 
       label("Quadrant1"),
       neg(bx),
       add(bx, 180 * 10),
       shl(bx, 2),
-      mov(eax, dword[CosTable + bx]),
+      mov(eax, dword[cs(CosTable + bx)]),
       neg(eax),
       neg(bx),
-      mov(edx, dword[CosTable + bx + quarter_turn]),
+      mov(edx, dword[cs(CosTable + bx + quarter_turn)]),
       jmp("CSDone"),
 
       label("BottomHalf"),
@@ -62,9 +63,9 @@ inline constexpr Listing cos_sin_i386 = [] {
       cmp(bx, 90 * 10),
       ja("Quadrant2"),
       shl(bx, 2),
-      mov(eax, dword[CosTable + bx]),
+      mov(eax, dword[cs(CosTable + bx)]),
       neg(bx),
-      mov(edx, dword[CosTable + bx + quarter_turn]),
+      mov(edx, dword[cs(CosTable + bx + quarter_turn)]),
       neg(edx),
       jmp("CSDone"),
 
@@ -72,10 +73,10 @@ inline constexpr Listing cos_sin_i386 = [] {
       neg(bx),
       add(bx, 180 * 10),
       shl(bx, 2),
-      mov(eax, dword[CosTable + bx]),
+      mov(eax, dword[cs(CosTable + bx)]),
       neg(eax),
       neg(bx),
-      mov(edx, dword[CosTable + bx + quarter_turn]),
+      mov(edx, dword[cs(CosTable + bx + quarter_turn)]),
       neg(edx),
 
       label("CSDone"),
@@ -89,35 +90,43 @@ inline constexpr Listing cos_sin_i386 = [] {
   return listing;
 }();
 
-/// The cosine is carried in DX:AX, the sine in CX:BX. Where the listing has SHL BX,2, which no 8088
-/// has, this shifts twice by one.
+/// The cosine is carried in DX:AX, the sine in CX:BX. The listing shifts with SHL BX,2, which an
+/// 8088 does not have: without `shl_as_printed` this shifts twice by one.
 inline constexpr Listing cos_sin_i8088 = [] {
   using namespace notation;
   using namespace detail;
   Listing listing = angle_in_range();
   listing += {
+      if_(shl_as_printed),
+      shl(bx, 2),
+      else_(),
       shl(bx, 1),
       shl(bx, 1),
-      mov(ax, word[CosTable + bx]),
-      mov(dx, word[CosTable + bx + 2]),
+      endif(),
+      mov(ax, word[cs(CosTable + bx)]),
+      mov(dx, word[cs(CosTable + bx + 2)]),
       neg(bx),
-      mov(cx, word[CosTable + bx + quarter_turn + 2]),
-      mov(bx, word[CosTable + bx + quarter_turn]),
+      mov(cx, word[cs(CosTable + bx + quarter_turn + 2)]),
+      mov(bx, word[cs(CosTable + bx + quarter_turn)]),
       jmp("CSDone"),
 
       label("Quadrant1"),
       neg(bx),
       add(bx, 180 * 10),
+      if_(shl_as_printed),
+      shl(bx, 2),
+      else_(),
       shl(bx, 1),
       shl(bx, 1),
-      mov(ax, word[CosTable + bx]),
-      mov(dx, word[CosTable + bx + 2]),
+      endif(),
+      mov(ax, word[cs(CosTable + bx)]),
+      mov(dx, word[cs(CosTable + bx + 2)]),
       neg(dx),
       neg(ax),
       sbb(dx, 0),
       neg(bx),
-      mov(cx, word[CosTable + bx + quarter_turn + 2]),
-      mov(bx, word[CosTable + bx + quarter_turn]),
+      mov(cx, word[cs(CosTable + bx + quarter_turn + 2)]),
+      mov(bx, word[cs(CosTable + bx + quarter_turn)]),
       jmp("CSDone"),
 
       label("BottomHalf"),
@@ -125,13 +134,17 @@ inline constexpr Listing cos_sin_i8088 = [] {
       add(bx, 360 * 10),
       cmp(bx, 90 * 10),
       ja("Quadrant2"),
+      if_(shl_as_printed),
+      shl(bx, 2),
+      else_(),
       shl(bx, 1),
       shl(bx, 1),
-      mov(ax, word[CosTable + bx]),
-      mov(dx, word[CosTable + bx + 2]),
+      endif(),
+      mov(ax, word[cs(CosTable + bx)]),
+      mov(dx, word[cs(CosTable + bx + 2)]),
       neg(bx),
-      mov(cx, word[CosTable + bx + quarter_turn + 2]),
-      mov(bx, word[CosTable + bx + quarter_turn]),
+      mov(cx, word[cs(CosTable + bx + quarter_turn + 2)]),
+      mov(bx, word[cs(CosTable + bx + quarter_turn)]),
       neg(cx),
       neg(bx),
       sbb(cx, 0),
@@ -140,16 +153,20 @@ inline constexpr Listing cos_sin_i8088 = [] {
       label("Quadrant2"),
       neg(bx),
       add(bx, 180 * 10),
+      if_(shl_as_printed),
+      shl(bx, 2),
+      else_(),
       shl(bx, 1),
       shl(bx, 1),
-      mov(ax, word[CosTable + bx]),
-      mov(dx, word[CosTable + bx + 2]),
+      endif(),
+      mov(ax, word[cs(CosTable + bx)]),
+      mov(dx, word[cs(CosTable + bx + 2)]),
       neg(dx),
       neg(ax),
       sbb(dx, 0),
       neg(bx),
-      mov(cx, word[CosTable + bx + quarter_turn + 2]),
-      mov(bx, word[CosTable + bx + quarter_turn]),
+      mov(cx, word[cs(CosTable + bx + quarter_turn + 2)]),
+      mov(bx, word[cs(CosTable + bx + quarter_turn)]),
       neg(cx),
       neg(bx),
       sbb(cx, 0),

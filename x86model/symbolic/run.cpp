@@ -141,10 +141,11 @@ class Runner {
     return t_.negation(t_.equal(count, t_.constant(0, 16)));
   }
 
-  /// Where a memory operand is: an offset in the cosine table, or an address.
-  Term address(const Thread& thread, const Operand& o) {
+  /// Where a memory operand is: `origin` is the address of its named place, or 0 for an offset in
+  /// that place.
+  Term address(const Thread& thread, const Operand& o, std::int32_t origin) {
     return t_.add(thread.state.read(t_, o.reg, Size::word),
-                  t_.constant(static_cast<std::uint32_t>(o.value), 16));
+                  t_.constant(static_cast<std::uint32_t>(o.value + origin) & 0xFFFFU, 16));
   }
 
   std::optional<Term> table_word(Thread& thread, Term offset) {
@@ -176,8 +177,9 @@ class Runner {
     }
     if (options_.memory_is_open) return open_memory::read(t_, thread.state, o, size);
     if (size == Size::byte) return std::nullopt;
-    const bool in_table = o.symbol == Symbol::cos_table;
-    const Term where = address(thread, o);
+    // The cosine table is all that is read with the code.
+    const bool in_table = o.segment == SegmentOverride::cs && o.symbol == Symbol::cos_table;
+    const Term where = address(thread, o, in_table ? 0 : address_of(o.symbol));
     const auto word = [&](Term at) {
       return in_table ? table_word(thread, at) : memory_word(thread, at);
     };
@@ -193,13 +195,13 @@ class Runner {
       thread.state.write(t_, o.reg, size, value);
       return true;
     }
-    if (o.kind != Operand::Kind::memory || o.symbol == Symbol::cos_table) return false;
+    if (o.kind != Operand::Kind::memory || o.segment != SegmentOverride::none) return false;
     if (options_.memory_is_open) {
       open_memory::write(t_, thread.state, o, value);
       return true;
     }
     if (size == Size::byte) return false;
-    const Term where = address(thread, o);
+    const Term where = address(thread, o, address_of(o.symbol));
     if (!put(thread, where, t_.extract(value, 0, 16))) return false;
     return size == Size::word ||
            put(thread, t_.add(where, t_.constant(2, 16)), t_.extract(value, 16, 16));

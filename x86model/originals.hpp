@@ -1,0 +1,34 @@
+/// @file
+/// Where each listing is printed, and the digest of the routine that the author's own file
+/// assembles to. docs/originals.md says what a digest is of.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "x86model/routine.hpp"
+
+namespace x86model {
+
+/// The length and the digest of a routine's canonical text.
+struct Digest {
+  int instructions;
+  std::string_view sha256;
+};
+
+/// What stands behind a listing.
+struct Source {
+  /// The printed listing, and how ours differs from it.
+  std::string_view printed;
+  /// 0 instructions where no digest is recorded.
+  Digest digest;
+  /// Whether the digest is that of the author's routine; otherwise it is of our own variant.
+  bool is_the_authors = false;
+};
+
+Source source_of(Routine routine, Target target, const Build& build);
+
+/// The same as comments of an assembler source, two lines.
+std::string source_comment(Routine routine, Target target, const Build& build);
+
+}  // namespace x86model
