@@ -10,9 +10,9 @@
 /// The bus time leaves out the bytes that are fetched behind a taken jump and then discarded, wait
 /// states and the refresh of memory. It is a lower bound for that reason.
 ///
-/// Other processors have no bus time here. A 286 and a 386 move 2 and 4 bytes in two clocks, so the
-/// bus needs fewer clocks than the tables for each routine; what slows them down are the wait
-/// states of a board. A 486 has the code in its cache.
+/// Other processors have no bus time here. A 286 and a 386 move 2 and 4 bytes in two clocks without
+/// wait states: less time than the tables for each routine. How many wait states there are is a
+/// matter of the board. A 486 has the code in its cache.
 #pragma once
 
 #include <cstdint>
