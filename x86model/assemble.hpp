@@ -39,8 +39,9 @@ enum class Target : std::uint8_t { i386, i8088 };
 struct Build {
   bool mul_rounding = true;
   bool div_rounding = true;
-  /// The routine as chapter 52 has it: always rounded; the divide ends in MOV and SHR, and
-  /// ConcatXforms adds the translation in all four columns. 386 only.
+  /// The routine as chapter 52 has it: always rounded; the divide ends in MOV and SHR.
+  /// ConcatXforms, which is C there, is the later assembly with the C's result: it adds the
+  /// translation in all four columns. 386 only.
   bool chapter_52 = false;
   /// The 8088 divide with its last ADC after the endif, as the scan of chapter 54 has it: without
   /// rounding it adds a carry that DIV leaves undefined.

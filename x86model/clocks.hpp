@@ -4,7 +4,7 @@
 /// The counts are those of Intel's tables: real mode, near transfers, code already fetched, no wait
 /// states, aligned words, every access of a 486 in its cache and nothing waiting for a register.
 /// The 8088's MUL and DIV are not ranges but what its microcode takes for the operands. Real
-/// machines are slower: an 8088 often waits for code.
+/// machines are slower: an 8088 often waits for code, which bus.hpp counts.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "x86model/bus.hpp"
 #include "x86model/call.hpp"
 #include "x86model/clocks.hpp"
 
@@ -55,8 +56,8 @@ Execution execution_at(std::span<const Instruction> code, std::size_t position, 
 
 }  // namespace detail
 
-/// Adds up the clocks of what run() executes; an instruction that faults adds none. For machines
-/// with words of 16 bits: no other was ever timed.
+/// Adds up the clocks of what run() executes, and on an 8088 the bytes that pass over its bus. An
+/// instruction that faults adds none. For machines with words of 16 bits: no other was ever timed.
 class ClockCounter {
  public:
   /// @param code what is run; it must outlive the counter
@@ -75,24 +76,29 @@ class ClockCounter {
   }
 
   template <class M>
-  void operator()(std::size_t /*position*/, const M& /*after*/) {
+  void operator()(std::size_t position, const M& /*after*/) {
     total_ += pending_;
+    if (cpu_ == Cpu::i8088) bus_ += bus_bytes(code_[position]);
   }
 
   [[nodiscard]] Range total() const { return total_; }
+  /// Nothing on any other processor than the 8088: see bus.hpp.
+  [[nodiscard]] const BusBytes& bus() const { return bus_; }
 
  private:
   std::span<const Instruction> code_;
   Cpu cpu_;
   Range pending_;
   Range total_;
+  BusBytes bus_;
 };
 
-/// How a call ended, and the clocks from its first instruction to its end. The caller's pushes and
-/// its CALL are not in them.
+/// How a call ended, and the clocks and bytes from its first instruction to its end. The caller's
+/// pushes and its CALL are not in them.
 struct ClockedEnding {
   Ending ending{};
-  Range clocks;
+  Range clocks;  ///< by the table
+  BusBytes bus;  ///< on an 8088
 };
 
 /// Calls `routine` at full width and counts. `code` is as for call().
@@ -104,7 +110,7 @@ ClockedEnding count_clocks(std::span<const Instruction> code, std::span<const st
   ClockCounter counter(code, cpu);
   const Ending ending = call<routine, 16>(
       code, in, std::span(out).first(static_cast<std::size_t>(arity(routine).out)), counter);
-  return {ending, counter.total()};
+  return {ending, counter.total(), counter.bus()};
 }
 
 }  // namespace x86model

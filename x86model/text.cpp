@@ -134,7 +134,13 @@ std::string nasm_source(Routine routine, Target target, const Build& build) {
   std::string source = "; ";
   source += name_of(routine);
   source += target == Target::i386 ? " for the 386" : " for the 8088";
-  if (build.chapter_52) source += ", as chapter 52 has it";
+  if (build.chapter_52) {
+    // Chapter 52 prints ConcatXforms as C, and assembly for multiply and divide alone.
+    source +=
+        routine == Routine::concat
+            ? ": listing 54.1 changed to give the results of chapter 52's C, not printed there"
+            : ", as chapter 52 has it";
+  }
   if (build.endif_as_scanned) source += ", with its last ADC after the endif";
   if (build.repaired) source += ", repaired: with the carry that the listing loses";
   if (build.shl_as_printed) source += ", with the shifts by two that an 8088 does not have";

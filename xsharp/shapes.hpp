@@ -1,5 +1,7 @@
 /// @file
-/// Bodies that are computed: the cube and the ball of X-Sharp.
+/// Bodies that are computed: the cube as chapter 52 prints it, and a ball. Of the ball chapter 53
+/// says that it has 72 faces in bands and that radius and bands can be chosen; how it is made is
+/// ours.
 #pragma once
 
 #include <cmath>

@@ -31,8 +31,11 @@ function clockPoints(choice) {
       const on = call.processors.find((p) => p.cpu === choice.time);
       const row = errors.find((r) => presetsOf(r).includes(presetOfListing(call)));
       if (!on?.clocks.mean || !row) return [];
+      // An 8088 takes the larger of two times at least.
+      const bus = on.bus?.mean?.max;
       return [{ name: `${call.target === "i386" ? "386" : "8088"} listing, ${call.rounds ? "rounded" : "unrounded"}`,
-        kind: call.target === "i386" ? "386 listing" : "8088 listing", alike: presetOfListing(call), time: on.clocks.mean.min, most: on.clocks.mean.max,
+        kind: call.target === "i386" ? "386 listing" : "8088 listing", alike: presetOfListing(call),
+        time: Math.max(on.clocks.mean.min, bus ?? 0), most: Math.max(on.clocks.mean.max, bus ?? 0), tabled: on.clocks.mean, bus,
         error: row[choice.error] }];
     });
 }
@@ -69,6 +72,7 @@ function tradePlot(points, choice, width) {
   const says = points.map((p) => ({ x: middle(p), y: height(p),
     text: [p.name, p.alike && p.alike !== p.name ? `like ${p.alike}` : null,
       `${figure(p.time)}${p.most > p.time ? ` to ${figure(p.most)}` : ""} ${unit} a ${choice.operation}`,
+      p.bus ? `table ${figure(p.tabled.max)}, bus ${figure(p.bus)} clocks` : null,
       choice.error === "rms" ? `rms error ${figure(p.error)} ulp` : `largest error ${largest(p.error)} ulp`,
       p.rule ? `rounds: ${p.rule}` : null].filter(Boolean).join("\n") }));
   const color = (p) => colours[kinds[choice.from].indexOf(p.kind)] ?? colours[5];
@@ -153,6 +157,10 @@ function showTrade() {
         { title: "variant", of: (p) => p.name },
         { title: "kind", of: (p) => kindNames[p.kind] ?? p.kind },
         { title: unit, of: (p) => between({ min: p.time, max: p.most }), number: true },
+        ...(points.some((p) => p.bus) ? [
+          { title: "by the table", of: (p) => between(p.tabled), number: true },
+          { title: "by the bus", of: (p) => figure(p.bus), number: true },
+        ] : []),
         { title: "error, ulp", of: (p) => (choice.error === "rms" ? figure : largest)(p.error), number: true },
       ], d3.sort(points, middle)));
   };

@@ -121,4 +121,28 @@ TEST(Defects, BufferBeyondSegment) {
   EXPECT_EQ(first_beyond / 320, 102U);
 }
 
+TEST(Defects, StepBeforeFetch) {
+  // A texel of row 0 is the number of its column.
+  const auto drawn = [](x86::Counting counting, std::uint32_t pixels) {
+    std::vector<std::uint8_t> data(0x10000);
+    std::vector<std::uint8_t> row(0x10000);
+    const auto texture = static_cast<std::size_t>(x86::address_of(x86::Symbol::texture));
+    for (std::size_t column = 0; column < 256; ++column) {
+      data.at(texture + column) = static_cast<std::uint8_t>(column);
+    }
+    const LoopForm form{Loop::texture, counting};
+    LoopMachine m{.registers = {}, .memory = x86::ByteMemory(data, row, data)};
+    x86::call_loop(form, x86::code_of(form), m,
+                   {.pixels = pixels, .value = 1U << 8U, .step = 1U << 8U});
+    row.resize(pixels);
+    return row;
+  };
+  using Texels = std::vector<std::uint8_t>;
+  for (const auto counting : {Counting::loop, Counting::dec_jnz, Counting::unrolled}) {
+    EXPECT_EQ(drawn(counting, 1), Texels{1});
+    // Stepped before the fetch, as the pseudo-code has it, they would be 2, 3 and 4.
+    EXPECT_EQ(drawn(counting, 3), (Texels{1, 2, 3}));
+  }
+}
+
 }  // namespace

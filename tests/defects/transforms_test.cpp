@@ -67,6 +67,34 @@ TEST(Defects, OutOfBounds) {
   std::array<std::array<std::int32_t, 4>, 3> rows{};
   EXPECT_THROW(rows.at(3).at(3) = 1, std::out_of_range);
   EXPECT_EQ(x86::arity(xformvec).in, 12 + 3);
+  // Where a second transform follows it is that one's row 0, column 3.
+  constexpr std::uint32_t bytes_of_transform = 12 * bytes_of_element;
+  EXPECT_EQ(address(3, 3), bytes_of_transform + address(0, 3));
+  x86::WordMemory<16, 48> two;
+  EXPECT_TRUE(two.write(address(3, 3), 0));
+}
+
+/// ConcatXforms with DestXform made to point at one of its sources, 0 or 1, and what stands there
+/// afterwards.
+Words concat_in_place(x86::Target target, const Words& in, std::uint32_t which) {
+  x86::CallMachine<concat, 16> machine;
+  x86::enter<concat>(machine, in);
+  // Above the return address: SourceXform1, SourceXform2, DestXform.
+  const std::uint32_t sp = machine.registers.read(x86::Register::sp, x86::Size::word);
+  std::uint32_t source = 0;
+  EXPECT_TRUE(machine.memory.read(sp + 2 + 2 * which, source));
+  EXPECT_TRUE(machine.memory.write(sp + 6, source));
+  const x86::Program program = x86::assemble(x86::listing(concat, target), defects::rounded);
+  EXPECT_EQ(x86::run(program.instructions(), machine).outcome, x86::Outcome::returned);
+  Words transform;
+  for (std::uint32_t at = source; at < source + 48; at += 4) {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    EXPECT_TRUE(machine.memory.read(at, low));
+    EXPECT_TRUE(machine.memory.read(at + 2, high));
+    transform.push_back(high << 16U | low);
+  }
+  return transform;
 }
 
 /// XformVec with DestVec made to point at the source vector, and what stands there afterwards.
@@ -99,6 +127,13 @@ TEST(Defects, InPlace) {
     EXPECT_EQ(ask<xformvec>(target, defects::rounded, in),
               defects::values({2 * one, one, 3 * one}));
     EXPECT_EQ(transform_in_place(target, in), (Words{2 * one, 2 * one, 3 * one}));
+  }
+  // The swap times itself: each element is taken for the old one as soon as it is written.
+  const Words twice = both(swap, swap);
+  for (const auto target : defects::targets) {
+    EXPECT_EQ(ask<concat>(target, defects::rounded, twice), defects::values(move(0, 0, 0)));
+    EXPECT_EQ(concat_in_place(target, twice, 0), (Words{one, one, 0, 0, 0, 0, 0, 0, 0, 0, one, 0}));
+    EXPECT_EQ(concat_in_place(target, twice, 1), (Words{one, 0, 0, 0, one, 0, 0, 0, 0, 0, one, 0}));
   }
 }
 

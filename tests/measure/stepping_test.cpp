@@ -334,7 +334,14 @@ TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
 TEST(SteppingClocks, ClaimsAreJudged) {
   const auto claims = judge_stepping_claims({{x86model::Cpu::i386, {200, 200}, {50, 50}}});
   ASSERT_EQ(claims.size(), 3U);
-  for (const Claim& claim : claims) ASSERT_EQ(claim.figures.size(), 1U) << claim.text;
+  ASSERT_EQ(claims[0].figures.size(), 2U);
+  // MOV to memory twice 2, INC 2; STOSB 4. Then 42 clocks a pixel to 19.
+  EXPECT_EQ(claims[0].figures[0].measured.min, 6.0 / 4);
+  EXPECT_EQ(claims[0].figures[0].measured.max, 6.0 / 4);
+  EXPECT_EQ(claims[0].figures[0].verdict, Verdict::does_not_hold);
+  EXPECT_NEAR(claims[0].figures[1].measured.min, 42.0 / 19, 1e-9);
+  EXPECT_EQ(verdict_on(claims[0]), Verdict::in_part);
+  for (const std::size_t i : {1U, 2U}) ASSERT_EQ(claims[i].figures.size(), 1U) << claims[i].text;
   EXPECT_EQ(verdict_on(claims[2]), Verdict::holds);
   EXPECT_GT(claims[2].figures[0].measured.min, 400.0 / 30);
 }

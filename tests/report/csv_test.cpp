@@ -41,20 +41,24 @@ TEST(Csv, HasATableForWhatWasMeasured) {
 TEST(Csv, OfClocksWithAndWithoutAMean) {
   const CsvJson spread{{"least", 7}, {"most", 9}, {"calls", 0}};
   const CsvJson mean{{"least", 7}, {"most", 9}, {"calls", 2}, {"mean", {{"min", 7.5}, {"max", 8}}}};
-  const CsvJson clocks{{"clocks",
-                        {{{"routine", "mul"},
-                          {"target", "i386"},
-                          {"chapter", 54},
-                          {"rounds", true},
-                          {"instructions", spread},
-                          {"processors", {{{"cpu", "386"}, {"clocks", mean}}}},
-                          {"faults", 0}}}},
-                       {"claims", CsvJson::array()}};
+  const CsvJson clocks{
+      {"clocks",
+       {{{"routine", "mul"},
+         {"target", "i386"},
+         {"chapter", 54},
+         {"rounds", true},
+         {"instructions", spread},
+         {"processors",
+          {{{"cpu", "386"}, {"clocks", mean}},
+           {{"cpu", "8088"}, {"clocks", mean}, {"bus", mean}, {"limit", "table"}}}},
+         {"faults", 0}}}},
+      {"claims", CsvJson::array()}};
   EXPECT_EQ(text_of({{"clocks", clocks}}, "clocks.csv"),
             "routine,target,chapter,rounds,cpu,instructions_least,instructions_mean_min,"
             "instructions_mean_max,instructions_most,clocks_least,clocks_mean_min,clocks_mean_max,"
-            "clocks_most,calls,faults\r\n"
-            "mul,i386,54,true,386,7,,,9,7,7.5,8,9,2,0\r\n");
+            "clocks_most,bus_mean,limit,calls,faults\r\n"
+            "mul,i386,54,true,386,7,,,9,7,7.5,8,9,,,2,0\r\n"
+            "mul,i386,54,true,8088,7,,,9,7,7.5,8,9,8,table,2,0\r\n");
 }
 
 TEST(Csv, OfHostTimesWhereOneHasNoChain) {

@@ -333,9 +333,11 @@ TEST(Clocks, EachProcessorNeedsFewerThanTheOneBefore) {
       Range before{1'000'000, 1'000'000};
       for (const Cpu cpu : cpus) {
         if (target == Target::i386 && cpu < Cpu::i386) continue;
-        const auto [counted, clocks] = count_clocks<routine>(program.instructions(), operands, cpu);
+        const auto [counted, clocks, bus] =
+            count_clocks<routine>(program.instructions(), operands, cpu);
         ASSERT_EQ(counted.outcome, ending.outcome);
         ASSERT_EQ(counted.steps, ending.steps);
+        ASSERT_EQ(bus == BusBytes{}, cpu != Cpu::i8088);
         ASSERT_LE(clocks.min, clocks.max);
         ASSERT_LT(clocks.min, before.min) << name_of(routine) << name_of(cpu) << " case " << i / in;
         // At its worst, a 486 is no faster than a 386.
@@ -351,8 +353,10 @@ TEST(Clocks, EachProcessorNeedsFewerThanTheOneBefore) {
 TEST(Clocks, AFaultAddsNone) {
   const Program program = assemble(listing(Routine::div, Target::i386), {});
   const std::array<std::uint32_t, 2> in{0x00010000, 0};
-  const auto [ending, clocks] = count_clocks<Routine::div>(program.instructions(), in, Cpu::i386);
+  const auto [ending, clocks, bus] =
+      count_clocks<Routine::div>(program.instructions(), in, Cpu::i386);
   EXPECT_EQ(ending.outcome, Outcome::divide_error);
+  EXPECT_EQ(bus, BusBytes{});
   // The rows of FixedDiv above, up to DIV.
   EXPECT_EQ(clocks, exactly(2 + 2 + 2 + 4 + 2 + 10 + 2 + 3 + 2 + 2 + 4 + 2 + 10));
 }

@@ -35,6 +35,33 @@ TEST(Encoding, LoopsAreAsLongAsNasmMakesThem) {
   }
 }
 
+/// The displacement that NASM puts at the end of a jump leads to the place that the lengths give
+/// its label: so lengths do not only add up over whole programs.
+TEST(Encoding, LabelsStandWhereNasmPutsThem) {
+  std::size_t jumps = 0;
+  for (const fixproof::ProgramKey& key : fixproof::all_programs()) {
+    const auto assembled = fixproof::machine_code(key);
+    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code_absence();
+    const Program program = assemble(listing(key.routine, key.target), key.build);
+    const auto code = program.instructions();
+    std::vector<std::int32_t> starts{0};
+    for (const Instruction& i : code) starts.push_back(starts.back() + encoding_of(i).bytes());
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      const Operand& to = code[i].operands[0];
+      if (to.kind != Operand::Kind::label) continue;
+      const auto end = static_cast<std::size_t>(starts[i + 1]);
+      const auto place =
+          code[i].mnemonic == Mnemonic::call
+              ? static_cast<std::int16_t>(assembled[end - 2] | unsigned{assembled[end - 1]} << 8U)
+              : static_cast<std::int8_t>(assembled[end - 1]);
+      EXPECT_EQ(starts[i + 1] + place, starts[static_cast<std::size_t>(to.value)])
+          << name_of(key) << ' ' << text_of(code[i]);
+      ++jumps;
+    }
+  }
+  EXPECT_GT(jumps, 100U);
+}
+
 TEST(Encoding, PositionsAreThoseOfFirstBytes) {
   const std::array code{mov(al, dh), add(dx, bp), stosb(), ret()};
   EXPECT_EQ(position_at(code, 0), 0U);

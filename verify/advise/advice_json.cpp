@@ -23,6 +23,7 @@ AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
   json["cost_most"] = tried.cost.most;
   json["cost_ranked"] = tried.cost.ranked;
   json["cost_spread"] = tried.cost.spread;
+  json["cost_bus"] = tried.cost.bus ? AdviceJson(*tried.cost.bus) : AdviceJson();
   json["worst_pixels"] = tried.error.pixels;
   json["worst_frame"] = tried.error.frame;
   json["worst_object"] = tried.error.object;

@@ -38,13 +38,18 @@ std::string percent_text(double share) {
 }  // namespace
 
 std::string table_of(const AdviceReport& report) {
-  std::string text = fmt::format("{:>11}{:>11}{:>10}  {:<7}{:<15}{}\n", "least", "most", "pixels",
-                                 "budget", "over after", "variant");
+  const bool has_bus = report.cpu == x86model::Cpu::i8088;
+  const auto bus_text = [has_bus](const std::string& text) {
+    return has_bus ? fmt::format("{:>11}", text) : std::string{};
+  };
+  std::string text = fmt::format("{:>11}{:>11}{}{:>10}  {:<7}{:<15}{}\n", "least", "most",
+                                 bus_text("bus"), "pixels", "budget", "over after", "variant");
   for (const Tried& tried : report.tried) {
     const auto& over = tried.error.over;
-    text += fmt::format("{:>11}{:>11}{:>10.3f}  {:<7}{:<15}{}\n", whole(tried.cost.least),
-                        whole(tried.cost.most), tried.error.pixels, over ? "over" : "in",
-                        over ? after(*over) : "", name_of(tried.choice));
+    text += fmt::format("{:>11}{:>11}{}{:>10.3f}  {:<7}{:<15}{}\n", whole(tried.cost.least),
+                        whole(tried.cost.most), bus_text(whole(tried.cost.bus.value_or(0))),
+                        tried.error.pixels, over ? "over" : "in", over ? after(*over) : "",
+                        name_of(tried.choice));
   }
   return text;
 }

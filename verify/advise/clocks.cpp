@@ -57,16 +57,29 @@ class FromAngles {
   std::vector<Turned> objects_;
 };
 
-Cost between(double least, double most) { return {least, most, (least + most) / 2}; }
+/// Of a frame on average, by Intel's tables and on the bus of an 8088.
+struct Counted {
+  double least = 0;
+  double most = 0;
+  double bus = 0;
+};
+
+Cost cost_of(const Counted& c, x86model::Cpu cpu) {
+  const double least = std::max(c.least, c.bus);
+  const double most = std::max(c.most, c.bus);
+  Cost cost{least, most, (least + most) / 2};
+  if (cpu == x86model::Cpu::i8088) cost.bus = c.bus;
+  return cost;
+}
 
 /// The clocks of the sampled frames, as counted.
-Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
+Counted sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto player = make_player(scene, scene.arithmetic);
   const auto canvas = canvas_of_surfaces(scene);
   std::optional<FromAngles> angles;
   if (scene.from_scratch) angles.emplace(scene);
   xsharp::Picture picture;
-  x86model::Range sum;
+  FrameClocks sum;
   for (std::uint64_t place = 0; place < ClockSample::places; ++place) {
     // Afterwards nothing is left to prepare but what moves.
     player->draw(picture);
@@ -85,13 +98,15 @@ Cost sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
     }
   }
   constexpr double frames = ClockSample::places * ClockSample::in_a_row;
-  return between(static_cast<double>(sum.min) / frames, static_cast<double>(sum.max) / frames);
+  return {static_cast<double>(sum.table.min) / frames, static_cast<double>(sum.table.max) / frames,
+          static_cast<double>(sum.bus.clocks()) / frames};
 }
 
 /// Of the motions between always and never restoring.
-Cost shared_out(const Cost& never, const Cost& always, double rotations) {
-  return between(never.least + (always.least - never.least) / rotations,
-                 never.most + (always.most - never.most) / rotations);
+Counted shared_out(const Counted& never, const Counted& always, double rotations) {
+  return {never.least + (always.least - never.least) / rotations,
+          never.most + (always.most - never.most) / rotations,
+          never.bus + (always.bus - never.bus) / rotations};
 }
 
 /// Counts each scene once.
@@ -101,17 +116,17 @@ class ClockMemory {
 
   Cost of(Choice choice) {
     const std::int32_t every = choice.turning.restore_every;
-    if (every <= 1) return counted(choice);
+    if (every <= 1) return cost_of(counted(choice), cpu_);
     choice.turning.restore_every = 0;
-    const Cost never = counted(choice);
+    const Counted never = counted(choice);
     choice.turning.restore_every = 1;
-    return shared_out(never, counted(choice), every);
+    return cost_of(shared_out(never, counted(choice), every), cpu_);
   }
 
  private:
-  Cost counted(const Choice& choice) {
-    for (const auto& [known, cost] : counted_) {
-      if (known == choice) return cost;
+  Counted counted(const Choice& choice) {
+    for (const auto& [known, clocks] : counted_) {
+      if (known == choice) return clocks;
     }
     counted_.emplace_back(choice, sampled_clocks(scene_with(scene_, choice, "model"), cpu_));
     return counted_.back().second;
@@ -119,7 +134,7 @@ class ClockMemory {
 
   const xsharp::Scene& scene_;
   x86model::Cpu cpu_;
-  std::vector<std::pair<Choice, Cost>> counted_;
+  std::vector<std::pair<Choice, Counted>> counted_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Cost {
   double most = 0;
   double ranked = 0;  ///< what choices are ranked by
   double spread = 0;  ///< of what ranks, from round to round: less than that is no difference
+  std::optional<double> bus{};  ///< on an 8088, which the others are at least
 };
 
 /// The frames that are looked at for clocks: so many in a row, so that delays of 2, 3 and 4 frames
@@ -37,7 +39,8 @@ struct TimeSample {
 };
 
 /// Clocks of the listings alone, not of the C around them, as the mean of a sample of frames. Two
-/// numbers where the tables of clocks give a range, whose middle ranks.
+/// numbers where the tables of clocks give a range, whose middle ranks. On an 8088 the larger of
+/// table and bus time.
 ///
 /// Restoring is counted after every rotation and shared out among the frames between two. From
 /// scratch, an orientation is made in double, for which there is no table of clocks: it is counted

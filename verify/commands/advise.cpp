@@ -82,6 +82,11 @@ std::string heading(const AdviceReport& report) {
         "axis that "
         "turns.\n",
         x86model::name_of(*report.cpu), ClockSample::in_a_row * ClockSample::places);
+    if (report.cpu == x86model::Cpu::i8088) {
+      text +=
+          "They are the larger of two times: Intel's table, and the bus at 4 clocks for each byte "
+          "of code and data.\n";
+    }
   } else {
     text += fmt::format(
         "Least and most: nanoseconds a frame by the type on this processor, least and "

@@ -92,9 +92,10 @@ class ClockMeter {
 
   void count(const OperandLog& log) {
     for (Total& total : totals_) {
-      const x86model::Range clocks = clocks_of(log, choice_, total.cpu);
-      total.least += clocks.min;
-      total.most += clocks.max;
+      const FrameClocks clocks = clocks_of(log, choice_, total.cpu);
+      total.least += clocks.table.min;
+      total.most += clocks.table.max;
+      total.bus += clocks.bus.clocks();
     }
     ++counted_;
   }
@@ -103,13 +104,16 @@ class ClockMeter {
   [[nodiscard]] std::string text() const {
     std::string text;
     if (counted_ == 0) return text;
-    for (const auto& [cpu, least_of_all, most_of_all] : totals_) {
-      const std::uint64_t least = least_of_all / counted_;
-      const std::uint64_t most = most_of_all / counted_;
+    for (const Total& total : totals_) {
+      const std::uint64_t least = total.least / counted_;
+      const std::uint64_t most = total.most / counted_;
       text += text.empty() ? "Listings alone: " : ", ";
       text +=
           least == most ? grouped(least) : fmt::format("{} to {}", grouped(least), grouped(most));
-      text += fmt::format(" clocks a frame on the {}", x86model::name_of(cpu));
+      text += fmt::format(" clocks a frame on the {}", x86model::name_of(total.cpu));
+      if (total.cpu == x86model::Cpu::i8088) {
+        text += fmt::format(" by its table and {} by its bus", grouped(total.bus / counted_));
+      }
     }
     return text.empty() ? text
                         : fmt::format("{} (mean of {} frame{}{})\n", text, grouped(counted_),
@@ -122,6 +126,7 @@ class ClockMeter {
     x86model::Cpu cpu{};
     std::uint64_t least = 0;
     std::uint64_t most = 0;
+    std::uint64_t bus = 0;
   };
   static constexpr std::uint64_t every = 10;
 

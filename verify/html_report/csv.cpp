@@ -68,6 +68,10 @@ CsvJson clock_rows(const CsvJson& clocks) {
                   {"cpu", on.at("cpu")}};
       add_spread(row, "instructions", call.at("instructions"));
       add_spread(row, "clocks", on.at("clocks"));
+      // Of an 8088 alone.
+      const bool bus = on.contains("bus") && on.at("bus").contains("mean");
+      row["bus_mean"] = bus ? on.at("bus").at("mean").at("max") : CsvJson();
+      row["limit"] = bus ? on.at("limit") : CsvJson();
       row["calls"] = on.at("clocks").at("calls");
       row["faults"] = call.at("faults");
       rows.push_back(std::move(row));
@@ -81,6 +85,7 @@ CsvJson claim_rows(const CsvJson& clocks) {
   for (const CsvJson& claim : clocks.at("claims")) {
     for (const CsvJson& figure : claim.at("figures")) {
       rows.push_back({{"claim", claim.at("claim")},
+                      {"place", claim.at("place")},
                       {"means", claim.at("means")},
                       {"verdict", claim.at("verdict")},
                       {"where", figure.at("where")},

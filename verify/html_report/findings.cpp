@@ -1,9 +1,11 @@
 #include "verify/html_report/findings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -38,6 +40,8 @@ struct Finding {
   std::string test;
   std::string says;
   std::vector<Asked> cases;
+  /// Of its section in docs/findings.md; without it, the one after the last.
+  std::optional<std::size_t> number{};
 };
 
 std::vector<std::string> words_of(std::string_view text) {
@@ -214,7 +218,8 @@ std::vector<Finding> last_findings() {
       {"An element that is not there",
        "Defects.OutOfBounds",
        "A transform has twelve elements, three rows of four. Chapter 52 stores into row 3, column "
-       "3, which would be the sixteenth.",
+       "3, which would be the sixteenth: row 0, column 3 of the transform behind it, which is "
+       "written again before it is read.",
        {{"model", "row 2, column 3", stored(2, 3)}, {"model", "row 3, column 3", stored(3, 3)}}},
       {"Not an instruction of the 8088",
        "Defects.NotAn8088Instruction",
@@ -224,7 +229,8 @@ std::vector<Finding> last_findings() {
         {"8088", "shl bx, 2", has_instruction(x86::Target::i8088)}}},
       {"Not in place",
        "Defects.InPlace",
-       "XformVec writes a coordinate before it has read the last. Swapping x and y of (1, 2, 3).",
+       "XformVec writes a coordinate before it has read the last, and ConcatXforms an element. "
+       "Swapping x and y of (1, 2, 3).",
        {evaluated("386, apart",
                   "00000000 00010000 00000000 00000000 00010000 00000000 00000000 00000000 "
                   "00000000 00000000 00010000 00000000 00010000 00020000 00030000",
@@ -249,7 +255,7 @@ std::vector<Finding> last_findings() {
       {"What rounding adds",
        "Defects.Comments",
        "One comment has rounding add a unit, another half a unit. Half a unit becomes a unit, what "
-       "is less becomes nothing.",
+       "is less becomes nothing. Six more comments contradict their code.",
        {evaluated("386", "00000001 00008000", "mul"),
         evaluated("386", "00000001 00007fff", "mul")}},
   };
@@ -268,8 +274,8 @@ std::vector<Finding> loop_findings() {
         traced("with SHLD", "depth 00000001 00001234 00000000", "shld")}},
       {"Nothing to draw",
        "Defects.NoPixels",
-       "A loop that counts at its end draws at least one pixel, and for none counts on: LOOP to "
-       "65,536, DEC ECX to 4,294,967,296. An unrolled one draws none.",
+       "A loop that counts at its end draws at least one pixel, and for none counts on: in 16-bit "
+       "code LOOP to 65,536, DEC ECX to 4,294,967,296. An unrolled one draws none.",
        {{"LOOP", "GouraudBytes, 0 pixels", pixels_drawn(bytes, 0)},
         {"DEC, JNZ", "GouraudBytes, 0 pixels",
          pixels_drawn({.loop = x86::Loop::gouraud_byte, .counting = dec_jnz}, 0)},
@@ -278,7 +284,7 @@ std::vector<Finding> loop_findings() {
       {"The odd pixel",
        "Defects.OddPixel",
        "Two pixels a store: SHR ECX,1 drops the last of an odd number, and of one pixel makes "
-       "none, which is 65,536 words.",
+       "none, which is 65,536 words. The source has the caller write the odd ones as bytes.",
        {{"LOOP", "GouraudWords, 7 pixels", pixels_drawn(words, 7)},
         {"LOOP", "GouraudWords, 1 pixel", pixels_drawn(words, 1)}}},
       {"The depth test and what is said of it",
@@ -296,19 +302,46 @@ std::vector<Finding> loop_findings() {
   };
 }
 
+/// What the texture loop draws, texels being numbered by their columns.
+std::string texels_drawn(std::uint32_t from_column, std::uint32_t count) {
+  std::vector<std::uint8_t> segment(0x10000);
+  const auto texture = static_cast<std::size_t>(x86::address_of(x86::Symbol::texture));
+  constexpr std::size_t columns = 16;
+  for (std::size_t i = 0; i < columns; ++i) segment.at(texture + i) = static_cast<std::uint8_t>(i);
+  std::vector<std::uint8_t> row(0x10000);
+  x86::LoopMachine machine{.registers = {}, .memory = x86::ByteMemory(segment, row, segment)};
+  const x86::LoopForm form{.loop = x86::Loop::texture};
+  x86::call_loop(form, x86::code_of(form), machine,
+                 {.pixels = count, .value = from_column << 8U, .step = 1U << 8U});
+  return fmt::format("{}", fmt::join(std::span(row).first(count), " "));
+}
+
+std::vector<Finding> texture_findings() {
+  return {
+      {"A step before the fetch",
+       "Defects.StepBeforeFetch",
+       "The pseudo-code of a texture steps its coordinates and then fetches the texel; the "
+       "assembly fetches first. One pixel apart. Three pixels from column 1, a column a pixel.",
+       {{"assembly", "from column 1", texels_drawn(1, 3)},
+        {"pseudo-code", "a step further, from column 2", texels_drawn(2, 3)}},
+       21},
+  };
+}
+
 }  // namespace
 
 nlohmann::ordered_json computed_findings() {
   std::vector<Finding> all = first_findings();
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
   for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
+  for (Finding& finding : texture_findings()) all.push_back(std::move(finding));
   FindingJson json = FindingJson::array();
   for (const Finding& finding : all) {
     FindingJson cases = FindingJson::array();
     for (const Asked& asked : finding.cases) {
       cases.push_back({{"who", asked.who}, {"asked", asked.question}, {"answer", asked.answer}});
     }
-    json.push_back({{"number", json.size() + 1},
+    json.push_back({{"number", finding.number.value_or(json.size() + 1)},
                     {"title", finding.title},
                     {"test", finding.test},
                     {"says", finding.says},

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
 
 #include "verify/machine_code/programs.hpp"
 #include "x86model/call_loop.hpp"
@@ -28,9 +30,10 @@ bool can_run(const LoopForm& form, Cpu cpu) {
   return form.target == Target::i8088 || cpu >= Cpu::i386;
 }
 
-/// Clocks of a call from its first instruction to RET. The depth buffer holds what lets all pixels
+/// Counts a call from its first instruction to RET. The depth buffer holds what lets all pixels
 /// through, or none.
-x86::Range clocks_of_call(const LoopForm& form, Pixels pixels, Cpu cpu, std::uint32_t count) {
+x86::ClockCounter count_call(std::span<const x86::Instruction> code, const LoopForm& form,
+                             Pixels pixels, Cpu cpu, std::uint32_t count) {
   std::vector<std::uint8_t> memory(0x10000);
   constexpr std::size_t depths = 0x500;
   for (std::size_t i = 0; i < count; ++i) {
@@ -39,14 +42,13 @@ x86::Range clocks_of_call(const LoopForm& form, Pixels pixels, Cpu cpu, std::uin
     memory.at(depths + 2 * i + 1) = drawn ? 0x80 : 0x7F;
   }
   x86::LoopMachine m{.registers = {}, .memory = x86::ByteMemory(memory, memory, memory)};
-  const auto code = x86::code_of(form);
   x86::ClockCounter counter(code, cpu);
   constexpr std::uint32_t row = 0x2800;
   x86::LoopCall call{.pixels = count};
   // A row begins at an even address.
   if (form.loop != Loop::depth_test) call.place = row;
   x86::call_loop(form, code, m, call, counter);
-  return counter.total();
+  return counter;
 }
 
 std::string name_of(Pixels pixels, Loop loop) {
@@ -88,20 +90,24 @@ void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixel
     const bool same = slow.loop == fast.loop;
     const double least = a->min / (same ? b->min : b->max);
     const double most = a->max / (same ? b->max : b->min);
-    claim.gains.push_back(
-        {fmt::format(
-             "{}{}, {} to {}, on {} {}", form_name(slow), name_of(pixels, slow.loop),
-             x86::name_of(slow.counting),
-             slow.loop == fast.loop ? std::string(x86::name_of(fast.counting)) : form_name(fast),
-             cpu == Cpu::i8088 ? "an" : "a", x86::name_of(cpu)),
-         std::min(least, most), std::max(least, most)});
+    const std::string where = fmt::format(
+        "{}{}, {} to {}, on {} {}", form_name(slow), name_of(pixels, slow.loop),
+        x86::name_of(slow.counting),
+        slow.loop == fast.loop ? std::string(x86::name_of(fast.counting)) : form_name(fast),
+        cpu == Cpu::i8088 ? "an" : "a", x86::name_of(cpu));
+    claim.gains.push_back({where, std::min(least, most), std::max(least, most)});
+    if (cpu != Cpu::i8088) continue;
+    // The table gives an 8088 no ranges here.
+    const double with_bus = std::max(a->min, a->bus) / std::max(b->min, b->bus);
+    claim.gains.push_back({where + " with its bus", with_bus, with_bus});
   }
 }
 
 /// Compares the form with another that differs in `change` alone, where there is one.
 template <class Change>
-LoopClaim compared(std::string text, Loop loop_from, Loop loop_to, Counting from, Change change) {
-  LoopClaim claim{std::move(text), {}};
+LoopClaim compared(std::string text, std::string place, Loop loop_from, Loop loop_to, Counting from,
+                   Change change) {
+  LoopClaim claim{std::move(text), std::move(place), {}};
   each_row([&](const LoopForm& form, Pixels pixels) {
     if (form.counting != from || form.as_printed || form.loop < loop_from || form.loop > loop_to) {
       return;
@@ -118,18 +124,23 @@ LoopClaim compared(std::string text, Loop loop_from, Loop loop_to, Counting from
 std::optional<PixelClocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu cpu) {
   if (!can_run(form, cpu)) return std::nullopt;
   constexpr std::uint32_t most = x86::loops::most_pixels;
-  const x86::Range whole = clocks_of_call(form, pixels, cpu, most);
-  const x86::Range half = clocks_of_call(form, pixels, cpu, most / 2);
-  constexpr double pixels_between = most - most / 2;
-  return PixelClocks{static_cast<double>(whole.min - half.min) / pixels_between,
-                     static_cast<double>(whole.max - half.max) / pixels_between};
+  const auto code = x86::code_of(form);
+  const x86::ClockCounter whole = count_call(code, form, pixels, cpu, most);
+  const x86::ClockCounter half = count_call(code, form, pixels, cpu, most / 2);
+  const auto a_pixel = [](std::uint64_t of_whole, std::uint64_t of_half) {
+    return static_cast<double>(of_whole - of_half) / (most - most / 2);
+  };
+  return PixelClocks{a_pixel(whole.total().min, half.total().min),
+                     a_pixel(whole.total().max, half.total().max),
+                     a_pixel(whole.bus().clocks(), half.bus().clocks())};
 }
 
 std::vector<LoopClaim> loop_claims() {
   std::vector<LoopClaim> claims;
   for (const Counting counting : {Counting::loop, Counting::dec_jnz, Counting::unrolled}) {
     LoopClaim words =
-        compared("Two pixels a store are faster than one.", Loop::gouraud_byte, Loop::gouraud_byte,
+        compared("Two pixels a store are faster than one.",
+                 "interpolation text, tips, single bytes", Loop::gouraud_byte, Loop::gouraud_byte,
                  counting, [](LoopForm& form) { form.loop = Loop::gouraud_word; });
     if (claims.empty()) {
       claims.push_back(std::move(words));
@@ -138,36 +149,45 @@ std::vector<LoopClaim> loop_claims() {
                                   words.gains.end());
     }
   }
-  claims.push_back(compared("DEC and JNZ are faster than LOOP.", Loop::gouraud_byte, Loop::texture,
-                            Counting::loop,
+  claims.push_back(compared("DEC and JNZ are faster than LOOP.",
+                            "interpolation text, tips, the loop instruction", Loop::gouraud_byte,
+                            Loop::texture, Counting::loop,
                             [](LoopForm& form) { form.counting = Counting::dec_jnz; }));
-  claims.push_back(compared("Not to loop at all is the fastest.", Loop::gouraud_byte, Loop::texture,
-                            Counting::dec_jnz,
+  claims.push_back(compared("Not to loop at all is the fastest.",
+                            "interpolation text, tips, unrolled loops", Loop::gouraud_byte,
+                            Loop::texture, Counting::dec_jnz,
                             [](LoopForm& form) { form.counting = Counting::unrolled; }));
   return claims;
 }
 
 std::string span_clocks_text() {
-  std::string text = "Inner loops: clocks a pixel of a long span, by Intel's tables.\n\n" +
-                     fmt::format("{:<24}{:<10}{:<7}{:>10}{:>10}{:>10}{:>12}\n", "loop", "counting",
-                                 "code", "8088", "286", "386", "486");
+  std::string text =
+      "Inner loops: clocks a pixel of a long span, by Intel's tables, and on the bus of an 8088.\n"
+      "An 8088 takes the larger of the two at least.\n\n" +
+      fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",
+                  "8088", "bus", "286", "386", "486");
   each_row([&](const LoopForm& form, Pixels pixels) {
     text += fmt::format("{:<24}{:<10}{:<7}", form_name(form) + name_of(pixels, form.loop),
                         x86::name_of(form.counting), target_name(form.target));
     for (const Cpu cpu : cpus) {
-      text += fmt::format("{:>{}}", between(pixel_clocks(form, pixels, cpu)),
-                          cpu == Cpu::i486 ? 12 : 10);
+      const auto clocks = pixel_clocks(form, pixels, cpu);
+      if (cpu == Cpu::i8088) {
+        text += fmt::format("{:>9}{:>6}", between(clocks),
+                            clocks ? fmt::format("{:.1f}", clocks->bus) : "-");
+      } else {
+        text += fmt::format("{:>{}}", between(clocks), cpu == Cpu::i486 ? 12 : 10);
+      }
     }
     text += '\n';
   });
   for (const LoopClaim& claim : loop_claims()) {
-    text += fmt::format("\n{}\n", claim.text);
+    text += fmt::format("\n{} ({})\n", claim.text, claim.place);
     for (const LoopGain& gain : claim.gains) {
       const std::string verdict = gain.min > 1 ? "holds" : gain.max <= 1 ? "does not hold" : "open";
       const std::string times = gain.min == gain.max
                                     ? fmt::format("{:.2f}", gain.min)
                                     : fmt::format("{:.2f}-{:.2f}", gain.min, gain.max);
-      text += fmt::format("  {:<52}{:>10} times  {}\n", gain.where, times, verdict);
+      text += fmt::format("  {:<65}{:>10} times  {}\n", gain.where, times, verdict);
     }
   }
   return text;
@@ -181,8 +201,9 @@ nlohmann::ordered_json span_clocks_json() {
     for (const Cpu cpu : cpus) {
       const auto clocks = pixel_clocks(form, pixels, cpu);
       if (!clocks) continue;
-      processors.push_back(
-          {{"cpu", x86::name_of(cpu)}, {"min", clocks->min}, {"max", clocks->max}});
+      Json on{{"cpu", x86::name_of(cpu)}, {"min", clocks->min}, {"max", clocks->max}};
+      if (cpu == Cpu::i8088) on["bus"] = clocks->bus;
+      processors.push_back(std::move(on));
     }
     rows.push_back({{"loop", name_of_loop(form.loop)},
                     {"counting", x86::name_of(form.counting)},
@@ -197,7 +218,7 @@ nlohmann::ordered_json span_clocks_json() {
     for (const LoopGain& gain : claim.gains) {
       gains.push_back({{"where", gain.where}, {"min", gain.min}, {"max", gain.max}});
     }
-    claims.push_back({{"claim", claim.text}, {"gains", std::move(gains)}});
+    claims.push_back({{"claim", claim.text}, {"place", claim.place}, {"gains", std::move(gains)}});
   }
   return {{"pixels", std::move(rows)}, {"claims", std::move(claims)}};
 }

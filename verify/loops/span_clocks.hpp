@@ -19,13 +19,15 @@ enum class Pixels { drawn, hidden };
 struct PixelClocks {
   double min = 0;
   double max = 0;
+  double bus = 0;  ///< of an 8088: its pixel takes the larger of table and bus time at least
 };
 
 /// @return nothing where the processor cannot run the form
 std::optional<PixelClocks> pixel_clocks(const x86model::LoopForm& form, Pixels pixels,
                                         x86model::Cpu cpu);
 
-/// How many times as many clocks one way to draw takes as another, on one processor.
+/// How many times as many clocks one way to draw takes as another, on one processor. An 8088 has
+/// two gains: by the table, and by the larger of table and bus time of each.
 struct LoopGain {
   std::string where;  ///< which loops and processor
   double min = 0;
@@ -34,6 +36,7 @@ struct LoopGain {
 /// A statement of the source: that there is a gain.
 struct LoopClaim {
   std::string text;
+  std::string place;  ///< where it is printed
   std::vector<LoopGain> gains;
 };
 /// Two pixels a store, DEC and JNZ in place of LOOP, unrolling.

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,7 +52,11 @@ class Spread {
 /// On one processor.
 struct ProcessorClocks {
   x86model::Cpu cpu{};
-  Spread clocks{};
+  Spread clocks{};              ///< by Intel's table
+  std::optional<Spread> bus{};  ///< of an 8088; see x86model/bus.hpp
+
+  /// Whether the bus takes longer than the table on average, which is what limits the processor.
+  [[nodiscard]] bool bus_limits() const { return bus && bus->mean_min() > clocks.mean_max(); }
 };
 
 /// Of one routine. A call that ends in a divide error is counted as that alone.
@@ -65,7 +70,8 @@ struct CallClocks {
 /// Those that can run the program of the variant.
 std::span<const x86model::Cpu> processors_of(const Variant& variant);
 
-/// The builds of the listings that differ: CosSin, which has no switch, once for each target.
+/// The builds of the printed listings that differ: CosSin, which has no switch, once for each
+/// target.
 std::vector<Variant> timed_variants();
 
 /// Nothing counted yet.

@@ -24,6 +24,7 @@ ClaimJson json_of_claim(const Claim& claim) {
         {{"where", f.where}, {"measured", json_of(f.measured)}, {"verdict", name_of(f.verdict)}});
   }
   return {{"claim", claim.text},
+          {"place", claim.place},
           {"means", claim.means},
           {"unit", claim.unit},
           {"verdict", name_of(verdict_on(claim))},
@@ -32,12 +33,29 @@ ClaimJson json_of_claim(const Claim& claim) {
 }
 
 void print_claim(const Claim& claim) {
-  std::cout << fmt::format("\n{}\n=> {}\n({})\n", claim.text, name_of(verdict_on(claim)),
-                           claim.means);
+  std::cout << fmt::format("\n{} ({})\n=> {}\n({})\n", claim.text, claim.place,
+                           name_of(verdict_on(claim)), claim.means);
   for (const ClaimFigure& f : claim.figures) {
-    std::cout << fmt::format("  {:<44}{:>15} {:<16} {}\n", printable(f.where),
+    std::cout << fmt::format("  {:<45}{:>15} {:<16} {}\n", printable(f.where),
                              between(f.measured.min, f.measured.max, 2), claim.unit,
                              name_of(f.verdict));
+  }
+}
+
+ClaimJson not_judged_json() {
+  ClaimJson json = ClaimJson::array();
+  for (const NotJudged& statement : not_judged()) {
+    json.push_back(
+        {{"claim", statement.text}, {"place", statement.place}, {"reason", statement.reason}});
+  }
+  return json;
+}
+
+void print_not_judged() {
+  std::cout << "\nNot judged:\n";
+  for (const NotJudged& statement : not_judged()) {
+    std::cout << fmt::format("\n{} ({})\n  {}\n", statement.text, statement.place,
+                             statement.reason);
   }
 }
 

@@ -11,8 +11,12 @@ namespace fixproof {
 /// To standard output, every figure a line.
 void print_claim(const Claim& claim);
 
-/// {claim, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured: {min,
-/// max}, verdict}}. Infinite bounds become null: JSON has no number for them.
+/// {claim, place, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured:
+/// {min, max}, verdict}}. Infinite bounds become null: JSON has no number for them.
 nlohmann::ordered_json json_of_claim(const Claim& claim);
+
+/// What is not judged, to standard output, and as a list of {claim, place, reason}.
+void print_not_judged();
+nlohmann::ordered_json not_judged_json();
 
 }  // namespace fixproof

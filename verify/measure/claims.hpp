@@ -2,7 +2,9 @@
 /// What the chapters say about speed, set against the clocks of the listings.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verify/measure/scene_operands.hpp"
@@ -41,6 +43,7 @@ struct ClaimFigure {
 /// One published claim.
 struct Claim {
   std::string text;   ///< in our words
+  std::string place;  ///< where it is printed: chapter and section
   std::string means;  ///< what is measured, and what is allowed
   std::string unit;
   Bounds allowed;
@@ -57,6 +60,14 @@ struct RecordedScene {
 
 /// The builds of RecordedScene, in its order.
 std::vector<xsharp::ArithmeticChoice> recorded_builds();
+
+/// A statement about speed that no measurement of the listings can judge.
+struct NotJudged {
+  std::string_view text;
+  std::string_view place;
+  std::string_view reason;
+};
+std::span<const NotJudged> not_judged();
 
 /// Every claim with its figures for these scenes.
 std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes);

@@ -17,6 +17,7 @@
 #include "verify/measure/figures.hpp"
 #include "verify/measure/measure.hpp"
 #include "verify/measure/provenance.hpp"
+#include "verify/scenes/frame_clocks.hpp"
 #include "verify/text.hpp"
 
 namespace fixproof {
@@ -35,8 +36,10 @@ void print(const CallClocks& row) {
     const auto mean = [](const Spread& s) {
       return s.calls() == 0 ? "-" : between(s.mean_min(), s.mean_max(), 1);
     };
+    std::string bus;
+    if (on.bus) bus = fmt::format("  {:>9}  {}", mean(*on.bus), on.bus_limits() ? "bus" : "table");
     std::cout << fmt::format(
-        "{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}\n",
+        "{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}{}\n",
         name_of(row.variant.operation),
         fmt::format("{}{}", name_of(row.variant.target), row.variant.chapter_52 ? " ch52" : ""),
         !has_switch           ? "-"
@@ -44,7 +47,7 @@ void print(const CallClocks& row) {
                               : "off",
         x86model::name_of(on.cpu), grouped(row.instructions.least()), mean(row.instructions),
         grouped(row.instructions.most()), grouped(on.clocks.least()), mean(on.clocks),
-        grouped(on.clocks.most()));
+        grouped(on.clocks.most()), bus);
   }
 }
 
@@ -57,7 +60,12 @@ ClockJson json_of(const Spread& s) {
 ClockJson json_of(const CallClocks& row) {
   ClockJson processors = ClockJson::array();
   for (const ProcessorClocks& on : row.processors) {
-    processors.push_back({{"cpu", x86model::name_of(on.cpu)}, {"clocks", json_of(on.clocks)}});
+    ClockJson one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", json_of(on.clocks)}};
+    if (on.bus) {
+      one["bus"] = json_of(*on.bus);
+      one["limit"] = on.bus_limits() ? "bus" : "table";
+    }
+    processors.push_back(std::move(one));
   }
   return {{"routine", name_of(row.variant.operation)},
           {"target", name_of(row.variant.target)},
@@ -72,6 +80,62 @@ ClockJson json_of(const CallClocks& row) {
 const OperandLog& log_of(const RecordedScene& scene, const Variant& variant) {
   const std::size_t target = variant.target == Target::i386 ? 0 : 2;
   return scene.builds.at(target + (rounds(variant) ? 0 : 1)).log;
+}
+
+/// What the listings take of a frame on an 8088, on average.
+struct FrameOn8088 {
+  std::string scene;
+  bool rounds = true;
+  double table = 0;
+  double code = 0;  ///< bytes
+  double data = 0;  ///< bytes
+  double bus = 0;   ///< clocks
+};
+
+std::vector<FrameOn8088> frames_on_8088(const std::vector<RecordedScene>& scenes) {
+  std::vector<FrameOn8088> all;
+  for (const RecordedScene& scene : scenes) {
+    for (const SceneOperands& build : scene.builds) {
+      if (build.choice.target != "i8088") continue;
+      const FrameClocks clocks = clocks_of(build.log, build.choice, x86model::Cpu::i8088);
+      const auto a_frame = [&build](std::uint64_t sum) {
+        return static_cast<double>(sum) / static_cast<double>(build.frames);
+      };
+      all.push_back({scene.name, build.choice.mul_round, a_frame(clocks.table.max),
+                     a_frame(clocks.bus.code), a_frame(clocks.bus.data),
+                     a_frame(clocks.bus.clocks())});
+    }
+  }
+  return all;
+}
+
+const char* limit_of(const FrameOn8088& frame) { return frame.bus > frame.table ? "bus" : "table"; }
+
+void print(const std::vector<FrameOn8088>& frames) {
+  const auto whole = [](double x) { return grouped(static_cast<std::uint64_t>(x)); };
+  std::cout << fmt::format(
+      "\nA frame on an 8088: the clocks of the listings by Intel's table, bytes and clocks of the "
+      "bus, and\nwhich of the two limits.\n\n{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
+      "scene", "rounding", "table", "code", "data", "bus", "limit");
+  for (const FrameOn8088& f : frames) {
+    std::cout << fmt::format("{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n", printable(f.scene),
+                             f.rounds ? "on" : "off", whole(f.table), whole(f.code), whole(f.data),
+                             whole(f.bus), limit_of(f));
+  }
+}
+
+ClockJson json_of(const std::vector<FrameOn8088>& frames) {
+  ClockJson json = ClockJson::array();
+  for (const FrameOn8088& f : frames) {
+    json.push_back({{"scene", f.scene},
+                    {"rounds", f.rounds},
+                    {"table", f.table},
+                    {"code_bytes", f.code},
+                    {"data_bytes", f.data},
+                    {"bus", f.bus},
+                    {"limit", limit_of(f)}});
+  }
+  return json;
 }
 
 class ClockRun {
@@ -100,6 +164,7 @@ class ClockRun {
       done();
     }
     if (!scenes_.empty()) claims_ = judge_claims(scenes_);
+    frames_ = frames_on_8088(scenes_);
     progress_.reset();
     return !stop_;
   }
@@ -121,19 +186,27 @@ class ClockRun {
     std::cout
         << "Least and most are those seen in these and in cases of level 1. Two numbers: "
            "Intel's tables give\na range. The caller's PUSHes and CALL are not counted; calls "
-           "that end in #DE are left out.\n\n";
+           "that end in #DE are left out.\n"
+           "Bus: the mean clocks that an 8088 needs for the bytes of code and data, 4 for each. "
+           "Its "
+           "bus fetches while\nit executes, so that a call takes the larger of the two means at "
+           "least; limit says which that is. Code that\nis fetched and discarded at a jump is not "
+           "counted. Other processors have wider buses, and no bus time here.\n\n";
     std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>22}  {:>30}\n", "", "", "", "",
                              "instructions", "clocks");
-    std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}\n",
-                             "routine", "target", "rounding", "cpu", "least", "mean", "most",
-                             "least", "mean", "most");
+    std::cout << fmt::format(
+        "{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}  {:>9}  {}\n", "routine",
+        "target", "rounding", "cpu", "least", "mean", "most", "least", "mean", "most", "bus",
+        "limit");
     for (const CallClocks& row : rows_) print(row);
+    if (!scenes_.empty()) print(frames_);
     if (!claims_.empty()) {
       std::cout << "\nWhat is published, and what the listings alone show. \"About\" allows a "
                    "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
                    "possible, or the listings cannot decide.\n";
     }
     for (const Claim& claim : claims_) print_claim(claim);
+    if (!claims_.empty()) print_not_judged();
     std::cout << '\n' << span_clocks_text();
   }
 
@@ -145,6 +218,8 @@ class ClockRun {
     for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
     json["claims"] = ClockJson::array();
     for (const Claim& claim : claims_) json["claims"].push_back(json_of_claim(claim));
+    json["not_judged"] = not_judged_json();
+    json["frames_8088"] = json_of(frames_);
     json["loops"] = span_clocks_json();
     replace_file(request_.json, json_text(json));
   }
@@ -177,6 +252,7 @@ class ClockRun {
   std::vector<RecordedScene> scenes_;
   std::vector<CallClocks> rows_;
   std::vector<Claim> claims_;
+  std::vector<FrameOn8088> frames_;
 };
 
 }  // namespace

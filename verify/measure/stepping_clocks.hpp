@@ -16,7 +16,7 @@ namespace fixproof {
 /// FixedMul for the start, means of calls over random spans, without the caller's part.
 struct SetupClocks {
   x86model::Cpu cpu{};  ///< 8088 and 286 run the listings for the 8088, 386 and 486 their own
-  Bounds divide;
+  Bounds divide;        ///< on an 8088 the larger of table and bus time, as all clocks here
   Bounds multiply;
 };
 std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed);

@@ -13,7 +13,7 @@ static_assert(static_cast<int>(Operation::mul) == static_cast<int>(x86model::Rou
               static_cast<int>(Operation::concat) == static_cast<int>(x86model::Routine::concat));
 
 template <x86model::Routine routine>
-void add(x86model::Range& sum, const OperandLog& log, const xsharp::ArithmeticChoice& choice,
+void add(FrameClocks& sum, const OperandLog& log, const xsharp::ArithmeticChoice& choice,
          x86model::Cpu cpu) {
   // OperandLog counts operations, of which the routines come first.
   constexpr auto operation = static_cast<Operation>(routine);
@@ -25,17 +25,18 @@ void add(x86model::Range& sum, const OperandLog& log, const xsharp::ArithmeticCh
   const std::span<const std::uint32_t> words = log.at(static_cast<std::size_t>(operation));
   const std::size_t in = words_in(operation);
   for (std::size_t i = 0; i + in <= words.size(); i += in) {
-    sum +=
-        x86model::count_clocks<routine>(program.instructions(), words.subspan(i, in), cpu).clocks;
+    const auto counted =
+        x86model::count_clocks<routine>(program.instructions(), words.subspan(i, in), cpu);
+    sum += {counted.clocks, counted.bus};
   }
 }
 
 }  // namespace
 
-x86model::Range clocks_of(const OperandLog& log, const xsharp::ArithmeticChoice& choice,
-                          x86model::Cpu cpu) {
+FrameClocks clocks_of(const OperandLog& log, const xsharp::ArithmeticChoice& choice,
+                      x86model::Cpu cpu) {
   using x86model::Routine;
-  x86model::Range sum;
+  FrameClocks sum;
   add<Routine::mul>(sum, log, choice, cpu);
   add<Routine::div>(sum, log, choice, cpu);
   add<Routine::cossin>(sum, log, choice, cpu);

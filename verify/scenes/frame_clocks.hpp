@@ -2,17 +2,35 @@
 /// What the listings would cost on the processors of their time.
 #pragma once
 
+#include <algorithm>
+
 #include "verify/scenes/model_call.hpp"
+#include "x86model/bus.hpp"
 #include "x86model/clocks.hpp"
 #include "xsharp/scene.hpp"
 
 namespace fixproof {
 
-/// The clocks of the calls in a log: of the listings alone, not of the C around them. Two numbers
-/// where the tables give a range.
+/// What calls take: of the listings alone, not of the C around them.
+struct FrameClocks {
+  x86model::Range table;   ///< by Intel's tables, which give a range where they do
+  x86model::BusBytes bus;  ///< on an 8088; see x86model/bus.hpp
+
+  /// The larger of table and bus time: the two units of an 8088 work at the same time.
+  [[nodiscard]] x86model::Range at_least() const {
+    return {std::max(table.min, bus.clocks()), std::max(table.max, bus.clocks())};
+  }
+  FrameClocks& operator+=(const FrameClocks& other) {
+    table += other.table;
+    bus += other.bus;
+    return *this;
+  }
+};
+
+/// The clocks of the calls in a log.
 /// @param choice the arithmetic that made the calls, of the model
 /// @throws std::invalid_argument where `cpu` cannot run the listings
-x86model::Range clocks_of(const OperandLog& log, const xsharp::ArithmeticChoice& choice,
-                          x86model::Cpu cpu);
+FrameClocks clocks_of(const OperandLog& log, const xsharp::ArithmeticChoice& choice,
+                      x86model::Cpu cpu);
 
 }  // namespace fixproof

@@ -1,0 +1,221 @@
+// What chapters 52 and 53 say about speed. Their listings are for the 386 alone.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "verify/measure/call_clocks.hpp"
+#include "verify/measure/claim_clocks.hpp"
+#include "verify/scenes/frame_clocks.hpp"
+#include "verify/scenes/model_call.hpp"
+
+namespace fixproof {
+
+namespace {
+
+using x86model::Cpu;
+
+constexpr const char* three_keys = "chapter 52, three keys to real-time performance";
+constexpr const char* raw_speed = "chapter 53, raw speed by assembly language";
+constexpr const char* rounding = "chapter 53, rounding";
+
+/// Frames a second of the twelve cubes on a 386 of 20 MHz.
+constexpr double published_frames = 15;
+constexpr double clocks_of_published_frame = 20e6 / published_frames;
+/// Most that fixed-point work takes of the time, as chapter 53 says.
+constexpr double published_share = 0.1;
+
+const std::vector<std::uint32_t>& logged(const OperandLog& log, Operation operation) {
+  return log.at(static_cast<std::size_t>(operation));
+}
+
+/// The mean clocks of a call of one routine, over the operands that a scene has for it.
+Bounds clocks_a_call(const RecordedScene& scene, Operation operation, Target target) {
+  static const std::atomic<bool> never{false};
+  const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
+  CallClocks clocks = no_calls({.operation = operation, .target = target});
+  const std::vector<std::uint32_t> words =
+      operation == Operation::mul ? products_of(operands.log)
+                                  : operands.log.at(static_cast<std::size_t>(operation));
+  add_calls(clocks, words, true, never);
+  for (const ProcessorClocks& on : clocks.processors) {
+    if (on.cpu == Cpu::i386) return {on.clocks.mean_min(), on.clocks.mean_max()};
+  }
+  return {};
+}
+
+Claim native_instructions(const std::vector<RecordedScene>& scenes) {
+  Claim claim{
+      "The native 32-bit multiply and divide were the second key to speed.",
+      three_keys,
+      "a call with 16-bit MUL and DIV over one with 32-bit IMUL and DIV, rounded, on a 386; twice "
+      "at\nleast. What they replaced in C were library calls, which are not printed. The 8088 "
+      "divide "
+      "drops the\ndivisor's fraction and does less than those: it can show the claim, not refute "
+      "it.",
+      "times",
+      {2, unlimited},
+      {}};
+  for (const RecordedScene& scene : scenes) {
+    for (const Operation operation : {Operation::mul, Operation::div}) {
+      add_figure(
+          claim,
+          fmt::format("{}, {}", scene.name, operation == Operation::mul ? "FixedMul" : "FixedDiv"),
+          ratio(clocks_a_call(scene, operation, Target::i8088),
+                clocks_a_call(scene, operation, Target::i386)),
+          operation == Operation::div ? Evidence::can_show : Evidence::decides);
+    }
+  }
+  return claim;
+}
+
+/// What a build that rounds takes more, in percent of one that does not. Both meet the same ranges
+/// in the same instructions: least is set against least, most against most.
+Bounds surplus(const Bounds& a, const Bounds& b) {
+  const double least = 100 * (a.min / b.min - 1);
+  const double most = 100 * (a.max / b.max - 1);
+  return {std::min(least, most), std::max(least, most)};
+}
+
+Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
+  Claim claim{
+      "The performance cost of rounding is small.",
+      rounding,
+      "386 listings, the only ones of that chapter: those that round over those that do not, a "
+      "frame; at\nmost 10 % more. And what that makes of a program whose fixed-point work is a "
+      "tenth of the time, as the\nsame chapter says of it",
+      "%",
+      {-unlimited, 10},
+      {}};
+  for (const RecordedScene& scene : scenes) {
+    for (const Cpu cpu : {Cpu::i386, Cpu::i486}) {
+      const Bounds more = surplus(clocks_a_frame(scene, RecordedBuild::i386_on, cpu),
+                                  clocks_a_frame(scene, RecordedBuild::i386_off, cpu));
+      const std::string where = fmt::format("{} on a {}", scene.name, name_of(cpu));
+      add_figure(claim, where, more);
+      if (cpu != Cpu::i386) continue;
+      const double saved = published_share * (1 - 1 / (1 + more.max / 100));
+      const double of_whole = 100 * saved / (1 - saved);
+      add_figure(claim, where + ", of the whole program", {of_whole, of_whole});
+    }
+  }
+  return claim;
+}
+
+/// Units of the last place that rounding changes a product or quotient by.
+double most_changed(Operation operation, const std::vector<std::uint32_t>& words) {
+  std::int32_t most = 0;
+  for (std::size_t i = 0; i + 2 <= words.size(); i += 2) {
+    const auto result = [&](bool rounds, std::array<std::uint32_t, 1>& out) {
+      return call_model({.operation = operation,
+                         .target = Target::i386,
+                         .mul_round = rounds,
+                         .div_round = rounds},
+                        std::span(words).subspan(i, 2), out);
+    };
+    std::array<std::uint32_t, 1> rounded{};
+    std::array<std::uint32_t, 1> truncated{};
+    if (!result(true, rounded) || !result(false, truncated)) continue;
+    most = std::max(most, std::abs(static_cast<std::int32_t>(rounded[0] - truncated[0])));
+  }
+  return most;
+}
+
+Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
+  Claim claim{
+      "Rounded and truncated results differ by 2^-16 at most.",
+      rounding,
+      "the largest difference of any product and quotient that the scenes ask the 386 listings "
+      "for, "
+      "in\nunits of 2^-16; at most 1. It follows from the listings: half a unit is added before "
+      "the product is\ncut, and 0 or 1 to the quotient after it",
+      "units",
+      {0, 1},
+      {}};
+  for (const RecordedScene& scene : scenes) {
+    const OperandLog& log = operands_of(scene, RecordedBuild::i386_on).log;
+    const double most = std::max(most_changed(Operation::mul, products_of(log)),
+                                 most_changed(Operation::div, logged(log, Operation::div)));
+    add_figure(claim, scene.name, {most, most});
+  }
+  return claim;
+}
+
+/// The share that the matrix routines take at least: no frame took longer than those of chapter 52.
+Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
+  Claim claim{"In assembly language, matrix math takes less than ten percent of the time.",
+              raw_speed,
+              "ConcatXforms and XformVec, rounded, on a 386 at 20 MHz, of the 15th of a second "
+              "that a frame "
+              "takes in\nchapter 52. Frames that take less make it a larger share: this can refute "
+              "it and is "
+              "not enough to\nshow it; at most 10",
+              "%",
+              {0, 100 * published_share},
+              {}};
+  for (const RecordedScene& scene : scenes) {
+    if (scene.name != cubes_scene) continue;
+    const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
+    OperandLog log;
+    for (const Operation operation : {Operation::xformvec, Operation::concat}) {
+      log.at(static_cast<std::size_t>(operation)) = logged(operands.log, operation);
+    }
+    const auto clocks = static_cast<double>(clocks_of(log, operands.choice, Cpu::i386).table.max);
+    const double share =
+        100 * clocks / static_cast<double>(operands.frames) / clocks_of_published_frame;
+    add_figure(claim, scene.name, {share, share}, Evidence::can_refute);
+  }
+  return claim;
+}
+
+/// Calls of one routine as chapter 52 has it, on a 386.
+struct Calls {
+  double number = 0;
+  double clocks = 0;
+};
+Calls chapter_52_calls(Operation operation, const std::vector<std::uint32_t>& words) {
+  static const std::atomic<bool> never{false};
+  CallClocks calls = no_calls({.operation = operation, .target = Target::i386, .chapter_52 = true});
+  add_calls(calls, words, true, never);
+  const Spread& on_386 = calls.processors.front().clocks;
+  const auto number = static_cast<double>(on_386.calls());
+  return {number, number * on_386.mean_max()};
+}
+
+/// Chapter 52 has assembly for multiply and divide alone.
+Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
+  Claim claim{
+      "A 386 at 20 MHz animates the twelve cubes about 15 times a second.",
+      three_keys,
+      "what the calls of FixedMul and FixedDiv, the assembly of that chapter, would allow; at "
+      "least "
+      "15.\nConcatXforms and XformVec are C there and call FixedMul 36 and 9 times. Their loops, "
+      "pushes and sums,\nsine and cosine by the emulator and all of the drawing come on top: this "
+      "can refute it and is not\nenough to show it",
+      "frames a second",
+      {published_frames, unlimited},
+      {}};
+  for (const RecordedScene& scene : scenes) {
+    if (scene.name != cubes_scene) continue;
+    const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
+    const auto frames = static_cast<double>(operands.frames);
+    const Calls multiplies = chapter_52_calls(Operation::mul, products_of(operands.log));
+    const Calls divides = chapter_52_calls(Operation::div, logged(operands.log, Operation::div));
+    const double rate = 20e6 * frames / (multiplies.clocks + divides.clocks);
+    add_figure(claim,
+               fmt::format("{}, {:.0f} FixedMul, {:.0f} FixedDiv", scene.name,
+                           multiplies.number / frames, divides.number / frames),
+               {rate, rate}, Evidence::can_refute);
+  }
+  return claim;
+}
+
+}  // namespace
+
+std::vector<Claim> judge_claims_of_the_386(const std::vector<RecordedScene>& scenes) {
+  return {cubes_in_c(scenes), native_instructions(scenes), share_of_matrix_math(scenes),
+          cost_of_rounding(scenes), effect_of_rounding(scenes)};
+}
+
+}  // namespace fixproof
