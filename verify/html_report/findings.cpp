@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "x86model/forms.hpp"
 #include "x86model/parse.hpp"
 #include "xsharp/arithmetic.hpp"
+#include "xsharp/project.hpp"
 
 namespace fixproof {
 
@@ -38,6 +40,8 @@ struct Finding {
   std::string test;
   std::string says;
   std::vector<Asked> cases;
+  /// Of its section in docs/findings.md; without it, the one after the last.
+  std::optional<std::size_t> number{};
 };
 
 std::vector<std::string> words_of(std::string_view text) {
@@ -282,10 +286,10 @@ std::vector<Finding> loop_findings() {
         {"LOOP", "GouraudWords, 1 pixel", pixels_drawn(words, 1)}}},
       {"The depth test and what is said of it",
        "Defects.DepthTestWords",
-       "The text writes a pixel unless its depth is greater, the code where it is. Negative depths "
-       "are said to clip themselves by an unsigned test; JG is signed, and 32768 is less than 0.",
-       {traced("depth 32767", "depth 00000001 007fff00 00000000", "inc edi"),
-        traced("depth 32768", "depth 00000001 00800000 00000000", "inc edi")}},
+       "In words the text keeps a pixel whose depth is greater; the code writes it. A buffer that "
+       "begins at minus infinity agrees with the code: as the words say, nothing would be drawn.",
+       {traced("depth 1 over 0", "depth 00000001 00000100 00000000", "inc edi"),
+        traced("depth -1 over 0", "depth 00000001 ffffff00 00000000", "inc edi")}},
       {"A buffer larger than its segment",
        "Defects.BufferBeyondSegment",
        "320 by 200 depths of two bytes are 128,000 bytes. A segment of 16-bit code has 65,536: "
@@ -295,19 +299,43 @@ std::vector<Finding> loop_findings() {
   };
 }
 
+std::vector<Finding> projection_findings() {
+  const xsharp::Scene scene;
+  const auto from_middle = [&scene](std::int32_t x) {
+    using N = fixed::q16_16_i386;
+    const auto projection = xsharp::projection_of<N>(scene);
+    const xsharp::Vec3<N> place{N(x), N(0), N(-100)};
+    const auto pixel = xsharp::project(place, projection);
+    if (!pixel) throw std::runtime_error("a divide error at z = -100");
+    return fmt::format("{} pixels from the middle", pixel->x - projection.center_x);
+  };
+  return {
+      {"Half the width",
+       "Defects.HalfTheWidth",
+       "A comment calls the projection ratio distance over width; the code multiplies it by half "
+       "the width. The edge of the screen is 160 pixels from the middle.",
+       {evaluated("x over z", "00320000 ff9c0000", "div"),
+        evaluated("times the constant", "ffff8000 fec00001", "mul"),
+        {"code", "x = 50, z = -100", from_middle(50)},
+        {"comment's edge", "x = 25, z = -100", from_middle(25)}},
+       20},
+  };
+}
+
 }  // namespace
 
 nlohmann::ordered_json computed_findings() {
   std::vector<Finding> all = first_findings();
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
   for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
+  for (Finding& finding : projection_findings()) all.push_back(std::move(finding));
   FindingJson json = FindingJson::array();
   for (const Finding& finding : all) {
     FindingJson cases = FindingJson::array();
     for (const Asked& asked : finding.cases) {
       cases.push_back({{"who", asked.who}, {"asked", asked.question}, {"answer", asked.answer}});
     }
-    json.push_back({{"number", json.size() + 1},
+    json.push_back({{"number", finding.number.value_or(json.size() + 1)},
                     {"title", finding.title},
                     {"test", finding.test},
                     {"says", finding.says},
