@@ -96,16 +96,27 @@ TEST(Defects, OddPixel) {
 }
 
 TEST(Defects, DepthTestWords) {
-  const auto pixel_of = [](std::uint32_t depth) {
-    return Drawn(depth_test(false), {.pixels = 1, .value = depth << 8U, .colour = 7})
-        .memory.at(screen);
+  // Whether a pixel of this depth is written over a buffer's word.
+  const auto is_drawn = [](std::int32_t depth, std::uint16_t buffer) {
+    std::vector<std::uint8_t> memory(0x10000);
+    memory.at(depths) = static_cast<std::uint8_t>(buffer);
+    memory.at(depths + 1) = static_cast<std::uint8_t>(buffer >> 8U);
+    LoopMachine m{.registers = {}, .memory = x86::ByteMemory(memory, memory, memory)};
+    const LoopForm form = depth_test(false);
+    x86::call_loop(form, x86::code_of(form), m,
+                   {.pixels = 1, .value = static_cast<std::uint32_t>(depth) << 8U, .colour = 7});
+    return memory.at(screen) == 7;
   };
-  // Written where it is greater than the 0 of the buffer; the text says the opposite.
-  EXPECT_EQ(pixel_of(1), 7);
-  EXPECT_EQ(pixel_of(0), 0);
-  // Signed: an unsigned test would draw both.
-  EXPECT_EQ(pixel_of(32767), 7);
-  EXPECT_EQ(pixel_of(32768), 0);
+  // The words keep a pixel of greater depth. The code writes it, and no other.
+  EXPECT_TRUE(is_drawn(1, 0));
+  EXPECT_FALSE(is_drawn(0, 0));
+  EXPECT_FALSE(is_drawn(-1, 0));
+  // Over minus infinity, the least word, every greater depth is drawn, whatever its sign.
+  constexpr std::uint16_t minus_infinity = 0x8000;
+  for (std::int32_t depth = -32767; depth <= 32767; ++depth) {
+    ASSERT_TRUE(is_drawn(depth, minus_infinity)) << depth;
+  }
+  EXPECT_FALSE(is_drawn(-32768, minus_infinity));
 }
 
 TEST(Defects, BufferBeyondSegment) {

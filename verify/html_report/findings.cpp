@@ -19,6 +19,7 @@
 #include "x86model/forms.hpp"
 #include "x86model/parse.hpp"
 #include "xsharp/arithmetic.hpp"
+#include "xsharp/project.hpp"
 
 namespace fixproof {
 
@@ -289,16 +290,39 @@ std::vector<Finding> loop_findings() {
         {"LOOP", "GouraudWords, 1 pixel", pixels_drawn(words, 1)}}},
       {"The depth test and what is said of it",
        "Defects.DepthTestWords",
-       "The text writes a pixel unless its depth is greater, the code where it is. Negative depths "
-       "are said to clip themselves by an unsigned test; JG is signed, and 32768 is less than 0.",
-       {traced("depth 32767", "depth 00000001 007fff00 00000000", "inc edi"),
-        traced("depth 32768", "depth 00000001 00800000 00000000", "inc edi")}},
+       "In words the text keeps a pixel whose depth is greater; the code writes it. A buffer that "
+       "begins at minus infinity agrees with the code: as the words say, nothing would be drawn.",
+       {traced("depth 1 over 0", "depth 00000001 00000100 00000000", "inc edi"),
+        traced("depth -1 over 0", "depth 00000001 ffffff00 00000000", "inc edi")}},
       {"A buffer larger than its segment",
        "Defects.BufferBeyondSegment",
        "320 by 200 depths of two bytes are 128,000 bytes. A segment of 16-bit code has 65,536: "
        "from the middle of line 102 on EDI*2 faults.",
        {{"386", "pixel 32767", depth_reached(32767)},
         {"386", "pixel 32768", depth_reached(32768)}}},
+  };
+}
+
+std::vector<Finding> projection_findings() {
+  const xsharp::Scene scene;
+  const auto from_middle = [&scene](std::int32_t x) {
+    using N = fixed::q16_16_i386;
+    const auto projection = xsharp::projection_of<N>(scene);
+    const xsharp::Vec3<N> place{N(x), N(0), N(-100)};
+    const auto pixel = xsharp::project(place, projection);
+    if (!pixel) throw std::runtime_error("a divide error at z = -100");
+    return fmt::format("{} pixels from the middle", pixel->x - projection.center_x);
+  };
+  return {
+      {"Half the width",
+       "Defects.HalfTheWidth",
+       "A comment calls the projection ratio distance over width; the code multiplies it by half "
+       "the width. The edge of the screen is 160 pixels from the middle.",
+       {evaluated("x over z", "00320000 ff9c0000", "div"),
+        evaluated("times the constant", "ffff8000 fec00001", "mul"),
+        {"code", "x = 50, z = -100", from_middle(50)},
+        {"comment's edge", "x = 25, z = -100", from_middle(25)}},
+       20},
   };
 }
 
@@ -334,6 +358,7 @@ nlohmann::ordered_json computed_findings() {
   std::vector<Finding> all = first_findings();
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
   for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
+  for (Finding& finding : projection_findings()) all.push_back(std::move(finding));
   for (Finding& finding : texture_findings()) all.push_back(std::move(finding));
   FindingJson json = FindingJson::array();
   for (const Finding& finding : all) {
