@@ -38,6 +38,7 @@ Variant chosen(const EvalOptions& options) {
   const Operation operation = operation_named(options.operation);
   if (is_routine(operation)) return options.variant.choose(operation);
   const VariantOptions& v = options.variant;
+  if (v.repaired) throw UsageError(only_repaired);
   if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
     throw UsageError(fmt::format("{} is no routine: it has neither target, rounding nor chapter",
                                  options.operation));

@@ -70,7 +70,8 @@ std::vector<Variant> timed_variants() {
   std::vector<Variant> timed;
   for (const Variant& v : all_variants()) {
     const bool second_of_two = v.operation == Operation::cossin && !v.mul_round;
-    if (v.target != Target::standard && !second_of_two) timed.push_back(v);
+    // The repaired ConcatXforms has ADC where the printed one has ADD, which takes as long.
+    if (v.target != Target::standard && !second_of_two && !v.repaired) timed.push_back(v);
   }
   return timed;
 }
