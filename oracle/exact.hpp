@@ -49,10 +49,10 @@ namespace oracle {
 
 /// The transform that applies `second`, then `first`: the product of two 3x4 transforms, row by
 /// row, whose missing bottom rows are 0 0 0 1. Every product is rounded on its own, sums are modulo
-/// 2^2F, and `translation` says which columns receive the fourth column of `first`.
+/// 2^2F, and `translation` says how they receive the fourth column of `first`.
 [[nodiscard]] std::array<Word, 12> concat(std::span<const Word, 12> first,
                                           std::span<const Word, 12> second, Rounding rule,
-                                          TranslationColumn translation, int fraction_bits);
+                                          TranslationRule translation, int fraction_bits);
 
 /// Cosine and sine of an angle in tenths of a degree, any value, each the nearest 16.16 value.
 [[nodiscard]] CosSin cos_sin(std::int16_t angle_tenths);

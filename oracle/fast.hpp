@@ -186,17 +186,22 @@ namespace detail {
 /// The product of two 3x4 transforms, as oracle::concat.
 [[nodiscard]] constexpr std::array<Word, 12> concat(std::span<const Word, 12> first,
                                                     std::span<const Word, 12> second, Rounding rule,
-                                                    TranslationColumn translation,
+                                                    TranslationRule translation,
                                                     int fraction_bits) {
   std::array<Word, 12> result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto row = first.subspan(i / 4 * 4, 4);
     const std::size_t column = i % 4;
-    Word sum = column == 3 || translation == TranslationColumn::every ? row[3] : 0;
+    const bool translated = column == 3 || translation == TranslationRule::every;
+    const Word moved = translated ? row[3] : 0;
+    Word sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       sum += fast::mul(row[k], second[4 * k + column], rule, fraction_bits);
     }
-    result[i] = wrap(sum, fraction_bits);
+    const Word one = Word{1} << fraction_bits;
+    const bool parted = translated && translation == TranslationRule::fourth_in_parts;
+    const bool carries = sum % one + moved % one >= one;
+    result[i] = wrap(sum + moved - (parted && carries ? one : 0), fraction_bits);
   }
   return result;
 }

@@ -8,6 +8,18 @@ namespace {
 
 constexpr std::size_t kColumns = 4;
 
+/// The largest multiple of 1.0 not above `value`.
+Integer whole(const Integer& value, int fraction_bits) {
+  const Integer unit = one(fraction_bits);
+  return rounded(value, unit, Rounding::floor) * unit;
+}
+
+/// TranslationRule::fourth_in_parts, before it is brought into a word.
+Integer sum_in_parts(const Integer& x, const Integer& t, int fraction_bits) {
+  const Integer sum = x + t;
+  return whole(x, fraction_bits) + whole(t, fraction_bits) + sum - whole(sum, fraction_bits);
+}
+
 }  // namespace
 
 std::array<Word, 3> xform_vec(std::span<const Word, 12> m, std::span<const Word, 3> v,
@@ -24,15 +36,20 @@ std::array<Word, 3> xform_vec(std::span<const Word, 12> m, std::span<const Word,
 }
 
 std::array<Word, 12> concat(std::span<const Word, 12> first, std::span<const Word, 12> second,
-                            Rounding rule, TranslationColumn translation, int fraction_bits) {
+                            Rounding rule, TranslationRule translation, int fraction_bits) {
   std::array<Word, 12> result{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < kColumns; ++column) {
-      const bool translated = column == 3 || translation == TranslationColumn::every;
-      Integer sum = translated ? ulps(first[row * kColumns + 3], fraction_bits) : Integer(0);
+      Integer sum = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         sum += exact_product(first[row * kColumns + k], second[k * kColumns + column], rule,
                              fraction_bits);
+      }
+      if (column == 3 || translation == TranslationRule::every) {
+        const Integer moved = ulps(first[row * kColumns + 3], fraction_bits);
+        sum = translation == TranslationRule::fourth_in_parts
+                  ? sum_in_parts(sum, moved, fraction_bits)
+                  : sum + moved;
       }
       result[row * kColumns + column] = wrap(sum, word_bits(fraction_bits));
     }

@@ -47,14 +47,19 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
           "rounding of divides: on or off")
       ->check(named(on_off))
       ->excludes(both);
-  command.add_flag("--as-printed", as_printed,
-                   "the roundings are the printed switches, and CosSin for the 8088 "
-                   "shifts by two: see docs/findings.md, 1 and 8");
+  auto* printed = command.add_flag("--as-printed", as_printed,
+                                   "the roundings are the printed switches, and CosSin for the 8088 "
+                                   "shifts by two: see docs/findings.md, 1 and 8");
+  auto* chapter = command
+                      .add_option_function<std::string>(
+                          "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
+                          "which printing: 54, or 52 (386 only, always rounded)")
+                      ->check(CLI::IsMember({"52", "54"}));
   command
-      .add_option_function<std::string>(
-          "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
-          "which printing: 54, or 52 (386 only, always rounded)")
-      ->check(CLI::IsMember({"52", "54"}));
+      .add_flag("--repaired", repaired,
+                "the 8088 concat with the carry that its listing loses: see docs/findings.md, 18")
+      ->excludes(printed)
+      ->excludes(chapter);
 }
 
 Variant VariantOptions::choose(Operation operation) const {
@@ -69,6 +74,10 @@ Variant VariantOptions::choose(Operation operation) const {
       operation == Operation::mul || operation == Operation::div || operation == Operation::concat;
   if (chapter_52 && (!printed_there || v.target != Target::i386 || !v.mul_round || !v.div_round)) {
     throw UsageError("--chapter 52 has only mul, div and concat, for the 386, rounded");
+  }
+  v.repaired = repaired;
+  if (repaired && (operation != Operation::concat || v.target != Target::i8088)) {
+    throw UsageError(only_repaired);
   }
   return v;
 }

@@ -11,6 +11,10 @@
 
 namespace fixproof {
 
+/// Why --repaired is refused.
+inline constexpr const char* only_repaired =
+    "--repaired is for concat --target i8088: no other routine loses a carry";
+
 /// What was given on the command line to choose a variant; what was not given is empty.
 struct VariantOptions {
   std::vector<Target> targets;
@@ -18,8 +22,10 @@ struct VariantOptions {
   std::optional<bool> div_round;
   bool chapter_52 = false;
   bool as_printed = false;
+  bool repaired = false;
 
-  /// Adds --target, --round, --mul-round, --div-round, --as-printed and --chapter to a command.
+  /// Adds --target, --round, --mul-round, --div-round, --as-printed, --chapter and --repaired to a
+  /// command.
   /// `of_rows`: whether rows are chosen, so that the target may be both processors too, or the
   /// rules of the type.
   void add_to(CLI::App& command, bool of_rows = false);

@@ -30,13 +30,26 @@ bool rounding_fits(const VariantOptions& options, const Variant& v) {
   return !wanted || *wanted == v.mul_round;
 }
 
+/// @throws UsageError for --repaired with an operation or a target that has no repaired routine
+void check_repaired(const Selection& selection) {
+  const VariantOptions& options = selection.variant;
+  if (!options.repaired) return;
+  const bool only_concat = std::all_of(selection.operations.begin(), selection.operations.end(),
+                                       [](const std::string& name) { return name == "concat"; });
+  const bool has_8088 = options.targets.empty() ||
+                        std::find(options.targets.begin(), options.targets.end(), Target::i8088) !=
+                            options.targets.end();
+  if (!only_concat || !has_8088) throw UsageError(only_repaired);
+}
+
 bool fits(const Selection& selection, const std::vector<Operation>& operations, const Variant& v) {
   const VariantOptions& options = selection.variant;
   return (operations.empty() ||
           std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
          (options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
                                                v.target) != options.targets.end()) &&
-         (!selection.chapter_given || options.chapter_52 == v.chapter_52) &&
+         (!selection.chapter_given || (options.chapter_52 == v.chapter_52 && !v.repaired)) &&
+         (!options.repaired || v.repaired) && !(options.as_printed && v.repaired) &&
          rounding_fits(options, v);
 }
 
@@ -66,6 +79,7 @@ std::vector<const Party*> chosen_parties(const Selection& selection) {
 std::vector<Variant> chosen_variants(const Selection& selection) {
   std::vector<Operation> operations;
   for (const std::string& name : selection.operations) operations.push_back(operation_named(name));
+  check_repaired(selection);
   std::vector<Variant> variants = all_variants();
   std::erase_if(variants, [&](const Variant& v) { return !fits(selection, operations, v); });
   return variants;
@@ -90,8 +104,9 @@ Programs chosen_programs(const Selection& selection) {
     return loop.has_value();
   });
   const VariantOptions& options = selection.variant;
-  const bool rounds =
-      options.mul_round || options.div_round || options.as_printed || selection.chapter_given;
+  check_repaired(selection);
+  const bool rounds = options.mul_round || options.div_round || options.as_printed ||
+                      options.repaired || selection.chapter_given;
   if (rounds && !loops.empty()) {
     throw UsageError(
         fmt::format("{} rounds nothing, and is of no chapter", name_of_loop(loops[0])));

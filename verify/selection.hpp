@@ -39,7 +39,7 @@ std::vector<Variant> chosen_routines(const Selection& selection);
 
 /// The same with inner loops among the names: `routines` as chosen_routines() chooses them, empty
 /// where loops alone are named; `loops` in every form there is for the target, all of them where
-/// nothing is named, and none where a rounding or a chapter is asked for without a name.
+/// nothing is named, and none where a rounding, a chapter or --repaired is given without a name.
 struct Programs {
   std::vector<Variant> routines;
   std::vector<x86model::LoopForm> loops;

@@ -37,6 +37,7 @@ Line line_of(const Row& row, const Findings& found, bool unfinished) {
   const Variant& v = row.variant;
   std::string target(name_of(v.target));
   if (v.chapter_52) target += " ch52";
+  if (v.repaired) target += " repaired";
   if (v.fraction_bits == 8) target += " 8.8";
   return {std::string(name_of(v.operation)),
           target,

@@ -41,6 +41,7 @@ std::string variant_options(const Variant& v, std::string_view rounding_option) 
     options += fmt::format(" {} {}", rounding_option, on_off(rounds(v)));
   }
   if (v.chapter_52) options += " --chapter 52";
+  if (v.repaired) options += " --repaired";
   return options;
 }
 
@@ -71,6 +72,7 @@ std::string name_of(const Variant& v) {
   std::string name = fmt::format("{} {}", name_of(v.operation), name_of(v.target));
   if (v.target != Target::standard) name += fmt::format(" {}", on_off(rounds(v)));
   if (v.chapter_52) name += ", chapter 52";
+  if (v.repaired) name += ", repaired";
   if (v.fraction_bits == 8) name += ", 8.8";
   return name;
 }
@@ -110,8 +112,9 @@ std::string replay(const Row& row, std::span<const std::uint32_t> words) {
       std::any_of(row.parties.begin(), row.parties.end(), [&](const std::string& party) {
         return std::find(usual.begin(), usual.end(), party) == usual.end();
       });
-  // Without these, rows of the other chapter or width would answer as well.
-  const bool other_chapter = v.target == Target::i386 && !v.chapter_52;
+  // Without these, rows of the other chapter or width, or the repaired routine's, would answer as
+  // well.
+  const bool other_chapter = (v.target == Target::i386 || loses_carry(v)) && !v.chapter_52;
   std::string line = fmt::format(
       "fixproof verify {}{}{}{} --case '{}'", name_of(v.operation), variant_options(v, "--round"),
       other_chapter ? " --chapter 54" : "", v.fraction_bits == 8 ? " --width half" : "", hex);

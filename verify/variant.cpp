@@ -70,6 +70,13 @@ std::vector<Variant> all_variants() {
   for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
     all.push_back({.operation = o, .target = Target::i386, .chapter_52 = true});
   }
+  for (const bool round : {true, false}) {
+    all.push_back({.operation = Operation::concat,
+                   .target = Target::i8088,
+                   .mul_round = round,
+                   .div_round = round,
+                   .repaired = true});
+  }
   for (const Operation o :
        {Operation::mul, Operation::div, Operation::xformvec, Operation::concat, Operation::sqrt,
         Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {

@@ -25,12 +25,13 @@ class Animation final : public Player {
  public:
   /// @param threads that move, prepare and draw objects, of which there are no more than the scene
   ///                describes objects, whatever add() adds; the pictures do not depend on how many
-  explicit Animation(const Scene& scene, std::size_t threads = 1)
+  explicit Animation(const Scene& scene, std::size_t threads = 1,
+                     Concatenation concatenation = Concatenation::published)
       : crew_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
         tallies_(crew_.workers()),
         key_(scene.depth_key),
         front_to_back_(scene.depth_buffer != DepthBuffering::off),
-        view_(view_of<N>(scene)),
+        view_(view_of<N>(scene, concatenation)),
         lighting_(lighting_of<N>(scene.lights, scene.conversion, turn_to_view(scene.camera))) {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
                               scene.restore_every};

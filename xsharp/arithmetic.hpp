@@ -40,6 +40,21 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
   return static_cast<std::int32_t>(whole);
 }
 
+/// a + b as the 8088 ConcatXforms adds it: the fractions and the whole parts each by themselves.
+/// Where the fractions add up to 1 or more, the result is 1 too low.
+template <int F, fixed::policy P>
+constexpr fixed::number<F, P> sum_in_parts(fixed::number<F, P> a, fixed::number<F, P> b) {
+  const fixed::number<F, P> sum = a + b;
+  return fixed::floor(a) + fixed::floor(b) + (sum - fixed::floor(sum));
+}
+
+/// Whether the rules are those of one of the four 8088 builds of FIXED.ASM.
+constexpr bool is_i8088_build(const fixed::policy& p) {
+  using namespace fixed::policies;
+  return p == i8088_rounded || p == i8088_mul_rounded || p == i8088_div_rounded ||
+         p == i8088_unrounded;
+}
+
 /// The pipeline's way into a number type. A specialisation has:
 ///
 ///     static std::int32_t raw(N);               in units of 2^-16, nearest
@@ -51,7 +66,7 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
 ///     static N midpoint(N, N);                  between them, or one of two neighbours
 ///     static Vec3<N> apply(const Transform<N>&, const Vec3<N>&);
 ///     static Transform<N> concatenate(const Transform<N>& first,
-///                                     const Transform<N>& second);
+///                                     const Transform<N>& second, Concatenation);
 ///
 /// Motion alone needs from_raw, constant and turn.
 template <class N>
@@ -77,7 +92,13 @@ struct Arithmetic<fixed::number<16, P>> {
   static constexpr Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v) {
     return apply_products(t, v);
   }
-  static constexpr Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second) {
+  static constexpr Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second,
+                                            Concatenation how) {
+    if constexpr (is_i8088_build(P)) {
+      if (how == Concatenation::published) {
+        return concatenate_products(first, second, [](N a, N b) { return sum_in_parts(a, b); });
+      }
+    }
     return concatenate_products(first, second);
   }
 };
@@ -100,7 +121,7 @@ struct Arithmetic<double> {
     return apply_products(t, v);
   }
   static Transform<double> concatenate(const Transform<double>& first,
-                                       const Transform<double>& second) {
+                                       const Transform<double>& second, Concatenation /*how*/) {
     return concatenate_products(first, second);
   }
 };

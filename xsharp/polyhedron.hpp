@@ -165,7 +165,7 @@ class Polyhedron final : public Object<N> {
       ++tally_.out_of_reach;
       return;
     }
-    to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world);
+    to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world, view.concatenation);
     const Unplaced unplaced = place(to_view_, std::span<const Vec3<N>>(vertices_), view.projection,
                                     Places<N>{view_, screen_});
     tally_.faults += unplaced.faults;

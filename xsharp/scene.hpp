@@ -25,6 +25,12 @@ enum class Conversion {
   nearest,    ///< the nearest 16.16 number, halves up
 };
 
+/// Which ConcatXforms of the 8088 takes objects into view space. Other arithmetics have only one.
+enum class Concatenation {
+  published,  ///< the listing, which loses the carry of the translation: see sum_in_parts()
+  repaired,   ///< the listing with that carry
+};
+
 /// Where the sine and cosine of a rotation come from.
 enum class Trigonometry {
   floating,  ///< sin() and cos() in double, through the scene's Conversion (chapter 52)
@@ -121,7 +127,12 @@ struct ArithmeticChoice {
   std::string target = "i386";
   bool mul_round = true;
   bool div_round = true;
+  bool repaired = false;  ///< i8088 alone: see Concatenation
 };
+
+inline Concatenation concatenation_of(const ArithmeticChoice& choice) {
+  return choice.repaired ? Concatenation::repaired : Concatenation::published;
+}
 
 /// Whether the rules are those of a build of the listings, with two roundings to choose.
 inline bool is_listing(const ArithmeticChoice& choice) {

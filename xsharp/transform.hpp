@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 
 namespace xsharp {
 
@@ -71,9 +72,10 @@ constexpr Vec3<N> apply_products(const Transform<N>& t, const Vec3<N>& v) {
 }
 
 /// ConcatXforms: `first` after `second`. Each product rounded; the translation of `first` is added
-/// in the fourth column only.
-template <class N>
-constexpr Transform<N> concatenate_products(const Transform<N>& first, const Transform<N>& second) {
+/// in the fourth column only, by `add(sum of products, translation)`.
+template <class N, class Add = std::plus<N>>
+constexpr Transform<N> concatenate_products(const Transform<N>& first, const Transform<N>& second,
+                                            const Add& add = {}) {
   Transform<N> result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
@@ -81,7 +83,7 @@ constexpr Transform<N> concatenate_products(const Transform<N>& first, const Tra
       result.rows[i][j] =
           row[0] * second.rows[0][j] + row[1] * second.rows[1][j] + row[2] * second.rows[2][j];
     }
-    result.rows[i][3] = result.rows[i][3] + first.rows[i][3];
+    result.rows[i][3] = add(result.rows[i][3], first.rows[i][3]);
   }
   return result;
 }

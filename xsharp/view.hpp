@@ -24,6 +24,7 @@ struct View {
   /// Whether polygons need depths, whatever fills them.
   bool depth_buffer = false;
   N near{};
+  Concatenation concatenation = Concatenation::published;
 };
 
 /// The matrix of world to view in double, for directions and for measuring.
@@ -39,11 +40,14 @@ inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
 
 /// World to view: moved to the camera's place, then turned the other way about.
 template <Scalar N>
-View<N> view_of(const Scene& scene) {
+View<N> view_of(const Scene& scene, Concatenation concatenation = Concatenation::published) {
   const auto turn = turn_to_view(scene.camera);
-  View<N> view{identity<N>(), scene.camera.page, projection_of<N>(scene),
+  View<N> view{identity<N>(),
+               scene.camera.page,
+               projection_of<N>(scene),
                scene.depth_buffer != DepthBuffering::off,
-               Arithmetic<N>::constant(scene.near, Conversion::nearest)};
+               Arithmetic<N>::constant(scene.near, Conversion::nearest),
+               concatenation};
   const auto& position = scene.camera.position;
   for (std::size_t i = 0; i < 3; ++i) {
     double moved = 0;

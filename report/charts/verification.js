@@ -23,7 +23,7 @@ function showVerification() {
   section("verification").append(
     table("Every row of the verification", [
       { title: "operation", of: (r) => r.operation },
-      { title: "target", of: (r) => r.target + (r.chapter === 52 ? ", chapter 52" : "") },
+      { title: "target", of: (r) => r.target + (r.chapter === 52 ? ", chapter 52" : r.repaired ? ", repaired" : "") },
       { title: "rounding", of: switchOf },
       { title: "parties, first judged", of: (r) => r.parties.join(", ") },
       { title: "cases", of: (r) => count(r.cases), number: true },

@@ -163,6 +163,34 @@ TEST(EvalConcat, AddsTheTranslationInTheFourthColumn) {
   }
 }
 
+// A move along z by 0.5, after one by `second`.
+TEST(EvalConcat, The8088LosesTheCarryOfTheTranslation) {
+  const auto moves = [](std::string_view second) {
+    return fmt::format(
+        "00010000 00000000 00000000 00000000 00000000 00010000 00000000 00000000 "
+        "00000000 00000000 00010000 00008000 00010000 00000000 00000000 00000000 "
+        "00000000 00010000 00000000 00000000 00000000 00000000 00010000 {}",
+        second);
+  };
+  const auto moved = [](std::string_view by) {
+    return fmt::format(
+        "00010000 00000000 00000000 00000000 00000000 00010000 00000000 00000000 "
+        "00000000 00000000 00010000 {}",
+        by);
+  };
+  for (const std::string_view round : {"on", "off"}) {
+    const auto with = [&](std::string_view options) {
+      return fmt::format("concat --round {} --target {}", round, options);
+    };
+    expect_from_all(with("i8088"), moves("00008000"), moved("00000000"));
+    expect_from_all(with("i8088 --repaired"), moves("00008000"), moved("00010000"));
+    expect_from_all(with("i386"), moves("00008000"), moved("00010000"));
+    expect_from_all(with("i8088"), moves("00018000"), moved("00010000"));
+    expect_from_all(with("i8088 --repaired"), moves("00018000"), moved("00020000"));
+    expect_from_all(with("i8088"), moves("00007fff"), moved("0000ffff"));
+  }
+}
+
 TEST(EvalConcat, Chapter52AddsItInEveryColumn) {
   expect_from_all("concat --chapter 52", two_moves,
                   "00020000 00010000 00010000 00050000 00020000 00030000 00020000 00070000 "

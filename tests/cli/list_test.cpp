@@ -84,6 +84,21 @@ TEST_F(List, EveryVariantAssembles) {
   EXPECT_NE(assemble(list("cossin --target i8088 --as-printed")), "");
 }
 
+// ADD BP,[SI+d] is 03 6c d, ADC 13 6c d.
+TEST_F(List, TheRepairedConcatAddsThreeCarries) {
+  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+  const std::string printed = assemble(list("concat --target i8088"));
+  const std::string repaired = assemble(list("concat --target i8088 --repaired"));
+  ASSERT_EQ(printed.size(), repaired.size());
+  int changed = 0;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    if (printed[i] == repaired[i]) continue;
+    EXPECT_EQ(hex(printed.substr(i, 2)) + "-> " + hex(repaired.substr(i, 2)), "03 6c -> 13 6c ");
+    ++changed;
+  }
+  EXPECT_EQ(changed, 3);
+}
+
 TEST_F(List, MultiplyFor386IsThisMachineCode) {
   if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
   EXPECT_EQ(hex(assemble(list("mul --target i386"))),

@@ -100,6 +100,20 @@ TEST(Usage, UnknownValues) {
   expect_usage_error("eval mul --target", "--target");
 }
 
+TEST(Usage, OnlyThe8088ConcatIsRepaired) {
+  constexpr std::string_view only = "--repaired is for concat --target i8088";
+  for (const std::string_view command :
+       {"eval concat", "eval concat --target i386", "eval mul --target i8088", "eval sqrt",
+        "list xformvec --target i8088", "list gouraud-byte --target i8088",
+        "dos div --target i8088", "trace mul 00018000 00028000 --target i8088", "verify mul",
+        "verify concat mul", "verify concat --target i386", "verify concat --target standard",
+        "prove xformvec", "prove depth", "mutate concat --target i386"}) {
+    expect_usage_error(fmt::format("{} --repaired", command), only);
+  }
+  expect_usage_error("eval concat --target i8088 --repaired --chapter 54", "excludes");
+  expect_usage_error("eval concat --target i8088 --repaired --as-printed", "excludes");
+}
+
 TEST(Usage, NumbersAreDecimal) {
   // As octal 010 would be 8, 09 nothing and 064 the 52 of a chapter.
   for (const std::string_view number : {"010", "10"}) {

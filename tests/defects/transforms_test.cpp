@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "oracle/exact.hpp"
 #include "tests/defects/routine.hpp"
+#include "verify/party.hpp"
+#include "verify/streams.hpp"
 
 namespace {
 
@@ -42,14 +45,81 @@ TEST(Defects, TranslationInEveryColumn) {
   // Not to be seen where the first translation is zero.
   EXPECT_EQ(ask<concat>(i386, chapter_52, both(move(0, 0, 0), move(4, 5, 6))),
             defects::values(move(4, 5, 6)));
-  const auto exact = [&](oracle::TranslationColumn column) {
+  const auto exact = [&](oracle::TranslationRule rule) {
     const std::span<const std::uint32_t, 24> in(moves.data(), 24);
     const auto product =
-        oracle::concat(in.first<12>(), in.last<12>(), oracle::Rounding::half_up, column, 16);
+        oracle::concat(in.first<12>(), in.last<12>(), oracle::Rounding::half_up, rule, 16);
     return Words(product.begin(), product.end());
   };
-  EXPECT_EQ(exact(oracle::TranslationColumn::fourth), move(5, 7, 9));
-  EXPECT_EQ(exact(oracle::TranslationColumn::every), spoiled);
+  EXPECT_EQ(exact(oracle::TranslationRule::fourth), move(5, 7, 9));
+  EXPECT_EQ(exact(oracle::TranslationRule::every), spoiled);
+}
+
+// Translations of 0.5 and 0.5 along one axis make 0.0, 1.5 and 0.5 make 1.0.
+TEST(Defects, LostCarry) {
+  struct Case {
+    std::uint32_t first, second, printed, sound;
+  };
+  constexpr std::uint32_t half = one / 2;
+  constexpr std::array cases{
+      Case{half, half, 0, one},
+      Case{half, one + half, one, 2 * one},
+      Case{half - 1, half, one - 1, one - 1},
+      Case{0U - half, 0U - half, 0U - 2 * one, 0U - one},
+      Case{half, 0x7FFF0000 + half, 0x7FFF0000, 0x80000000},
+      Case{0U - half, half, 0U - one, 0},
+  };
+  const x86::Build repaired{.repaired = true};
+  for (const Case& c : cases) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto moved = [row](std::uint32_t by) {
+        Words words = move(0, 0, 0);
+        words.at(4 * row + 3) = by;
+        return words;
+      };
+      const Words in = both(moved(c.first), moved(c.second));
+      EXPECT_EQ(ask<concat>(i8088, defects::rounded, in), defects::values(moved(c.printed)));
+      EXPECT_EQ(ask<concat>(i8088, defects::unrounded, in), defects::values(moved(c.printed)));
+      EXPECT_EQ(ask<concat>(i8088, repaired, in), defects::values(moved(c.sound)));
+      EXPECT_EQ(ask<concat>(i386, defects::rounded, in), defects::values(moved(c.sound)));
+      // XformVec has ADC in the same place.
+      Words point{0, 0, 0};
+      point.at(row) = c.second;
+      Words sum{0, 0, 0};
+      sum.at(row) = c.sound;
+      EXPECT_EQ(ask<xformvec>(i8088, defects::rounded, both(moved(c.first), point)),
+                defects::values(sum));
+    }
+  }
+}
+
+// Of two uniform fractions of 16 bits, (65536 * 65535 / 2) / 65536^2 = (1 - 2^-16) / 2 carry. With
+// n rows the share found is within 5 standard deviations, 5 * sqrt(0.25 / n), of that.
+TEST(Defects, HalfOfAllSumsLoseACarry) {
+  using namespace fixproof;
+  constexpr std::size_t cases = 20'000;
+  const Variant printed{.operation = Operation::concat, .target = Target::i8088};
+  Variant sound = printed;
+  sound.repaired = true;
+  std::vector<std::uint32_t> in(cases * words_in(printed.operation));
+  make_cases(Stream::uniform, printed, 1994, 0, in);
+  const auto answers = [&](const Variant& v) {
+    std::vector<std::uint32_t> out(cases * words_out(v.operation));
+    std::vector<Ending> endings(cases);
+    party_named("model").answer(v, {in, out, endings});
+    return out;
+  };
+  const auto lossy = answers(printed);
+  const auto whole = answers(sound);
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (lossy[i] == whole[i]) continue;
+    EXPECT_EQ(i % 4, 3U);
+    EXPECT_EQ(whole[i] - lossy[i], one);
+    ++lost;
+  }
+  constexpr double rows = 3.0 * cases;
+  EXPECT_NEAR(static_cast<double>(lost) / rows, (1 - 1 / 65536.0) / 2, 5 * std::sqrt(0.25 / rows));
 }
 
 // A transform is three rows of four: 12 doublewords. Row 3, column 3 would be the 16th.

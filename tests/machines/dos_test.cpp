@@ -36,6 +36,7 @@ std::string arguments_of(const ProgramKey& key) {
   arguments += key.target == x86model::Target::i386 ? " --target i386" : " --target i8088";
   if (name.find("-off") != std::string::npos) arguments += " --round off";
   if (key.build.chapter_52) arguments += " --chapter 52";
+  if (key.build.repaired) arguments += " --repaired";
   return arguments;
 }
 

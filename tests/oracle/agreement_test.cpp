@@ -108,9 +108,10 @@ TEST_P(OracleFastByFormat, AgreesOnRandomTransforms) {
     for (const Rounding rule : test::kRoundings) {
       ASSERT_EQ(fast::xform_vec(first, vector, rule, GetParam()),
                 xform_vec(first, vector, rule, GetParam()));
-      for (const auto column : {TranslationColumn::fourth, TranslationColumn::every}) {
-        ASSERT_EQ(fast::concat(first, second, rule, column, GetParam()),
-                  concat(first, second, rule, column, GetParam()));
+      for (const auto translation :
+           {TranslationRule::fourth, TranslationRule::every, TranslationRule::fourth_in_parts}) {
+        ASSERT_EQ(fast::concat(first, second, rule, translation, GetParam()),
+                  concat(first, second, rule, translation, GetParam()));
       }
     }
   }

@@ -56,9 +56,9 @@ TEST(OracleConcat, AddsTheFirstTranslationWhereItIsTold) {
     const Transform a = whole(kCounting, fraction_bits);
     const Transform b = whole(second, fraction_bits);
     for (const Rounding rule : test::kRoundings) {
-      EXPECT_EQ(concat(a, b, rule, TranslationColumn::fourth, fraction_bits),
+      EXPECT_EQ(concat(a, b, rule, TranslationRule::fourth, fraction_bits),
                 whole(Transform{10, 2, 5, 18, 26, 6, 17, 46, 42, 10, 29, 74}, fraction_bits));
-      EXPECT_EQ(concat(a, b, rule, TranslationColumn::every, fraction_bits),
+      EXPECT_EQ(concat(a, b, rule, TranslationRule::every, fraction_bits),
                 whole(Transform{14, 6, 9, 18, 34, 14, 25, 46, 54, 22, 41, 74}, fraction_bits));
     }
   }
@@ -69,7 +69,7 @@ TEST(OracleConcat, RoundsEveryProductOnItsOwn) {
   const Transform first{minus_half, minus_half, minus_half, 9, 0, 0, 0, 0, 0, 0, 0, 0};
   const Transform second{1, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1};
   const auto row = [&](Rounding rule) {
-    const Transform product = concat(first, second, rule, TranslationColumn::fourth, 16);
+    const Transform product = concat(first, second, rule, TranslationRule::fourth, 16);
     return std::array{product[0], product[1], product[2], product[3]};
   };
   using Row = std::array<Word, 4>;
@@ -77,6 +77,45 @@ TEST(OracleConcat, RoundsEveryProductOnItsOwn) {
   EXPECT_EQ(row(Rounding::half_away), (Row{0xfffffffd, 0xfffffffe, 0, 6}));
   EXPECT_EQ(row(Rounding::floor), (Row{0xfffffffd, 0xfffffffe, 0, 6}));
   EXPECT_EQ(row(Rounding::truncate), (Row{0, 0, 0, 9}));
+}
+
+// Worked by hand: the identity, moved by the second translation, then by the first.
+TEST(OracleConcat, InPartsLosesTheCarryOfTheFractions) {
+  struct Case {
+    int fraction_bits;
+    Word second, first, whole, in_parts;
+  };
+  constexpr std::array cases{
+      Case{16, 0x00008000, 0x00008000, 0x00010000, 0x00000000},  // 0.5 + 0.5
+      Case{16, 0x00018000, 0x00008000, 0x00020000, 0x00010000},  // 1.5 + 0.5
+      Case{16, 0x00008000, 0x00007fff, 0x0000ffff, 0x0000ffff},  // no carry: one unit below 1.0
+      Case{16, 0xffffffff, 0x00000001, 0x00000000, 0xffff0000},  // -2^-16 is -1 and a fraction
+      Case{16, 0xffff8000, 0xffff8000, 0xffff0000, 0xfffe0000},  // -0.5 + -0.5
+      Case{16, 0x7fff8000, 0x00008000, 0x80000000, 0x7fff0000},  // no longer out of range
+      Case{16, 0x80008000, 0x80008000, 0x00010000, 0x00000000},  // modulo 2^32
+      Case{16, 0x80000000, 0xffff0000, 0x7fff0000, 0x7fff0000},  // whole numbers have no fractions
+      Case{8, 0x0080, 0x0080, 0x0100, 0x0000},
+      Case{8, 0x00ff, 0x0001, 0x0100, 0x0000},
+      Case{8, 0x007f, 0x0080, 0x00ff, 0x00ff},
+  };
+  for (const Case& c : cases) {
+    const Word one = Word{1} << c.fraction_bits;
+    for (std::size_t row = 0; row < 3; ++row) {
+      Transform first{one, 0, 0, 0, 0, one, 0, 0, 0, 0, one, 0};
+      Transform second = first;
+      Transform whole = first;
+      Transform in_parts = first;
+      first.at(4 * row + 3) = c.first;
+      second.at(4 * row + 3) = c.second;
+      whole.at(4 * row + 3) = c.whole;
+      in_parts.at(4 * row + 3) = c.in_parts;
+      for (const Rounding rule : test::kRoundings) {
+        EXPECT_EQ(concat(first, second, rule, TranslationRule::fourth, c.fraction_bits), whole);
+        EXPECT_EQ(concat(first, second, rule, TranslationRule::fourth_in_parts, c.fraction_bits),
+                  in_parts);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -96,6 +96,19 @@ TEST(Mutation, SwappedRoundingsAreCaught) {
   }
 }
 
+TEST(Mutation, APlantedOrMissingCarryIsCaught) {
+  for (const bool round : {true, false}) {
+    const Variant printed{
+        .operation = Operation::concat, .target = Target::i8088, .mul_round = round};
+    Variant repaired = printed;
+    repaired.repaired = true;
+    EXPECT_TRUE(caught(program_of(repaired), printed));
+    EXPECT_TRUE(caught(program_of(printed), repaired));
+    EXPECT_FALSE(caught(program_of(printed), printed));
+    EXPECT_FALSE(caught(program_of(repaired), repaired));
+  }
+}
+
 /// The sound model, but for a divide by zero, which it answers with 0.
 class DropsAFault final : public Party {
  public:

@@ -190,7 +190,7 @@ TEST(Symbolic, IsTheInterpreterOnEveryRoutine) {
   std::size_t cases = 0;
   test::each_routine([&]<Routine routine, Target target>() {
     for (const Build& build : test::builds) {
-      if (build.chapter_52 && target == Target::i8088) continue;
+      if (!test::is_for(build, target)) continue;
       const Program program = assemble(listing(routine, target), build);
       expect_agreement<routine, target>(program, build, 0, 1, "sound", tally);
       cases += test::cases(routine).size() / static_cast<std::size_t>(arity(routine).in);

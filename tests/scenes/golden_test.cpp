@@ -46,8 +46,11 @@ void expect_golden(const std::string& name, const std::string& by) {
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice)) continue;
-    all += fmt::format("# {} multiply {} divide {}\n", choice.target,
-                       choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");
+    // From the origin there is no carry to lose: the golden files do not say the same twice.
+    if (choice.repaired && scene.camera.position == xsharp::Triple{}) continue;
+    all += fmt::format("# {}{} multiply {} divide {}\n", choice.target,
+                       choice.repaired ? " repaired" : "", choice.mul_round ? "on" : "off",
+                       choice.div_round ? "on" : "off");
     const auto player = make_player(scene, choice);
     xsharp::Picture picture;
     for (std::uint64_t frame = 0; frame <= kept_frames.back(); ++frame) {
@@ -72,7 +75,7 @@ void expect_golden_pixels(const std::string& name) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
-    if (choice.by != "type" || !xsharp::is_listing(choice)) continue;
+    if (choice.by != "type" || !xsharp::is_listing(choice) || choice.repaired) continue;
     all += fmt::format("# {} multiply {} divide {}\n", choice.target,
                        choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");
     const auto player = make_player(scene, choice);
@@ -100,6 +103,8 @@ TEST(Golden, ShadedBall) { expect_golden("shaded_ball", "type"); }
 TEST(Golden, Intersecting) { expect_golden("intersecting", "type"); }
 TEST(Golden, Textured) { expect_golden("textured", "type"); }
 TEST(Golden, Phong) { expect_golden("phong", "type"); }
+TEST(Golden, LostCarry) { expect_golden("lost_carry", "type"); }
+TEST(Golden, LostCarryOnTheModel) { expect_golden("lost_carry", "model"); }
 TEST(Golden, PixelsOfIntersecting) { expect_golden_pixels("intersecting"); }
 TEST(Golden, PixelsOfTextured) { expect_golden_pixels("textured"); }
 TEST(Golden, PixelsOfPhong) { expect_golden_pixels("phong"); }

@@ -123,6 +123,33 @@ TEST(Selection, APartyThatDoesNotAnswerIsLeftOut) {
   EXPECT_EQ(rows[0].parties, (std::vector<std::string>{"oracle", "fast", "type"}));
 }
 
+TEST(Selection, TheRepairedConcatIsChosenByOneWord) {
+  const auto chosen = [](bool repaired, bool as_printed, bool chapter_54) {
+    Selection selection;
+    selection.operations = {"concat"};
+    selection.chapter_given = chapter_54;
+    selection.variant.targets = {Target::i8088};
+    selection.variant.repaired = repaired;
+    selection.variant.as_printed = as_printed;
+    std::vector<bool> forms;
+    for (const Variant& v : chosen_variants(selection)) forms.push_back(v.repaired);
+    return forms;
+  };
+  EXPECT_EQ(chosen(false, false, false), (std::vector{false, false, true, true}));
+  EXPECT_EQ(chosen(true, false, false), (std::vector{true, true}));
+  EXPECT_EQ(chosen(false, true, false), (std::vector{false}));
+  EXPECT_EQ(chosen(false, false, true), (std::vector{false, false}));
+
+  Selection refused;
+  refused.variant.repaired = true;
+  EXPECT_EQ(chosen_variants(refused).size(), 2U);
+  refused.operations = {"concat", "mul"};
+  EXPECT_THROW(chosen_variants(refused), UsageError);
+  refused.operations = {"concat"};
+  refused.variant.targets = {Target::i386};
+  EXPECT_THROW(chosen_variants(refused), UsageError);
+}
+
 TEST(Selection, ReadsShards) {
   EXPECT_EQ(parse_shard("2/7"), (Shard{2, 7}));
   for (const char* text :

@@ -127,7 +127,7 @@ TEST(Reports, DamageIsFound) {
     EXPECT_THROW(from_json(text), std::runtime_error) << from << " -> " << to;
   };
   refused("fixproof report", "another report");
-  refused(R"("version": 1)", R"("version": 2)");
+  refused(R"("version": 2)", R"("version": 1)");
   refused(R"("level": 1)", R"("level": 2)");
   refused(R"("level": 1)", R"("level": "one")");
   refused(R"("seed": "5")", R"("seed": "five")");

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "verify/party.hpp"
 #include "verify/plan.hpp"
 
 namespace fixproof {
@@ -360,6 +361,36 @@ TEST(Streams, HardAnglesAreNearHalfway) {
     seen.insert(c[0]);
   }
   EXPECT_EQ(seen.size(), 124U);
+}
+
+// A ConcatXforms that keeps its carry and one that loses it are told apart by every stream: of the
+// sums in the fourth column many carry and many do not.
+TEST(Streams, SumsOfTransformsCarryAndDoNot) {
+  for (const bool round : {true, false}) {
+    const Variant printed{
+        .operation = Operation::concat, .target = Target::i8088, .mul_round = round};
+    Variant repaired = printed;
+    repaired.repaired = true;
+    const Plan plan(1, seed, {{printed, {"a", "b"}}});
+    EXPECT_EQ(plan.jobs().size(), 6U);
+    for (const Job& job : plan.jobs()) {
+      constexpr std::size_t rows = 3 * sample;
+      std::vector<std::uint32_t> in(sample * words_in(Operation::concat));
+      make_cases(job.stream, printed, seed, 0, in);
+      const auto answers = [&](const Variant& v) {
+        std::vector<std::uint32_t> out(sample * words_out(Operation::concat));
+        std::vector<Ending> endings(sample);
+        party_named("fast").answer(v, {in, out, endings});
+        return out;
+      };
+      const auto lossy = answers(printed);
+      const auto whole = answers(repaired);
+      std::size_t carries = 0;
+      for (std::size_t i = 0; i < whole.size(); ++i) carries += lossy[i] != whole[i] ? 1 : 0;
+      EXPECT_GT(carries, rows / 10) << name_of(job.stream);
+      EXPECT_LT(carries, rows * 9 / 10) << name_of(job.stream);
+    }
+  }
 }
 
 TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {

@@ -17,13 +17,19 @@ inline constexpr std::array<std::uint32_t, 22> boundary{
     0x10001,    0x18000,    0x28000,    0x7FFF0000, 0x7FFFFFFF, 0x80000000, 0x80000001, 0x80010000,
     0xFFFF0000, 0xFFFF8000, 0xFFFF7FFF, 0xFFFFFFFF, 0x55555555, 0xAAAAAAAA};
 
-inline constexpr std::array<Build, 5> builds{
+inline constexpr std::array<Build, 6> builds{
     Build{.mul_rounding = true, .div_rounding = true},
     Build{.mul_rounding = true, .div_rounding = false},
     Build{.mul_rounding = false, .div_rounding = true},
     Build{.mul_rounding = false, .div_rounding = false},
     Build{.chapter_52 = true},
+    Build{.repaired = true},
 };
+
+/// Chapter 52 has 386 code alone, and only 8088 code is repaired.
+constexpr bool is_for(const Build& build, Target target) {
+  return target == Target::i386 ? !build.repaired : !build.chapter_52;
+}
 
 /// Operands of `routine`, one case after the other: boundary values in all pairs, angles of every
 /// quadrant, matrices drawn from the boundary values and at random.

@@ -52,7 +52,7 @@ TEST(Compiled, AgreesWithTheInterpreter) {
       ++programs;
     }
   }
-  EXPECT_GE(programs, 31);
+  EXPECT_GE(programs, 33);
 }
 
 TEST(Compiled, StopsAtAnUndefinedFlagToo) {

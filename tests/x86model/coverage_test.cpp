@@ -15,7 +15,7 @@ using namespace x86model;
 TEST(Coverage, EveryInstructionOfEveryProgramIsExecuted) {
   test::each_routine([]<Routine routine, Target target>() {
     for (const Build& build : test::builds) {
-      if (build.chapter_52 && target == Target::i8088) continue;
+      if (!test::is_for(build, target)) continue;
       const Program program = assemble(listing(routine, target), build);
       std::vector<bool> executed(program.size);
       const auto words = test::cases(routine);

@@ -47,7 +47,9 @@ xsharp::ArithmeticChoice arithmetic_of(const Choice& choice, const std::string& 
 }
 
 xsharp::Scene scene_with(xsharp::Scene scene, const Choice& choice, const std::string& by) {
+  const bool repaired = scene.arithmetic.repaired && choice.target == Target::i8088;
   scene.arithmetic = arithmetic_of(choice, by);
+  scene.arithmetic.repaired = repaired;
   scene.from_scratch = choice.turning.from_scratch;
   scene.restore_every = choice.turning.restore_every;
   return scene;

@@ -40,7 +40,8 @@ std::string name_of(const Choice& choice);
 /// The arithmetic of a choice, by the type or the model.
 xsharp::ArithmeticChoice arithmetic_of(const Choice& choice, const std::string& by);
 
-/// The scene, drawn as chosen by the type or the model.
+/// The scene, drawn as chosen by the type or the model. 8088 code is repaired where the scene's
+/// arithmetic says so.
 xsharp::Scene scene_with(xsharp::Scene scene, const Choice& choice, const std::string& by);
 
 }  // namespace fixproof

@@ -47,7 +47,8 @@ class ScreenCorners {
     seen_.clear();
     const auto to_world = xsharp::within_reach(motion_, from, radius_);
     if (!to_world) return seen_;
-    const auto to_view = xsharp::Arithmetic<N>::concatenate(from.world_to_view, *to_world);
+    const auto to_view =
+        xsharp::Arithmetic<N>::concatenate(from.world_to_view, *to_world, from.concatenation);
     for (const auto& v : vertices_) seen_.push_back(xsharp::Arithmetic<N>::apply(to_view, v));
     return seen_;
   }

@@ -48,7 +48,8 @@ template <class N, class Truncating>
 class ScreenRunOf final : public ScreenRun {
  public:
   ScreenRunOf(const Scene& scene, const RotationStyle& style)
-      : view_(xsharp::view_of<N>(scene)), truncating_(xsharp::projection_of<Truncating>(scene)) {
+      : view_(xsharp::view_of<N>(scene, xsharp::concatenation_of(scene.arithmetic))),
+        truncating_(xsharp::projection_of<Truncating>(scene)) {
     for (const auto& object : scene.objects) objects_.emplace_back(object, style);
   }
 

@@ -32,6 +32,7 @@ struct AdviseOptions {
   std::uint64_t minutes = 30;
   x86model::Cpu cpu = x86model::Cpu::i386;
   bool host = false;
+  bool repaired = false;
   std::string json;
 };
 
@@ -107,6 +108,7 @@ int advise_on(const AdviseOptions& options) {
   const double budget = pixels_of(options.budget);
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   options.surfaces.apply(scene);
+  if (options.repaired) scene.arithmetic.repaired = true;
   if (scene.objects.empty()) throw UsageError(scene.name + " has no objects");
   if (!options.json.empty()) {
     refuse_inputs("--json", options.json, scene.files);
@@ -183,6 +185,9 @@ void add_advise(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"8088", "286", "386", "486"}));
   command->add_flag("--host", options->host, "count nanoseconds of this processor instead")
       ->excludes(command->get_option("--cpu"));
+  command->add_flag(
+      "--repaired", options->repaired,
+      "8088 code has the ConcatXforms that keeps its carry: see docs/findings.md, 18");
   command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
   command->footer(
       "Tries the code of both processors where both run, with multiplies and divides rounded or\n"

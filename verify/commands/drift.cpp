@@ -78,12 +78,12 @@ std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
     rows.push_back({std::move(name), scene});
     change(rows.back().scene);
   };
-  using xsharp::ArithmeticChoice;
   for (const bool on : {true, false}) {
     for (const char* target : {"i386", "i8088"}) {
-      const ArithmeticChoice choice{"type", target, on, on};
-      add(fmt::format("{}, rounding {}", target, on ? "on" : "off"),
-          [&](xsharp::Scene& s) { s.arithmetic = choice; });
+      add(fmt::format("{}, rounding {}", target, on ? "on" : "off"), [&](xsharp::Scene& s) {
+        const bool repaired = s.arithmetic.repaired && target == std::string_view("i8088");
+        s.arithmetic = {"type", target, on, on, repaired};
+      });
     }
   }
   add(fmt::format("i386 on, restored every {}", options.restore_every), [&](xsharp::Scene& s) {

@@ -46,6 +46,7 @@ Variant chosen(const EvalOptions& options) {
     }
     return variant;
   }
+  if (v.repaired) throw UsageError(only_repaired);
   if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
     throw UsageError(fmt::format("{} is no routine: it has neither target, rounding nor chapter",
                                  options.operation));

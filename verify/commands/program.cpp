@@ -36,6 +36,7 @@ std::optional<x86model::LoopForm> ProgramOptions::choose_loop() const {
     }
     return std::nullopt;
   }
+  if (variant.repaired) throw UsageError(only_repaired);
   if (variant.mul_round || variant.div_round || variant.chapter_52 || as_scanned) {
     throw UsageError(fmt::format("{} rounds nothing, and is of no chapter", operation));
   }

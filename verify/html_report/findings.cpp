@@ -303,6 +303,29 @@ std::vector<Finding> loop_findings() {
   };
 }
 
+/// Two transforms, each a move along x: by 0.5, and after one by the word `second`.
+std::string half_after(std::string_view second) {
+  constexpr std::string_view rest =
+      "00000000 00010000 00000000 00000000 00000000 00000000 00010000 00000000";
+  return fmt::format("00010000 00000000 00000000 00008000 {0} 00010000 00000000 00000000 {1} {0}",
+                     rest, second);
+}
+
+std::vector<Finding> carry_findings() {
+  return {
+      {"A lost carry",
+       "Defects.LostCarry",
+       "The 8088 ConcatXforms adds the high word of the translation with ADD, not ADC. Where the "
+       "low words carry, the result is 1.0 too low. A move by 0.5 after one by 0.5, and after one "
+       "by 1.5.",
+       {evaluated("8088", half_after("00008000"), "concat --target i8088"),
+        evaluated("8088, repaired", half_after("00008000"), "concat --target i8088 --repaired"),
+        evaluated("8088", half_after("00018000"), "concat --target i8088"),
+        evaluated("386", half_after("00008000"), "concat --target i386")},
+       18},
+  };
+}
+
 std::vector<Finding> projection_findings() {
   const xsharp::Scene scene;
   const auto from_middle = [&scene](std::int32_t x) {
@@ -358,6 +381,7 @@ nlohmann::ordered_json computed_findings() {
   std::vector<Finding> all = first_findings();
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
   for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
+  for (Finding& finding : carry_findings()) all.push_back(std::move(finding));
   for (Finding& finding : projection_findings()) all.push_back(std::move(finding));
   for (Finding& finding : texture_findings()) all.push_back(std::move(finding));
   FindingJson json = FindingJson::array();

@@ -43,7 +43,8 @@ ProgramKey key_of(const Variant& variant) {
           variant.target == Target::i386 ? x86model::Target::i386 : x86model::Target::i8088,
           {.mul_rounding = variant.mul_round,
            .div_rounding = variant.div_round,
-           .chapter_52 = variant.chapter_52}};
+           .chapter_52 = variant.chapter_52,
+           .repaired = variant.repaired}};
 }
 
 }  // namespace fixproof

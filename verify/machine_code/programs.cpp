@@ -26,9 +26,11 @@ std::vector<ProgramKey> all_programs() {
         // CosSin neither multiplies nor divides.
         if (routine == cossin && !round) continue;
         all.push_back({routine, target, {.mul_rounding = round, .div_rounding = round}});
-        if (routine != div || target != Target::i8088) continue;
+        if (target != Target::i8088 || (routine != div && routine != concat)) continue;
         all.push_back(all.back());
-        all.back().build.endif_as_scanned = true;
+        bool x86model::Build::*const other =
+            routine == div ? &x86model::Build::endif_as_scanned : &x86model::Build::repaired;
+        all.back().build.*other = true;
       }
     }
     if (routine == mul || routine == div || routine == concat) {
@@ -46,6 +48,7 @@ std::string name_of(const ProgramKey& key) {
   if (key.build.chapter_52) name += "-ch52";
   if (key.build.endif_as_scanned) name += "-scanned";
   if (key.build.shl_as_printed) name += "-printed";
+  if (key.build.repaired) name += "-repaired";
   return name;
 }
 

@@ -22,7 +22,8 @@ struct ProgramKey {
 };
 
 /// One key for every program there is: each routine on each processor under each setting of the
-/// switch that matters to it, the forms of chapter 52, and the 8088 divide as it was scanned.
+/// switch that matters to it, the forms of chapter 52, the 8088 divide as it was scanned, and the
+/// 8088 ConcatXforms repaired.
 std::vector<ProgramKey> all_programs();
 
 /// The program's name, such as mul-i386-on or div-i8088-off-scanned. Two keys have one name where

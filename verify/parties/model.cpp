@@ -13,15 +13,18 @@ namespace {
 
 namespace x86 = x86model;
 
+/// Which printing of a routine, or its repaired form.
+enum class Form { chapter_54, chapter_52, repaired };
+
 /// The build for one setting of the switch that matters.
-constexpr x86::Build build(x86::Routine routine, bool round, bool chapter_52) {
-  x86::Build b{.chapter_52 = chapter_52};
+constexpr x86::Build build(x86::Routine routine, bool round, Form form) {
+  x86::Build b{.chapter_52 = form == Form::chapter_52, .repaired = form == Form::repaired};
   if (routine == x86::Routine::div) b.div_rounding = round;
   if (routine != x86::Routine::div && routine != x86::Routine::cossin) b.mul_rounding = round;
   return b;
 }
 
-template <x86::Routine routine, x86::Target target, bool round, bool chapter_52, int word_bits>
+template <x86::Routine routine, x86::Target target, bool round, Form form, int word_bits>
 void answer_compiled(const Batch& batch) {
   std::array<x86::Outcome, 256> outcomes;  // filled below
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
@@ -29,7 +32,7 @@ void answer_compiled(const Batch& batch) {
   for (std::size_t done = 0; done < batch.endings.size(); done += outcomes.size()) {
     const std::size_t cases = std::min(outcomes.size(), batch.endings.size() - done);
     const auto ends = std::span(outcomes).first(cases);
-    x86::call_compiled<routine, target, build(routine, round, chapter_52), word_bits>(
+    x86::call_compiled<routine, target, build(routine, round, form), word_bits>(
         batch.in.subspan(done * in, cases * in), batch.out.subspan(done * out, cases * out), ends);
     for (std::size_t i = 0; i < cases; ++i) batch.endings[done + i] = ending_of(ends[i]);
   }
@@ -40,12 +43,16 @@ void answer_compiled(const Variant& v, const Batch& batch) {
   if constexpr (target == x86::Target::i386 && round &&
                 (routine == x86::Routine::mul || routine == x86::Routine::div ||
                  routine == x86::Routine::concat)) {
-    if (v.chapter_52) return answer_compiled<routine, target, round, true, 16>(batch);
+    if (v.chapter_52) return answer_compiled<routine, target, round, Form::chapter_52, 16>(batch);
+  }
+  if constexpr (target == x86::Target::i8088 && routine == x86::Routine::concat) {
+    if (v.repaired) return answer_compiled<routine, target, round, Form::repaired, 16>(batch);
   }
   if constexpr (routine == x86::Routine::mul || routine == x86::Routine::div) {
-    if (v.fraction_bits == 8) return answer_compiled<routine, target, round, false, 8>(batch);
+    if (v.fraction_bits == 8)
+      return answer_compiled<routine, target, round, Form::chapter_54, 8>(batch);
   }
-  answer_compiled<routine, target, round, false, 16>(batch);
+  answer_compiled<routine, target, round, Form::chapter_54, 16>(batch);
 }
 
 template <x86::Routine routine>

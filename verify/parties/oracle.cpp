@@ -39,8 +39,9 @@ DivideRule divide_rule(const Variant& v) {
   return v.div_round ? DivideRule::i8088_rounded : DivideRule::i8088_unrounded;
 }
 
-oracle::TranslationColumn translation(const Variant& v) {
-  return v.chapter_52 ? oracle::TranslationColumn::every : oracle::TranslationColumn::fourth;
+oracle::TranslationRule translation(const Variant& v) {
+  if (loses_carry(v)) return oracle::TranslationRule::fourth_in_parts;
+  return v.chapter_52 ? oracle::TranslationRule::every : oracle::TranslationRule::fourth;
 }
 
 /// Asks `one_case(in, out)` for each case; it returns whether there is a value.

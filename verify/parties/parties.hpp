@@ -25,14 +25,16 @@ constexpr bool is_routine(const Variant& v) {
 }
 
 /// Whether the model has a program for the variant, at its width: chapter 52 has a form of three
-/// routines, and what runs on 8-bit registers is the multiply and the divide.
+/// routines, the 8088 ConcatXforms has a repaired one, and what runs on 8-bit registers is the
+/// multiply and the divide.
 constexpr bool has_program(const Variant& v) {
   if (!is_routine(v)) return false;
   const bool binary = v.operation == Operation::mul || v.operation == Operation::div;
   const bool full = v.fraction_bits == 16;
   const bool in_chapter_52 =
       v.target == Target::i386 && rounds(v) && full && (binary || v.operation == Operation::concat);
-  return (full || binary) && (!v.chapter_52 || in_chapter_52);
+  const bool has_repaired = v.operation == Operation::concat && v.target == Target::i8088 && full;
+  return (full || binary) && (!v.chapter_52 || in_chapter_52) && (!v.repaired || has_repaired);
 }
 
 }  // namespace fixproof

@@ -5,6 +5,7 @@
 #include "fixed/fixed.hpp"
 #include "verify/parties/parties.hpp"
 #include "verify/parties/with_number.hpp"
+#include "xsharp/arithmetic.hpp"
 
 namespace fixproof {
 
@@ -38,8 +39,9 @@ bool one_case(const Variant& v, std::span<const std::uint32_t> in, std::span<std
         for (std::size_t k = 0; k < 3; ++k) {
           sum += operand(4 * row + k) * operand(12 + 4 * k + column);
         }
-        if (column == 3 || v.chapter_52) sum += operand(4 * row + 3);
-        out[4 * row + column] = word_of(sum);
+        const Number moved = column == 3 || v.chapter_52 ? operand(4 * row + 3) : Number();
+        const bool in_parts = column == 3 && loses_carry(v);
+        out[4 * row + column] = word_of(in_parts ? xsharp::sum_in_parts(sum, moved) : sum + moved);
       }
     }
   } else if constexpr (operation == Operation::sqrt) {

@@ -88,6 +88,7 @@ Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& c
                        .target = target_of(choice),
                        .mul_round = choice.mul_round,
                        .div_round = choice.div_round};
+    routine.variant.repaired = choice.repaired && routine.variant.operation == Operation::concat;
     routine.program = program_of(routine.variant);
     routine.executed.resize(routine.program.size);
     routine.operands.resize(operand_names(routine.variant.operation).size());

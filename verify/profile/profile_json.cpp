@@ -64,6 +64,7 @@ std::string json_of(const SceneProfile& profile, const std::string& scene) {
   json["target"] = profile.arithmetic.target;
   json["mul_round"] = profile.arithmetic.mul_round;
   json["div_round"] = profile.arithmetic.div_round;
+  json["repaired"] = profile.arithmetic.repaired;
   json["frames"] = profile.frames;
   json["unit"] = "2^-16; angles: tenths of a degree";
   json["routines"] = ProfileJson::array();

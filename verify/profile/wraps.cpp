@@ -37,6 +37,13 @@ std::int64_t row_times(const Variant& variant, std::span<const std::uint32_t> ro
          exact_product(variant, row[2], z);
 }
 
+/// What the printed 8088 ConcatXforms leaves out of sum + moved: 1.0, or nothing.
+std::int64_t lost_carry(const Variant& variant, std::int64_t sum, std::int64_t moved) {
+  constexpr std::int64_t one = 0x10000;
+  const auto fraction = [](std::int64_t value) { return value & (one - 1); };
+  return loses_carry(variant) && fraction(sum) + fraction(moved) >= one ? one : 0;
+}
+
 }  // namespace
 
 bool wraps(const Variant& variant, std::span<const std::uint32_t> in) {
@@ -55,10 +62,10 @@ bool wraps(const Variant& variant, std::span<const std::uint32_t> in) {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto row = in.subspan(4 * i, 4);
         for (std::size_t j = 0; j < 4; ++j) {
+          const std::int64_t sum = row_times(variant, row, in[12 + j], in[16 + j], in[20 + j]);
           const std::int64_t moved = j == 3 ? value_of(row[3]) : 0;
-          if (!fits(row_times(variant, row, in[12 + j], in[16 + j], in[20 + j]) + moved)) {
-            return true;
-          }
+          const std::int64_t lost = j == 3 ? lost_carry(variant, sum, moved) : 0;
+          if (!fits(sum + moved - lost)) return true;
         }
       }
       return false;

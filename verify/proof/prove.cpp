@@ -2,6 +2,7 @@
 
 #include "verify/loops/step_proof.hpp"
 #include "verify/parties/interpreter.hpp"
+#include "verify/proof/lost_carry.hpp"
 
 namespace fixproof {
 
@@ -19,17 +20,35 @@ SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solv
   return answer;
 }
 
-}  // namespace
-
-Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
-            int most_seconds) {
+/// Where nothing that matters is abstract: a counterexample is one.
+Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, int most_seconds) {
   Proof proof;
-  const auto scripts = step_questions(form, program);
   proof.questions = scripts.size();
   const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
   if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
   if (answer.verdict == Verdict::satisfiable) proof.standing = Standing::disproven;
   return proof;
+}
+
+}  // namespace
+
+Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
+            int most_seconds) {
+  return prove_all(step_questions(form, program), solver, most_seconds);
+}
+
+std::vector<std::string> lost_carry_questions(bool mul_round) {
+  const auto program = [mul_round](bool repaired) {
+    return program_of({.operation = Operation::concat,
+                       .target = Target::i8088,
+                       .mul_round = mul_round,
+                       .repaired = repaired});
+  };
+  return lost_carry_questions(program(false), program(true));
+}
+
+Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds) {
+  return prove_all(lost_carry_questions(mul_round), solver, most_seconds);
 }
 
 Proof prove(const Variant& v, const x86model::Program& program, const Solver& solver,

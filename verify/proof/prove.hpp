@@ -34,6 +34,14 @@ struct Proof {
 Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
             int most_seconds);
 
+/// Proves where the printed 8088 ConcatXforms, with rounding or without, differs from the repaired
+/// one: see lost_carry_questions(). Each question may take `most_seconds`. @throws what Solver::ask
+/// does
+Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds);
+
+/// The questions of that proof.
+std::vector<std::string> lost_carry_questions(bool mul_round);
+
 /// Proves `program` in the place of the routine of `variant`: with products and quotients abstract,
 /// and, where that gives a counterexample that is none, with products and quotients as they are.
 /// Each question may take `most_seconds`. @throws what Solver::ask does

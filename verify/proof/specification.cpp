@@ -137,6 +137,14 @@ std::string sum(const Variant& v, const std::vector<std::pair<std::string, std::
   return text + (translation.empty() ? ")" : " " + translation + ")");
 }
 
+/// Without the carry from the fractions to the whole parts: 1.0 too low where there is one.
+constexpr const char* sum_in_parts =
+    R"((define-fun carries ((x (_ BitVec 32)) (y (_ BitVec 32))) Bool
+  (bvuge (bvadd (concat (_ bv0 16) (low x)) (concat (_ bv0 16) (low y))) (_ bv65536 32)))
+(define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
+  (bvsub (bvadd x y) (ite (carries x y) (_ bv65536 32) (_ bv0 32))))
+)";
+
 std::vector<std::string> transformed_point(const Variant& v) {
   std::vector<std::string> words;
   for (int row = 0; row < 3; ++row) {
@@ -157,8 +165,12 @@ std::vector<std::string> transform_product(const Variant& v) {
       for (int k = 0; k < 3; ++k) {
         products.emplace_back(fmt::format("p{}", 4 * row + k), fmt::format("q{}", 4 * k + column));
       }
-      const bool translated = column == 3 || v.chapter_52;
-      words.push_back(sum(v, products, translated ? fmt::format("p{}", 4 * row + 3) : ""));
+      const std::string translation = fmt::format("p{}", 4 * row + 3);
+      if (column == 3 && loses_carry(v)) {
+        words.push_back(fmt::format("(sum-in-parts {} {})", sum(v, products, ""), translation));
+      } else {
+        words.push_back(sum(v, products, column == 3 || v.chapter_52 ? translation : ""));
+      }
     }
   }
   return words;
@@ -222,7 +234,7 @@ Specification specification(const Variant& v) {
     case Operation::xformvec:
       return {signs + multiply(v), "false", transformed_point(v)};
     case Operation::concat:
-      return {signs + multiply(v), "false", transform_product(v)};
+      return {signs + multiply(v) + sum_in_parts, "false", transform_product(v)};
     default:
       throw std::invalid_argument("no routine");
   }

@@ -21,7 +21,8 @@ void add(FrameClocks& sum, const OperandLog& log, const xsharp::ArithmeticChoice
       program_of({.operation = operation,
                   .target = choice.target == "i8088" ? Target::i8088 : Target::i386,
                   .mul_round = choice.mul_round,
-                  .div_round = choice.div_round});
+                  .div_round = choice.div_round,
+                  .repaired = choice.repaired && operation == Operation::concat});
   const std::span<const std::uint32_t> words = log.at(static_cast<std::size_t>(operation));
   const std::size_t in = words_in(operation);
   for (std::size_t i = 0; i + in <= words.size(); i += in) {

@@ -96,12 +96,15 @@ struct Arithmetic<fixproof::ModelNumber<target, mul_round, div_round>> {
     return {N::from_word(out[0]), N::from_word(out[1]), N::from_word(out[2])};
   }
 
-  static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second) {
+  static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second,
+                                  Concatenation how) {
     std::array<std::uint32_t, 24> in{};
     put(first, in.data());
     put(second, in.data() + 12);
     std::array<std::uint32_t, 12> out{};
-    fixproof::call_model(N::variant(Operation::concat), in, out);
+    fixproof::Variant variant = N::variant(Operation::concat);
+    variant.repaired = target == fixproof::Target::i8088 && how == Concatenation::repaired;
+    fixproof::call_model(variant, in, out);
     Transform<N> result;
     for (std::size_t i = 0; i < 12; ++i) result.rows[i / 4][i % 4] = N::from_word(out[i]);
     return result;

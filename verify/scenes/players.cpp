@@ -17,6 +17,9 @@ std::vector<ArithmeticChoice> all_arithmetics() {
         for (const bool div : {true, false}) all.push_back({by, target, mul, div});
       }
     }
+    for (const bool mul : {true, false}) {
+      for (const bool div : {true, false}) all.push_back({by, "i8088", mul, div, true});
+    }
   }
   for (const char* target : {"standard", "saturating", "trapping"}) {
     all.push_back({"type", target, true, true});
@@ -31,8 +34,9 @@ std::string name_of(const ArithmeticChoice& choice) {
     return fmt::format("{} {}", choice.by, choice.target);
   }
   const auto on = [](bool rounds) { return rounds ? "on" : "off"; };
-  return fmt::format("{} {}, multiply {}, divide {}", choice.by, choice.target,
-                     on(choice.mul_round), on(choice.div_round));
+  return fmt::format("{} {}{}, multiply {}, divide {}", choice.by, choice.target,
+                     choice.repaired ? " repaired" : "", on(choice.mul_round),
+                     on(choice.div_round));
 }
 
 UsageError no_arithmetic(const ArithmeticChoice& choice) {

@@ -14,7 +14,8 @@
 namespace fixproof {
 
 /// Every arithmetic that a scene can be drawn with: the type under its presets, the model under the
-/// builds of the listings, double.
+/// builds of the listings, both for the 8088 with the printed ConcatXforms and the repaired one,
+/// double.
 std::vector<xsharp::ArithmeticChoice> all_arithmetics();
 
 /// `type i386, multiply on, divide off`, `type saturating`, `double`.

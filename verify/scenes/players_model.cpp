@@ -26,8 +26,8 @@ auto of_model_target(const ArithmeticChoice& choice, const Make& make) {
 
 std::unique_ptr<xsharp::Player> make_model_player(const Scene& scene,
                                                   const ArithmeticChoice& choice) {
-  const auto make = [&scene]<class N>() -> std::unique_ptr<xsharp::Player> {
-    return std::make_unique<xsharp::Animation<N>>(scene);
+  const auto make = [&]<class N>() -> std::unique_ptr<xsharp::Player> {
+    return std::make_unique<xsharp::Animation<N>>(scene, 1, xsharp::concatenation_of(choice));
   };
   if (choice.target == "i386") return of_model_target<Target::i386>(choice, make);
   if (choice.target == "i8088") return of_model_target<Target::i8088>(choice, make);

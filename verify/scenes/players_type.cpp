@@ -42,8 +42,8 @@ auto of_type(const ArithmeticChoice& choice, const Make& make)
 
 std::unique_ptr<xsharp::Player> make_type_player(const Scene& scene, const ArithmeticChoice& choice,
                                                  std::size_t threads) {
-  return of_type(choice, [&scene, threads]<class N>() -> std::unique_ptr<xsharp::Player> {
-    return std::make_unique<xsharp::Animation<N>>(scene, threads);
+  return of_type(choice, [&]<class N>() -> std::unique_ptr<xsharp::Player> {
+    return std::make_unique<xsharp::Animation<N>>(scene, threads, xsharp::concatenation_of(choice));
   });
 }
 

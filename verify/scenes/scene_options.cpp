@@ -31,6 +31,8 @@ void SceneOptions::add_to(CLI::App& command) {
                         [this](bool on) { mul_round = on; }))
       ->excludes(on_off("--div-round", "rounding of divides: on or off",
                         [this](bool on) { div_round = on; }));
+  command.add_flag("--repaired", repaired,
+                   "the 8088 ConcatXforms with the carry that it loses: see docs/findings.md, 18");
   command
       .add_option("--reortho", restore_every,
                   "restore orthogonality after every so many rotations of an object; 0: never")
@@ -55,6 +57,13 @@ xsharp::Scene SceneOptions::read() const {
       throw UsageError("--target " + choice.target + " has no roundings to choose");
     }
     choice.mul_round = choice.div_round = true;
+  }
+  if (choice.by == "double" || choice.target != "i8088") choice.repaired = false;
+  if (repaired) {
+    if (choice.by == "double" || choice.target != "i8088") {
+      throw UsageError("--repaired is for --target i8088: no other ConcatXforms loses a carry");
+    }
+    choice.repaired = true;
   }
   if (mul_round) choice.mul_round = *mul_round;
   if (div_round) choice.div_round = *div_round;

@@ -18,10 +18,11 @@ struct SceneOptions {
   std::optional<std::string> target;
   std::optional<bool> mul_round;
   std::optional<bool> div_round;
+  bool repaired = false;
   std::optional<std::int32_t> restore_every;
   bool from_scratch = false;
 
-  /// Adds SCENE, --arith, --target, --round, --mul-round, --div-round, --reortho and
+  /// Adds SCENE, --arith, --target, --round, --mul-round, --div-round, --repaired, --reortho and
   /// --from-scratch.
   void add_to(CLI::App& command);
 

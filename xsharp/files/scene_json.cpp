@@ -143,7 +143,11 @@ ArithmeticChoice arithmetic(const JsonNode& node) {
   node.object({{"by", [&](const JsonNode& value) { read.by = value.text(); }},
                {"target", [&](const JsonNode& value) { read.target = value.text(); }},
                {"mul_round", [&](const JsonNode& value) { read.mul_round = value.flag(); }},
-               {"div_round", [&](const JsonNode& value) { read.div_round = value.flag(); }}});
+               {"div_round", [&](const JsonNode& value) { read.div_round = value.flag(); }},
+               {"repaired", [&](const JsonNode& value) { read.repaired = value.flag(); }}});
+  if (read.repaired && (read.by == "double" || read.target != "i8088")) {
+    node.refuse("repaired is for the target i8088: no other ConcatXforms loses a carry");
+  }
   return read;
 }
 

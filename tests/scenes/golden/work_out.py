@@ -3,7 +3,7 @@
 
 usage: work_out.py SCENE                    what tests/scenes/golden keeps of a scene, on stdout
        work_out.py SCENE TARGET MUL DIV N   the dump of N frames, as `fixproof render --dump` writes it
-                                            (TARGET i386 or i8088; MUL and DIV on or off)
+                                            (TARGET i386, i8088 or i8088-repaired; MUL and DIV on or off)
 """
 import json
 import math
@@ -29,6 +29,7 @@ class Rules:
 
     def __init__(self, target, mul_on, div_on):
         self.i386, self.mul_on, self.div_on = target == "i386", mul_on, div_on
+        self.loses_carry = target == "i8088"
 
     def mul(self, a, b):
         half = ONE // 2 if self.mul_on else 0
@@ -46,6 +47,13 @@ class Rules:
     def dot(self, a, b):
         return wrap(sum(self.mul(x, y) for x, y in zip(a, b)))
 
+    def concat(self, first, second):
+        product = [[self.dot(row[:3], [r[j] for r in second]) for j in range(4)] for row in first]
+        for row, moved in zip(product, first):
+            lost = self.loses_carry and row[3] % ONE + moved[3] % ONE >= ONE
+            row[3] = wrap(row[3] + moved[3] - (ONE if lost else 0))
+        return product
+
 
 def published(x):
     return int(x * 65536.0 + 0.5)  # int() truncates, as the cast of the listing
@@ -53,6 +61,12 @@ def published(x):
 
 def coordinate(x):
     return int(x) * ONE if x == int(x) else published(x)
+
+
+def camera_of(scene):
+    """World to view for a camera that is not turned: its place, to the nearest, the other way."""
+    place = scene.get("camera", {}).get("position", [0, 0, 0])
+    return [[ONE * (i == j) for j in range(3)] + [math.floor(-place[i] * ONE + 0.5)] for i in range(3)]
 
 
 def table(tenths):
@@ -114,6 +128,7 @@ def add_vertex_normals(vertices, faces):
 class Body:
     def __init__(self, scene, data, rules):
         self.rules = rules
+        self.camera = camera_of(scene)
         (kind, of), = data["shape"].items()
         vertices, self.faces = cube(of["half_edge"]) if kind == "cube" else ball(**of)
         if data.get("surface", {}).get("kind") in LIT_AT_VERTICES:
@@ -196,8 +211,8 @@ class Body:
             self.place()
 
     def prepare(self):
-        """World to view is the identity, and a product with 1.0 or 0.0 is exact."""
-        self.view = [[wrap(self.rules.dot(row[:3], v) + row[3]) for row in self.m]
+        self.to_view = self.rules.concat(self.camera, self.m)
+        self.view = [[wrap(self.rules.dot(row[:3], v) + row[3]) for row in self.to_view]
                      for v in self.vertices]
         self.screen = [self.project(v) for v in self.view]
         self.visible = [f for f, face in enumerate(self.faces) if self.shows(face)]
@@ -226,11 +241,11 @@ def frames(scene, rules, count):
         if scene.get("depth_key", "center") == "center":
             # Stable. What a depth buffer hides need not be drawn: the nearest comes first.
             first = -1 if scene.get("depth_buffer", "off") != "off" else 1
-            order.sort(key=lambda i: first * bodies[i].m[2][3])
+            order.sort(key=lambda i: first * bodies[i].to_view[2][3])
         yield frame, bodies, order
 
 
-KNOWN = {"name", "frames_per_second", "conversion", "trigonometry", "depth_key", "palette", "arithmetic",
+KNOWN = {"name", "camera", "frames_per_second", "conversion", "trigonometry", "depth_key", "palette", "arithmetic",
          "defaults", "objects", "lights", "restore_every", "depth_buffer", "near"}
 KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "position", "spin", "drift",
                     "orbit", "surface"}
@@ -238,6 +253,7 @@ KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "po
 
 def refuse_unknown(scene):
     unknown = set(scene) - KNOWN
+    unknown |= set(scene.get("camera", {})) - {"position"}
     for data in [scene.get("defaults", {})] + scene["objects"]:
         unknown |= set(data) - KNOWN_OF_OBJECTS
     if scene.get("conversion", "published") != "published" or unknown:
@@ -252,15 +268,16 @@ def main():
         for frame, bodies, order in frames(scene, Rules(target, mul_on, div_on), int(count)):
             for i, b in enumerate(bodies):
                 print(json.dumps({"frame": frame, "object": i, "order": order.index(i),
-                                  "xform": sum(b.m, []), "view": b.view, "screen": b.screen,
+                                  "xform": sum(b.to_view, []), "view": b.view, "screen": b.screen,
                                   "visible": b.visible}, separators=(",", ":")))
         return
     join = lambda numbers: " ".join(map(str, numbers))
-    for target in ("i386", "i8088"):
+    # Without a camera there is no carry, and nothing to repair.
+    for target in ("i386", "i8088") + (("i8088-repaired",) if "camera" in scene else ()):
         for mul_on in (True, False):
             for div_on in (True, False):
                 rules = Rules(target, mul_on, div_on)
-                print("#", target, "multiply", "on" if mul_on else "off", "divide",
+                print("#", target.replace("-", " "), "multiply", "on" if mul_on else "off", "divide",
                       "on" if div_on else "off")
                 for frame, bodies, order in frames(scene, rules, FRAMES[-1] + 1):
                     if frame not in FRAMES:
@@ -268,7 +285,7 @@ def main():
                     i = frame % len(bodies)
                     b = bodies[i]
                     print("frame", frame, "order", join(order))
-                    print("  object", i, "xform", join(sum(b.m, [])))
+                    print("  object", i, "xform", join(sum(b.to_view, [])))
                     print("  view", ", ".join(join(v) for v in b.view[:VERTICES]))
                     print("  screen", ", ".join(join(p) for p in b.screen[:VERTICES]))
                     print("  visible", join(b.visible))

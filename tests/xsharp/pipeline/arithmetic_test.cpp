@@ -122,5 +122,43 @@ TYPED_TEST(ArithmeticOf, DivideByZeroHasNoResult) {
             from_whole<TypeParam>(-2));
 }
 
+// The whole parts of floor and the fractions each by themselves, worked out in 64-bit integers.
+TYPED_TEST(ArithmeticOf, OnlyThe8088LosesTheCarryOfATranslation) {
+  using N = TypeParam;
+  using A = Arithmetic<N>;
+  constexpr bool loses = [] {
+    if constexpr (std::same_as<N, double>) {
+      return false;
+    } else {
+      return N::rules.divisor == fixed::divisor_width::whole_part;
+    }
+  }();
+  const auto moved = [](std::int32_t raw) {
+    Transform<N> t = identity<N>();
+    t.rows[1][3] = A::from_raw(raw);
+    return t;
+  };
+  EXPECT_TRUE(draws::hold(2, -1'000'000'000, 1'000'000'000, [&](const draws::Integers& raw) {
+    const std::int64_t whole = raw[0] + raw[1];
+    const std::int64_t in_parts = (floor_of(raw[0], 65536) + floor_of(raw[1], 65536)) * 65536 +
+                                  (whole - floor_of(whole, 65536) * 65536);
+    const auto by = [&](Concatenation how) {
+      return A::raw(A::concatenate(moved(static_cast<std::int32_t>(raw[0])),
+                                   moved(static_cast<std::int32_t>(raw[1])), how)
+                        .rows[1][3]);
+    };
+    return by(Concatenation::published) == (loses ? in_parts : whole) &&
+           by(Concatenation::repaired) == whole;
+  }));
+}
+
+// A policy that divides by the whole part alone is no 8088 build.
+TEST(Concatenation, APolicyOfOnesOwnKeepsTheCarry) {
+  constexpr fixed::policy own{.divisor = fixed::divisor_width::whole_part};
+  EXPECT_FALSE(is_i8088_build(own));
+  EXPECT_FALSE(is_i8088_build(fixed::policies::i386_rounded));
+  EXPECT_TRUE(is_i8088_build(fixed::policies::i8088_mul_rounded));
+}
+
 }  // namespace
 }  // namespace xsharp

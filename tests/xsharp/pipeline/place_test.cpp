@@ -60,7 +60,8 @@ struct Arithmetic<pipeline::Plain<M>> {
   }
   static N midpoint(N a, N b) { return {Of::midpoint(a.n, b.n)}; }
   static Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v) { return apply_products(t, v); }
-  static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second) {
+  static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second,
+                                  Concatenation /*how*/) {
     return concatenate_products(first, second);
   }
 };

@@ -53,7 +53,8 @@ TEST(SceneJson, ReadsEveryKey) {
     "name": "n", "width": 100, "height": 50, "frames_per_second": 12.5, "projection_ratio": -3,
     "conversion": "nearest", "trigonometry": "floating", "depth_key": "farthest",
     "palette": "shading", "background": 7, "restore_every": 5,
-    "arithmetic": {"by": "model", "target": "i8088", "mul_round": false, "div_round": false},
+    "arithmetic": {"by": "model", "target": "i8088", "mul_round": false, "div_round": false,
+                   "repaired": true},
     "camera": {"page": [1, 2, 3], "position": [4, 5, 6.5], "turn_tenths": [7, 8, 9]},
     "lights": {"ambient_on": false, "ambient": [0.25, 0.5, 1],
                "spots": [{"on": false, "direction": [1, 2, 3], "intensity": [4, 5, 6]}]},
@@ -75,6 +76,7 @@ TEST(SceneJson, ReadsEveryKey) {
   EXPECT_EQ(scene.restore_every, 5);
   EXPECT_EQ(scene.arithmetic.by + scene.arithmetic.target, "modeli8088");
   EXPECT_FALSE(scene.arithmetic.mul_round || scene.arithmetic.div_round);
+  EXPECT_TRUE(scene.arithmetic.repaired);
   EXPECT_EQ(scene.camera.page, (std::array{1, 2, 3}));
   EXPECT_EQ(scene.camera.position, (Triple{4, 5, 6.5}));
   EXPECT_EQ(scene.camera.turn_tenths, (std::array{7, 8, 9}));
@@ -193,6 +195,10 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [], "objects": []})", "the key \"objects\" stands twice in one object"},
       {R"({"objects": [], "camera": {"poistion": [0, 0, 0]}})",
        "camera: no key \"poistion\" is known here, only page, position, turn_tenths"},
+      {R"({"objects": [], "arithmetic": {"repaired": true}})",
+       "arithmetic: repaired is for the target i8088: no other ConcatXforms loses a carry"},
+      {R"({"objects": [], "arithmetic": {"by": "double", "target": "i8088", "repaired": true}})",
+       "arithmetic: repaired is for the target i8088: no other ConcatXforms loses a carry"},
       {R"({"objects": [], "width": "wide"})",
        "width: must be a whole number from 2 to 4096, not \"wide\""},
       {R"({"objects": [], "width": 320.0})",

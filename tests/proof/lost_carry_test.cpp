@@ -1,0 +1,75 @@
+// Where the printed 8088 ConcatXforms differs from the repaired one, proven; and the proof fails
+// for another statement and for another program.
+#include "verify/proof/lost_carry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verify/parties/interpreter.hpp"
+#include "verify/proof/prove.hpp"
+
+namespace {
+
+using namespace fixproof;
+
+const Solver& solver() {
+  static const Solver one("z3");
+  return one;
+}
+
+x86model::Program concat(bool repaired) {
+  return program_of(
+      {.operation = Operation::concat, .target = Target::i8088, .repaired = repaired});
+}
+
+/// How many of the scripts are unsatisfiable, `from` in them replaced by `to` wherever it stands.
+std::size_t proven(std::vector<std::string> scripts, std::string_view from = "",
+                   std::string_view to = "") {
+  std::size_t count = 0;
+  for (std::string& script : scripts) {
+    for (std::size_t at = 0; !from.empty() && (at = script.find(from, at)) != std::string::npos;
+         at += to.size()) {
+      script.replace(at, from.size(), to);
+    }
+    const Verdict verdict = solver().ask(script, 60).verdict;
+    EXPECT_NE(verdict, Verdict::unknown);
+    if (verdict == Verdict::unsatisfiable) ++count;
+  }
+  return count;
+}
+
+TEST(LostCarry, IsProvenWithRoundingAndWithout) {
+  for (const bool mul_round : {true, false}) {
+    EXPECT_EQ(lost_carry_questions(mul_round).size(), 4U);
+    EXPECT_EQ(prove_lost_carry(mul_round, solver(), 60).standing, Standing::proven);
+  }
+}
+
+// Three questions are about the fourth column, one about all others.
+TEST(LostCarry, AnotherStatementIsRefuted) {
+  const auto scripts = lost_carry_questions(true);
+  EXPECT_EQ(proven(scripts), 4U);
+  // Another difference.
+  EXPECT_EQ(proven(scripts, "(_ bv65536 32)", "(_ bv65535 32)"), 1U);
+  EXPECT_EQ(proven(scripts, "(_ bv65536 32)", "(_ bv4294901760 32)"), 1U);
+  // Where the low words do not carry, and where another bit of their sum is set.
+  EXPECT_EQ(proven(scripts, "low-words) #b1)", "low-words) #b0)"), 1U);
+  EXPECT_EQ(proven(scripts, "(_ extract 16 16)", "(_ extract 15 15)"), 1U);
+}
+
+TEST(LostCarry, AnotherProgramIsRefuted) {
+  EXPECT_EQ(proven(lost_carry_questions(concat(false), concat(true))), 4U);
+  EXPECT_EQ(proven(lost_carry_questions(concat(true), concat(true))), 1U);
+  EXPECT_EQ(proven(lost_carry_questions(concat(false), concat(false))), 1U);
+  EXPECT_EQ(proven(lost_carry_questions(concat(true), concat(false))), 1U);
+}
+
+// A contradiction among the definitions would prove anything.
+TEST(LostCarry, TakesNothingImpossibleForGranted) {
+  for (std::string script : lost_carry_questions(true)) {
+    const auto last = script.rfind("(assert ");
+    script.erase(last, script.find("(check-sat)", last) - last);
+    EXPECT_EQ(solver().ask(script, 60).verdict, Verdict::satisfiable);
+  }
+}
+
+}  // namespace
