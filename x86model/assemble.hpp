@@ -43,8 +43,9 @@ struct Build {
   /// ConcatXforms, which is C there, is the later assembly with the C's result: it adds the
   /// translation in all four columns. 386 only.
   bool chapter_52 = false;
-  /// The 8088 divide with its last ADC after the endif, as the scan of chapter 54 has it: without
-  /// rounding it adds a carry that DIV leaves undefined.
+  /// The 8088 divide with its last ADC after the endif, as a scan of chapter 54 has it: without
+  /// rounding it adds a carry that DIV leaves undefined. The author's file has the ADC before the
+  /// endif, so this is only an example of an undefined flag that is caught.
   bool endif_as_scanned = false;
   /// The 8088 ConcatXforms with the carry that its listing loses. 8088 only.
   bool repaired = false;

@@ -77,7 +77,8 @@ Encoding encoding_of(const Instruction& instruction) {
     if (o.kind == Operand::Kind::memory) encoding.displacement = displacement_bytes(o);
     if (o.addressing == Addressing::index_twice) encoding.mod_rm = 2;
     if (o.kind == Operand::Kind::label) {
-      encoding.displacement = instruction.mnemonic == Mnemonic::call ? 2 : 1;
+      const bool is_near = instruction.mnemonic == Mnemonic::call || o.size == Size::word;
+      encoding.displacement = is_near ? 2 : 1;
     }
     if (o.kind != Operand::Kind::immediate) continue;
     const auto value = static_cast<std::int32_t>(detail::immediate<FullWidth>(o));

@@ -110,6 +110,10 @@ constexpr Instruction row(Mnemonic m, Operand a, Immediate i) { return row(m, a,
 constexpr Instruction jump(Mnemonic m, const char* target) {
   return row(m, {.kind = Operand::Kind::label, .name = target});
 }
+/// A jump that needs a word for its displacement: its target is more than 127 bytes ahead.
+constexpr Instruction jmp_near(const char* target) {
+  return row(Mnemonic::jmp, {.kind = Operand::Kind::label, .size = Size::word, .name = target});
+}
 
 constexpr Instruction mov(Operand to, Operand from) { return row(Mnemonic::mov, to, from); }
 constexpr Instruction push(Operand a) { return row(Mnemonic::push, a); }

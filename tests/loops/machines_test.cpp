@@ -79,7 +79,8 @@ TEST(LoopsOnSilicon, EveryFormAndLength) {
     GTEST_SKIP() << why;
   }
   Random random(386);
-  fixproof::Processor processor;
+  // A texture may reach over the whole segment.
+  fixproof::Processor processor(fixproof::segment_size);
   for (const LoopForm& form : x86::all_loop_forms()) {
     processor.load(fixproof::machine_code(form));
     const auto code = x86::code_of(form);

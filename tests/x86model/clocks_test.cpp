@@ -193,7 +193,7 @@ TEST(Clocks, OtherForms) {
   expect({add(cx, word[si + 12])}, on(9 + 9 + 4, 7, 6, 2));
   expect({mov(ax, word[CosTable + bx])}, on(8 + 9 + 4, 5, 4, 1));
   // The override takes an 8088 2 clocks, a 486 up to 1.
-  expect({mov(ax, word[cs(CosTable + bx)])}, on(8 + 9 + 2 + 4, 5, 4, {1, 2}));
+  expect({mov(ax, word[cs(CosTable + bx)])}, on(8 + 9 + 2 + 4, 5, 4, 1, 2));
   expect({inc(cx)}, on(2, 2, 2, 1));
   expect({dec(bx)}, on(2, 2, 2, 1));
   expect({shl(bx, 1)}, on(2, 2, 3, 3));

@@ -101,6 +101,8 @@ TEST(Encoding, PartsOfSomeInstructions) {
       Case{shld(edx, eax, word_bits), 5, 5},           // 66 0F A4 C2 10
       Case{shrd(eax, edx, 1), 5, 5},                   // 66 0F AC D0 01
       Case{neg(word[bp + 4]), 3, 3},                   // F7 5E 04
+      Case{jmp("near"), 2, 2},                         // EB xx
+      Case{jmp_near("far"), 3, 2},                     // E9 xx xx
       Case{jz("near"), 2, 2},                          // 74 xx
       Case{call("procedure"), 3, 2},                   // E8 xx xx
       Case{ret(), 1, 1},                               // C3

@@ -2,6 +2,7 @@
 /// The processor this runs on, made to run 16-bit code.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -20,8 +21,10 @@ class Processor {
   /// Why there is no such processor here; empty where there is.
   static std::string absence();
 
+  /// @param data_bytes how long the segment of data and stack is. By default it ends before the
+  /// code: a table that stands with the code is read with a CS: override or not at all.
   /// @throws std::system_error where the system gives no segment
-  Processor();
+  explicit Processor(std::size_t data_bytes = caller_origin);
   Processor(const Processor&) = delete;
   Processor& operator=(const Processor&) = delete;
   Processor(Processor&&) = delete;

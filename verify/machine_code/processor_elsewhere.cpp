@@ -13,7 +13,7 @@ struct Processor::Calls::Saved {};
 std::string Processor::absence() { return "it needs Linux on an x86-64 processor"; }
 
 // Nobody asks an absent processor.
-Processor::Processor() { throw std::logic_error(absence()); }
+Processor::Processor(std::size_t /*data_bytes*/) { throw std::logic_error(absence()); }
 Processor::~Processor() = default;
 std::uint8_t* Processor::memory() const { return nullptr; }
 void Processor::load(std::span<const std::uint8_t> /*code*/) {}

@@ -150,6 +150,9 @@ bool has_shadow_stack() {
 }  // namespace
 
 struct Processor::Parts {
+  explicit Parts(std::size_t data_bytes)
+      : data(memory.address_of(0), MODIFY_LDT_CONTENTS_DATA, data_bytes) {}
+
   LowMemory memory;
   Landing* landing = new (memory.at(LowMemory::landing)) Landing{};
   Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE, segment_size};
@@ -172,7 +175,7 @@ std::string Processor::absence() {
   return reason;
 }
 
-Processor::Processor() : parts_(std::make_unique<Parts>()) {
+Processor::Processor(std::size_t data_bytes) : parts_(std::make_unique<Parts>(data_bytes)) {
   catch_segment_faults();
   const LowMemory& memory = parts_->memory;
   std::copy(fixproof_landing, fixproof_landing_end, memory.at(LowMemory::landing_code));

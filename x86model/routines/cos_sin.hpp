@@ -108,7 +108,7 @@ inline constexpr Listing cos_sin_i8088 = [] {
       neg(bx),
       mov(cx, word[cs(CosTable + bx + quarter_turn + 2)]),
       mov(bx, word[cs(CosTable + bx + quarter_turn)]),
-      jmp("CSDone"),
+      jmp_near("CSDone"),
 
       label("Quadrant1"),
       neg(bx),
