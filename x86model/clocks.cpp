@@ -315,6 +315,45 @@ Cell cell_of(Cpu cpu, const Execution& e) {
   return look_up(cpu, e.instruction);
 }
 
+/// The register that `operand` is or is a part of.
+Register whole_register(const Operand& operand) {
+  if (operand.size != Size::byte) return operand.reg;
+  // AH to BH follow AL to BL.
+  return static_cast<Register>(static_cast<unsigned>(operand.reg) % 4);
+}
+
+/// Whether the instruction has a result in the register or in a part of it. SP counts only as an
+/// operand: a 486 does not wait for what PUSH, POP, CALL and RET add to it.
+bool writes(const Instruction& i, Register r) {
+  const Mnemonic op = i.mnemonic;
+  if (detail::is_multiply(op) || detail::is_divide(op)) {
+    return r == Register::ax || r == Register::dx;
+  }
+  if (detail::is_store_string(op)) return r == Register::di;
+  if (op == Mnemonic::loop) return r == Register::cx;
+  if (is_control_flow(op) || op == Mnemonic::cmp || op == Mnemonic::push) return false;
+  return i.operands[0].kind == Operand::Kind::reg && whole_register(i.operands[0]) == r;
+}
+
+bool uses_stack(Mnemonic op) {
+  return op == Mnemonic::push || op == Mnemonic::pop || op == Mnemonic::call || op == Mnemonic::ret;
+}
+
+/// A 486 waits a clock for the base register of an address, or for SP of the stack, if the
+/// instruction before has written it (appendix E). The manual does not say whether it waits for a
+/// scaled index: 0 or 1. Not counted: one more clock if that instruction has written only a part of
+/// the register. It is published (E. Toth, "Penalties on the 486"), but not by Intel.
+Range address_wait(const Execution& e) {
+  if (e.previous == nullptr) return {0, 0};
+  if (uses_stack(e.instruction.mnemonic) && writes(*e.previous, Register::sp)) return {1, 1};
+  for (const Operand& o : e.instruction.operands) {
+    if (o.kind != Operand::Kind::memory || o.addressing == Addressing::direct) continue;
+    if (!writes(*e.previous, o.reg)) continue;
+    return {o.addressing == Addressing::index_twice ? 0U : 1U, 1};
+  }
+  return {0, 0};
+}
+
 }  // namespace
 
 std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
@@ -330,7 +369,8 @@ std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const bool scales = std::any_of(i.operands.begin(), i.operands.end(), [](const Operand& o) {
     return o.addressing == Addressing::index_twice;
   });
-  return Range{cell.min, cell.max + static_cast<std::uint32_t>(prefixes) + (scales ? 1U : 0U)};
+  return Range{cell.min, cell.max + static_cast<std::uint32_t>(prefixes) + (scales ? 1U : 0U)} +
+         address_wait(execution);
 }
 
 std::string_view name_of(Cpu cpu) {
