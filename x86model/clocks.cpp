@@ -11,7 +11,7 @@
 //   8088  iAPX 86,88 User's Manual (210200), table 2-21; MUL and DIV as measured on the processor
 //   286   80286 Programmer's Reference Manual, appendix B
 //   386   80386 Programmer's Reference Manual (1986), chapter 17
-//   486   i486 Microprocessor Programmer's Reference Manual (1990), chapter 26
+//   486   i486 Microprocessor Programmer's Reference Manual (1990), chapter 26 and appendix E
 // and, where one of these is known to be wrong or leaves a form out, the processor's data sheet.
 
 namespace x86model {
@@ -34,6 +34,7 @@ enum class Kind : std::uint8_t {
   push,
   pop,
   arithmetic,
+  compare,
   neg,
   step,
   shift,
@@ -68,6 +69,10 @@ constexpr std::array clock_table{
     Row{Kind::arithmetic, Shape::rr, 3, 0, 2, 2, 1},
     Row{Kind::arithmetic, Shape::ri, 4, 0, 3, 2, 1},
     Row{Kind::arithmetic, Shape::rm, 9, 1, 7, 6, 2},
+    Row{Kind::compare, Shape::rr, 3, 0, 2, 2, 1},
+    Row{Kind::compare, Shape::ri, 4, 0, 3, 2, 1},
+    // A 286 needs a clock less than to add.
+    Row{Kind::compare, Shape::rm, 9, 1, 6, 6, 2},
     Row{Kind::neg, Shape::r, 3, 0, 2, 2, 1},
     Row{Kind::neg, Shape::m, 16, 2, 7, 6, 3},
     Row{Kind::step, Shape::r, 2, 0, 2, 2, 1},
@@ -82,6 +87,7 @@ std::optional<Kind> kind_of(Mnemonic op) {
   if (op == Mnemonic::mov) return Kind::mov;
   if (op == Mnemonic::push) return Kind::push;
   if (op == Mnemonic::pop) return Kind::pop;
+  if (op == Mnemonic::cmp) return Kind::compare;
   if (is_two_operand(op)) return Kind::arithmetic;
   if (op == Mnemonic::neg) return Kind::neg;
   if (is_one_operand(op)) return Kind::step;
@@ -130,7 +136,8 @@ std::uint32_t effective_address_clocks(const Instruction& i) {
   return segment + (encoding_of(i).displacement > 0 ? 9 : 5);
 }
 
-/// Depends on AX alone, but for a clock where the high half becomes 0.
+/// Depends on AX alone, but for a clock where the high half becomes 0. The microcode takes 134
+/// clocks for AX = FFFFh times 0 or 1, which is one more than the most in Intel's table.
 std::uint32_t mul_on_8088(const Execution& e) {
   const bool high_is_zero = alu::mul(e.low, e.operand, 16).high == 0;
   return 117 + static_cast<std::uint32_t>(std::popcount(e.low)) + (high_is_zero ? 1 : 0);
@@ -165,17 +172,42 @@ bool operand_is(const Execution& e, Operand::Kind kind) {
 }
 bool is_dword(const Execution& e) { return e.instruction.operands[0].size == Size::dword; }
 
-/// The 386 stops at the highest bit of the multiplier, which is the operand: its manual's formula.
-/// The ranges printed beside it go one clock further for IMUL than the formula does.
+bool multiplies_by_negative(const Execution& e) {
+  return e.instruction.mnemonic == Mnemonic::imul && alu::sign(e.operand, 32);
+}
+
+/// The base-2 logarithm of the multiplier's magnitude, rounded down and up; 0 for 0, where the
+/// formulas below take their least number anyway.
+struct Log2 {
+  std::uint32_t down;
+  std::uint32_t up;
+};
+Log2 log2_of_multiplier(const Execution& e) {
+  const std::uint32_t magnitude = multiplies_by_negative(e) ? 0 - e.operand : e.operand;
+  if (magnitude == 0) return {0, 0};
+  return {static_cast<std::uint32_t>(31 - std::countl_zero(magnitude)),
+          static_cast<std::uint32_t>(32 - std::countl_zero(magnitude - 1))};
+}
+
+/// The 386 stops at the highest bit of the multiplier: its manual's formula. The ranges printed
+/// beside it go one clock further for IMUL than the formula does. The manual takes the operand for
+/// the multiplier: it adds 3 clocks if the multiplier is in memory. A published reading of the
+/// 386's microcode (nand2mario, "80386 Multiplication and Division", 2026) contradicts it: there
+/// the accumulator is shifted out and the operand is the multiplicand.
 std::uint32_t multiply_on_386(const Execution& e) {
-  std::uint32_t magnitude = e.operand;
-  if (e.instruction.mnemonic == Mnemonic::imul && alu::sign(magnitude, 32)) {
-    magnitude = 0 - magnitude;
-  }
-  // ceil(log2(magnitude)), 0 for 0: then, too, the formula gives 3 + 6.
-  const int log2 = magnitude == 0 ? 0 : 32 - std::countl_zero(magnitude - 1);
-  const auto clocks = static_cast<std::uint32_t>(std::max(log2, 3) + 6);
+  constexpr std::uint32_t least = 3;
+  const std::uint32_t clocks = 6 + std::max(log2_of_multiplier(e).up, least);
   return clocks + (operand_is(e, Operand::Kind::memory) ? 3 : 0);
+}
+
+/// Note 3 of the manual's appendix E: 10 + max(log2|m|, n), n = 3 for a positive multiplier m and 5
+/// for a negative one. The note does not say how the logarithm is rounded: rounded down it gives
+/// the least number of clocks, rounded up the most. The multiplier is taken to be the operand, as
+/// in the 386's manual.
+Cell multiply_on_486(const Execution& e) {
+  const std::uint32_t least = multiplies_by_negative(e) ? 5 : 3;
+  const Log2 log2 = log2_of_multiplier(e);
+  return {10 + std::max(log2.down, least), 10 + std::max(log2.up, least)};
 }
 
 /// MUL by a register, IMUL by a dword.
@@ -193,7 +225,7 @@ Cell multiply(Cpu cpu, const Execution& e) {
     case Cpu::i486:
       break;
   }
-  return is_dword(e) ? Cell{13, 42} : Cell{13, 26};
+  return multiply_on_486(e);
 }
 
 /// IDIV by a dword.
@@ -286,6 +318,45 @@ Cell cell_of(Cpu cpu, const Execution& e) {
   return look_up(cpu, e.instruction);
 }
 
+/// The register that `operand` is or is a part of.
+Register whole_register(const Operand& operand) {
+  if (operand.size != Size::byte) return operand.reg;
+  // AH to BH follow AL to BL.
+  return static_cast<Register>(static_cast<unsigned>(operand.reg) % 4);
+}
+
+/// Whether the instruction has a result in the register or in a part of it. SP counts only as an
+/// operand: a 486 does not wait for what PUSH, POP, CALL and RET add to it.
+bool writes(const Instruction& i, Register r) {
+  const Mnemonic op = i.mnemonic;
+  if (detail::is_multiply(op) || detail::is_divide(op)) {
+    return r == Register::ax || r == Register::dx;
+  }
+  if (detail::is_store_string(op)) return r == Register::di;
+  if (op == Mnemonic::loop) return r == Register::cx;
+  if (is_control_flow(op) || op == Mnemonic::cmp || op == Mnemonic::push) return false;
+  return i.operands[0].kind == Operand::Kind::reg && whole_register(i.operands[0]) == r;
+}
+
+bool uses_stack(Mnemonic op) {
+  return op == Mnemonic::push || op == Mnemonic::pop || op == Mnemonic::call || op == Mnemonic::ret;
+}
+
+/// A 486 waits a clock for the base register of an address, or for SP of the stack, if the
+/// instruction before has written it (appendix E). The manual does not say whether it waits for a
+/// scaled index: 0 or 1. Not counted: one more clock if that instruction has written only a part of
+/// the register. It is published (E. Toth, "Penalties on the 486"), but not by Intel.
+Range address_wait(const Execution& e) {
+  if (e.previous == nullptr) return {0, 0};
+  if (uses_stack(e.instruction.mnemonic) && writes(*e.previous, Register::sp)) return {1, 1};
+  for (const Operand& o : e.instruction.operands) {
+    if (o.kind != Operand::Kind::memory || o.addressing == Addressing::direct) continue;
+    if (!writes(*e.previous, o.reg)) continue;
+    return {o.addressing == Addressing::index_twice ? 0U : 1U, 1};
+  }
+  return {0, 0};
+}
+
 }  // namespace
 
 std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
@@ -303,7 +374,8 @@ std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const bool scales = std::any_of(i.operands.begin(), i.operands.end(), [](const Operand& o) {
     return o.addressing == Addressing::index_twice;
   });
-  return Range{cell.min, cell.max + static_cast<std::uint32_t>(prefixes) + (scales ? 1U : 0U)};
+  return Range{cell.min, cell.max + static_cast<std::uint32_t>(prefixes) + (scales ? 1U : 0U)} +
+         address_wait(execution);
 }
 
 std::string_view name_of(Cpu cpu) {

@@ -2,7 +2,8 @@
 /// How many clocks an instruction takes on an 8088, a 286, a 386 and a 486.
 ///
 /// The counts are those of Intel's tables: real mode, near transfers, code already fetched, no wait
-/// states, aligned words, every access of a 486 in its cache and nothing waiting for a register.
+/// states, aligned words and every access of a 486 in its cache. A 486 waits a clock for an address
+/// register that the instruction before has just written.
 /// The 8088's MUL and DIV are not ranges but what its microcode takes for the operands. Real
 /// machines are slower: an 8088 often waits for code, which bus.hpp counts.
 #pragma once
@@ -42,6 +43,8 @@ struct Execution {
   /// length counts. Null for
   /// the code of the routine's caller, taken to be ADD SP,n: C pops the arguments.
   const Instruction* next = nullptr;
+  /// What was executed just before. Null where that is not known: then a 486 waits for nothing.
+  const Instruction* previous = nullptr;
   /// Of a multiply or divide, before it, zero-extended: (E)AX, (E)DX and the operand.
   std::uint32_t low = 0;
   std::uint32_t high = 0;

@@ -67,12 +67,15 @@ class ClockCounter {
   template <class M>
   void before(std::size_t position, const M& m) {
     static_assert(M::word_bits == 16);
-    const auto range = clocks(cpu_, detail::execution_at(code_, position, m));
+    Execution execution = detail::execution_at(code_, position, m);
+    execution.previous = previous_;
+    const auto range = clocks(cpu_, execution);
     if (!range) {
       throw std::invalid_argument("no clocks on a " + std::string(name_of(cpu_)) +
                                   " for the instruction at " + std::to_string(position));
     }
     pending_ = *range;
+    previous_ = &code_[position];
   }
 
   template <class M>
@@ -88,6 +91,7 @@ class ClockCounter {
  private:
   std::span<const Instruction> code_;
   Cpu cpu_;
+  const Instruction* previous_ = nullptr;
   Range pending_;
   Range total_;
   BusBytes bus_;

@@ -64,12 +64,13 @@ TEST(StepClocks, AreThoseOfTheTables) {
       // a 386.
       {"jz .There", {"4", "3", "3", "1"}},
       {"jmp .There", {"15", "8-11", "8-12", "3"}},
-      // One in AX, and DX becomes 0. A 386 stops at the multiplier's highest bit, but not before 3.
-      {"mul bx", {"119", "21", "9", "13-26"}},
+      // One in AX, and DX becomes 0. A 386 and a 486 stop at the multiplier's highest bit, but not
+      // before 3.
+      {"mul bx", {"119", "21", "9", "13"}},
       // 0000 0001h by 2: no step subtracts.
       {"div bx", {"144", "22", "22", "24"}},
       // What only the 386 has.
-      {"imul ebx", {"-", "-", "9", "13-43"}},
+      {"imul ebx", {"-", "-", "9", "13-14"}},
       {"idiv ebx", {"-", "-", "43", "43-44"}},
       {"div ebx", {"-", "-", "38", "40-41"}},
       {"shld edx, eax, 16", {"-", "-", "3", "2-3"}},
@@ -82,6 +83,8 @@ TEST(StepClocks, OfMultipliesAndDividesDependOnTheOperands) {
   // Every step subtracts: 17 + 15 * 9 + 10.
   EXPECT_EQ(clocks_of("8088", "8088", "div bx", "ax=ffff bx=0001 dx=0000"), "162");
   EXPECT_EQ(clocks_of("386", "386", "mul bx", "ax=0001 bx=8000 dx=0000"), "21");
+  // 2^15: 10 + 15.
+  EXPECT_EQ(clocks_of("386", "486", "mul bx", "ax=0001 bx=8000 dx=0000"), "25");
 }
 
 TEST(StepClocks, LinesWithoutAStateStayAsTheyAre) {

@@ -89,13 +89,14 @@ void expect_steps(Target target, std::vector<std::uint32_t> in,
 }
 
 // 1.0 times 3.0. IMUL: 3 * 2^16 lies between 2^17 and 2^18: 18 + 6, and 3 for the operand in
-// memory. The caller's ADD SP,8 has three components: RET is 10 + 3. Sums: 59; 26 to 63.
+// memory. The caller's ADD SP,8 has three components: RET is 10 + 3. On a 486 the address waits a
+// clock for BP, and IMUL takes 10 + 17 to 10 + 18. Sums: 59; 41 to 50.
 TEST(Clocks, FixedMulOfThe386) {
   expect_steps<Routine::mul, 2>(Target::i386, {0x00010000, 0x00030000},
                                 {{"push bp", on_386(2, 1, 1)},
                                  {"mov bp, sp", on_386(2, 1, 1)},
-                                 {"mov eax, [bp+4]", on_386(4, 1, 2)},
-                                 {"imul dword [bp+8]", on_386(27, 13, 43)},
+                                 {"mov eax, [bp+4]", on_386(4, 2, 3)},
+                                 {"imul dword [bp+8]", on_386(27, 27, 29)},
                                  {"add eax, 0x8000", on_386(2, 1, 2)},
                                  {"adc edx, 0", on_386(2, 1, 2)},
                                  {"shr eax, 16", on_386(3, 2, 3)},
@@ -107,11 +108,11 @@ TEST(Clocks, FixedMulOfThe386) {
     return count_clocks<Routine::mul>(program.instructions(), in, cpu).clocks;
   };
   EXPECT_EQ(sum(Cpu::i386), exactly(59));
-  EXPECT_EQ(sum(Cpu::i486), (Range{26, 63}));
+  EXPECT_EQ(sum(Cpu::i486), (Range{41, 50}));
 }
 
 // 1.0 by 2.0. Jumps lead to SUB (66 29 D2: 3 components), DIV (66 F7 F3: 3), SHLD (66 0F A4 C2 10:
-// 5).
+// 5). SUB stands between the write of BP and the first address: a 486 does not wait.
 TEST(Clocks, FixedDivOfThe386) {
   expect_steps<Routine::div, 2>(
       Target::i386, {0x00010000, 0x00020000},
@@ -149,18 +150,18 @@ TEST(Clocks, FixedMulOfThe8088) {
        {"jns .SaveSignStatus", on(16, 7 + 1, 7 + 1, 3)},
        {"push cx", on(11 + 4, 3, 2, 1)},
        {"push ax", on(11 + 4, 3, 2, 1)},
-       {"mul bx", on(117 + 1 + 1, 21, 3 + 6, 13, 26)},  // 1 * 1: one bit, DX is 0
+       {"mul bx", on(117 + 1 + 1, 21, 3 + 6, 13)},  // 1 * 1: one bit, DX is 0
        {"mov cx, ax", on(2, 2, 2, 1)},
        {"mov ax, si", on(2, 2, 2, 1)},
-       {"mul bx", on(117 + 0 + 1, 21, 3 + 6, 13, 26)},  // 0 * 1
+       {"mul bx", on(117 + 0 + 1, 21, 3 + 6, 13)},  // 0 * 1
        {"mov bx, ax", on(2, 2, 2, 1)},
        {"add cx, dx", on(3, 2, 2, 1)},
        {"pop ax", on(8 + 4, 5, 4, 1, 4)},
-       {"mul di", on(117 + 1 + 1, 21, 9, 13, 26)},  // 1 * 0
+       {"mul di", on(117 + 1 + 1, 21, 9, 13)},  // 1 * 0
        {"add bx, ax", on(3, 2, 2, 1)},
        {"adc cx, dx", on(3, 2, 2, 1)},
        {"mov ax, si", on(2, 2, 2, 1)},
-       {"mul di", on(117 + 0 + 1, 21, 9, 13, 26)},  // 0 * 0
+       {"mul di", on(117 + 0 + 1, 21, 9, 13)},  // 0 * 0
        {"add ax, 0x8000", on(4, 3, 2, 1)},
        {"adc bx, dx", on(3, 2, 2, 1)},
        {"adc cx, 0", on(4, 3, 2, 1)},
@@ -200,6 +201,8 @@ TEST(Clocks, OtherForms) {
   expect({xor_(cx, 1)}, on(4, 3, 2, 1));
   expect({sbb(dx, 0)}, on(4, 3, 2, 1));
   expect({cmp(bx, 3600)}, on(4, 3, 2, 1));
+  expect({cmp(bx, ax)}, on(3, 2, 2, 1));
+  expect({cmp(bx, word[si])}, on(9 + 5 + 4, 6, 6, 2));
   expect({.instruction = div(bx), .low = 7, .operand = 2}, on(17 + 14 * 8 + 9 + 10, 22, 22, 24));
   expect({ja("far")}, on(4, 3, 3, 1));
   expect({.instruction = jmp("far"), .taken = true, .next = &pushes}, on(15, 7 + 1, 7 + 1, 3));
@@ -292,6 +295,81 @@ TEST(Clocks, MultiplyOfThe386StopsAtTheHighestBit) {
   EXPECT_EQ(multiply_on_386(by_memory, 0xFFFF0000), exactly(25)) << "2^16";
   EXPECT_EQ(multiply_on_386(by_memory, 0x7FFFFFFF), exactly(40));
   EXPECT_EQ(multiply_on_386(by_memory, 0x80000000), exactly(40)) << "2^31";
+}
+
+std::optional<Range> multiply_on_486(const Instruction& i, std::uint32_t multiplier) {
+  return clocks(Cpu::i486, {.instruction = i, .operand = multiplier});
+}
+
+// 10 and the logarithm of the multiplier rounded down to rounded up, which counts as 3 at least, or
+// as 5 where the multiplier is negative. A dword's prefix may take one more.
+TEST(Clocks, MultiplyOfThe486FollowsTheManualsRule) {
+  EXPECT_EQ(multiply_on_486(mul(bx), 0), exactly(13)) << "the least in the table";
+  EXPECT_EQ(multiply_on_486(mul(bx), 1), exactly(13));
+  EXPECT_EQ(multiply_on_486(mul(bx), 8), exactly(13));
+  EXPECT_EQ(multiply_on_486(mul(bx), 9), (Range{13, 14}));
+  EXPECT_EQ(multiply_on_486(mul(bx), 0x8000), exactly(25)) << "MUL has no negative multiplier";
+  EXPECT_EQ(multiply_on_486(mul(bx), 0xFFFF), (Range{25, 26})) << "the most in the table";
+  EXPECT_EQ(multiply_on_486(mul(ebx), 0xFFFFFFFF), (Range{41, 42 + 1})) << "the most in the table";
+  const Instruction by_memory = imul(dword[bp + 8]);
+  EXPECT_EQ(multiply_on_486(by_memory, 0), (Range{13, 13 + 1}));
+  EXPECT_EQ(multiply_on_486(by_memory, 0xFFFFFFFF), (Range{15, 15 + 1})) << "-1";
+  EXPECT_EQ(multiply_on_486(by_memory, 0xFFFFFFE0), (Range{15, 15 + 1})) << "-32";
+  EXPECT_EQ(multiply_on_486(by_memory, 0xFFFFFFDF), (Range{15, 16 + 1})) << "-33";
+  EXPECT_EQ(multiply_on_486(by_memory, 33), (Range{15, 16 + 1}));
+  EXPECT_EQ(multiply_on_486(by_memory, 0x7FFFFFFF), (Range{40, 41 + 1}));
+  EXPECT_EQ(multiply_on_486(by_memory, 0x80000000), (Range{41, 41 + 1})) << "-2^31";
+}
+
+/// What an instruction takes more on a 486 because of the one before it.
+Range wait_after(const Instruction& before, const Instruction& i) {
+  const Range alone = clocks(Cpu::i486, {i}).value();
+  const Range after = clocks(Cpu::i486, {.instruction = i, .previous = &before}).value();
+  EXPECT_EQ(clocks(Cpu::i386, {.instruction = i, .previous = &before}), clocks(Cpu::i386, {i}));
+  return {after.min - alone.min, after.max - alone.max};
+}
+
+TEST(Clocks, The486WaitsForABaseRegisterJustWritten) {
+  const Instruction load = mov(ax, word[bx]);
+  for (const Instruction& writes_bx :
+       {mov(bx, si), mov(bl, dh), pop(bx), shl(bx, 2), neg(bx), add(bx, ax)}) {
+    EXPECT_EQ(wait_after(writes_bx, load), exactly(1)) << text_of(writes_bx);
+    EXPECT_EQ(wait_after(writes_bx, mov(word[bx], ax)), exactly(1)) << text_of(writes_bx);
+  }
+  for (const Instruction& leaves_bx : {mov(si, bx), mov(dh, bl), push(bx), cmp(bx, ax), mul(bx),
+                                       div(bx), jmp(bx), mov(word[bx], ax), stosb(), ret()}) {
+    EXPECT_EQ(wait_after(leaves_bx, load), exactly(0)) << text_of(leaves_bx);
+  }
+  EXPECT_EQ(wait_after(mov(ah, dh), mov(byte[Screen + eax], bl)), exactly(1));
+  EXPECT_EQ(wait_after(mov(dh, bl), mov(ax, word[si])), exactly(0)) << "DH is no part of SI";
+  EXPECT_EQ(wait_after(mov(bx, si), mov(ax, bx)), exactly(0)) << "no address";
+  EXPECT_EQ(wait_after(mov(ax, si), mov(ax, word[IncJ])), exactly(0)) << "no register in it";
+}
+
+TEST(Clocks, The486WaitsForRegistersWrittenUnnamed) {
+  for (const Instruction& i : {mul(bx), div(bx)}) {
+    EXPECT_EQ(wait_after(i, mov(byte[Screen + eax], bl)), exactly(1)) << text_of(i);
+    EXPECT_EQ(wait_after(i, mov(byte[Screen + edx], bl)), exactly(1)) << text_of(i);
+  }
+  EXPECT_EQ(wait_after(stosb(), mov(byte[Screen + edi], bl)), exactly(1));
+  EXPECT_EQ(wait_after(loop("Pixel"), mov(byte[Screen + ecx], bl)), exactly(1));
+}
+
+// The manual's rule is about the base register alone.
+TEST(Clocks, The486MayWaitForAScaledIndex) {
+  EXPECT_EQ(wait_after(inc(edi), cmp(bx, word[ZBuff + twice(edi)])), (Range{0, 1}));
+  EXPECT_EQ(wait_after(inc(esi), cmp(bx, word[ZBuff + twice(edi)])), exactly(0));
+}
+
+TEST(Clocks, The486WaitsForAStackPointerWrittenByName) {
+  const Instruction moves_sp = add(sp, bytes(8));
+  for (const Instruction& i : {push(cx), pop(cx), call("far"), ret()}) {
+    EXPECT_EQ(wait_after(moves_sp, i), exactly(1)) << text_of(i);
+    for (const Instruction& stacks : {push(si), pop(si), call("far"), ret(), mov(bp, sp)}) {
+      EXPECT_EQ(wait_after(stacks, i), exactly(0)) << text_of(stacks) << "; " << text_of(i);
+    }
+  }
+  EXPECT_EQ(wait_after(moves_sp, mov(ax, word[bx])), exactly(0));
 }
 
 TEST(Clocks, EveryFormOfEveryListingHasAnEntry) {
