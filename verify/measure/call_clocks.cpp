@@ -72,7 +72,7 @@ std::vector<Variant> timed_variants() {
   std::vector<Variant> timed;
   for (const Variant& v : all_variants()) {
     const bool second_of_two = v.operation == Operation::cossin && !v.mul_round;
-    // Chapter 52 has ConcatXforms in C: the assembly of it is ours, and was never timed by anyone.
+    // Chapter 52 has ConcatXforms in C. Its assembly is ours and has no published time.
     const bool ours = v.chapter_52 && v.operation == Operation::concat;
     // The repaired ConcatXforms has ADC where the printed one has ADD, which takes as long.
     if (v.target != Target::standard && !second_of_two && !ours && !v.repaired) timed.push_back(v);

@@ -190,9 +190,10 @@ Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
       three_keys,
       "what the calls of FixedMul and FixedDiv, the assembly of that chapter, would allow; at "
       "least "
-      "15.\nConcatXforms and XformVec are C there and call FixedMul 36 and 9 times. Their loops, "
-      "pushes and sums,\nsine and cosine by the emulator and all of the drawing come on top: this "
-      "can refute it and is not\nenough to show it",
+      "15.\nConcatXforms and XformVec are C there and call FixedMul 36 and 9 times, the first "
+      "number "
+      "of calls.\nTheir loops, pushes and sums, sine and cosine by the emulator and all of the "
+      "drawing come on top: this\ncan refute it and is not enough to show it",
       "frames a second",
       {published_frames, unlimited},
       {}};
@@ -200,12 +201,15 @@ Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
     if (scene.name != cubes_scene) continue;
     const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
     const auto frames = static_cast<double>(operands.frames);
+    const std::vector<std::uint32_t>& single = logged(operands.log, Operation::mul);
     const Calls multiplies = chapter_52_calls(Operation::mul, products_of(operands.log));
+    const double others = static_cast<double>(single.size()) / words_in(Operation::mul);
     const Calls divides = chapter_52_calls(Operation::div, logged(operands.log, Operation::div));
     const double rate = 20e6 * frames / (multiplies.clocks + divides.clocks);
     add_figure(claim,
-               fmt::format("{}, {:.0f} FixedMul, {:.0f} FixedDiv", scene.name,
-                           multiplies.number / frames, divides.number / frames),
+               fmt::format("{}, {:.0f} + {:.0f} FixedMul, {:.0f} FixedDiv", scene.name,
+                           (multiplies.number - others) / frames, others / frames,
+                           divides.number / frames),
                {rate, rate}, Evidence::can_refute);
   }
   return claim;
