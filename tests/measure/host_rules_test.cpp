@@ -16,8 +16,8 @@ HostCase values(double a, double b, double result) {
   return case_of(a * 65536, b * 65536, result * 65536);
 }
 
-constexpr auto right = Judgement::right;
-constexpr auto wrong = Judgement::wrong;
+constexpr auto right = HostJudgement::right;
+constexpr auto wrong = HostJudgement::wrong;
 
 // 1 and -1 units times 8000h units are half a unit and minus half a unit.
 TEST(HostRules, TiesOfProducts) {

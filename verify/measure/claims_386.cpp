@@ -18,7 +18,7 @@ using x86model::Cpu;
 
 constexpr const char* three_keys = "chapter 52, three keys to real-time performance";
 constexpr const char* raw_speed = "chapter 53, raw speed by assembly language";
-constexpr const char* rounding = "chapter 53, rounding";
+constexpr const char* rounding_section = "chapter 53, rounding";
 
 /// Frames a second of the twelve cubes on a 386 of 20 MHz.
 constexpr double published_frames = 15;
@@ -81,7 +81,7 @@ Bounds surplus(const Bounds& a, const Bounds& b) {
 Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
   Claim claim{
       "The performance cost of rounding is small.",
-      rounding,
+      rounding_section,
       "386 listings, the only ones of that chapter: those that round over those that do not, a "
       "frame; at\nmost 10 % more. And what that makes of a program whose fixed-point work is a "
       "tenth of the time, as the\nsame chapter says of it",
@@ -125,7 +125,7 @@ double most_changed(Operation operation, const std::vector<std::uint32_t>& words
 Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
   Claim claim{
       "Rounded and truncated results differ by 2^-16 at most.",
-      rounding,
+      rounding_section,
       "the largest difference of any product and quotient that the scenes ask the 386 listings "
       "for, "
       "in\nunits of 2^-16; at most 1. It follows from the listings: half a unit is added before "

@@ -52,7 +52,7 @@ std::vector<HostContender> vertex_makers() {
 
 template <class N>
 HostContender divider(std::string name, std::string alike, HostKind kind, Rounding rounding,
-                      Judgement (*judge)(const HostCase&)) {
+                      HostJudgement (*judge)(const HostCase&)) {
   return array_contender<N, HostQuotient>(std::move(name), std::move(alike), kind,
                                           rounding_text(rounding), judge);
 }
@@ -60,7 +60,7 @@ HostContender divider(std::string name, std::string alike, HostKind kind, Roundi
 /// A divide of the 8088: the quotient by the whole part.
 template <class N>
 HostContender whole_divider(std::string name, std::string alike, Rounding rounding,
-                            Judgement (*judge)(const HostCase&)) {
+                            HostJudgement (*judge)(const HostCase&)) {
   return array_contender<N, HostQuotient>(
       std::move(name), std::move(alike), HostKind::type,
       rounding_text(rounding) + ", by the whole part of the divisor", judge);
@@ -87,14 +87,14 @@ std::vector<HostContender> dividers() {
 }
 
 template <class Operation>
-std::vector<HostContender> every_preset(Judgement (*judge)(const HostCase&)) {
+std::vector<HostContender> every_preset(HostJudgement (*judge)(const HostCase&)) {
   return contender_list(array_contender<fixed::q16_16, Operation>(
       "q16_16", "every preset", HostKind::type, "to nearest", judge));
 }
 
 template <class Operation>
-std::vector<HostContender> floating_point(Judgement (*of_floats)(const HostCase&),
-                                          Judgement (*of_doubles)(const HostCase&)) {
+std::vector<HostContender> floating_point(HostJudgement (*of_floats)(const HostCase&),
+                                          HostJudgement (*of_doubles)(const HostCase&)) {
   return contender_list(
       array_contender<float, Operation>("float", "", HostKind::floating, of_float, of_floats),
       array_contender<double, Operation>("double", "", HostKind::floating, of_double, of_doubles));

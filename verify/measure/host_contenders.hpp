@@ -23,7 +23,7 @@ struct HostContender {
   std::string alike;  ///< presets whose code is the same; may be empty
   HostKind kind;
   std::string rounding;  ///< as its maker states it
-  Judgement (*judge)(const HostCase& c);
+  HostJudgement (*judge)(const HostCase& c);
   std::unique_ptr<HostLoop> loop;
 };
 
@@ -32,7 +32,7 @@ std::string rounding_text(oracle::Rounding rounding);
 
 template <class N, class Operation>
 HostContender array_contender(std::string name, std::string alike, HostKind kind,
-                              std::string rounding, Judgement (*judge)(const HostCase&)) {
+                              std::string rounding, HostJudgement (*judge)(const HostCase&)) {
   return {std::move(name),
           std::move(alike),
           kind,

@@ -14,7 +14,7 @@
 
 namespace fixproof {
 
-enum class Judgement {
+enum class HostJudgement {
   right,
   exception,  ///< against the rule, within what is known of this contender
   wrong,
@@ -25,46 +25,48 @@ inline std::uint32_t word_of_units(double units) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
 }
 
-inline Judgement judged(bool right) { return right ? Judgement::right : Judgement::wrong; }
+inline HostJudgement judged(bool right) {
+  return right ? HostJudgement::right : HostJudgement::wrong;
+}
 
 /// Whether a result is a certain word.
-inline Judgement is_word(double result, std::uint32_t word) {
+inline HostJudgement is_word(double result, std::uint32_t word) {
   return judged(result == static_cast<std::int32_t>(word));
 }
 
 template <oracle::Rounding R>
-Judgement product_rounded(const HostCase& c) {
+HostJudgement product_rounded(const HostCase& c) {
   return is_word(c.result, oracle::fast::mul(word_of_units(c.operands[0]),
                                              word_of_units(c.operands[1]), R, 16));
 }
 
 template <oracle::Rounding R>
-Judgement quotient_rounded(const HostCase& c) {
+HostJudgement quotient_rounded(const HostCase& c) {
   const auto q =
       oracle::fast::quotient(word_of_units(c.operands[0]), word_of_units(c.operands[1]), R, 16);
-  return q ? is_word(c.result, *q) : Judgement::wrong;
+  return q ? is_word(c.result, *q) : HostJudgement::wrong;
 }
 
 template <oracle::DivideRule R>
-Judgement quotient_of_fixed_asm(const HostCase& c) {
+HostJudgement quotient_of_fixed_asm(const HostCase& c) {
   const auto q =
       oracle::fast::div(word_of_units(c.operands[0]), word_of_units(c.operands[1]), R, 16);
-  return q ? is_word(c.result, *q) : Judgement::wrong;
+  return q ? is_word(c.result, *q) : HostJudgement::wrong;
 }
 
-inline Judgement root_rounded(const HostCase& c) {
+inline HostJudgement root_rounded(const HostCase& c) {
   const auto root = oracle::fast::sqrt(word_of_units(c.operands[0]), 16);
-  return root ? is_word(c.result, *root) : Judgement::wrong;
+  return root ? is_word(c.result, *root) : HostJudgement::wrong;
 }
 
 /// Of the angles of a turn.
-inline Judgement cosine_rounded(const HostCase& c) {
+inline HostJudgement cosine_rounded(const HostCase& c) {
   return is_word(c.result, oracle::cos_sin(static_cast<std::int16_t>(c.operands[0])).cos);
 }
 
 /// One of the three coordinates of a vertex, each of its products rounded.
 template <oracle::Rounding R>
-Judgement coordinate_rounded(const HostCase& c) {
+HostJudgement coordinate_rounded(const HostCase& c) {
   std::uint32_t sum = word_of_units(c.operands[3]);
   for (std::size_t k = 0; k < 3; ++k) {
     sum += oracle::fast::mul(word_of_units(c.operands[k]), word_of_units(c.operands[4 + k]), R, 16);
@@ -80,20 +82,20 @@ double half_a_step(double x) {
 }
 
 template <std::floating_point F>
-Judgement product_in(const HostCase& c) {
+HostJudgement product_in(const HostCase& c) {
   const double r = c.result * 0x1p16;
   return judged(std::fabs(std::fma(c.operands[0], c.operands[1], -r)) <= half_a_step<F>(r));
 }
 
 template <std::floating_point F>
-Judgement quotient_in(const HostCase& c) {
+HostJudgement quotient_in(const HostCase& c) {
   const double residual = std::fma(c.result, c.operands[1], -c.operands[0] * 0x1p16);
   return judged(std::fabs(residual) <= half_a_step<F>(c.result) * std::fabs(c.operands[1]));
 }
 
 /// r^2 is off by 2 r times as much as r.
 template <std::floating_point F>
-Judgement root_in(const HostCase& c) {
+HostJudgement root_in(const HostCase& c) {
   const double r = c.result;
   const double residual = std::fma(r, r, -c.operands[0] * 0x1p16);
   return judged(r >= 0 && std::fabs(residual) <= 2 * r * half_a_step<F>(r));
@@ -104,7 +106,7 @@ inline long double wide(double x) { return static_cast<long double>(x); }
 
 /// The angle in radians, up to 6.3, is rounded twice, then the cosine once.
 template <std::floating_point F>
-Judgement cosine_in(const HostCase& c) {
+HostJudgement cosine_in(const HostCase& c) {
   constexpr long double radians = std::numbers::pi_v<long double> / 1800;
   const long double exact = std::cos(wide(c.operands[0]) * radians) * 65536;
   constexpr auto tolerance = 16 * static_cast<long double>(std::numeric_limits<F>::epsilon());
@@ -113,7 +115,7 @@ Judgement cosine_in(const HostCase& c) {
 
 /// Each term is rounded four times at most, as a product and in three sums, by half an epsilon.
 template <std::floating_point F>
-Judgement coordinate_in(const HostCase& c) {
+HostJudgement coordinate_in(const HostCase& c) {
   long double exact = wide(c.operands[3]);
   long double magnitude = std::fabs(exact);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -19,10 +19,10 @@ std::string units_text(double units) {
 
 void judge_case(HostRow& row, const HostOperation& operation, const HostContender& contender,
                 const HostCase& c) {
-  const Judgement judgement = contender.judge(c);
+  const HostJudgement judgement = contender.judge(c);
   ++row.cases;
-  if (judgement == Judgement::exception) ++row.exceptions;
-  if (judgement != Judgement::wrong) return;
+  if (judgement == HostJudgement::exception) ++row.exceptions;
+  if (judgement != HostJudgement::wrong) return;
   const std::size_t operands = operation.results == 3 ? 7 : operation.words;
   std::string text = fmt::format("{} of {}:", operation.name, contender.name);
   for (std::size_t k = 0; k < operands; ++k) text += ' ' + units_text(c.operands[k]);

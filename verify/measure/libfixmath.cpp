@@ -28,22 +28,23 @@ constexpr const char* libfixmath = "libfixmath";
 
 /// Its long division begins with an estimate that can lose a unit of the remainder, with divisors
 /// of 2^20 units and more: a sixteenth of a unit beside the half.
-Judgement fix16_quotient(const HostCase& c) {
-  const Judgement plain = quotient_rounded<oracle::Rounding::half_away>(c);
-  if (plain == Judgement::right) return plain;
+HostJudgement fix16_quotient(const HostCase& c) {
+  const HostJudgement plain = quotient_rounded<oracle::Rounding::half_away>(c);
+  if (plain == HostJudgement::right) return plain;
   const auto divisor = static_cast<std::int64_t>(c.operands[1]);
   const auto off = static_cast<std::int64_t>(c.result) * divisor -
                    static_cast<std::int64_t>(c.operands[0]) * 65536;
-  return 16 * std::abs(off) <= 9 * std::abs(divisor) ? Judgement::exception : Judgement::wrong;
+  return 16 * std::abs(off) <= 9 * std::abs(divisor) ? HostJudgement::exception
+                                                     : HostJudgement::wrong;
 }
 
 /// For roots from 2^23 units on it takes (r + 1/2)^2 for r^2 + r + 1/2, a quarter of a unit too
 /// much: 2^-10 of a unit beside the half.
-Judgement fix16_root(const HostCase& c) {
-  const Judgement plain = root_rounded(c);
-  if (plain == Judgement::right) return plain;
+HostJudgement fix16_root(const HostCase& c) {
+  const HostJudgement plain = root_rounded(c);
+  if (plain == HostJudgement::right) return plain;
   const double exact = std::sqrt(c.operands[0] * 65536);
-  return std::fabs(c.result - exact) <= 0.501 ? Judgement::exception : Judgement::wrong;
+  return std::fabs(c.result - exact) <= 0.501 ? HostJudgement::exception : HostJudgement::wrong;
 }
 
 }  // namespace
