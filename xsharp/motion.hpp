@@ -18,6 +18,7 @@ struct RotationStyle {
   Conversion conversion = Conversion::published;
   bool from_scratch = false;
   std::int32_t restore_every = 0;
+  RestoredRows restore_rows = RestoredRows::all;
 };
 
 inline constexpr std::int32_t page_size = 16384;
@@ -35,8 +36,10 @@ class Motion {
         page_(object.page) {
     for (std::size_t i = 0; i < 3; ++i)
       place(i) = coordinate<N>(object.position[i], style.conversion);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      turns_[axis] = turn<N>(spin_.tenths[axis], style.trigonometry, style.conversion);
+    if (style.trigonometry == Trigonometry::floating) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        floating_turns_[axis] = turn_about(axis);
+      }
     }
     rotation_count_ = spin_.delay.first;
     if (orbit_) drift_.reset();
@@ -101,11 +104,19 @@ class Motion {
     }
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
       const auto i = static_cast<std::size_t>(axis);
-      if (spin_.tenths[i] != 0) append_rotation(to_world_, axis, turns_[i]);
+      if (spin_.tenths[i] == 0) continue;
+      // Every rotation calls CosSin, as in chapter 53.
+      append_rotation(
+          to_world_, axis,
+          style_.trigonometry == Trigonometry::table ? turn_about(i) : floating_turns_[i]);
     }
     if (style_.restore_every > 0 && rotations_ % style_.restore_every == 0) {
-      restore_orthogonality(to_world_);
+      restore_orthogonality(to_world_, style_.restore_rows);
     }
+  }
+
+  [[nodiscard]] Turn<N> turn_about(std::size_t axis) const {
+    return turn<N>(spin_.tenths[axis], style_.trigonometry, style_.conversion);
   }
 
   void move() {
@@ -147,7 +158,8 @@ class Motion {
   std::optional<Orbit> orbit_;
   Transform<N> to_world_;
   std::array<std::int32_t, 3> page_;
-  std::array<Turn<N>, 3> turns_{};
+  /// Chapter 52 calls cos() and sin() for every rotation, always with these results.
+  std::array<Turn<N>, 3> floating_turns_{};
   std::array<N, 3> step_{};
   Turn<N> orbit_tilt_{};
   N orbit_radius_{};

@@ -23,7 +23,10 @@ struct View {
   Projection<N> projection{};
   /// Whether polygons need depths, whatever fills them.
   bool depth_buffer = false;
+  DepthMeasure depth_measure = DepthMeasure::inverse;
   N near{};
+  /// Whether objects are sorted by their centres, which are then transformed as vertices are.
+  bool sorts_by_center = false;
 };
 
 /// The matrix of world to view in double, for directions and for measuring.
@@ -41,9 +44,13 @@ inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
 template <Scalar N>
 View<N> view_of(const Scene& scene) {
   const auto turn = turn_to_view(scene.camera);
-  View<N> view{identity<N>(), scene.camera.page, projection_of<N>(scene),
+  View<N> view{identity<N>(),
+               scene.camera.page,
+               projection_of<N>(scene),
                scene.depth_buffer != DepthBuffering::off,
-               Arithmetic<N>::constant(scene.near, Conversion::nearest)};
+               scene.depth_measure,
+               Arithmetic<N>::constant(scene.near, Conversion::nearest),
+               scene.depth_key == DepthKey::center};
   const auto& position = scene.camera.position;
   for (std::size_t i = 0; i < 3; ++i) {
     double moved = 0;

@@ -47,16 +47,21 @@ TEST(Clocks, OfACubeThatStandsStillAreNone) {
 }
 
 // Restoring orthogonality is 33 products: two cross products of 6, and three times 7 towards unit
-// length. An axis appended is 12.
+// length. An axis appended is 12, with sines computed in double.
 TEST(Clocks, AreThoseOfTheProductsMade) {
   const x86model::Range multiply = of_a_multiply();
   const auto expect_products = [&](double difference, double products) {
     EXPECT_GE(difference, products * static_cast<double>(multiply.min));
     EXPECT_LE(difference, products * static_cast<double>(multiply.max));
   };
-  const double never = clocks(turning_cube(2), {});
-  expect_products(clocks(turning_cube(2), {false, 1}) - never, 33);
-  expect_products(never - clocks(turning_cube(1), {}), 12);
+  const auto floating_cube = [](int axes) {
+    xsharp::Scene scene = turning_cube(axes);
+    scene.trigonometry = xsharp::Trigonometry::floating;
+    return scene;
+  };
+  const double never = clocks(floating_cube(2), {});
+  expect_products(clocks(floating_cube(2), {false, 1}) - never, 33);
+  expect_products(never - clocks(floating_cube(1), {}), 12);
 }
 
 TEST(Clocks, OfRestoringAreSharedOut) {
@@ -68,14 +73,24 @@ TEST(Clocks, OfRestoringAreSharedOut) {
 }
 
 // Turns of 360 degrees leave the matrix as it is, so that the products of both ways are the same
-// twelve: from scratch adds the sine of the whole angle.
-TEST(Clocks, FromScratchAreOneCosSinMoreForAnAxis) {
+// twelve. From scratch takes the CosSin of the whole angle, appending that of a step; where sines
+// are computed in double, appending takes none.
+TEST(Clocks, FromScratchTakesOneCosSinForAnAxisAsAppendingDoes) {
   xsharp::Scene scene = turning_cube(1);
   scene.objects[0].spin.tenths = {3600, 0, 0};
   const std::array<std::uint32_t, 1> angle{0};
   const auto sine = x86model::count_clocks<x86model::Routine::cossin>(
       program_of({.operation = Operation::cossin}).instructions(), angle, cpu);
-  EXPECT_EQ(clocks(scene, {true, 0}) - clocks(scene, {}), static_cast<double>(sine.clocks.min));
+  const auto more = [&scene] { return clocks(scene, {true, 0}) - clocks(scene, {}); };
+  scene.trigonometry = xsharp::Trigonometry::floating;
+  EXPECT_EQ(more(), static_cast<double>(sine.clocks.min));
+  // Of a step of 360 degrees, and of 0: the same way through the routine but for bringing it into
+  // range.
+  scene.trigonometry = xsharp::Trigonometry::table;
+  const std::array<std::uint32_t, 1> step{3600};
+  const auto of_step = x86model::count_clocks<x86model::Routine::cossin>(
+      program_of({.operation = Operation::cossin}).instructions(), step, cpu);
+  EXPECT_EQ(more(), static_cast<double>(sine.clocks.min) - static_cast<double>(of_step.clocks.min));
 }
 
 TEST(Clocks, HalfOfTheFramesCostHalf) {
