@@ -34,7 +34,7 @@ class Animation final : public Player {
         view_(view_of<N>(scene, concatenation)),
         lighting_(lighting_of<N>(scene.lights, scene.conversion, turn_to_view(scene.camera))) {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
-                              scene.restore_every};
+                              scene.restore_every, scene.restore_rows};
     for (const ObjectDescription& object : scene.objects) {
       add(std::make_unique<Polyhedron<N>>(object, static_cast<std::uint32_t>(objects_.size()),
                                           style));

@@ -22,7 +22,8 @@ struct Face {
   std::optional<std::size_t> normal_end{};
 };
 
-/// A body of faces; vertices are those of the faces and the ends of normals.
+/// A body of faces; vertices are those of the faces and the ends of normals. What comes behind the
+/// last vertex of a face is turned with the body, but not projected.
 struct Mesh {
   std::vector<Triple> vertices;
   std::vector<Face> faces;

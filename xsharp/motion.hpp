@@ -18,6 +18,7 @@ struct RotationStyle {
   Conversion conversion = Conversion::published;
   bool from_scratch = false;
   std::int32_t restore_every = 0;
+  RestoredRows restore_rows = RestoredRows::all;
 };
 
 inline constexpr std::int32_t page_size = 16384;
@@ -110,7 +111,7 @@ class Motion {
           style_.trigonometry == Trigonometry::table ? turn_about(i) : floating_turns_[i]);
     }
     if (style_.restore_every > 0 && rotations_ % style_.restore_every == 0) {
-      restore_orthogonality(to_world_);
+      restore_orthogonality(to_world_, style_.restore_rows);
     }
   }
 

@@ -30,8 +30,10 @@ struct Tally {
 struct ObjectState {
   std::array<std::int32_t, 12> xform{};  ///< object to view, row by row
   std::vector<std::array<std::int32_t, 3>> view;
-  std::vector<std::optional<ScreenPoint>> screen;  ///< nothing for a vertex that is clipped
-  std::vector<std::size_t> visible;                ///< faces drawn, in order
+  /// Of every vertex, also of ends of normals, which drawing does not project; nothing for a vertex
+  /// that is clipped.
+  std::vector<std::optional<ScreenPoint>> screen;
+  std::vector<std::size_t> visible;  ///< faces drawn, in order
 };
 
 /// One object. Preparing, drawing and moving are its own affair: a scene may hold any kind.

@@ -1,5 +1,5 @@
 /// @file
-/// The vertices of an object, brought to view space and to the screen.
+/// The vertices of an object, brought to view space, and corners of faces to the screen.
 #pragma once
 
 #include <algorithm>
@@ -91,6 +91,21 @@ Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
     }
   }
   return unplaced;
+}
+
+/// To view space alone: ends of normals are not seen, and cost no divides.
+template <Scalar N>
+void bring_to_view(const Transform<N>& to_view, std::span<const Vec3<N>> points,
+                   std::span<Vec3<N>> view) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    view[i] = Arithmetic<N>::apply(to_view, points[i]);
+  }
+}
+template <fixed::policy P>
+void bring_to_view(const Transform<fixed::number<16, P>>& to_view,
+                   std::span<const Vec3<fixed::number<16, P>>> points,
+                   std::span<Vec3<fixed::number<16, P>>> view) {
+  fixed::batch::transform(to_view.rows, points, view);
 }
 
 /// In batches where the arithmetic is the type.

@@ -45,7 +45,7 @@ class Polyhedron final : public Object<N> {
   /// @param index which object of the scene it is
   Polyhedron(const ObjectDescription& object, std::uint32_t index, const RotationStyle& style)
       : index_(index),
-        shading_(object.shading),
+        shadings_(object.shadings),
         surface_(object.surface),
         paints_(object.paints),
         normal_ends_(object.mesh.vertex_normal_ends),
@@ -62,10 +62,11 @@ class Polyhedron final : public Object<N> {
                         static_cast<std::uint32_t>(face.normal_end.value_or(0))});
       for (const std::size_t v : face.vertices) {
         face_vertices_.push_back(static_cast<std::uint32_t>(v));
+        projected_ = std::max(projected_, v + 1);
       }
     }
     view_.resize(vertices_.size());
-    screen_.resize(vertices_.size());
+    screen_.resize(projected_);
   }
 
   void prepare(const View<N>& view, Tally& tally) override {
@@ -78,9 +79,8 @@ class Polyhedron final : public Object<N> {
   }
 
   [[nodiscard]] N depth(DepthKey key) const override {
-    N farthest = to_view_.rows[2][3];
+    N farthest = center_z_;
     N nearest = farthest;
-    // The centre is the origin of object space.
     if (key == DepthKey::none || key == DepthKey::center || !in_reach_) return farthest;
     for (const std::uint32_t v : face_vertices_) {
       farthest = std::min(farthest, view_[v].z);
@@ -94,11 +94,12 @@ class Polyhedron final : public Object<N> {
     for (const Seen& seen : visible_) {
       const auto vertices = vertices_of(seen.face);
       Paint paint = paints_[seen.face];
-      if (shading_.ambient || shading_.diffuse) {
+      const Shading shading = shadings_.empty() ? Shading{} : shadings_[seen.face];
+      if (shading.ambient || shading.diffuse) {
         // A face that answers to ambient light alone has no normal.
         const Vec3<N> normal =
-            shading_.diffuse ? view_[faces_[seen.face].normal_end] - view_[vertices[0]] : Vec3<N>{};
-        paint = {false, 0, shade(normal, paint.color, shading_, lighting)};
+            shading.diffuse ? view_[faces_[seen.face].normal_end] - view_[vertices[0]] : Vec3<N>{};
+        paint = {false, 0, shade(normal, paint.color, shading, lighting)};
       }
       const auto first = static_cast<std::uint32_t>(picture.points.size());
       if (seen.clipped_corners == 0) {
@@ -129,6 +130,11 @@ class Polyhedron final : public Object<N> {
           {Arithmetic<N>::raw(v.x), Arithmetic<N>::raw(v.y), Arithmetic<N>::raw(v.z)});
     }
     state.screen = screen_;
+    // Drawing does not project the ends of normals; who asks for the state gets every vertex.
+    for (std::size_t v = projected_; v < view_.size(); ++v) {
+      const bool is_seen = inside(view_[v], projection_.slope);
+      state.screen.push_back(is_seen ? project(view_[v], projection_) : std::nullopt);
+    }
     for (const Seen& seen : visible_) state.visible.push_back(seen.face);
     return state;
   }
@@ -159,6 +165,8 @@ class Polyhedron final : public Object<N> {
     carried_.clear();
     has_values_ = view.depth_buffer || surface_.kind != SurfaceKind::flat;
     near_ = view.near;
+    depth_measure_ = view.depth_measure;
+    projection_ = view.projection;
     const auto to_world = within_reach(motion_, view, radius_);
     in_reach_ = to_world.has_value();
     if (!to_world) {
@@ -166,8 +174,14 @@ class Polyhedron final : public Object<N> {
       return;
     }
     to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world, view.concatenation);
-    const Unplaced unplaced = place(to_view_, std::span<const Vec3<N>>(vertices_), view.projection,
-                                    Places<N>{view_, screen_});
+    const std::span<const Vec3<N>> vertices = vertices_;
+    const std::span<Vec3<N>> to = view_;
+    const Unplaced unplaced = place(to_view_, vertices.first(projected_), view.projection,
+                                    Places<N>{to.first(projected_), screen_});
+    bring_to_view(to_view_, vertices.subspan(projected_), to.subspan(projected_));
+    // The centre is the origin of object space. Chapter 53 transforms it along with the vertices.
+    center_z_ =
+        view.sorts_by_center ? Arithmetic<N>::apply(to_view_, Vec3<N>{}).z : to_view_.rows[2][3];
     tally_.faults += unplaced.faults;
     const bool all_on_screen = unplaced == Unplaced{};
     const auto faces = static_cast<std::uint32_t>(faces_.size());
@@ -243,12 +257,12 @@ class Polyhedron final : public Object<N> {
     const Vec3<N> light = light_vector(lighting);
     picture.values.resize(picture.points.size() - carried_.size());
     for (const Corner<N>& corner : carried_) {
-      picture.values.push_back(point_values(surface_, corner, light, near_));
+      picture.values.push_back(point_values(surface_, corner, light, near_, depth_measure_));
     }
   }
 
   std::uint32_t index_;
-  Shading shading_;
+  std::vector<Shading> shadings_;
   Surface surface_;
   std::vector<Corners> faces_;
   std::vector<std::uint32_t> face_vertices_;
@@ -257,12 +271,16 @@ class Polyhedron final : public Object<N> {
   Motion<N> motion_;
   double radius_ = 0;
   std::vector<Vec3<N>> vertices_;
+  /// So many of them are corners of faces, or stand before one; the rest are ends of normals.
+  std::size_t projected_ = 0;
 
   bool prepared_ = false;
   /// As it was last prepared.
   Tally tally_{};
   bool in_reach_ = true;
   Transform<N> to_view_{};
+  N center_z_{};
+  Projection<N> projection_{};
   std::vector<Vec3<N>> view_;
   std::vector<std::optional<ScreenPoint>> screen_;
   std::vector<Seen> visible_;
@@ -271,6 +289,7 @@ class Polyhedron final : public Object<N> {
   /// Whether faces have values at their corners; then these are those of all that show.
   bool has_values_ = false;
   N near_{};
+  DepthMeasure depth_measure_ = DepthMeasure::inverse;
   std::vector<Corner<N>> carried_;
 };
 

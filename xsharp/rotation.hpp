@@ -46,11 +46,22 @@ Vec3<N> toward_unit(const Vec3<N>& v) {
   return v * factor;
 }
 
-/// Makes the matrix of a transform orthogonal again: the last row becomes the cross product of the
-/// other two, then the middle one that of the last and the first; each of unit length.
-/// For rows that are still nearly orthogonal and of unit length; see toward_unit().
+/// Makes the matrix of a transform orthogonal again, for rows that are still nearly orthogonal and
+/// of unit length.
+///
+/// RestoredRows::one is what chapter 52 suggests: the last row becomes the cross product of the
+/// other two. Which row, the chapter leaves open. The other two keep the angle between them, and no
+/// row gets unit length; the new row has the product of the others' lengths, so that errors of
+/// length grow.
+///
+/// RestoredRows::all is ours: the last row becomes the cross product of the other two, then the
+/// middle one that of the last and the first; each of unit length, see toward_unit().
 template <Scalar N>
-void restore_orthogonality(Transform<N>& t) {
+void restore_orthogonality(Transform<N>& t, RestoredRows rows = RestoredRows::all) {
+  if (rows == RestoredRows::one) {
+    t.set_row(2, cross(t.row(0), t.row(1)));
+    return;
+  }
   const Vec3<N> first = toward_unit(t.row(0));
   const Vec3<N> last = toward_unit(cross(first, t.row(1)));
   t.set_row(0, first);

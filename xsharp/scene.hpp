@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "xsharp/mesh.hpp"
@@ -51,13 +52,21 @@ enum class PaletteKind {
   ramps,    ///< two ramps by light from -1 to 1: grey and copper
 };
 
+/// How orthogonality is restored; see rotation.hpp.
+enum class RestoredRows {
+  all,  ///< two cross products, and every row brought to unit length
+  one,  ///< one row becomes the cross product of the others, nothing else (chapter 52)
+};
+inline constexpr std::array<std::string_view, 2> restored_rows_words{"all", "one"};
+
 /// Counts frames down: due when the count reaches 0, then again after every `base` frames.
 struct Delay {
   std::int32_t first = 1;
   std::int32_t base = 1;
 };
 
-/// Turns about the object's own axes; those that are not 0 are appended about x, then y, then z.
+/// Turns about axes through the object's origin that are parallel to those of the world: a rotation
+/// is multiplied from the left. Those that are not 0 are appended about x, then y, then z.
 struct Spin {
   std::array<std::int32_t, 3> tenths{};
   Delay delay{};
@@ -88,8 +97,8 @@ struct Shading {
 struct ObjectDescription {
   std::string name;  ///< for messages
   Mesh mesh;
-  std::vector<Paint> paints;  ///< one for each face; a Color is its reflectance, 255 for 1
-  Shading shading{};
+  std::vector<Paint> paints;        ///< one for each face; a Color is its reflectance, 255 for 1
+  std::vector<Shading> shadings{};  ///< one for each face, or empty: no face answers to light
   Surface surface{};
   /// The world in pages of 16384 units: the place is page * 16384 + position.
   std::array<std::int32_t, 3> page{};
@@ -153,6 +162,7 @@ struct Scene {
   std::uint8_t background = 0;
   ArithmeticChoice arithmetic{};
   DepthBuffering depth_buffer = DepthBuffering::off;
+  DepthMeasure depth_measure = DepthMeasure::inverse;
   /// What is nearer has no more depth; see nearest_depth.
   double near = 64;
   /// Orientations are worked out anew in double for every rotation, instead of appending to the
@@ -160,6 +170,7 @@ struct Scene {
   bool from_scratch = false;
   /// Orthogonality is restored every so many rotations of an object; 0: never.
   std::int32_t restore_every = 0;
+  RestoredRows restore_rows = RestoredRows::all;
   Camera camera{};
   Lights lights{};
   std::vector<ObjectDescription> objects;

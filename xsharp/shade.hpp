@@ -72,7 +72,12 @@ Vec3<N> light_vector(const Lighting<N>& lighting) {
 }
 
 /// The colour of a face: min(1, (ambient + sum of intensity * max(0, L . N)) * reflectance) in each
-/// component, in 255ths to the nearest.
+/// component, in 255ths.
+///
+/// Chapter 54 does not print the last step. This is the order of X-Sharp's program: the light is
+/// summed first, then one multiply takes the reflectance, as that many units of 2^-16, times the
+/// light. The result is in 255ths and rounded as the multiply rounds; a build that cuts products
+/// floors it or truncates it.
 /// @param normal      of unit length, in view space
 /// @param reflectance 255 for 1
 template <Scalar N>
@@ -90,9 +95,8 @@ Color shade(const Vec3<N>& normal, const Color& reflectance, const Shading& shad
     }
   }
   const auto component = [&light](std::size_t c, std::uint8_t full) {
-    const N reflected = light[c] * Arithmetic<N>::constant(full / 255.0, Conversion::nearest);
-    const N shown = std::min(reflected, from_whole<N>(1));
-    return static_cast<std::uint8_t>(nearest_pixel(shown * from_whole<N>(255)));
+    const N reflected = Arithmetic<N>::from_raw(full) * light[c];
+    return static_cast<std::uint8_t>(std::min(Arithmetic<N>::raw(reflected), 255));
   };
   return {component(0, reflectance.red), component(1, reflectance.green),
           component(2, reflectance.blue)};

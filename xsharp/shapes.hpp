@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -83,13 +84,16 @@ inline constexpr int most_bands = 45;
   return mesh;
 }
 
-/// The same body ready for diffuse light (chapter 54): behind its vertices, for each face, the end
-/// of the unit normal that starts at the face's first vertex and points out of the body. A face
-/// without area gets a normal without length, which validate() refuses.
+/// The same body ready for diffuse light (chapter 54): behind its vertices, for each face that
+/// needs one, the end of the unit normal that starts at the face's first vertex and points out of
+/// the body. A face without area gets a normal without length, which validate() refuses.
+/// @param needs_normal of the index of a face
 /// @pre the indices of faces are those of vertices
-[[nodiscard]] inline Mesh with_normals(Mesh mesh) {
-  for (Face& face : mesh.faces) {
-    if (face.vertices.empty()) continue;
+template <std::predicate<std::size_t> NeedsNormal>
+[[nodiscard]] Mesh with_normals(Mesh mesh, const NeedsNormal& needs_normal) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    Face& face = mesh.faces[i];
+    if (face.vertices.empty() || !needs_normal(i)) continue;
     const Triple area = outward_area(mesh, face);
     const double size = length(area);
     const Triple unit = size > 0 ? scaled(area, 1 / size) : Triple{};
@@ -97,6 +101,11 @@ inline constexpr int most_bands = 45;
     mesh.vertices.push_back(sum(mesh.vertices[face.vertices[0]], unit));
   }
   return mesh;
+}
+
+/// With a normal for every face.
+[[nodiscard]] inline Mesh with_normals(Mesh mesh) {
+  return with_normals(std::move(mesh), [](std::size_t) { return true; });
 }
 
 }  // namespace xsharp

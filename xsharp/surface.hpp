@@ -46,6 +46,13 @@ enum class DepthBuffering {
 inline constexpr std::array<std::string_view, 4> depth_buffer_words{"off", "on", "reversed",
                                                                     "no-clear"};
 
+/// What a depth buffer compares.
+enum class DepthMeasure {
+  inverse,  ///< nearest_depth * near / -z, which is linear on the screen (ours)
+  z,        ///< z itself, above the farthest z of 16.16: what the depth loop's text steps
+};
+inline constexpr std::array<std::string_view, 2> depth_measure_words{"inverse", "z"};
+
 /// A bitmap is computed: 256 by 256 texels of two indices of the palette.
 enum class Pattern {
   checker,  ///< squares of 32

@@ -31,6 +31,14 @@ N depth_value(const Vec3<N>& place, N near) {
   return nearness(-place.z, near) * from_whole<N>(nearest_depth);
 }
 
+/// The depth of DepthMeasure::z: z + 32768, so 0 for the farthest z of 16.16 and greater nearer by.
+/// The sum is the same in 16 bits as z above minus infinity, the word 8000h.
+/// @pre z is at most -1, which clipping sees to
+template <Scalar N>
+N z_depth(const Vec3<N>& place) {
+  return place.z + from_whole<N>(nearest_depth) + from_whole<N>(1);
+}
+
 /// The distance of a place with z <= -1 from the viewer, without a square root: the place times the
 /// unit vector to it.
 template <Scalar N>
@@ -65,8 +73,10 @@ inline Triple bitmap_place(std::size_t i, std::size_t corners) {
 /// @param light a normal times it is from -1 to 1
 template <Scalar N>
 PointValues point_values(const Surface& surface, const Corner<N>& corner, const Vec3<N>& light,
-                         N near) {
-  PointValues values{static_cast<double>(depth_value(corner.place, near)), 0, 0, 0};
+                         N near, DepthMeasure measure = DepthMeasure::inverse) {
+  const N depth =
+      measure == DepthMeasure::z ? z_depth(corner.place) : depth_value(corner.place, near);
+  PointValues values{static_cast<double>(depth), 0, 0, 0};
   const auto on_ramp = [&](N of) {
     const N one = from_whole<N>(1);
     return static_cast<double>(ramp_value(std::clamp(of, -one, one), surface));

@@ -85,12 +85,16 @@ inline void validate_paints(const ObjectDescription& object) {
   if (object.paints.size() != faces.size()) {
     throw SceneError(text_of(object.paints.size(), " paints for ", faces.size(), " faces"));
   }
-  if (!object.shading.ambient && !object.shading.diffuse) return;
+  if (object.shadings.empty()) return;
+  if (object.shadings.size() != faces.size()) {
+    throw SceneError(text_of(object.shadings.size(), " shadings for ", faces.size(), " faces"));
+  }
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (object.paints[i].is_index) {
+    const Shading& shading = object.shadings[i];
+    if ((shading.ambient || shading.diffuse) && object.paints[i].is_index) {
       throw SceneError(text_of("face ", i, " answers to light, so its paint must be a colour"));
     }
-    if (object.shading.diffuse && !faces[i].normal_end) {
+    if (shading.diffuse && !faces[i].normal_end) {
       throw SceneError(text_of("face ", i, " answers to diffuse light, but has no normal"));
     }
   }
@@ -110,6 +114,17 @@ inline void validate_surface(const ObjectDescription& object) {
   for (const std::size_t end : ends) {
     if (end >= vertices)
       throw SceneError(text_of("a normal ends at vertex ", end, " of ", vertices));
+  }
+}
+
+/// Places in a bitmap times depth are linear on the screen if depth is the inverse of z.
+inline void validate_depth_measure(const Scene& scene) {
+  if (scene.depth_measure != DepthMeasure::z) return;
+  for (const ObjectDescription& object : scene.objects) {
+    if (object.surface.kind == SurfaceKind::texture) {
+      throw SceneError(text_of("object '", object.name,
+                               "': a texture needs depth_measure \"inverse\", not \"z\""));
+    }
   }
 }
 
@@ -216,6 +231,7 @@ inline void validate(const Scene& scene) {
     }
     place = "scene '" + scene.name + "': ";
     detail::validate_ramp_light(scene);
+    detail::validate_depth_measure(scene);
   } catch (const SceneError& error) {
     throw SceneError(place + error.what());
   }

@@ -23,7 +23,10 @@ struct View {
   Projection<N> projection{};
   /// Whether polygons need depths, whatever fills them.
   bool depth_buffer = false;
+  DepthMeasure depth_measure = DepthMeasure::inverse;
   N near{};
+  /// Whether objects are sorted by their centres, which are then transformed as vertices are.
+  bool sorts_by_center = false;
   Concatenation concatenation = Concatenation::published;
 };
 
@@ -46,7 +49,9 @@ View<N> view_of(const Scene& scene, Concatenation concatenation = Concatenation:
                scene.camera.page,
                projection_of<N>(scene),
                scene.depth_buffer != DepthBuffering::off,
+               scene.depth_measure,
                Arithmetic<N>::constant(scene.near, Conversion::nearest),
+               scene.depth_key == DepthKey::center,
                concatenation};
   const auto& position = scene.camera.position;
   for (std::size_t i = 0; i < 3; ++i) {

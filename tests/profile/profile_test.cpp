@@ -98,15 +98,36 @@ TEST(Profile, OfACubeWorkedByHand) {
   expect_range(mul.operands.at(1), -320 * one + 1, -320 * one + 1, 26);
   EXPECT_EQ(mul.results.at(0).greatest(), 7282 * 320);
 
-  // Nothing moves: all is done in the first frame. Three steps have a sine each.
+  // Nothing moves: all is done in the first frame. Nothing turns, so no sine is looked up.
   EXPECT_EQ(mul.most_in_frame, 16U);
   EXPECT_EQ(mul.least_in_frame, 0U);
-  EXPECT_EQ(routine(profile, Operation::cossin).calls, 3U);
+  EXPECT_EQ(routine(profile, Operation::cossin).calls, 0U);
 
   EXPECT_EQ(profile.view.nearest, -9 * one);
   EXPECT_EQ(profile.view.faces, 3U * 6);
   EXPECT_EQ(profile.view.clipped_faces, 0U);
   for (const RoutineProfile& r : profile.routines) EXPECT_EQ(r.wrapped, 0U);
+}
+
+// As chapters 53 and 54 call the routines.
+TEST(Profile, CallsOfAFrameAreThoseOfTheText) {
+  xsharp::Scene scene = still_cube(1, -10);
+  xsharp::ObjectDescription& cube = scene.objects[0];
+  cube.spin.tenths = {10, 0, -20};
+  cube.mesh = xsharp::with_normals(std::move(cube.mesh));
+  cube.shadings.assign(6, {.ambient = true, .diffuse = true});
+  for (xsharp::Paint& paint : cube.paints) paint = {false, 0, {255, 255, 255}};
+  SceneProfile profile = profile_of(scene, "i386", true, 4);
+  // Three moves of two rotations.
+  EXPECT_EQ(routine(profile, Operation::cossin).calls, 3U * 2);
+  // Eight corners and six ends of normals are transformed, the corners alone are projected.
+  EXPECT_EQ(routine(profile, Operation::xformvec).calls, 4U * (8 + 6));
+  EXPECT_EQ(routine(profile, Operation::div).calls, 4U * 8 * 2);
+  // Sorting by centres transforms these too.
+  scene.depth_key = xsharp::DepthKey::center;
+  profile = profile_of(scene, "i386", true, 4);
+  EXPECT_EQ(routine(profile, Operation::xformvec).calls, 4U * (8 + 6 + 1));
+  EXPECT_EQ(routine(profile, Operation::div).calls, 4U * 8 * 2);
 }
 
 TEST(Profile, TruncatedQuotientsAreAUnitSmaller) {
@@ -151,8 +172,9 @@ TEST(Profile, FormsAreExecutedOrNever) {
 
 TEST(Profile, SaysWhichRoutinesAreNeverCalled) {
   xsharp::Scene scene = still_cube(1, -10);
+  scene.objects[0].spin.tenths = {0, 10, 0};
   const auto says_so = [&scene] {
-    return text_of(profile_of(scene, "i386", true, 1)).find("CosSin: never called") !=
+    return text_of(profile_of(scene, "i386", true, 2)).find("CosSin: never called") !=
            std::string::npos;
   };
   EXPECT_FALSE(says_so());

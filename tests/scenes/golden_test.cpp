@@ -71,8 +71,8 @@ std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
 }
 
 /// What golden/work_out_pixels.py keeps of every picture.
-void expect_golden_pixels(const std::string& name) {
-  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+void expect_golden_pixels(const std::string& name, const std::string& folder = SCENES) {
+  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", folder, name));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != "type" || !xsharp::is_listing(choice) || choice.repaired) continue;
@@ -106,6 +106,9 @@ TEST(Golden, Phong) { expect_golden("phong", "type"); }
 TEST(Golden, LostCarry) { expect_golden("lost_carry", "type"); }
 TEST(Golden, LostCarryOnTheModel) { expect_golden("lost_carry", "model"); }
 TEST(Golden, PixelsOfIntersecting) { expect_golden_pixels("intersecting"); }
+TEST(Golden, PixelsOfIntersectingByZItself) {
+  expect_golden_pixels("intersecting_z", GOLDEN "/..");
+}
 TEST(Golden, PixelsOfTextured) { expect_golden_pixels("textured"); }
 TEST(Golden, PixelsOfPhong) { expect_golden_pixels("phong"); }
 TEST(Golden, TwelveCubesOnTheModel) { expect_golden("twelve_cubes", "model"); }

@@ -92,6 +92,14 @@ TYPED_TEST(CornerValues, OfLightAreFromWhereItComes) {
   EXPECT_EQ(seen({{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}), (Triple{0.5, 0, 0.25}));
 }
 
+TEST(DepthMeasure, ZItselfIsAboveMinusInfinity) {
+  using N = fixed::q16_16_trapping;
+  const auto depth = [](double z) { return static_cast<double>(z_depth(vector<N>({5, 5, z}))); };
+  EXPECT_EQ(depth(-1), 32767);
+  EXPECT_EQ(depth(-100.5), 32667.5);
+  EXPECT_EQ(depth(-32768), 0);
+}
+
 // Where z is four times `near`, the depth is a quarter of 32767. Every quotient and product here
 // has fewer than 16 bits after the point, so that no build rounds.
 TYPED_TEST(CornerValues, OfEachKind) {

@@ -79,7 +79,7 @@ class ScreenRunOf final : public ScreenRun {
 std::unique_ptr<ScreenRun> screen_run(const Scene& scene, const Choice& choice) {
   using namespace fixed;
   const RotationStyle style{scene.trigonometry, scene.conversion, choice.turning.from_scratch,
-                            choice.turning.restore_every};
+                            choice.turning.restore_every, scene.restore_rows};
   const auto make = [&]<class N, class Truncating>() -> std::unique_ptr<ScreenRun> {
     return std::make_unique<ScreenRunOf<N, Truncating>>(scene, style);
   };

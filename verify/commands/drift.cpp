@@ -45,6 +45,7 @@ std::vector<DriftCase> cases_of(std::int32_t restore_every) {
       cases.push_back({multiply, without});
     }
     cases.push_back({multiply, Without::nothing, restore_every});
+    cases.push_back({multiply, Without::nothing, restore_every, false, xsharp::RestoredRows::one});
   }
   cases.push_back({i386_on, Without::nothing, 0, true});
   cases.push_back({i386_on, Without::all});
@@ -53,7 +54,12 @@ std::vector<DriftCase> cases_of(std::int32_t restore_every) {
 
 std::string percent(double share) {
   if (share < 5e-7) return "0";
+  if (share > 9.99) return "> 999 %";
   return share < 0.01 ? fmt::format("{:.4f} %", 100 * share) : fmt::format("{:.2f} %", 100 * share);
+}
+
+std::string pixels(double count) {
+  return count > 99'999 ? "> 99,999" : fmt::format("{:.2f}", count);
 }
 
 std::string first(const std::optional<std::uint64_t>& frame) {
@@ -65,10 +71,10 @@ void print(const std::vector<DriftCase>& cases, const std::vector<DriftResult>& 
                            "volume", "pixels", "1 pixel", "2 %", "10 %");
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const DriftResult& r = results[i];
-    std::cout << fmt::format("{:<34}{:>10}{:>11}{:>11}{:>10.2f}  {:>9}{:>9}{:>9}\n",
-                             name_of(cases[i]), percent(r.worst.skew), percent(r.worst.length),
-                             percent(r.worst.volume), r.worst.pixels, first(r.pixel), first(r.some),
-                             first(r.much));
+    std::cout << fmt::format("{:<34}{:>10}{:>11}{:>11}{:>10}  {:>9}{:>9}{:>9}\n", name_of(cases[i]),
+                             percent(r.worst.skew), percent(r.worst.length),
+                             percent(r.worst.volume), pixels(r.worst.pixels), first(r.pixel),
+                             first(r.some), first(r.much));
   }
 }
 
@@ -199,7 +205,10 @@ void add_drift(CLI::App& app, int& status) {
   command->footer(
       "A row leaves out one source of error: `offset` the published conversion's unit (constants\n"
       "are then rounded to nearest), `step` all rounding of sines and cosines, `products` the\n"
-      "rounding of products. Divides play no part.\n\n"
+      "rounding of products. Divides play no part. `restored` brings all rows of a matrix to "
+      "right\n"
+      "angles and unit length; `one row` makes the last the cross product of the others (chapter "
+      "52).\n\n"
       "Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.\n\n"
       "Examples:\n"
       "  fixproof drift scenes/twelve_cubes.json\n"

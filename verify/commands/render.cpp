@@ -43,6 +43,7 @@ struct RenderOptions {
   std::optional<std::uint64_t> frames;
   std::uint64_t threads = 1;
   std::string size;
+  std::vector<std::uint64_t> switched_spots;
   bool true_color = false;
   OutputNames outputs;
   bool show = false;
@@ -72,6 +73,17 @@ void set_size(xsharp::Scene& scene, const std::string& size) {
     xsharp::validate(scene);
   } catch (const xsharp::SceneError& error) {
     throw UsageError(fmt::format("--size {}: {}", size, error.what()));
+  }
+}
+
+/// Spots are counted from 0, as the text of chapter 54 does.
+void switch_spots(xsharp::Scene& scene, const std::vector<std::uint64_t>& spots) {
+  for (const std::uint64_t spot : spots) {
+    if (spot >= scene.lights.spots.size()) {
+      throw UsageError(fmt::format("--switch-spot {}: {} has {} spots, counted from 0", spot,
+                                   printable(scene.name), scene.lights.spots.size()));
+    }
+    scene.lights.spots[spot].on = !scene.lights.spots[spot].on;
   }
 }
 
@@ -140,6 +152,7 @@ int render(const RenderOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
   if (!options.size.empty()) set_size(scene, options.size);
+  switch_spots(scene, options.switched_spots);
   const auto threads = static_cast<std::size_t>(options.threads);
   if (options.show) return show_scene(scene, options.true_color, threads);
 
@@ -218,6 +231,10 @@ void add_render(CLI::App& app, int& status) {
       ->transform(whole_number(1, most_threads))
       ->capture_default_str();
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
+  command
+      ->add_option("--switch-spot", options->switched_spots,
+                   "the number of a spot, from 0: on if the scene has it off, off if on")
+      ->transform(whole_number(0, xsharp::most_spots - 1));
   command->add_flag("--true-color", options->true_color, "24 bits a pixel instead of the palette");
   command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")
       ->check(not_empty());

@@ -23,21 +23,23 @@ DriftJson json_of(const DriftCase& c, const DriftResult& r) {
     length.push_back(d.length);
     pixels.push_back(d.pixels);
   }
-  return {{"name", name_of(c)},
-          {"multiply", name_of(c.multiply)},
-          {"without", name_of(c.without)},
-          {"restore_every", c.restore_every},
-          {"from_scratch", c.from_scratch},
-          {"worst",
-           {{"skew", r.worst.skew},
-            {"length", r.worst.length},
-            {"volume", r.worst.volume},
-            {"pixels", r.worst.pixels}}},
-          {"first",
-           {{"pixel", frame_or_null(r.pixel)},
-            {"some", frame_or_null(r.some)},
-            {"much", frame_or_null(r.much)}}},
-          {"series", {{"length", std::move(length)}, {"pixels", std::move(pixels)}}}};
+  return {
+      {"name", name_of(c)},
+      {"multiply", name_of(c.multiply)},
+      {"without", name_of(c.without)},
+      {"restore_every", c.restore_every},
+      {"restore_rows", xsharp::restored_rows_words.at(static_cast<std::size_t>(c.restore_rows))},
+      {"from_scratch", c.from_scratch},
+      {"worst",
+       {{"skew", r.worst.skew},
+        {"length", r.worst.length},
+        {"volume", r.worst.volume},
+        {"pixels", r.worst.pixels}}},
+      {"first",
+       {{"pixel", frame_or_null(r.pixel)},
+        {"some", frame_or_null(r.some)},
+        {"much", frame_or_null(r.much)}}},
+      {"series", {{"length", std::move(length)}, {"pixels", std::move(pixels)}}}};
 }
 
 }  // namespace

@@ -76,7 +76,8 @@ std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase&
   using enum fixed::rounding;
   const auto conversion =
       c.without == Without::offset ? xsharp::Conversion::nearest : scene.conversion;
-  const RotationStyle style{scene.trigonometry, conversion, c.from_scratch, c.restore_every};
+  const RotationStyle style{scene.trigonometry, conversion, c.from_scratch, c.restore_every,
+                            c.restore_rows};
   switch (c.multiply) {
     case Multiply::i386_on:
       return motions_with<fixed::q16_16_i386, half_up>(scene, style, c.without);
@@ -133,7 +134,10 @@ std::string name_of(Without without) {
 std::string name_of(const DriftCase& c) {
   std::string name = name_of(c.multiply);
   if (c.without != Without::nothing) name += ", without " + name_of(c.without);
-  if (c.restore_every > 0) name += fmt::format(", restored every {}", c.restore_every);
+  if (c.restore_every > 0) {
+    const bool one = c.restore_rows == xsharp::RestoredRows::one;
+    name += fmt::format(", {} every {}", one ? "one row" : "restored", c.restore_every);
+  }
   if (c.from_scratch) name += ", from scratch";
   return name;
 }

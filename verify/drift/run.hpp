@@ -32,6 +32,7 @@ struct DriftCase {
   Without without = Without::nothing;
   std::int32_t restore_every = 0;
   bool from_scratch = false;
+  xsharp::RestoredRows restore_rows = xsharp::RestoredRows::all;
 };
 
 std::string name_of(Multiply multiply);

@@ -37,6 +37,10 @@ void SceneOptions::add_to(CLI::App& command) {
       .add_option("--reortho", restore_every,
                   "restore orthogonality after every so many rotations of an object; 0: never")
       ->transform(whole_number(0, std::numeric_limits<std::int32_t>::max()));
+  command
+      .add_option("--reortho-rows", restore_rows,
+                  "what that restores: all rows, or one row as the cross product of the others")
+      ->check(CLI::IsMember({"all", "one"}));
   command.add_flag("--from-scratch", from_scratch,
                    "work every orientation out anew instead of appending rotations");
 }
@@ -68,6 +72,10 @@ xsharp::Scene SceneOptions::read() const {
   if (mul_round) choice.mul_round = *mul_round;
   if (div_round) choice.div_round = *div_round;
   if (restore_every) scene.restore_every = *restore_every;
+  if (restore_rows) {
+    scene.restore_rows =
+        *restore_rows == "one" ? xsharp::RestoredRows::one : xsharp::RestoredRows::all;
+  }
   if (from_scratch) scene.from_scratch = true;
   if (from_scratch && !restore_every) scene.restore_every = 0;
   if (restore_every && !from_scratch) scene.from_scratch = false;

@@ -20,10 +20,11 @@ struct SceneOptions {
   std::optional<bool> div_round;
   bool repaired = false;
   std::optional<std::int32_t> restore_every;
+  std::optional<std::string> restore_rows;
   bool from_scratch = false;
 
-  /// Adds SCENE, --arith, --target, --round, --mul-round, --div-round, --repaired, --reortho and
-  /// --from-scratch.
+  /// Adds SCENE, --arith, --target, --round, --mul-round, --div-round, --repaired, --reortho,
+  /// --reortho-rows and --from-scratch.
   void add_to(CLI::App& command);
 
   /// The scene as it is to be drawn.

@@ -49,10 +49,13 @@ void SurfaceOptions::add_to(CLI::App& command) {
            [this](std::size_t i) { exact_every = xsharp::exact_choices.at(i); });
   add_word(command, "--depth-buffer", xsharp::depth_buffer_words, "whether pixels have a depth",
            [this](std::size_t i) { depth_buffer = static_cast<xsharp::DepthBuffering>(i); });
+  add_word(command, "--depth-measure", xsharp::depth_measure_words,
+           "what a depth buffer compares: near over -z, or z itself as it is published",
+           [this](std::size_t i) { depth_measure = static_cast<xsharp::DepthMeasure>(i); });
 }
 
 void SurfaceOptions::apply(xsharp::Scene& scene) const {
-  if (!kind && !phong && !exact_every && !depth_buffer) return;
+  if (!kind && !phong && !exact_every && !depth_buffer && !depth_measure) return;
   for (xsharp::ObjectDescription& object : scene.objects) {
     xsharp::Surface& surface = object.surface;
     if (kind) surface.kind = *kind;
@@ -64,6 +67,7 @@ void SurfaceOptions::apply(xsharp::Scene& scene) const {
   }
   if (kind && *kind != SurfaceKind::flat) scene.palette = xsharp::PaletteKind::ramps;
   if (depth_buffer) scene.depth_buffer = *depth_buffer;
+  if (depth_measure) scene.depth_measure = *depth_measure;
   if (phong && !has_surface(scene, SurfaceKind::phong)) {
     throw UsageError("--phong: no object of the scene is Phong-shaded, say --surface phong");
   }

@@ -16,8 +16,9 @@ struct SurfaceOptions {
   std::optional<xsharp::PhongForm> phong;
   std::optional<std::int32_t> exact_every;
   std::optional<xsharp::DepthBuffering> depth_buffer;
+  std::optional<xsharp::DepthMeasure> depth_measure;
 
-  /// Adds --surface, --phong, --texture-every and --depth-buffer.
+  /// Adds --surface, --phong, --texture-every, --depth-buffer and --depth-measure.
   void add_to(CLI::App& command);
 
   /// Changes the scene.

@@ -208,6 +208,9 @@ struct Draft {
   ObjectDescription object;
   std::optional<Shape> shape;
   Paints paints;
+  /// One, for all faces, from `shading`; or one for each face, from `shadings`.
+  std::vector<Shading> shadings{};
+  bool shadings_are_each = false;
 };
 
 void read_draft(const JsonNode& node, Files& files, Draft& draft) {
@@ -215,6 +218,14 @@ void read_draft(const JsonNode& node, Files& files, Draft& draft) {
   if (node.has("paint") + node.has("paints") + node.has("checks") > 1) {
     node.refuse("must have one of paint, paints and checks");
   }
+  if (node.has("shading") && node.has("shadings")) {
+    node.refuse("must have one of shading and shadings");
+  }
+  const auto shadings = [&](bool are_each, const std::vector<JsonNode>& nodes) {
+    draft.shadings.clear();
+    for (const JsonNode& element : nodes) draft.shadings.push_back(shading(element));
+    draft.shadings_are_each = are_each;
+  };
   const auto paints = [&](Paints::Kind kind, const std::vector<JsonNode>& nodes) {
     draft.paints = {kind, {}};
     for (const JsonNode& element : nodes) draft.paints.list.push_back(paint(element));
@@ -225,7 +236,8 @@ void read_draft(const JsonNode& node, Files& files, Draft& draft) {
        {"paint", [&](const JsonNode& value) { paints(Paints::Kind::all, {value}); }},
        {"paints", [&](const JsonNode& value) { paints(Paints::Kind::each, value.list()); }},
        {"checks", [&](const JsonNode& value) { paints(Paints::Kind::checks, value.list_of(2)); }},
-       {"shading", [&](const JsonNode& value) { object.shading = shading(value); }},
+       {"shading", [&](const JsonNode& value) { shadings(false, {value}); }},
+       {"shadings", [&](const JsonNode& value) { shadings(true, value.list()); }},
        {"surface", [&](const JsonNode& value) { object.surface = surface(value); }},
        {"page", [&](const JsonNode& value) { object.page = page(value); }},
        {"position", [&](const JsonNode& value) { object.position = value.triple(); }},
@@ -255,10 +267,17 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
       }
       break;
   }
+  if (draft.shadings_are_each) {
+    object.shadings = std::move(draft.shadings);
+  } else if (!draft.shadings.empty()) {
+    object.shadings.assign(faces, draft.shadings[0]);
+  }
   object.mesh = std::move(draft.shape->mesh);
   // First: an object's own vertices come first, then the ends of their normals.
   if (needs_normals(object.surface)) object.mesh = with_vertex_normals(std::move(object.mesh));
-  if (object.shading.diffuse) object.mesh = with_normals(std::move(object.mesh));
+  object.mesh = with_normals(std::move(object.mesh), [&object](std::size_t face) {
+    return face < object.shadings.size() && object.shadings[face].diffuse;
+  });
   return std::move(object);
 }
 
@@ -301,9 +320,17 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
         [&](const JsonNode& value) {
           read.depth_buffer = static_cast<DepthBuffering>(value.word(depth_buffer_words));
         }},
+       {"depth_measure",
+        [&](const JsonNode& value) {
+          read.depth_measure = static_cast<DepthMeasure>(value.word(depth_measure_words));
+        }},
        {"near", [&](const JsonNode& value) { read.near = value.number(); }},
        {"arithmetic", [&](const JsonNode& value) { read.arithmetic = arithmetic(value); }},
        {"restore_every", [&](const JsonNode& value) { read.restore_every = value.whole(0); }},
+       {"restore_rows",
+        [&](const JsonNode& value) {
+          read.restore_rows = static_cast<RestoredRows>(value.word(restored_rows_words));
+        }},
        {"from_scratch", [&](const JsonNode& value) { read.from_scratch = value.flag(); }},
        {"camera", [&](const JsonNode& value) { read.camera = camera(value); }},
        {"lights", [&](const JsonNode& value) { read.lights = lights(value); }},

@@ -16,7 +16,8 @@ namespace xsharp {
 
 /// Depths of a page, and how a depth becomes the 16.8 word that the loops compare.
 ///
-/// Cleared before every picture a depth is 0 to 32767, in 16.8; on the reversed axis 0 to -32767.
+/// Cleared before every picture, to minus infinity, which is the word 8000h, a depth is 0 to 32767,
+/// in 16.8; on the reversed axis 0 to -32767, and cleared to plus infinity, 7FFFh.
 ///
 /// Without clearing it is 0 to 8191, and each of seven pictures begins 9216 above the one before:
 /// whatever a picture left is farther than all of the next. That is right for any picture, also

@@ -18,11 +18,13 @@
 namespace xsharp {
 
 /// The reference. Whatever variant of a surface a scene asks for, its light is exact, its texture
-/// in perspective, its Phong's light worked out at every pixel, and its depths are compared in
-/// double, cleared before every picture. Indices are still whole: values are cut, as the loops do.
+/// in perspective, its Phong's light worked out at every pixel, and its depths are inverses of z,
+/// compared in double, cleared before every picture. Indices are still whole: values are cut, as
+/// the loops do.
 class ExactFiller final : public SurfaceFiller {
  public:
-  explicit ExactFiller(const Scene& scene) : SurfaceFiller(scene) {}
+  explicit ExactFiller(const Scene& scene)
+      : SurfaceFiller(scene), gets_z_(scene.depth_measure == DepthMeasure::z) {}
 
   void begin(const Picture& picture, std::int32_t width, std::int32_t height) override {
     light_ = {picture.light[0], picture.light[1], picture.light[2]};
@@ -63,6 +65,8 @@ class ExactFiller final : public SurfaceFiller {
     if (points.size() < 3) return rows_;
     corners_.assign(picture.values_of(polygon).begin(), picture.values_of(polygon).end());
     for (PointValues& corner : corners_) {
+      // From z itself, which is not linear on the screen, to what is.
+      if (gets_z_) corner[0] = 1 / (nearest_depth + 1 - corner[0]);
       // In perspective it is these that are linear on the screen.
       if (surface.kind == SurfaceKind::texture) {
         corner = {corner[0], corner[1] * corner[0], corner[2] * corner[0], 0};
@@ -148,6 +152,7 @@ class ExactFiller final : public SurfaceFiller {
     }
   }
 
+  bool gets_z_;
   Vec3<double> light_{};
   std::size_t width_ = 0;
   std::vector<double> depths_{};

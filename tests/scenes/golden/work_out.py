@@ -102,8 +102,10 @@ def ball(radius, bands):
     return vertices, faces
 
 
-def add_normals(vertices, faces):
-    for face in list(faces):
+def add_normals(vertices, faces, shadings):
+    for face, shading in zip(faces, shadings):
+        if not shading.get("diffuse"):
+            continue
         a, b, c = (vertices[face[i]] for i in (0, 1, 2))
         u = [c[i] - a[i] for i in range(3)]
         v = [b[i] - a[i] for i in range(3)]
@@ -133,8 +135,8 @@ class Body:
         vertices, self.faces = cube(of["half_edge"]) if kind == "cube" else ball(**of)
         if data.get("surface", {}).get("kind") in LIT_AT_VERTICES:
             add_vertex_normals(vertices, self.faces)
-        if data.get("shading"):
-            add_normals(vertices, self.faces)
+        shadings = data.get("shadings", [data.get("shading", {})] * len(self.faces))
+        add_normals(vertices, self.faces, shadings)
         self.vertices = [[coordinate(c) for c in v] for v in vertices]
         self.m = [[ONE * (i == j) for j in range(3)] + [coordinate(data["position"][i])]
                   for i in range(3)] if "position" in data else \
@@ -144,6 +146,7 @@ class Body:
         self.wait, self.base = spin.get("delay", [1, 1])
         self.floating = scene.get("trigonometry") == "floating"
         self.restore = scene.get("restore_every", 0)
+        self.one_row = scene.get("restore_rows", "all") == "one"
         self.rotations = 0
         self.drift = data.get("drift")
         if self.drift:
@@ -180,7 +183,9 @@ class Body:
                 above, below = m[a][j], m[b][j]
                 m[a][j] = wrap(mul(cos, above) + mul(-sin, below))
                 m[b][j] = wrap(mul(sin, above) + mul(cos, below))
-        if self.restore and self.rotations % self.restore == 0:
+        if self.restore and self.rotations % self.restore == 0 and self.one_row:
+            m[2][:3] = self.cross(m[0][:3], m[1][:3])
+        elif self.restore and self.rotations % self.restore == 0:
             first = self.unit(m[0][:3])
             last = self.unit(self.cross(first, m[1][:3]))
             middle = self.unit(self.cross(last, first))
@@ -246,8 +251,8 @@ def frames(scene, rules, count):
 
 
 KNOWN = {"name", "camera", "frames_per_second", "conversion", "trigonometry", "depth_key", "palette", "arithmetic",
-         "defaults", "objects", "lights", "restore_every", "depth_buffer", "near"}
-KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "position", "spin", "drift",
+         "defaults", "objects", "lights", "restore_every", "restore_rows", "depth_buffer", "depth_measure", "near"}
+KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "shadings", "position", "spin", "drift",
                     "orbit", "surface"}
 
 

@@ -102,9 +102,11 @@ class Surface:
         self.rules, self.body = rules, body
         self.of = data.get("surface", {"kind": "flat"})
         self.kind = self.of["kind"]
-        self.near = int(scene["near"] * ONE)
+        self.near = int(scene.get("near", 64) * ONE)
+        self.steps_z = scene.get("depth_measure") == "z"
         self.buffered = scene.get("depth_buffer", "off") == "on"
-        if scene.get("depth_buffer", "off") not in ("off", "on") or data.get("shading"):
+        if scene.get("depth_buffer", "off") not in ("off", "on") or \
+                data.get("shading") or data.get("shadings"):
             sys.exit("work_out_pixels.py: not worked out here: shading, or another depth buffer")
         if "checks" in data:
             around = 2 * data["shape"]["ball"]["bands"]
@@ -127,6 +129,8 @@ class Surface:
         distance = -place[2]
         nearness = ONE if distance <= self.near else min(ratio(self.rules, self.near, distance), ONE)
         depth = self.rules.mul(nearness, NEAREST * ONE)
+        if self.steps_z:
+            depth = place[2] + (NEAREST + 1) * ONE
         if self.kind == "flat":
             return [depth]
         if self.kind == "texture":

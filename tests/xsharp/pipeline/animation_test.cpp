@@ -15,6 +15,7 @@
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/stage.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
+#include "xsharp/validate.hpp"
 
 namespace xsharp {
 namespace {
@@ -225,7 +226,7 @@ TYPED_TEST(AnimationOf, WhatFliesPastTheViewerNeverFaults) {
 TYPED_TEST(AnimationOf, AmbientLightNeedsNoNormals) {
   Scene scene = pipeline::scene(frame_side, {spinning(40, {0, 0, -400})});
   ObjectDescription& object = scene.objects[0];
-  object.shading.ambient = true;
+  object.shadings.assign(object.mesh.faces.size(), {.ambient = true});
   for (Paint& paint : object.paints) paint = {false, 0, {200, 100, 0}};
   scene.lights.ambient = {0.5, 0.5, 0.5};
   Animation<TypeParam> animation(scene);
@@ -239,10 +240,11 @@ TYPED_TEST(AnimationOf, AmbientLightNeedsNoNormals) {
 
 TYPED_TEST(AnimationOf, LightsAreSwitched) {
   Scene scene = pipeline::scene(frame_side, {pipeline::body(with_normals(cube(40)), {0, 0, -400})});
-  scene.objects[0].shading = {.ambient = true, .diffuse = true};
-  for (Paint& paint : scene.objects[0].paints) paint = {false, 0, {255, 255, 255}};
-  scene.lights.ambient = {0.2, 0.2, 0.2};
-  scene.lights.spots.push_back({.direction = {0, 0, -1}, .intensity = {0.4, 0.4, 0.4}});
+  // Every level is whole, so that builds that cut products show it too.
+  scene.objects[0].shadings.assign(6, {.ambient = true, .diffuse = true});
+  for (Paint& paint : scene.objects[0].paints) paint = {false, 0, {128, 128, 128}};
+  scene.lights.ambient = {0.25, 0.25, 0.25};
+  scene.lights.spots.push_back({.direction = {0, 0, -1}, .intensity = {0.5, 0.5, 0.5}});
   Animation<TypeParam> animation(scene);
   const auto red = [&animation] {
     Picture picture;
@@ -250,14 +252,44 @@ TYPED_TEST(AnimationOf, LightsAreSwitched) {
     EXPECT_EQ(picture.polygons.size(), 1U);
     return static_cast<int>(picture.polygons[0].paint.color.red);
   };
-  EXPECT_EQ(red(), 153);
+  EXPECT_EQ(red(), 96);
   animation.switch_light(1);
-  EXPECT_EQ(red(), 51);
+  EXPECT_EQ(red(), 32);
   animation.switch_light(0);
   EXPECT_EQ(red(), 0);
   animation.switch_light(1);
   animation.switch_light(2);
-  EXPECT_EQ(red(), 102);
+  EXPECT_EQ(red(), 64);
+}
+
+// A cube seen from a corner shows three faces: one as it is painted, one under ambient light, one
+// under both.
+TYPED_TEST(AnimationOf, TheKindOfShadingBelongsToTheFace) {
+  using N = TypeParam;
+  Scene scene = pipeline::scene(frame_side, {pipeline::body(cube(40), {-100, -100, -400})});
+  ObjectDescription& object = scene.objects[0];
+  // Faces toward +x, +y and +z.
+  constexpr std::size_t right = 0;
+  constexpr std::size_t above = 2;
+  constexpr std::size_t front = 5;
+  object.shadings.resize(6);
+  object.shadings[above] = {.ambient = true};
+  object.shadings[front] = {.ambient = true, .diffuse = true};
+  for (Paint& paint : object.paints) paint = {false, 0, {128, 64, 32}};
+  object.paints[right] = {true, 77, {}};
+  object.mesh =
+      with_normals(std::move(object.mesh), [](std::size_t face) { return face == front; });
+  scene.lights.ambient = {0.25, 0.25, 0.25};
+  scene.lights.spots.push_back({.direction = {0, 0, -1}, .intensity = {0.5, 0.5, 0.5}});
+  validate(scene);
+  Animation<N> animation(scene);
+  Picture picture;
+  animation.draw(picture);
+  EXPECT_EQ(animation.state(0).visible, (std::vector<std::size_t>{right, above, front}));
+  ASSERT_EQ(picture.polygons.size(), 3U);
+  EXPECT_EQ(picture.polygons[0].paint, (Paint{true, 77, {}}));
+  EXPECT_EQ(picture.polygons[1].paint, (Paint{false, 0, {32, 16, 8}}));
+  EXPECT_EQ(picture.polygons[2].paint, (Paint{false, 0, {96, 48, 24}}));
 }
 
 /// A bitmap that always faces the viewer, larger the nearer it is: a small quad for each pixel.

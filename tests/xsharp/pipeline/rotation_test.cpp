@@ -21,6 +21,7 @@ using draws::Integers;
 using pipeline::distance;
 using pipeline::matrix_of;
 using pipeline::product_error;
+using pipeline::triple;
 using pipeline::ulp;
 
 constexpr std::array axes{Axis::x, Axis::y, Axis::z};
@@ -162,6 +163,27 @@ TYPED_TEST(Rotation, OrthogonalityIsRestored) {
     // It moves no further than the errors it takes away.
     return before < 0.02 && pipeline::skew(matrix_of(t)) <= restored_skew<N>(before) &&
            distance(matrix_of(t), exact) < 2 * distance(broken, exact) + 20 * product_error<N>();
+  }));
+}
+
+// Chapter 52's remedy: one row, and its length is the product of the others'.
+TYPED_TEST(Rotation, OneRowBecomesTheCrossProductOfTheOthers) {
+  using N = TypeParam;
+  EXPECT_TRUE(draws::hold(9, -70000, 70000, [](const Integers& drawn) {
+    Transform<N> t = identity<N>();
+    for (std::size_t i = 0; i < 9; ++i) {
+      t.rows[i / 3][i % 3] = Arithmetic<N>::from_raw(static_cast<std::int32_t>(drawn[i]));
+    }
+    t.rows[2][3] = from_whole<N>(7);
+    const Transform<N> before = t;
+    restore_orthogonality(t, RestoredRows::one);
+    const Triple exact = cross(triple(before.row(0)), triple(before.row(1)));
+    // Two products each.
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (std::fabs(triple(t.row(2))[i] - exact[i]) > 2 * product_error<N>() + 1e-15) return false;
+    }
+    return t.row(0) == before.row(0) && t.row(1) == before.row(1) &&
+           t.translation() == before.translation();
   }));
 }
 

@@ -79,12 +79,12 @@ struct Shade : testing::Test {};
 TYPED_TEST_SUITE(Shade, pipeline::all_types, );
 
 /// With products within p: a cosine is within 3 p, times an intensity of at most 2 within 7 p, the
-/// light of three spots within 21 p. It is at most 8, and a reflectance within half a unit: the
-/// reflected light is within 22 p + 4 units, 255 times that below 0.11. Nearest adds a half.
-TYPED_TEST(Shade, IsTheFormulaToTheNearestLevel) {
+/// light of three spots within 21 p, 255 times that below 0.1. The last product is in 255ths, and
+/// rounds as all products do: to the nearest, or cut.
+TYPED_TEST(Shade, IsTheFormula) {
   using N = TypeParam;
-  const double allowed = 0.5 + 255 * (22 * product_error<N>() + 4 * ulp);
-  EXPECT_LT(allowed, 1);
+  const double allowed = std::max(0.5, product_error<N>() / ulp) + 255 * 21 * product_error<N>();
+  EXPECT_LT(allowed, 1.1);
   EXPECT_TRUE(draws::hold(26, -100, 100, [=](const Integers& d) {
     const Lighting<N> lighting = lighting_of_draw<N>(d);
     const Vec3<N> normal = direction<N>(d[18], d[19], d[20]);
@@ -98,6 +98,34 @@ TYPED_TEST(Shade, IsTheFormulaToTheNearestLevel) {
     return near(shown.red, reflectance.red, 0) && near(shown.green, reflectance.green, 1) &&
            near(shown.blue, reflectance.blue, 2);
   }));
+}
+
+/// Every reflectance under light in 16.16: one product of whole numbers, in 2^-16 of a 255th.
+template <class N>
+void expect_levels(std::int64_t added) {
+  for (std::int32_t light = 0; light <= 0x18000; light += 0x0777) {
+    const N intensity = Arithmetic<N>::from_raw(light);
+    const Lighting<N> lighting{true, {intensity, intensity, intensity}, {}};
+    for (int full = 0; full <= 255; ++full) {
+      const auto component = static_cast<std::uint8_t>(full);
+      const Color shown =
+          shade(Vec3<N>{}, {component, 0, 255}, {.ambient = true, .diffuse = false}, lighting);
+      const auto level = [&](std::int64_t of) {
+        return static_cast<int>(std::min<std::int64_t>((of * light + added) / 65536, 255));
+      };
+      ASSERT_EQ(shown.red, level(full)) << full << " under " << light;
+      ASSERT_EQ(shown.green, 0);
+      ASSERT_EQ(shown.blue, level(255));
+    }
+  }
+}
+
+TEST(ShadeOrder, LightIsMultipliedWithTheReflectanceOnce) {
+  expect_levels<fixed::q16_16_i386>(0x8000);
+  expect_levels<fixed::q16_16_i386_mul_rounded>(0x8000);
+  expect_levels<fixed::q16_16_i386_unrounded>(0);
+  expect_levels<fixed::q16_16_i8088>(0x8000);
+  expect_levels<double>(0x8000);
 }
 
 TYPED_TEST(Shade, FullLightOnAWhiteFaceIsWhiteHoweverBright) {
@@ -146,15 +174,14 @@ TYPED_TEST(Shade, LightsThatAreOffAddNothing) {
   lighting.rays.push_back(ray<N>({0, 0, 1}, 0.25));
   const Vec3<N> normal = pipeline::vector<N>({0, 0, 1});
   const auto level = [&](const Shading& shading) {
-    return static_cast<int>(shade(normal, white, shading, lighting).green);
+    return static_cast<int>(shade(normal, {128, 128, 128}, shading, lighting).green);
   };
-  // 255 * 0.75 = 191.25, 255 * 0.5 = 127.5 and 255 * 0.25 = 63.75.
-  EXPECT_EQ(level(both), 191);
-  EXPECT_EQ(level({.ambient = true, .diffuse = false}), 128);
-  EXPECT_EQ(level({.ambient = false, .diffuse = true}), 64);
+  EXPECT_EQ(level(both), 96);
+  EXPECT_EQ(level({.ambient = true, .diffuse = false}), 64);
+  EXPECT_EQ(level({.ambient = false, .diffuse = true}), 32);
   EXPECT_EQ(level({}), 0);
   lighting.rays[0].on = false;
-  EXPECT_EQ(level(both), 128);
+  EXPECT_EQ(level(both), 64);
   lighting.ambient_on = false;
   EXPECT_EQ(level(both), 0);
 }

@@ -52,7 +52,8 @@ TEST(SceneJson, ReadsEveryKey) {
   const Scene scene = parsed(R"({
     "name": "n", "width": 100, "height": 50, "frames_per_second": 12.5, "projection_ratio": -3,
     "conversion": "nearest", "trigonometry": "floating", "depth_key": "farthest",
-    "palette": "shading", "background": 7, "restore_every": 5,
+    "palette": "shading", "background": 7, "restore_every": 5, "restore_rows": "one",
+    "depth_measure": "z",
     "arithmetic": {"by": "model", "target": "i8088", "mul_round": false, "div_round": false,
                    "repaired": true},
     "camera": {"page": [1, 2, 3], "position": [4, 5, 6.5], "turn_tenths": [7, 8, 9]},
@@ -74,6 +75,8 @@ TEST(SceneJson, ReadsEveryKey) {
   EXPECT_EQ(scene.palette, PaletteKind::shading);
   EXPECT_EQ(scene.background, 7);
   EXPECT_EQ(scene.restore_every, 5);
+  EXPECT_EQ(scene.restore_rows, RestoredRows::one);
+  EXPECT_EQ(scene.depth_measure, DepthMeasure::z);
   EXPECT_EQ(scene.arithmetic.by + scene.arithmetic.target, "modeli8088");
   EXPECT_FALSE(scene.arithmetic.mul_round || scene.arithmetic.div_round);
   EXPECT_TRUE(scene.arithmetic.repaired);
@@ -91,7 +94,8 @@ TEST(SceneJson, ReadsEveryKey) {
   EXPECT_EQ(object.name, "o");
   EXPECT_EQ(object.mesh.vertices.at(13), (Triple{2.5, 2.5, 3.5}));
   EXPECT_EQ(object.paints, (std::vector<Paint>(6, Paint{false, 0, {1, 2, 3}})));
-  EXPECT_TRUE(object.shading.ambient && object.shading.diffuse);
+  ASSERT_EQ(object.shadings.size(), 6U);
+  for (const Shading& s : object.shadings) EXPECT_TRUE(s.ambient && s.diffuse);
   EXPECT_EQ(object.page, (std::array{-1, -2, -3}));
   EXPECT_EQ(object.position, (Triple{-4, -5, -6}));
   EXPECT_EQ(object.spin.tenths, (std::array{10, -20, 30}));
@@ -105,6 +109,35 @@ TEST(SceneJson, ReadsEveryKey) {
   EXPECT_EQ(object.orbit->start_tenths, 5);
   EXPECT_EQ(object.orbit->step_tenths, 6);
   EXPECT_EQ(object.orbit->tilt_tenths, 7);
+}
+
+TEST(SceneJson, EveryFaceCanAnswerToItsOwnLight) {
+  const Scene scene = parsed(R"({"objects": [{"shape": {"cube": {"half_edge": 9}},
+    "paints": [1, "#ffffff", "#ff0000", 2, "#00ff00", 3],
+    "shadings": [{}, {"ambient": true, "diffuse": true}, {"diffuse": true}, {},
+                 {"ambient": true}, {}]}]})");
+  const ObjectDescription& cube = scene.objects.at(0);
+  ASSERT_EQ(cube.shadings.size(), 6U);
+  for (std::size_t face = 0; face < 6; ++face) {
+    EXPECT_EQ(cube.shadings[face].ambient, face == 1 || face == 4) << face;
+    EXPECT_EQ(cube.shadings[face].diffuse, face == 1 || face == 2) << face;
+    // Only a face that answers to diffuse light needs a normal.
+    EXPECT_EQ(cube.mesh.faces[face].normal_end.has_value(), face == 1 || face == 2) << face;
+  }
+  EXPECT_EQ(cube.mesh.vertices.size(), 10U);
+}
+
+TEST(SceneJson, AnObjectsShadingReplacesThatOfTheDefaults) {
+  const auto first_face = [](const std::string& object) {
+    return parsed(R"({"defaults": {"shape": {"cube": {"half_edge": 9}}, "paint": "#808080",
+                      "shadings": [{"ambient": true}, {}, {}, {}, {}, {}]}, "objects": [{)" +
+                  object + "}]}")
+        .objects.at(0)
+        .shadings.at(0);
+  };
+  EXPECT_TRUE(first_face("").ambient);
+  EXPECT_FALSE(first_face(R"("shading": {"diffuse": true})").ambient);
+  EXPECT_TRUE(first_face(R"("shading": {"diffuse": true})").diffuse);
 }
 
 TEST(SceneJson, ReadsSurfaces) {
@@ -267,6 +300,10 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        "objects[0].spin: must have the key \"tenths\""},
       {cube_with(R"("paint": 1, "spin": {"tenths": [1, 1, 1], "delay": 1})"),
        "objects[0].spin.delay: must be a list of 2, not 1"},
+      {cube_with(R"("paint": "#ffffff", "shadings": [{}])"),
+       "scene 's': object 'object 0': 1 shadings for 6 faces"},
+      {cube_with(R"("paint": "#ffffff", "shading": {}, "shadings": [{}])"),
+       "objects[0]: must have one of shading and shadings"},
       {cube_with(R"("paint": 1, "shading": {"diffuse": true})"),
        "scene 's': object 'object 0': face 0 answers to light, so its paint must be a colour"},
       {R"({"objects": [], "name": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",

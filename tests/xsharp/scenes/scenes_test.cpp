@@ -99,16 +99,27 @@ TEST(Scenes, BallAndCubesAreElevenCubesAndABall) {
   ASSERT_TRUE(scene.objects[0].orbit);
 }
 
+// Chapter 54: green light, but for spot two.
 TEST(Scenes, ShadedBallHasThreeSpotsAndUnitNormals) {
   const Scene scene = read_scene(file("shaded_ball.json"));
   EXPECT_EQ(scene.palette, PaletteKind::shading);
   ASSERT_EQ(scene.lights.spots.size(), 3U);
-  // Spot two is blue.
-  EXPECT_EQ(scene.lights.spots[1].intensity[0], 0);
-  EXPECT_GT(scene.lights.spots[1].intensity[2], 0.5);
+  const auto is_only = [](std::size_t component, const Intensity& light) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((light[i] > 0) != (i == component)) return false;
+    }
+    return true;
+  };
+  constexpr std::size_t green = 1;
+  constexpr std::size_t blue = 2;
+  EXPECT_TRUE(is_only(green, scene.lights.ambient));
+  EXPECT_TRUE(is_only(green, scene.lights.spots[0].intensity));
+  EXPECT_TRUE(is_only(green, scene.lights.spots[1].intensity));
+  EXPECT_TRUE(is_only(blue, scene.lights.spots[2].intensity));
   ASSERT_EQ(scene.objects.size(), 1U);
   const ObjectDescription& ball = scene.objects[0];
-  EXPECT_TRUE(ball.shading.ambient && ball.shading.diffuse);
+  ASSERT_EQ(ball.shadings.size(), 72U);
+  for (const Shading& shading : ball.shadings) EXPECT_TRUE(shading.ambient && shading.diffuse);
   ASSERT_EQ(ball.mesh.faces.size(), 72U);
   for (const Face& face : ball.mesh.faces) EXPECT_TRUE(face.normal_end);
 }

@@ -33,7 +33,7 @@ Scene good_scene() {
   object.name = "ball";
   object.mesh = with_normals(ball(40, 6));
   object.paints.assign(72, Paint{false, 0, {255, 128, 0}});
-  object.shading = {true, true};
+  object.shadings.assign(72, {true, true});
   scene.objects.push_back(object);
   return scene;
 }
@@ -138,6 +138,7 @@ const std::vector<BadScene>& bad_objects() {
          s.objects[0].mesh.vertex_normal_ends = {99};
        }},
       {"'ball': 0 paints for 72 faces", [](Scene& s) { s.objects[1].paints.clear(); }},
+      {"'ball': 71 shadings for 72 faces", [](Scene& s) { s.objects[1].shadings.pop_back(); }},
       {"'ball': face 3 answers to light, so its paint must be a colour",
        [](Scene& s) { s.objects[1].paints[3].is_index = true; }},
       {"'ball': face 71 answers to diffuse light, but has no normal",
@@ -195,8 +196,25 @@ TEST(Validate, AcceptsTheEndsOfRanges) {
 TEST(Validate, AmbientLightNeedsNoNormals) {
   Scene scene = good_scene();
   scene.objects[1].mesh = ball(40, 6);
-  scene.objects[1].shading.diffuse = false;
+  scene.objects[1].shadings.assign(72, {.ambient = true, .diffuse = false});
   EXPECT_EQ(said(scene), "accepted");
+}
+
+TEST(Validate, OnlyAFaceThatAnswersToLightNeedsAColourAndANormal) {
+  Scene scene = good_scene();
+  scene.objects[1].paints[3].is_index = true;
+  scene.objects[1].mesh.faces[3].normal_end.reset();
+  scene.objects[1].shadings[3] = {};
+  EXPECT_EQ(said(scene), "accepted");
+}
+
+TEST(Validate, ATextureNeedsTheInverseOfZ) {
+  Scene scene = good_scene();
+  scene.objects[0].surface.kind = SurfaceKind::texture;
+  EXPECT_EQ(said(scene), "accepted");
+  scene.depth_measure = DepthMeasure::z;
+  EXPECT_EQ(said(scene),
+            "scene 's': object 'cube': a texture needs depth_measure \"inverse\", not \"z\"");
 }
 
 TEST(Validate, RefusesASettingOutOfRange) {
