@@ -32,7 +32,7 @@ class Animation final : public Player {
         key_(scene.depth_key),
         front_to_back_(scene.depth_buffer != DepthBuffering::off),
         view_(view_of<N>(scene, concatenation)),
-        lighting_(lighting_of<N>(scene.lights, scene.conversion, turn_to_view(scene.camera))) {
+        lighting_(lighting_of<N>(scene.lights, scene.conversion, view_.world_to_view)) {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
                               scene.restore_every, scene.restore_rows};
     for (const ObjectDescription& object : scene.objects) {
@@ -42,9 +42,14 @@ class Animation final : public Player {
     }
   }
 
-  /// Adds an object of any kind, drawn last until the scene is sorted.
+  /// Adds an object of any kind. Unsorted objects are drawn in the order in which they were added.
+  /// In a scene that is sorted, the new object comes before all others until the next draw(), which
+  /// leaves it before those of equal depth: objects of equal depth are drawn in the reverse of the
+  /// order in which they were added (listing 53.2). Under a depth buffer the list is drawn from its
+  /// other end.
   void add(std::unique_ptr<Object<N>> object) {
-    order_.push_back(objects_.size());
+    const bool goes_first = key_ != DepthKey::none && !front_to_back_;
+    order_.insert(goes_first ? order_.begin() : order_.end(), objects_.size());
     objects_.push_back(std::move(object));
   }
 

@@ -150,6 +150,16 @@ N coordinate(double value, Conversion conversion) {
   return Arithmetic<N>::constant(value, whole ? Conversion::nearest : conversion);
 }
 
+/// A vertex of a body in 16.16; see Mesh::computed.
+template <Scalar N>
+Vec3<N> vertex_of(const Mesh& mesh, const Triple& v, Conversion conversion) {
+  const auto number = [&](double value) {
+    return mesh.computed ? Arithmetic<N>::constant(value, conversion)
+                         : coordinate<N>(value, conversion);
+  };
+  return {number(v[0]), number(v[1]), number(v[2])};
+}
+
 /// The whole part of x + 1/2: a position in pixels, halves up.
 /// @param x within 0.5 of the ends of the range neither
 template <Scalar N>

@@ -29,6 +29,9 @@ struct Mesh {
   std::vector<Face> faces;
   /// Empty, or for each vertex of a face the vertex at the end of its own unit normal.
   std::vector<std::size_t> vertex_normal_ends{};
+  /// Whether the vertices were computed in double. Then whole coordinates go through the scene's
+  /// Conversion like all others; in a body that was typed in they are exact.
+  bool computed = false;
 };
 
 /// Twice the area of a face, as a vector that is normal to it and points out of the body.

@@ -126,6 +126,9 @@ class Motion {
     }
     const double z = page_[2] * static_cast<double>(page_size) + static_cast<double>(place(2));
     if (drift_->stop_z && z > *drift_->stop_z) step_[2] = from_whole<N>(0);
+    if (drift_->bounce_z && (z < drift_->bounce_z->least || z > drift_->bounce_z->most)) {
+      step_[2] = -step_[2];
+    }
   }
 
   /// Keeps the place within a page to either side.

@@ -51,9 +51,7 @@ class Polyhedron final : public Object<N> {
         normal_ends_(object.mesh.vertex_normal_ends),
         motion_(object, style) {
     for (const Triple& v : object.mesh.vertices) {
-      vertices_.push_back({coordinate<N>(v[0], style.conversion),
-                           coordinate<N>(v[1], style.conversion),
-                           coordinate<N>(v[2], style.conversion)});
+      vertices_.push_back(vertex_of<N>(object.mesh, v, style.conversion));
       radius_ = std::max(radius_, length(v));
     }
     for (const Face& face : object.mesh.faces) {

@@ -47,9 +47,10 @@ enum class DepthKey {
 };
 
 enum class PaletteKind {
-  vga,      ///< the 256 colours a VGA starts with
-  shading,  ///< 64 levels of each pure primary, four of each component in mixtures
-  ramps,    ///< two ramps by light from -1 to 1: grey and copper
+  vga,            ///< the 256 colours a VGA starts with
+  shading,        ///< 64 levels of each pure primary, four of each component in mixtures
+  ramps,          ///< two ramps by light from -1 to 1: grey and copper
+  shading_gamma,  ///< as shading, with the author's levels of mixtures: by a gamma of 2.3
 };
 
 /// How orthogonality is restored; see rotation.hpp.
@@ -72,10 +73,18 @@ struct Spin {
   Delay delay{};
 };
 
-/// Adds `step` to the place; once z is beyond `stop_z`, moves in z no more.
+/// From where to where an object moves in z.
+struct Bounds {
+  double least = 0;
+  double most = 0;
+};
+
+/// Adds `step` to the place. Once z is beyond `stop_z`, the object moves in z no more (chapter 52).
+/// After a move to a z outside of `bounce_z`, the step in z changes its sign (chapter 53).
 struct Drift {
   Triple step{};
   std::optional<double> stop_z{};
+  std::optional<Bounds> bounce_z{};
   Delay delay{};
 };
 

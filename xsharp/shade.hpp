@@ -33,26 +33,29 @@ struct Lighting {
   std::vector<Ray<N>> rays;
 };
 
-/// The lights of a scene as numbers, their directions turned into view space in double.
-/// @param turn the matrix that turns world space into view space
+/// The lights of a scene as numbers.
+///
+/// A direction goes the published way: its components are constants, whole ones too; it is made a
+/// unit vector in double, converted, turned into view space and only then negated. The published
+/// conversion is one unit too high for negative values, so the order decides about the last bit.
+/// @param to_view its matrix turns world space into view space; directions have no place
 template <Scalar N>
-Lighting<N> lighting_of(const Lights& lights, Conversion conversion,
-                        const std::array<std::array<double, 3>, 3>& turn) {
+Lighting<N> lighting_of(const Lights& lights, Conversion conversion, Transform<N> to_view) {
+  const auto constant = [conversion](double x) { return Arithmetic<N>::constant(x, conversion); };
   const auto numbers = [conversion](const Triple& t) {
     return std::array<N, 3>{coordinate<N>(t[0], conversion), coordinate<N>(t[1], conversion),
                             coordinate<N>(t[2], conversion)};
   };
   Lighting<N> lighting{lights.ambient_on, numbers(lights.ambient), {}};
+  for (auto& row : to_view.rows) row[3] = from_whole<N>(0);
   for (const Spot& spot : lights.spots) {
-    const auto& d = spot.direction;
-    const double size = length(d);
-    Triple back{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      back[i] = -(turn[i][0] * d[0] + turn[i][1] * d[1] + turn[i][2] * d[2]) / size;
-    }
-    const auto to_light = numbers(back);
+    Triple direction = spot.direction;
+    for (double& d : direction) d = static_cast<double>(constant(d));
+    const Triple unit = scaled(direction, 1 / length(direction));
+    const Vec3<N> view =
+        Arithmetic<N>::apply(to_view, {constant(unit[0]), constant(unit[1]), constant(unit[2])});
     lighting.rays.push_back({spot.on,
-                             {to_light[0], to_light[1], to_light[2]},
+                             {-view.x, -view.y, -view.z},
                              numbers(spot.intensity),
                              Arithmetic<N>::constant(level_of(spot), Conversion::nearest)});
   }

@@ -41,9 +41,9 @@ namespace xsharp {
 inline constexpr int most_bands = 45;
 
 /// A ball about the origin: `bands` of equal latitude from the pole at +y to that at -y, each of
-/// 2 * bands faces. The faces come band by band, and within one in the order of a full turn from +z
-/// towards +x; those at the poles are triangles, the others flat trapezoids. Vertices: the pole at
-/// +y, the circles between bands downward, the pole at -y.
+/// 2 * bands faces. The faces come band by band, and within one in the order of a full turn from -x
+/// towards +z, as those of X-Sharp do; those at the poles are triangles, the others flat
+/// trapezoids. Vertices: the pole at +y, the circles between bands downward, the pole at -y.
 /// @throws std::invalid_argument unless there are 2 to most_bands bands
 [[nodiscard]] inline Mesh ball(double radius, int bands) {
   if (bands < 2 || bands > most_bands) throw std::invalid_argument("a ball has 2 to 45 bands");
@@ -52,13 +52,14 @@ inline constexpr int most_bands = 45;
   const double step = std::numbers::pi / bands;
 
   Mesh mesh;
+  mesh.computed = true;
   mesh.vertices.push_back({0, radius, 0});
   for (int circle = 1; circle < bands; ++circle) {
     const double y = radius * std::cos(circle * step);
     const double around = radius * std::sin(circle * step);
     for (int meridian = 0; meridian < 2 * bands; ++meridian) {
       mesh.vertices.push_back(
-          {around * std::sin(meridian * step), y, around * std::cos(meridian * step)});
+          {-around * std::cos(meridian * step), y, around * std::sin(meridian * step)});
     }
   }
   mesh.vertices.push_back({0, -radius, 0});

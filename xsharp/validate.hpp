@@ -153,8 +153,9 @@ inline void validate_lights(const Lights& lights) {
   for (std::size_t i = 0; i < lights.spots.size(); ++i) {
     const std::string name = text_of("spot ", i);
     demand_range(name + ": direction", lights.spots[i].direction, -32768, 32768);
+    // Four units of 16.16: one component is 2 or more, which no conversion makes 0.
     demand_range(name + ": length of direction", length(lights.spots[i].direction),
-                 std::ldexp(1, -16), 65536.0);
+                 std::ldexp(1, -14), 65536.0);
     demand_range(name + ": intensity", lights.spots[i].intensity, 0, 100);
   }
 }
@@ -200,10 +201,17 @@ inline void validate_object(const ObjectDescription& object) {
   detail::demand_delay("spin", object.spin.delay);
   if (object.drift) {
     detail::demand_range("drift.step", object.drift->step, -farthest_position, farthest_position);
+    // Compared with the whole place, pages included.
+    const double most = farthest_page * farthest_position;
     if (object.drift->stop_z) {
-      // Compared with the whole place, pages included.
-      const double most = farthest_page * farthest_position;
       detail::demand_range("drift.stop_z", *object.drift->stop_z, -most, most);
+    }
+    if (const auto& bounce = object.drift->bounce_z) {
+      if (object.drift->stop_z) {
+        throw SceneError("drift has both stop_z and bounce_z, must have one of them");
+      }
+      detail::demand_range("drift.bounce_z, least", bounce->least, -most, most);
+      detail::demand_range("drift.bounce_z, most", bounce->most, bounce->least, most);
     }
     detail::demand_delay("drift", object.drift->delay);
   }

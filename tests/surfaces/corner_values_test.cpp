@@ -85,8 +85,10 @@ TYPED_TEST(CornerValues, OfLightAreFromWhereItComes) {
                       {{true, {0, 0, -2}, {1, 0.5, 0}},
                        {true, {3, 0, 0}, {0.25, 0.25, 0.25}},
                        {false, {0, 1, 0}, {1, 1, 1}}}};
-  const auto seen = [&](const std::array<std::array<double, 3>, 3>& turn) {
-    return triple(light_vector(lighting_of<N>(lights, Conversion::nearest, turn)));
+  const auto seen = [&](const std::array<Triple, 3>& turn) {
+    Transform<N> to_view;
+    for (std::size_t i = 0; i < 3; ++i) to_view.set_row(i, vector<N>(turn[i]));
+    return triple(light_vector(lighting_of<N>(lights, Conversion::nearest, to_view)));
   };
   EXPECT_EQ(seen({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}), (Triple{-0.25, 0, 0.5}));
   EXPECT_EQ(seen({{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}), (Triple{0.5, 0, 0.25}));

@@ -33,9 +33,7 @@ class ScreenCorners {
       // Ends of normals too: the pipeline asks the whole mesh whether it is within reach.
       radius_ = std::max(radius_, xsharp::length(v));
       if (!is_corner[i]) continue;
-      vertices_.push_back({xsharp::coordinate<N>(v[0], style.conversion),
-                           xsharp::coordinate<N>(v[1], style.conversion),
-                           xsharp::coordinate<N>(v[2], style.conversion)});
+      vertices_.push_back(xsharp::vertex_of<N>(object.mesh, v, style.conversion));
     }
   }
 

@@ -235,7 +235,8 @@ void add_render(CLI::App& app, int& status) {
       ->add_option("--switch-spot", options->switched_spots,
                    "the number of a spot, from 0: on if the scene has it off, off if on")
       ->transform(whole_number(0, xsharp::most_spots - 1));
-  command->add_flag("--true-color", options->true_color, "24 bits a pixel instead of the palette");
+  CLI::Option* true_color = command->add_flag("--true-color", options->true_color,
+                                              "24 bits a pixel instead of the palette");
   command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")
       ->check(not_empty());
   command
@@ -246,11 +247,18 @@ void add_render(CLI::App& app, int& status) {
                    "transforms, vertices and faces as lines of JSON")
       ->check(not_empty());
   command
+      ->add_option("--digests", options->outputs.digests,
+                   "for every picture that differs from the one before a line: the first 16 hex "
+                   "digits of the SHA-256 of its palette indices, row by row")
+      ->check(not_empty())
+      ->excludes(true_color);
+  command
       ->add_option("--beside", options->outputs.beside,
                    "a PNG of the last frame: as stepped, exact, and where they differ")
       ->check(not_empty());
   CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
-  for (const char* written : {"--frames", "--out", "--animate", "--dump", "--beside"}) {
+  for (const char* written :
+       {"--frames", "--out", "--animate", "--dump", "--digests", "--beside"}) {
     show->excludes(command->get_option(written));
   }
   command->footer(
@@ -263,6 +271,7 @@ void add_render(CLI::App& app, int& status) {
       "  fixproof render scenes/twelve_cubes.json --animate cubes.png\n"
       "  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color\n"
       "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl\n"
+      "  fixproof render scenes/chapter53.json --frames 62 --digests pictures.txt\n"
       "  fixproof render scenes/textured.json --texture-every never --frames 40 --beside t.png");
   command->callback([options, &status] { status = render(*options); });
 }

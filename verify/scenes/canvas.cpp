@@ -26,6 +26,13 @@ class ScreenCanvas final : public Canvas {
       return xsharp::encode_png(screen_.page());
     }
   }
+  [[nodiscard]] std::span<const std::uint8_t> indices() const override {
+    if constexpr (std::same_as<Pixel, std::uint8_t>) {
+      return screen_.page().pixels();
+    } else {
+      return {};
+    }
+  }
   void show_in(xsharp::Window& window) const override {
     if constexpr (std::same_as<Pixel, std::uint8_t>) {
       window.show(screen_.page(), palette_);

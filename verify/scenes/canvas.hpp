@@ -2,7 +2,9 @@
 /// A screen of either kind of pixel.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "xsharp/picture.hpp"
@@ -24,6 +26,8 @@ class Canvas {
   virtual void show(const xsharp::Picture& picture) = 0;
   /// The picture that is shown, as the bytes of a PNG.
   [[nodiscard]] virtual std::string png() const = 0;
+  /// The picture that is shown as indices of the palette, row by row; empty in true colour.
+  [[nodiscard]] virtual std::span<const std::uint8_t> indices() const = 0;
   /// The picture that is shown, in a window.
   virtual void show_in(xsharp::Window& window) const = 0;
   [[nodiscard]] virtual xsharp::DrawingCount count() const = 0;

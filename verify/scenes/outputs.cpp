@@ -34,6 +34,7 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
   std::vector<Use> outputs;
   if (!names.animation.empty()) outputs.emplace_back("--animate", names.animation);
   if (!names.dump.empty()) outputs.emplace_back("--dump", names.dump);
+  if (!names.digests.empty()) outputs.emplace_back("--digests", names.digests);
   if (!names.beside.empty()) outputs.emplace_back("--beside", names.beside);
   std::vector<Use> others;
   for (const auto& [option, file] : outputs) {
@@ -80,6 +81,7 @@ Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
                                                         xsharp::frame_time(frames_per_second));
   }
   if (!names.dump.empty()) dump_ = std::make_unique<xsharp::PartFile>(names.dump);
+  if (!names.digests.empty()) digests_ = std::make_unique<xsharp::PartFile>(names.digests);
 }
 
 void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {
@@ -94,12 +96,14 @@ void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint6
     if (animation_) animation_->add(png);
   }
   if (dump_) dump_->append(dump_frame(player, frame));
+  if (digests_) digests_->append(digest_lines_.line_of(canvas.indices()));
 }
 
 void Outputs::finish(std::uint64_t frames) {
   if (frames == 0) return;
   if (animation_) animation_->finish();
   if (dump_) dump_->finish();
+  if (digests_) digests_->finish();
 }
 
 std::string Outputs::older_frame(std::uint64_t frames) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "verify/scenes/canvas.hpp"
+#include "verify/scenes/picture_digest.hpp"
 #include "xsharp/files/animation_png.hpp"
 #include "xsharp/files/part_file.hpp"
 #include "xsharp/player.hpp"
@@ -21,6 +22,7 @@ struct OutputNames {
   std::string folder;     ///< for a PNG of every frame
   std::string animation;  ///< an animated PNG
   std::string dump;       ///< dump_frame() of every frame
+  std::string digests;    ///< DigestLines of the frames
   std::string beside;     ///< written by BesideExact; here so that it clashes with nothing
 };
 
@@ -53,6 +55,8 @@ class Outputs {
   std::string folder_;
   std::unique_ptr<xsharp::AnimationPng> animation_;
   std::unique_ptr<xsharp::PartFile> dump_;
+  std::unique_ptr<xsharp::PartFile> digests_;
+  DigestLines digest_lines_;
 };
 
 }  // namespace fixproof

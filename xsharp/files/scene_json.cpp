@@ -87,6 +87,11 @@ Drift drift(const JsonNode& node) {
   node.require("step");
   node.object({{"step", [&](const JsonNode& value) { read.step = value.triple(); }},
                {"stop_z", [&](const JsonNode& value) { read.stop_z = value.number(); }},
+               {"bounce_z",
+                [&](const JsonNode& value) {
+                  const auto ends = value.list_of(2);
+                  read.bounce_z = Bounds{ends[0].number(), ends[1].number()};
+                }},
                {"delay", [&](const JsonNode& value) { read.delay = delay(value); }}});
   return read;
 }
@@ -312,8 +317,9 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
         }},
        {"palette",
         [&](const JsonNode& value) {
-          read.palette = std::array{PaletteKind::vga, PaletteKind::shading,
-                                    PaletteKind::ramps}[value.word({"vga", "shading", "ramps"})];
+          read.palette = std::array{
+              PaletteKind::vga, PaletteKind::shading, PaletteKind::shading_gamma,
+              PaletteKind::ramps}[value.word({"vga", "shading", "shading-gamma", "ramps"})];
         }},
        {"background", [&](const JsonNode& value) { read.background = byte(value); }},
        {"depth_buffer",

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "xsharp/normals.hpp"
+#include "xsharp/raster/chains.hpp"
 #include "xsharp/raster/surface_filler.hpp"
 #include "xsharp/surface_values.hpp"
 
@@ -62,7 +63,10 @@ class ExactFiller final : public SurfaceFiller {
     rows_.clear();
     spans_.clear();
     const auto points = picture.points_of(polygon);
-    if (points.size() < 3) return rows_;
+    const Chains chains(points);
+    const std::int32_t top = chains.first();
+    const std::int32_t bottom = chains.end(height);
+    if (top >= bottom) return rows_;
     corners_.assign(picture.values_of(polygon).begin(), picture.values_of(polygon).end());
     for (PointValues& corner : corners_) {
       // From z itself, which is not linear on the screen, to what is.
@@ -72,40 +76,40 @@ class ExactFiller final : public SurfaceFiller {
         corner = {corner[0], corner[1] * corner[0], corner[2] * corner[0], 0};
       }
     }
-    const auto [least, most] = std::ranges::minmax(points, {}, &ScreenPoint::y);
-    for (std::int32_t y = std::max(least.y, 0); y < std::min(most.y, height); ++y) {
-      const Span span = span_at(points, y);
-      // Crossings are rationals whose distance from a whole number, if any, double does not lose.
-      const auto pixel = [width](double x) {
-        return static_cast<std::int32_t>(std::clamp(std::ceil(x), 0.0, double{1} * width));
+    spans_.resize(static_cast<std::size_t>(bottom - top));
+    const auto store = [&](Crossing Span::*end) {
+      return [&, end](const ChainEdge& edge) {
+        for (std::int32_t row = edge.first; row < edge.end; ++row) {
+          spans_[static_cast<std::size_t>(row - top)].*end =
+              crossing(points, edge, double{1} * edge.y + (row - edge.first));
+        }
       };
-      const Row row{y, pixel(span.left.x), pixel(span.right.x)};
+    };
+    chains.walk(height, store(&Span::left), store(&Span::right));
+    // Crossings are rationals whose distance from a whole number, if any, double does not lose.
+    const auto pixel = [width](double x) {
+      return static_cast<std::int32_t>(std::clamp(std::ceil(x), 0.0, double{1} * width));
+    };
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const Row row{top + static_cast<std::int32_t>(i), pixel(spans_[i].left.x),
+                    pixel(spans_[i].right.x)};
       if (row.left >= row.right) continue;
+      spans_[rows_.size()] = spans_[i];
       rows_.push_back(row);
-      spans_.push_back(span);
     }
     return rows_;
   }
 
-  /// @pre some edge crosses the row
-  [[nodiscard]] Span span_at(std::span<const ScreenPoint> points, std::int32_t y) const {
-    Span span;
-    span.left.x = std::numeric_limits<double>::infinity();
-    span.right.x = -span.left.x;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t next = i + 1 == points.size() ? 0 : i + 1;
-      const std::size_t upper = points[i].y < points[next].y ? i : next;
-      const std::size_t lower = upper == i ? next : i;
-      if (y < points[upper].y || y >= points[lower].y) continue;
-      const double down = static_cast<double>(y) - points[upper].y;
-      const double rows = static_cast<double>(points[lower].y) - points[upper].y;
-      const double across = static_cast<double>(points[lower].x) - points[upper].x;
-      const Crossing crossing{points[upper].x + across * down / rows,
-                              mixed(corners_[upper], corners_[lower], down / rows)};
-      if (crossing.x < span.left.x) span.left = crossing;
-      if (crossing.x > span.right.x) span.right = crossing;
-    }
-    return span;
+  /// Where an edge is at row `y` of its own, and the values there.
+  [[nodiscard]] Crossing crossing(std::span<const ScreenPoint> points, const ChainEdge& edge,
+                                  double y) const {
+    const ScreenPoint& upper = points[edge.upper];
+    const ScreenPoint& lower = points[edge.lower];
+    const double down = y - upper.y;
+    const double rows = static_cast<double>(lower.y) - upper.y;
+    const double across = static_cast<double>(lower.x) - upper.x;
+    return {upper.x + across * down / rows,
+            mixed(corners_[edge.upper], corners_[edge.lower], down / rows)};
   }
 
   void draw(std::size_t index, const Surface& surface, std::span<std::uint8_t> out,

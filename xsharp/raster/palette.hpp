@@ -104,6 +104,18 @@ constexpr Palette shading_palette() {
   return palette;
 }
 
+/// The shading palette with the author's four levels of mixtures, 63 * (level / 3)^(1 / 2.3) of the
+/// VGA's converter: a screen shows less than half its light at half of the level.
+constexpr Palette shading_gamma_palette() {
+  constexpr std::array<unsigned, 4> levels{0, 39, 53, 63};
+  Palette palette = shading_palette();
+  for (std::size_t i = 0; i < 64; ++i) {
+    palette.at(i) =
+        detail::from_dac(levels.at(i >> 4U), levels.at(i >> 2U & 3U), levels.at(i & 3U));
+  }
+  return palette;
+}
+
 /// 0 to 127 a grey ramp, 128 to 255 one of copper, by the cosine of the angle to the light: index
 /// 64 + 62 c of a ramp shows c, -1 to 1. Light of the surroundings is 0.1, diffuse light 0.65 c
 /// where c is above 0, and there is a white highlight of 0.25 c^16: the model of Phong's shading is
@@ -128,10 +140,13 @@ constexpr Palette ramps_palette() {
 inline const Palette& palette_of(PaletteKind kind) {
   static constexpr Palette vga = vga_palette();
   static constexpr Palette shading = shading_palette();
+  static constexpr Palette shading_gamma = shading_gamma_palette();
   static constexpr Palette ramps = ramps_palette();
   switch (kind) {
     case PaletteKind::shading:
       return shading;
+    case PaletteKind::shading_gamma:
+      return shading_gamma;
     case PaletteKind::ramps:
       return ramps;
     default:
@@ -139,8 +154,8 @@ inline const Palette& palette_of(PaletteKind kind) {
   }
 }
 
-/// The index of the shading palette for a colour: one that has a single component above 0 has that
-/// primary's level, any other the highest two bits of each component. Black is 0.
+/// The index of either shading palette for a colour: one that has a single component above 0 has
+/// that primary's level, any other the highest two bits of each component. Black is 0.
 constexpr std::uint8_t index_of(const Color& color) {
   const auto pure = [](unsigned start, std::uint8_t component) {
     return static_cast<std::uint8_t>(start + (component >> 2U));
@@ -175,8 +190,8 @@ constexpr std::uint8_t nearest(const Palette& palette, const Color& color) {
 /// colour.
 inline std::uint8_t index_of(const Paint& paint, PaletteKind kind) {
   if (paint.is_index) return paint.index;
-  return kind == PaletteKind::shading ? index_of(paint.color)
-                                      : nearest(palette_of(kind), paint.color);
+  const bool shades = kind == PaletteKind::shading || kind == PaletteKind::shading_gamma;
+  return shades ? index_of(paint.color) : nearest(palette_of(kind), paint.color);
 }
 
 /// As a pixel, 0x00RRGGBB.

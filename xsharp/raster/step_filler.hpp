@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "xsharp/raster/bitmap.hpp"
+#include "xsharp/raster/chains.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
 #include "xsharp/raster/depth_row.hpp"
 #include "xsharp/raster/edge.hpp"
@@ -46,7 +47,6 @@ class StepFiller final : public SurfaceFiller {
     std::array<N, 4> values{};
   };
   struct Ends {
-    bool crossed = false;
     Crossing left{};
     Crossing right{};
   };
@@ -60,25 +60,23 @@ class StepFiller final : public SurfaceFiller {
                                  std::int32_t height) override {
     rows_.clear();
     const auto points = picture.points_of(polygon);
-    if (points.size() < 3) return rows_;
+    const Chains chains(points);
+    top_ = chains.first();
+    const std::int32_t bottom = chains.end(height);
+    if (top_ >= bottom) return rows_;
     choose_slots(surface);
-    const auto [least, most] = std::ranges::minmax(points, {}, &ScreenPoint::y);
-    top_ = std::max(least.y, 0);
-    ends_.assign(static_cast<std::size_t>(std::max(std::min(most.y, height) - top_, 0)), Ends{});
+    ends_.resize(static_cast<std::size_t>(bottom - top_));
     corners_.clear();
     for (const PointValues& values : picture.values_of(polygon)) {
       corners_.push_back(corner(values, surface));
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t next = i + 1 == points.size() ? 0 : i + 1;
-      const bool down = points[i].y < points[next].y;
-      cross(points[down ? i : next], corners_[down ? i : next], points[down ? next : i],
-            corners_[down ? next : i]);
-    }
+    chains.walk(
+        height, [&](const ChainEdge& edge) { cross(points, edge, &Ends::left); },
+        [&](const ChainEdge& edge) { cross(points, edge, &Ends::right); });
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       const auto left = std::max<std::int64_t>(first_pixel(ends_[i].left), 0);
       const auto right = std::min<std::int64_t>(first_pixel(ends_[i].right), width);
-      if (!ends_[i].crossed || left >= right) continue;
+      if (left >= right) continue;
       rows_.push_back({top_ + static_cast<std::int32_t>(i), static_cast<std::int32_t>(left),
                        static_cast<std::int32_t>(right)});
     }
@@ -109,29 +107,24 @@ class StepFiller final : public SurfaceFiller {
     return (crossing.units + 65535) >> 16;
   }
 
-  /// Takes an edge's crossings for those that are outermost so far.
-  void cross(const ScreenPoint& upper, const std::array<N, 4>& from, const ScreenPoint& lower,
-             const std::array<N, 4>& to) {
-    const std::int32_t first = std::max(upper.y, top_);
-    const std::int32_t end =
-        std::min<std::int32_t>(lower.y, top_ + static_cast<std::int32_t>(ends_.size()));
-    if (first >= end) return;
-    EdgeWalk edge(upper, lower, first);
+  /// Takes an edge's crossings for one end of the rows that it yields.
+  void cross(std::span<const ScreenPoint> points, const ChainEdge& edge, Crossing Ends::*end) {
+    const ScreenPoint& upper = points[edge.upper];
+    const ScreenPoint& lower = points[edge.lower];
+    EdgeWalk walk(upper, lower, edge.y);
     const std::int64_t length = (std::int64_t{lower.y} - upper.y) * 65536;
-    const std::int64_t skipped = (std::int64_t{first} - upper.y) * 65536;
+    const std::int64_t skipped = (std::int64_t{edge.y} - upper.y) * 65536;
+    const std::array<N, 4>& from = corners_[edge.upper];
     std::array<N, 4> values = from;
     std::array<N, 4> slopes{};
     for (std::size_t k = first_slot_; k < end_slot_; ++k) {
-      slopes[k] = slope(from[k], to[k], length);
+      slopes[k] = slope(from[k], corners_[edge.lower][k], length);
       if (skipped != 0) values[k] = from[k] + slopes[k] * distance_of<N>(skipped);
     }
-    for (std::int32_t y = first; y < end; ++y) {
-      Ends& ends = ends_[static_cast<std::size_t>(y - top_)];
-      const std::int64_t units = edge.x() * 65536 - edge.to_the_left();
-      if (!ends.crossed || units < ends.left.units) ends.left = {units, values};
-      if (!ends.crossed || units > ends.right.units) ends.right = {units, values};
-      ends.crossed = true;
-      edge.step_down();
+    for (std::int32_t row = edge.first; row < edge.end; ++row) {
+      ends_[static_cast<std::size_t>(row - top_)].*
+          end = {walk.x() * 65536 - walk.to_the_left(), values};
+      walk.step_down();
       for (std::size_t k = first_slot_; k < end_slot_; ++k) values[k] = values[k] + slopes[k];
     }
   }

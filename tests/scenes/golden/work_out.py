@@ -81,13 +81,14 @@ def cube(half):
 
 
 def ball(radius, bands):
+    """Bands from the top down, each a turn from -x by +z."""
     step, around = math.pi / bands, 2 * bands
     vertices = [[0, radius, 0]]
     for c in range(1, bands):
         for m in range(around):
-            ring = radius * math.sin(c * step)
-            vertices.append([ring * math.sin(m * step), radius * math.cos(c * step),
-                             ring * math.cos(m * step)])
+            ring, angle = radius * math.sin(c * step), math.pi - m * step
+            vertices.append([ring * math.cos(angle), radius * math.cos(c * step),
+                             ring * math.sin(angle)])
     vertices.append([0, -radius, 0])
     at = lambda circle, m: 1 + (circle - 1) * around + m % around
     faces = []
@@ -137,7 +138,9 @@ class Body:
             add_vertex_normals(vertices, self.faces)
         shadings = data.get("shadings", [data.get("shading", {})] * len(self.faces))
         add_normals(vertices, self.faces, shadings)
-        self.vertices = [[coordinate(c) for c in v] for v in vertices]
+        # A cube's vertices are typed in as whole numbers, a ball's are all computed.
+        convert = coordinate if kind == "cube" else published
+        self.vertices = [[convert(c) for c in v] for v in vertices]
         self.m = [[ONE * (i == j) for j in range(3)] + [coordinate(data["position"][i])]
                   for i in range(3)] if "position" in data else \
                  [[ONE * (i == j) for j in range(3)] + [0] for i in range(3)]
@@ -209,8 +212,13 @@ class Body:
         if self.drift:
             for i in range(3):
                 self.m[i][3] = wrap(self.m[i][3] + self.step[i])
-            if self.m[2][3] > coordinate(self.drift["stop_z"]):
+            z = self.m[2][3]
+            if "stop_z" in self.drift and z > coordinate(self.drift["stop_z"]):
                 self.step[2] = 0
+            if "bounce_z" in self.drift:
+                least, most = map(coordinate, self.drift["bounce_z"])
+                if not least <= z <= most:
+                    self.step[2] *= -1
         if self.orbit:
             self.angle = math.fmod(self.angle + self.orbit.get("step_tenths", 0), 3600)
             self.place()
@@ -234,18 +242,29 @@ class Body:
         return v[0] * w[1] - v[1] * w[0] > 0
 
 
+def light_of(spot):
+    """To the light: the direction's constants, made a unit vector, converted, then negated."""
+    direction = [published(d) / ONE for d in spot["direction"]]
+    size = math.sqrt(sum(d * d for d in direction))
+    return [-published(d / size) for d in direction]
+
+
 def frames(scene, rules, count):
     bodies = [Body(scene, {**scene.get("defaults", {}), **data}, rules) for data in scene["objects"]]
+    buffered = scene.get("depth_buffer", "off") != "off"
+    by_depth = scene.get("depth_key", "center") == "center"
     order = list(range(len(bodies)))
+    if by_depth and not buffered:
+        order.reverse()  # each object went in before those of equal depth
     for frame in range(count):
         if frame:
             for body in bodies:
                 body.move()
         for body in bodies:
             body.prepare()
-        if scene.get("depth_key", "center") == "center":
+        if by_depth:
             # Stable. What a depth buffer hides need not be drawn: the nearest comes first.
-            first = -1 if scene.get("depth_buffer", "off") != "off" else 1
+            first = -1 if buffered else 1
             order.sort(key=lambda i: first * bodies[i].to_view[2][3])
         yield frame, bodies, order
 

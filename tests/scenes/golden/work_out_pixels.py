@@ -9,7 +9,8 @@ import json
 import re
 import sys
 
-from work_out import FRAMES, ONE, Rules, coordinate, frames, refuse_unknown, wrap
+from chains import chains
+from work_out import FRAMES, ONE, Rules, frames, light_of, refuse_unknown, wrap
 
 WIDTH, HEIGHT = 320, 240
 NEAREST = 32767
@@ -116,11 +117,9 @@ class Surface:
             self.paints = data.get("paints", [data.get("paint")] * len(body.faces))
         self.light = [0, 0, 0]
         for spot in scene.get("lights", {}).get("spots", []):
-            size = sum(d * d for d in spot["direction"]) ** 0.5
             if spot["intensity"] != [1, 1, 1]:
                 sys.exit("work_out_pixels.py: not worked out here: a light's level")
-            to_light = [coordinate(-d / size) for d in spot["direction"]]
-            self.light = [wrap(a + b) for a, b in zip(self.light, to_light)]
+            self.light = [wrap(a + b) for a, b in zip(self.light, light_of(spot))]
 
     def corner(self, face, i):
         """Depth, and what else the surface has there: places times depth, or the normal."""
@@ -142,28 +141,30 @@ class Surface:
         return [depth] + [wrap(e - p) for e, p in zip(end, place)]
 
     def rows(self, face):
-        """Of each row the values where the edges cross it, in 2^-16 pixels, upwards."""
+        """Of each row of the page the values at its left and right end, in 2^-16 pixels, upwards."""
         points = [self.body.screen[v] for v in self.body.faces[face]]
         corners = [self.corner(face, i) for i in range(len(points))]
-        ends = {}
-        for i in range(len(points)):
-            j = (i + 1) % len(points)
-            upper, lower = (i, j) if points[i][1] < points[j][1] else (j, i)
-            (x0, y0), (x1, y1) = points[upper], points[lower]
-            first, end = max(y0, 0), min(y1, HEIGHT)
-            if first >= end:
+        top, sides = chains(points)
+        sides = [self.ends(points, corners, side, top) for side in sides]
+        return {y: (sides[0][y], sides[1][y]) for y in sides[0]}
+
+    def ends(self, points, corners, side, top):
+        """One end of the rows. On an edge values are stepped from its first row on the page."""
+        ends, at = {}, None
+        for y, (upper, lower, own) in enumerate(side, top):
+            if not 0 <= y < HEIGHT:
                 continue
-            slopes = [ratio(self.rules, wrap(b - a), (y1 - y0) * ONE)
-                      for a, b in zip(corners[upper], corners[lower])]
-            skipped = (first - y0) * ONE
-            values = [wrap(a + self.rules.mul(s, skipped)) if skipped else a
-                      for a, s in zip(corners[upper], slopes)]
-            for y in range(first, end):
-                units = -((-(x0 * (y1 - y0) + (x1 - x0) * (y - y0)) * ONE) // (y1 - y0))
-                left, right = ends.get(y, ((units, values),) * 2)
-                ends[y] = ((units, values) if units < left[0] else left,
-                           (units, values) if units > right[0] else right)
-                values = [wrap(a + s) for a, s in zip(values, slopes)]
+            (x0, y0), (x1, y1) = points[upper], points[lower]
+            if at != upper:
+                at = upper
+                slopes = [ratio(self.rules, wrap(b - a), (y1 - y0) * ONE)
+                          for a, b in zip(corners[upper], corners[lower])]
+                skipped = (own - y0) * ONE
+                values = [wrap(a + self.rules.mul(s, skipped)) if skipped else a
+                          for a, s in zip(corners[upper], slopes)]
+            units = -((-(x0 * (y1 - y0) + (x1 - x0) * (own - y0)) * ONE) // (y1 - y0))
+            ends[y] = (units, values)
+            values = [wrap(a + s) for a, s in zip(values, slopes)]
         return ends
 
     def draw(self, face, page, depths):

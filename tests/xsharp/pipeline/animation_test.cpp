@@ -363,6 +363,42 @@ TYPED_TEST(AnimationOf, ObjectsOfAnotherKindAreSortedAndDrawn) {
   }
 }
 
+// The list of listing 53.2: a new object goes in before those of its depth, and a later sort moves
+// an object past strictly smaller depths alone, so that objects that come to be at one depth keep
+// the order of the frame before.
+TYPED_TEST(AnimationOf, ObjectsOfEqualDepthAreDrawnInTheReverseOrder) {
+  using N = TypeParam;
+  Scene scene = pipeline::scene(frame_side, {pipeline::plain_body(cube(10), {0, 0, -600}, 1),
+                                             pipeline::plain_body(cube(10), {0, 0, -500}, 2),
+                                             pipeline::plain_body(cube(10), {0, 0, -600}, 3)});
+  scene.objects[1].drift = Drift{.step = {0, 0, -50}};
+  Animation<N> animation(scene);
+  const auto order = [&animation] {
+    Picture picture;
+    animation.draw(picture);
+    return std::vector<std::size_t>(animation.order().begin(), animation.order().end());
+  };
+  EXPECT_EQ(order(), (std::vector<std::size_t>{2, 0, 1}));
+  for (int frame = 0; frame < 2; ++frame) animation.move();
+  EXPECT_EQ(order(), (std::vector<std::size_t>{2, 0, 1}));  // all at -600
+  animation.move();
+  EXPECT_EQ(order(), (std::vector<std::size_t>{1, 2, 0}));
+  animation.add(std::make_unique<Bitmap<N>>(3, pipeline::vector<N>({0, 0, -600})));
+  EXPECT_EQ(order(), (std::vector<std::size_t>{1, 3, 2, 0}));
+
+  // Unsorted, and from the list's other end under a depth buffer: as they were added.
+  for (const bool buffered : {false, true}) {
+    scene.depth_key = buffered ? DepthKey::center : DepthKey::none;
+    scene.depth_buffer = buffered ? DepthBuffering::on : DepthBuffering::off;
+    Animation<N> other(scene);
+    Picture picture;
+    other.draw(picture);
+    const std::vector<std::size_t> drawn(other.order().begin(), other.order().end());
+    EXPECT_EQ(drawn,
+              buffered ? (std::vector<std::size_t>{1, 0, 2}) : (std::vector<std::size_t>{0, 1, 2}));
+  }
+}
+
 TYPED_TEST(AnimationOf, AViewerWhoHasTurnedSeesWhatIsThere) {
   using N = TypeParam;
   // Turned by a quarter to the left, about y, he looks down -x.

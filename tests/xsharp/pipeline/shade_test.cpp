@@ -191,14 +191,30 @@ TYPED_TEST(Shade, ASpotIsTurnedIntoViewSpaceAndPointsBack) {
   Lights lights;
   lights.ambient = {0.25, 0, 1};
   lights.spots.push_back({.on = false, .direction = {0, 0, -20}, .intensity = {1, 0.5, 0}});
-  // Takes z to x, x to y and y to z.
-  const Lighting<N> lighting =
-      lighting_of<N>(lights, Conversion::published, {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}});
+  // Takes z to x, x to y and y to z. The place of the viewer does not matter to a direction.
+  Transform<N> to_view;
+  to_view.rows[0][2] = to_view.rows[1][0] = to_view.rows[2][1] = number<N>(1);
+  to_view.rows[0][3] = number<N>(100);
+  const Lighting<N> lighting = lighting_of<N>(lights, Conversion::nearest, to_view);
   EXPECT_EQ(lighting.ambient, (std::array{number<N>(0.25), number<N>(0), number<N>(1)}));
   ASSERT_EQ(lighting.rays.size(), 1U);
   EXPECT_FALSE(lighting.rays[0].on);
   EXPECT_EQ(lighting.rays[0].to_light, pipeline::vector<N>({1, 0, 0}));
   EXPECT_EQ(lighting.rays[0].intensity, (std::array{number<N>(1), number<N>(0.5), number<N>(0)}));
+}
+
+// Worked by hand: (1, -0.5, -1) is converted to (65536, -32767, -65535), whose length is 98303; a
+// unit vector of that has 43691.1, -21844.9 and -43690.4, which the conversion makes 43691, -21844
+// and -43689. The exact unit vector has -43690.7, which it would make -43690.
+TEST(ShadePublished, ADirectionIsConvertedBeforeAndAfterItIsMadeAUnitVectorAndThenNegated) {
+  using N = fixed::q16_16_i386;
+  Lights lights;
+  lights.spots.push_back({.direction = {1, -0.5, -1}, .intensity = {1, 1, 1}});
+  const auto lighting = lighting_of<N>(lights, Conversion::published, identity<N>());
+  ASSERT_EQ(lighting.rays.size(), 1U);
+  EXPECT_EQ(lighting.rays[0].to_light.x.raw(), -43691);
+  EXPECT_EQ(lighting.rays[0].to_light.y.raw(), 21844);
+  EXPECT_EQ(lighting.rays[0].to_light.z.raw(), 43689);
 }
 
 }  // namespace

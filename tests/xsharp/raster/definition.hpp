@@ -1,10 +1,12 @@
 /// @file
-/// Which pixels belong to a polygon, pixel by pixel, from integers that cannot overflow.
+/// Which pixels a polygon has, pixel by pixel, from integers that cannot overflow.
 #pragma once
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -61,19 +63,64 @@ inline bool belongs(const Points& hull, std::int32_t x, std::int32_t y) {
   return true;
 }
 
-/// For any points: an edge that crosses the row does so at x or to the left of it, another does so
-/// to the right of x.
-inline bool between_crossings(const Points& points, std::int32_t x, std::int32_t y) {
-  bool left = false;
-  bool right = false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    xsharp::ScreenPoint upper = points[i];
-    xsharp::ScreenPoint lower = points[(i + 1) % points.size()];
-    if (upper.y > lower.y) std::swap(upper, lower);
-    if (y < upper.y || y >= lower.y) continue;
-    (side(upper, lower, {x, y}) <= 0 ? left : right) = true;
+/// Entry `index` of the list that a chain of points makes: one for each row of each edge that goes
+/// down, and none for other edges. The ceiling of the edge's crossing, plus `shift`.
+inline Integer entry_of(const Points& chain, Integer index, int shift) {
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    const Integer height = Integer(chain[i + 1].y) - chain[i].y;
+    if (height <= 0) continue;
+    if (index >= height) {
+      index -= height;
+      continue;
+    }
+    const Integer across = (Integer(chain[i + 1].x) - chain[i].x) * index;
+    // Division cuts, which is the ceiling of what is negative.
+    const Integer whole = across / height;
+    return Integer(chain[i].x) + shift + whole + (across > whole * height ? 1 : 0);
   }
-  return left && right;
+  throw std::logic_error("a chain is shorter than its polygon");
+}
+
+/// For any points: X-Sharp's rule, as two lists of one x for each row.
+inline bool in_lists(const Points& points, std::int32_t x, std::int32_t y) {
+  if (points.size() < 3) return false;
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  const auto at = [&](std::ptrdiff_t i) {
+    return points[static_cast<std::size_t>((i % count + count) % count)];
+  };
+  const auto [highest, lowest] = std::ranges::minmax(points, {}, &xsharp::ScreenPoint::y);
+  if (highest.y == lowest.y) return false;
+  const auto place = [&](std::int32_t row) {
+    return std::ranges::find(points, row, &xsharp::ScreenPoint::y) - points.begin();
+  };
+  std::ptrdiff_t first = place(highest.y);
+  std::ptrdiff_t last = first;
+  while (at(first - 1).y == highest.y) --first;
+  while (at(last + 1).y == highest.y) ++last;
+  const bool flat = at(first).x != at(last).x;
+  bool swapped = at(first).x > at(last).x;
+  // Which way it turns from the next point by the top to the previous one.
+  if (!flat) swapped = side(at(first), at(last + 1), at(first - 1)) < 0;
+
+  Points backward{at(first)};
+  for (std::ptrdiff_t i = first;;) {
+    --i;
+    backward.push_back(at(i));
+    if ((i % count + count) % count == place(lowest.y)) break;
+  }
+  Points forward{at(last)};
+  for (std::ptrdiff_t i = last;;) {
+    ++i;
+    forward.push_back(at(i));
+    if (i % count == place(lowest.y)) break;
+  }
+  const Points& left = swapped ? forward : backward;
+  const Points& right = swapped ? backward : forward;
+  const Integer rows = Integer(lowest.y) - highest.y - 1 + (flat ? 1 : 0);
+  const Integer row = Integer(y) - highest.y - (flat ? 0 : 1);
+  if (row < 0 || row >= rows) return false;
+  const Integer entry = row + (flat ? 0 : 1);
+  return entry_of(left, entry, 0) <= x && x <= entry_of(right, entry, -1);
 }
 
 }  // namespace definition

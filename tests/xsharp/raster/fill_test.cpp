@@ -93,16 +93,39 @@ TEST(Fill, HoldsForCoordinatesOfAnySize) {
   }));
 }
 
-TEST(Fill, PointsInAnyOrderAreFilledBetweenTheOutermostCrossings) {
+TEST(Fill, PointsInAnyOrderAreFilledBetweenTheTwoLists) {
   EXPECT_TRUE(rc::check([] {
     const bool near = *rc::gen::arbitrary<bool>();
     const Points points =
         generators::some(near ? generators::small() : generators::extreme(), 0, 8);
-    const auto belongs = [&](auto x, auto y) {
-      return definition::between_crossings(points, x, y);
-    };
+    const auto belongs = [&](auto x, auto y) { return definition::in_lists(points, x, y); };
     RC_ASSERT(drawing(filled(points, 24, 18)) == drawing(defined(belongs, 24, 18)));
   }));
+}
+
+// Worked by hand. The left chain has the edges (0, 0) to (0, 2), which yields 0, 0, and, after one
+// that rises, (2, 1) to (0, 4), which yields 2, 2, 1: the crossings of its rows 1, 2 and 3, drawn
+// in rows 2, 3 and none.
+TEST(Fill, WhatFollowsARisingEdgeMovesUp) {
+  EXPECT_EQ(drawing(filled({{0, 0}, {6, 0}, {6, 4}, {0, 4}, {2, 1}, {0, 2}}, 7, 5)),
+            "######.\n"
+            "######.\n"
+            "..####.\n"
+            "..####.\n"
+            ".......\n");
+}
+
+// Worked by hand. The left chain goes by (2, 2) to (6, 6), with 3, 2, 3 in rows 1 to 3, the right
+// one by (4, 2) to (0, 6), with 3, 3, 2: from row 3 on there is nothing.
+TEST(Fill, WhereTheChainsHaveCrossedThereIsNothing) {
+  EXPECT_EQ(drawing(filled({{3, 0}, {4, 2}, {0, 6}, {6, 6}, {2, 2}}, 7, 7)),
+            ".......\n"
+            "...#...\n"
+            "..##...\n"
+            ".......\n"
+            ".......\n"
+            ".......\n"
+            ".......\n");
 }
 
 TEST(Fill, TheWholeRangeOfCoordinatesCoversAPage) {

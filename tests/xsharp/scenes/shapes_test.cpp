@@ -69,6 +69,22 @@ TEST(Ball, OfSixBandsHasThePublished72Faces) {
   EXPECT_EQ(mesh.vertices.size(), 62U);
 }
 
+// Worked by hand for two bands, whose one circle is the equator: from -x by +z to +x and back.
+TEST(Ball, BeginsAtMinusXAndGoesRoundByPlusZ) {
+  const Mesh mesh = ball(10, 2);
+  EXPECT_TRUE(mesh.computed);
+  const std::vector<Triple> places{{0, 10, 0}, {-10, 0, 0}, {0, 0, 10},
+                                   {10, 0, 0}, {0, 0, -10}, {0, -10, 0}};
+  ASSERT_EQ(mesh.vertices.size(), places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    EXPECT_LT(length(difference(mesh.vertices[v], places[v])), 1e-12) << v;
+  }
+  const std::vector<std::vector<std::size_t>> faces{{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4},
+                                                    {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 1, 5}};
+  ASSERT_EQ(mesh.faces.size(), faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) EXPECT_EQ(mesh.faces[i].vertices, faces[i]) << i;
+}
+
 TEST(Ball, RefusesOtherBands) {
   EXPECT_THROW(static_cast<void>(ball(1, 1)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(ball(1, -6)), std::invalid_argument);

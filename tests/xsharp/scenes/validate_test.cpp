@@ -101,7 +101,7 @@ const std::vector<BadScene>& bad_settings() {
       {"lights.ambient is -0.1, must be from 0 to 100",
        [](Scene& s) { s.lights.ambient[1] = -0.1; }},
       {"17 spots, more than 16", [](Scene& s) { s.lights.spots.resize(17); }},
-      {"spot 1: length of direction is 0, must be from 1.52588e-05 to 65536",
+      {"spot 1: length of direction is 0, must be from 6.10352e-05 to 65536",
        [](Scene& s) { s.lights.spots[1].direction = {}; }},
       {"spot 0: direction is nan, must be from -32768 to 32768",
        [](Scene& s) { s.lights.spots[0].direction[2] = nan; }},
@@ -159,6 +159,21 @@ const std::vector<BadScene>& bad_objects() {
        [](Scene& s) { s.objects[0].drift->step[0] = infinity; }},
       {"'cube': drift.stop_z is nan, must be from -1.6384e+10 to 1.6384e+10",
        [](Scene& s) { s.objects[0].drift->stop_z = nan; }},
+      {"'cube': drift has both stop_z and bounce_z, must have one of them",
+       [](Scene& s) {
+         s.objects[0].drift->stop_z = -350;
+         s.objects[0].drift->bounce_z = Bounds{-6000, -350};
+       }},
+      {"'cube': drift.bounce_z, least is nan, must be from -1.6384e+10 to 1.6384e+10",
+       [](Scene& s) {
+         s.objects[0].drift->stop_z.reset();
+         s.objects[0].drift->bounce_z = Bounds{nan, 0};
+       }},
+      {"'cube': drift.bounce_z, most is -7, must be from -6 to 1.6384e+10",
+       [](Scene& s) {
+         s.objects[0].drift->stop_z.reset();
+         s.objects[0].drift->bounce_z = Bounds{-6, -7};
+       }},
       {"'cube': drift.delay, base is 0, must be from 1 to 2147483647",
        [](Scene& s) { s.objects[0].drift->delay.base = 0; }},
       {"'cube': orbit.radius is -1, must be from 0 to 16384",

@@ -1,0 +1,45 @@
+// What the unprinted generator of the shaded ball does to its normals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "xsharp/shapes.hpp"
+
+namespace {
+
+using xsharp::Triple;
+
+/// The angle between two vectors in degrees.
+double degrees_between(const Triple& a, const Triple& b) {
+  const double angle = std::atan2(length(cross(a, b)), dot(a, b));
+  return angle * 180 / std::numbers::pi;
+}
+
+// The edges at a face's first vertex have a cross product that points into the ball when they are
+// taken in the generator's order, so that subtracting the vertex lengthens it and turns it.
+TEST(Defects, WrongNormals) {
+  const xsharp::Mesh ball = xsharp::with_normals(xsharp::ball(25, 6));
+  double least = 180;
+  double most = 0;
+  for (const xsharp::Face& face : ball.faces) {
+    const Triple& base = ball.vertices[face.vertices[0]];
+    const Triple to_next = difference(ball.vertices[face.vertices[1]], base);
+    const Triple to_last = difference(ball.vertices[face.vertices.back()], base);
+    const Triple inward = cross(to_next, to_last);
+    const Triple outward = scaled(inward, -1);
+    const Triple leaning = scaled(difference(inward, base), -1);
+    const double angle = degrees_between(leaning, outward);
+    least = std::min(least, angle);
+    most = std::max(most, angle);
+    // Ours is of length 1 along the cross product.
+    const Triple ours = difference(ball.vertices[face.normal_end.value()], base);
+    EXPECT_NEAR(length(ours), 1, 1e-12);
+    EXPECT_NEAR(degrees_between(ours, outward), 0, 1e-6);
+  }
+  EXPECT_NEAR(least, 2.66, 0.01);
+  EXPECT_NEAR(most, 4.25, 0.01);
+}
+
+}  // namespace

@@ -1,0 +1,120 @@
+// The pictures that the original programs displayed, from the type and from the register-level
+// model. The digests in originals/ were recorded from the original programs under a DOS emulator.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/scenes/picture_digest.hpp"
+#include "verify/scenes/players.hpp"
+#include "xsharp/files/scene_json.hpp"
+#include "xsharp/raster/screen.hpp"
+
+namespace fixproof {
+namespace {
+
+/// A recording, and what it is a recording of.
+struct Recorded {
+  const char* file;
+  const char* scene;
+  std::size_t begins_at;  ///< our frame that the recording's first picture shows
+  std::size_t pictures;
+};
+
+std::vector<std::string> lines_of(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Digests of a scene's pictures from frame `first` on, equal ones in a row once.
+std::vector<std::string> drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
+                               std::size_t first, std::size_t pictures) {
+  const auto player = make_player(scene, choice);
+  xsharp::Screen<std::uint8_t> screen(scene.width, scene.height, scene.palette, scene.background);
+  xsharp::Picture picture;
+  DigestLines digests;
+  std::string lines;
+  std::size_t distinct = 0;
+  // A run of equal pictures ends at some time; the recordings have none longer than this.
+  const std::size_t most_frames = first + 2 * pictures;
+  for (std::size_t frame = 0; frame < most_frames && distinct < pictures; ++frame) {
+    if (frame > 0) player->move();
+    player->draw(picture);
+    if (frame < first) continue;
+    screen.show(picture);
+    const std::string line = digests.line_of(screen.page().pixels());
+    lines += line;
+    if (!line.empty()) ++distinct;
+  }
+  std::istringstream in(lines);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(in, line);) result.push_back(line);
+  return result;
+}
+
+class Originals : public testing::TestWithParam<Recorded> {};
+
+void expect_recorded(const Recorded& recorded, std::string_view by) {
+  const xsharp::Scene scene = xsharp::read_scene(std::string(SCENES "/") + recorded.scene);
+  xsharp::ArithmeticChoice choice = scene.arithmetic;
+  ASSERT_EQ(choice.target, "i386");
+  choice.by = by;
+  const auto expected = lines_of(std::string(ORIGINALS "/") + recorded.file);
+  ASSERT_EQ(expected.size(), recorded.pictures);
+  const auto pictures = drawn(scene, choice, recorded.begins_at, expected.size());
+  ASSERT_EQ(pictures.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(pictures[i], expected[i]) << recorded.file << ", picture " << i;
+  }
+}
+
+TEST_P(Originals, TheTypeDrawsThem) { expect_recorded(GetParam(), "type"); }
+TEST_P(Originals, TheModelDrawsThem) { expect_recorded(GetParam(), "model"); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Recordings, Originals,
+    testing::Values(Recorded{"chapter52_start.txt", "twelve_cubes.json", 0, 40},
+                    Recorded{"chapter52.txt", "twelve_cubes.json", 2, 2000},
+                    Recorded{"chapter53.txt", "chapter53.json", 2, 60},
+                    Recorded{"chapter53_pass.txt", "chapter53_pass.json", 3, 200},
+                    Recorded{"chapter53_equal.txt", "chapter53_equal.json", 3, 150},
+                    Recorded{"chapter54_ball.txt", "chapter54_ball.json", 2, 400}),
+    [](const auto& recorded) {
+      std::string name = recorded.param.file;
+      name.resize(name.find('.'));
+      return name;
+    });
+
+// A published digest: FIPS 180-4's example for "abc" begins ba7816bf 8f01cfea.
+TEST(PictureDigest, IsTheBeginningOfSha256) {
+  const std::vector<std::uint8_t> abc{'a', 'b', 'c'};
+  EXPECT_EQ(picture_digest(abc), "ba7816bf8f01cfea");
+  EXPECT_EQ(picture_digest({}), "e3b0c44298fc1c14");
+  // 56 bytes: the length goes into a block of its own (the second example of FIPS 180-4).
+  constexpr std::string_view two_blocks =
+      "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
+  EXPECT_EQ(picture_digest(std::vector<std::uint8_t>(two_blocks.begin(), two_blocks.end())),
+            "248d6a61d20638b8");
+}
+
+TEST(PictureDigest, EqualPicturesInARowAreOneLine) {
+  DigestLines lines;
+  const std::vector<std::uint8_t> one{1};
+  const std::vector<std::uint8_t> other{2};
+  EXPECT_EQ(lines.line_of(one), picture_digest(one) + '\n');
+  EXPECT_EQ(lines.line_of(one), "");
+  EXPECT_EQ(lines.line_of(other), picture_digest(other) + '\n');
+  EXPECT_EQ(lines.line_of(one), picture_digest(one) + '\n');
+}
+
+}  // namespace
+}  // namespace fixproof

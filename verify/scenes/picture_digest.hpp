@@ -1,0 +1,24 @@
+/// @file
+/// Pictures as digests, to be set against recordings of the original programs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace fixproof {
+
+/// The first 16 hex digits of the SHA-256 of a picture's indices, row by row.
+std::string picture_digest(std::span<const std::uint8_t> pixels);
+
+/// Digests of a run of pictures, each distinct one in a row once: what a viewer sees change.
+class DigestLines {
+ public:
+  /// The picture's digest and an end of line; empty if the picture before had the same digest.
+  std::string line_of(std::span<const std::uint8_t> pixels);
+
+ private:
+  std::string last_;
+};
+
+}  // namespace fixproof
