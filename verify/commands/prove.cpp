@@ -83,7 +83,7 @@ std::vector<bool> lost_carries(const ProveOptions& options, const Programs& prog
 }
 
 std::string name_of_lost_carry(bool mul_round) {
-  return fmt::format("lost carry, concat i8088 {}", mul_round ? "on" : "off");
+  return fmt::format("lost carry, i8088 {}", mul_round ? "on" : "off");
 }
 
 /// `mul i386 on` as `mul-i386-on.smt2`.

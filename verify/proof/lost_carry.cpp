@@ -31,14 +31,28 @@ std::string sum_of_products(int row) {
   return text + ")";
 }
 
+/// The fractions and the whole parts each added by themselves.
+constexpr const char* in_parts =
+    R"((define-fun in-parts ((s (_ BitVec 32)) (t (_ BitVec 32))) (_ BitVec 32)
+  (concat (bvadd ((_ extract 31 16) s) ((_ extract 31 16) t))
+          (bvadd ((_ extract 15 0) s) ((_ extract 15 0) t))))
+)";
+
 /// {0} the sum, {1} the translation, {2} the printed result, {3} the repaired one.
 constexpr const char* fourth_column =
     R"((define-fun sum () (_ BitVec 32) {0})
+(assert (not (and (= {2} (in-parts sum {1})) (= {3} (bvadd sum {1})))))
+)";
+
+/// Of any two words.
+constexpr const char* difference = R"((declare-const s (_ BitVec 32))
+(declare-const t (_ BitVec 32))
 (define-fun low-words () (_ BitVec 17)
-  (bvadd (concat #b0 ((_ extract 15 0) sum)) (concat #b0 ((_ extract 15 0) {1}))))
+  (bvadd (concat #b0 ((_ extract 15 0) s)) (concat #b0 ((_ extract 15 0) t))))
 (define-fun carry () Bool (= ((_ extract 16 16) low-words) #b1))
-(assert (not (and (= (distinct {2} {3}) carry)
-                  (= {3} (bvadd {2} (ite carry (_ bv65536 32) (_ bv0 32)))))))
+(assert (not (and (= (distinct (in-parts s t) (bvadd s t)) carry)
+                  (= (bvadd s t) (bvadd (in-parts s t) (ite carry (_ bv65536 32) (_ bv0 32)))))))
+(check-sat)
 )";
 
 }  // namespace
@@ -54,10 +68,12 @@ std::vector<std::string> lost_carry_questions(const x86model::Program& printed,
   for (int i = 0; i < x86model::arity(Routine::concat).in; ++i) {
     roots.push_back(terms.variable(sym::operand_name(Routine::concat, i), 32));
   }
+  const std::string logic =
+      fmt::format("(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}", in_parts);
   const std::string before = fmt::format(
-      "(set-logic QF_UFBV)\n(set-option :produce-models true)\n"
+      "{}"
       "(declare-fun fixedmul ((_ BitVec 32) (_ BitVec 32)) (_ BitVec 32))\n{}{}",
-      sym::declare_variables(terms, roots), sym::define(terms, roots));
+      logic, sym::declare_variables(terms, roots), sym::define(terms, roots));
   std::vector<std::string> scripts;
   std::string others;
   for (std::size_t i = 0; i < lossy.size(); ++i) {
@@ -74,6 +90,7 @@ std::vector<std::string> lost_carry_questions(const x86model::Program& printed,
                       "(check-sat)\n");
   }
   scripts.push_back(fmt::format("{}(assert (not (and{})))\n(check-sat)\n", before, others));
+  scripts.push_back(logic + difference);
   return scripts;
 }
 

@@ -137,12 +137,10 @@ std::string sum(const Variant& v, const std::vector<std::pair<std::string, std::
   return text + (translation.empty() ? ")" : " " + translation + ")");
 }
 
-/// Without the carry from the fractions to the whole parts: 1.0 too low where there is one.
+/// The fractions and the whole parts each added by themselves.
 constexpr const char* sum_in_parts =
-    R"((define-fun carries ((x (_ BitVec 32)) (y (_ BitVec 32))) Bool
-  (bvuge (bvadd (concat (_ bv0 16) (low x)) (concat (_ bv0 16) (low y))) (_ bv65536 32)))
-(define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
-  (bvsub (bvadd x y) (ite (carries x y) (_ bv65536 32) (_ bv0 32))))
+    R"((define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
+  (concat (bvadd (high x) (high y)) (bvadd (low x) (low y))))
 )";
 
 std::vector<std::string> transformed_point(const Variant& v) {
