@@ -108,6 +108,10 @@ constexpr Digest no_digest{};
 /// CosSin with two shifts by one, for an 8088.
 constexpr Digest two_shifts{76, "39f11737eba35c94059943c69a65960f0f6b662204c62397c227463f4bfcf951"};
 
+/// ConcatXforms for the 8088 with the carry that the listing loses.
+constexpr Digest with_carry{403,
+                            "f43cf72275325db809755e61bd5b5ec8ea67d722a8ab205147107a3e89164001"};
+
 }  // namespace
 
 Source source_of(Routine routine, Target target, const Build& build) {
@@ -122,7 +126,7 @@ Source source_of(Routine routine, Target target, const Build& build) {
     return {"listing 54.1, but each SHL BX,2 is two shifts by one", two_shifts};
   }
   if (routine == Routine::concat && i8088 && build.repaired) {
-    return {"listing 54.1, but the translation is added with its carry", no_digest};
+    return {"listing 54.1, but the translation is added with its carry", with_carry};
   }
   if (routine == Routine::div && i8088 && build.endif_as_scanned && !build.div_rounding) {
     return {"listing 54.1 as scanned, which is not the author's code", no_digest};

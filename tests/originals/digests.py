@@ -14,7 +14,7 @@ from pathlib import Path
 RELATIVE = re.compile(r"^(j\w+|loop\w*|call) (?:short |near )?0x([0-9a-f]+)$")
 TABLE = re.compile(r"\[cs:bx[+-]0x[0-9a-f]+\]")
 ROW = re.compile(r"^\| (\w+) \| (\w+) \| ([^|]*) \| (the author's|ours) \| (\d+) \| `([0-9a-f]{64})` \|$")
-ROWS = 19
+ROWS = 20
 
 
 def run(*command, **options):
