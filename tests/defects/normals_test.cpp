@@ -9,7 +9,7 @@
 
 namespace {
 
-using xsharp::Triple;
+using namespace xsharp;
 
 /// The angle between two vectors in degrees.
 double degrees_between(const Triple& a, const Triple& b) {
@@ -20,13 +20,13 @@ double degrees_between(const Triple& a, const Triple& b) {
 // The edges at a face's first vertex have a cross product that points into the ball when they are
 // taken in the generator's order, so that subtracting the vertex lengthens it and turns it.
 TEST(Defects, WrongNormals) {
-  const xsharp::Mesh ball = xsharp::with_normals(xsharp::ball(25, 6));
+  const Mesh body = with_normals(ball(25, 6));
   double least = 180;
   double most = 0;
-  for (const xsharp::Face& face : ball.faces) {
-    const Triple& base = ball.vertices[face.vertices[0]];
-    const Triple to_next = difference(ball.vertices[face.vertices[1]], base);
-    const Triple to_last = difference(ball.vertices[face.vertices.back()], base);
+  for (const Face& face : body.faces) {
+    const Triple& base = body.vertices[face.vertices[0]];
+    const Triple to_next = difference(body.vertices[face.vertices[1]], base);
+    const Triple to_last = difference(body.vertices[face.vertices.back()], base);
     const Triple inward = cross(to_next, to_last);
     const Triple outward = scaled(inward, -1);
     const Triple leaning = scaled(difference(inward, base), -1);
@@ -34,7 +34,7 @@ TEST(Defects, WrongNormals) {
     least = std::min(least, angle);
     most = std::max(most, angle);
     // Ours is of length 1 along the cross product.
-    const Triple ours = difference(ball.vertices[face.normal_end.value()], base);
+    const Triple ours = difference(body.vertices[face.normal_end.value()], base);
     EXPECT_NEAR(length(ours), 1, 1e-12);
     EXPECT_NEAR(degrees_between(ours, outward), 0, 1e-6);
   }

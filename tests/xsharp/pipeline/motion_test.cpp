@@ -54,7 +54,7 @@ TYPED_TEST(MotionOf, DelaysCountDownFromTheFirstThenFromTheBase) {
   EXPECT_EQ(frames_of_change<TypeParam>(spinning, 9), (std::vector{1, 5, 9}));
 
   ObjectDescription drifting;
-  drifting.drift = Drift{{1, 0, 0}, {}, {.first = 2, .base = 3}};
+  drifting.drift = Drift{.step = {1, 0, 0}, .delay = {.first = 2, .base = 3}};
   EXPECT_EQ(frames_of_change<TypeParam>(drifting, 9), (std::vector{2, 5, 8}));
 
   EXPECT_EQ(frames_of_change<TypeParam>(ObjectDescription{}, 9), std::vector<int>{});
@@ -79,6 +79,28 @@ TYPED_TEST(MotionOf, StopZIsAPlaceInTheWorldNotInThePage) {
   Motion<TypeParam> motion(object, plain);
   for (int frame = 0; frame < 10; ++frame) motion.advance();
   EXPECT_EQ(motion.page()[2] * 16384.0 + place(motion)[2], 3 * 16384 + 8192);
+}
+
+TYPED_TEST(MotionOf, OutsideOfItsBoundsItTurnsBackInZ) {
+  ObjectDescription object;
+  object.position = {0, 0, -400};
+  object.drift = Drift{.step = {1, 0, 30}, .bounce_z = Bounds{-420, -350}};
+  Motion<TypeParam> motion(object, plain);
+  // -340 is beyond -350, and -430 is beyond -420; -400 itself is between them.
+  const std::vector<double> expected{-370, -340, -370, -400, -430, -400, -370, -340, -370};
+  for (std::size_t frame = 0; frame < expected.size(); ++frame) {
+    motion.advance();
+    EXPECT_EQ(place(motion), (Triple{1.0 + static_cast<double>(frame), 0, expected[frame]}));
+  }
+  // A bound itself is within.
+  object.drift = Drift{.step = {0, 0, 50}, .bounce_z = Bounds{-400, -350}};
+  Motion<TypeParam> between(object, plain);
+  between.advance();
+  EXPECT_EQ(place(between)[2], -350);
+  between.advance();
+  EXPECT_EQ(place(between)[2], -300);
+  between.advance();
+  EXPECT_EQ(place(between)[2], -350);
 }
 
 TYPED_TEST(MotionOf, SpinsAboutXThenYThenZ) {

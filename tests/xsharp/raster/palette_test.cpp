@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -116,6 +119,25 @@ TEST(VgaPalette, NoIndexIsNearerThanTheNearest) {
       RC_ASSERT(further > 0 || (further == 0 && i >= found));
     }
   }));
+}
+
+// The author's levels of the VGA's converter, 0, 39, 53 and 63, in 8 bits.
+TEST(ShadingPalette, HasTheAuthorsGammaInMixturesAlone) {
+  const Palette& gamma = palette_of(PaletteKind::shading_gamma);
+  EXPECT_EQ(text(gamma.at(0)), "0,0,0");
+  EXPECT_EQ(text(gamma.at(0x15)), "158,158,158");
+  EXPECT_EQ(text(gamma.at(0x2a)), "215,215,215");
+  EXPECT_EQ(text(gamma.at(0x3f)), "255,255,255");
+  EXPECT_EQ(text(gamma.at(0x1b)), "158,215,255");
+  for (std::size_t i = 64; i < 256; ++i) EXPECT_EQ(text(gamma.at(i)), text(shading().at(i)));
+  constexpr std::array<long, 4> levels{0, 39, 53, 63};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    EXPECT_EQ(std::lround(63 * std::pow(static_cast<double>(i) / 3, 1 / 2.3)), levels.at(i));
+  }
+  // The index of a colour is the same in both.
+  const Paint dim{.is_index = false, .color = {100, 200, 10}};
+  EXPECT_EQ(index_of(dim, PaletteKind::shading_gamma), 0x1c);
+  EXPECT_EQ(index_of(dim, PaletteKind::shading), 0x1c);
 }
 
 TEST(ShadingPalette, PrimariesHave64Levels) {

@@ -314,6 +314,20 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
   for (const auto& [text, message] : table) EXPECT_EQ(said_of_scene(text), message) << text;
 }
 
+TEST(SceneJson, ADriftBouncesAndAPaletteHasAGamma) {
+  const Scene scene = parse_scene(
+      R"({"palette": "shading-gamma", "objects": [
+          {"shape": {"cube": {"half_edge": 1}}, "paint": 1,
+           "drift": {"step": [0, 0, 1], "bounce_z": [-6000, -350.5]}}]})",
+      "s", {});
+  EXPECT_EQ(scene.palette, PaletteKind::shading_gamma);
+  const auto& drift = scene.objects.at(0).drift;
+  ASSERT_TRUE(drift && drift->bounce_z);
+  EXPECT_FALSE(drift->stop_z);
+  EXPECT_EQ(drift->bounce_z->least, -6000);
+  EXPECT_EQ(drift->bounce_z->most, -350.5);
+}
+
 TEST(SceneJson, SaysWhereItIsNotJson) {
   EXPECT_EQ(said_of_scene("{\n  \"objects\": [}").substr(0, 38),
             "not JSON: parse error at line 2, colum");
