@@ -241,7 +241,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [], "background": 256})",
        "background: must be a whole number from 0 to 255, not 256"},
       {R"({"objects": [], "palette": "cga"})",
-       "palette: must be one of \"vga\" \"shading\" \"ramps\", not \"cga\""},
+       "palette: must be one of \"vga\" \"shading\" \"shading-gamma\" \"ramps\", not \"cga\""},
       {R"({"objects": [], "depth_key": 1})",
        "depth_key: must be one of \"none\" \"center\" \"nearest\" \"farthest\", not 1"},
       {R"({"objects": [], "camera": {"position": [0, 0]}})",
