@@ -71,6 +71,7 @@ TEST(ReportFindings, AnswersThatNoCommandGives) {
   EXPECT_EQ(answer(findings, 15, 1), "65,536 pixels");
   EXPECT_EQ(answer(findings, 17, 0), "tested");
   EXPECT_EQ(answer(findings, 17, 1), "beyond its segment");
+  EXPECT_EQ(answer(findings, 19, 0), "2.7 to 4.2 degrees off");
   EXPECT_EQ(answer(findings, 20, 2), "160 pixels from the middle");
   EXPECT_EQ(answer(findings, 20, 3), "80 pixels from the middle");
   EXPECT_EQ(answer(findings, 21, 0), "1 2 3");

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,6 +22,7 @@
 #include "x86model/parse.hpp"
 #include "xsharp/arithmetic.hpp"
 #include "xsharp/project.hpp"
+#include "xsharp/shapes.hpp"
 
 namespace fixproof {
 
@@ -326,6 +329,40 @@ std::vector<Finding> carry_findings() {
   };
 }
 
+/// By how many degrees the author's generator turns the normals of a ball: it subtracts the first
+/// vertex from the cross product before it scales that to length 1.
+std::string lean_of_normals(double radius) {
+  double least = 180;
+  double most = 0;
+  const xsharp::Mesh body = xsharp::ball(radius, 6);
+  for (const xsharp::Face& face : body.faces) {
+    const xsharp::Triple& base = body.vertices[face.vertices[0]];
+    const auto edge_to = [&](std::size_t vertex) {
+      return xsharp::difference(body.vertices[vertex], base);
+    };
+    const xsharp::Triple right =
+        xsharp::cross(edge_to(face.vertices[1]), edge_to(face.vertices.back()));
+    const xsharp::Triple wrong = xsharp::difference(right, base);
+    const double angle =
+        std::atan2(xsharp::length(xsharp::cross(right, wrong)), xsharp::dot(right, wrong));
+    least = std::min(least, angle * 180 / std::numbers::pi);
+    most = std::max(most, angle * 180 / std::numbers::pi);
+  }
+  return fmt::format("{:.1f} to {:.1f} degrees off", least, most);
+}
+
+std::vector<Finding> normal_findings() {
+  return {
+      {"Normals that lean",
+       "Defects.WrongNormals",
+       "The author's generator of the ball, which is not printed, subtracts a vertex from each "
+       "normal before it scales the normal to length 1. The smaller the ball, the more they lean.",
+       {{"radius 25", "72 faces", lean_of_normals(25)},
+        {"radius 60", "72 faces", lean_of_normals(60)}},
+       19},
+  };
+}
+
 std::vector<Finding> projection_findings() {
   const xsharp::Scene scene;
   const auto from_middle = [&scene](std::int32_t x) {
@@ -382,6 +419,7 @@ nlohmann::ordered_json computed_findings() {
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
   for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
   for (Finding& finding : carry_findings()) all.push_back(std::move(finding));
+  for (Finding& finding : normal_findings()) all.push_back(std::move(finding));
   for (Finding& finding : projection_findings()) all.push_back(std::move(finding));
   for (Finding& finding : texture_findings()) all.push_back(std::move(finding));
   FindingJson json = FindingJson::array();

@@ -102,7 +102,7 @@ TEST(Scenes, BallAndCubesAreElevenCubesAndABall) {
 // Chapter 54: green light, but for spot two.
 TEST(Scenes, ShadedBallHasThreeSpotsAndUnitNormals) {
   const Scene scene = read_scene(file("shaded_ball.json"));
-  EXPECT_EQ(scene.palette, PaletteKind::shading);
+  EXPECT_EQ(scene.palette, PaletteKind::shading_gamma);
   ASSERT_EQ(scene.lights.spots.size(), 3U);
   const auto is_only = [](std::size_t component, const Intensity& light) {
     for (std::size_t i = 0; i < 3; ++i) {
