@@ -165,8 +165,8 @@ RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
 
 /// As the printed 8088 ConcatXforms adds: floors to floors, fractions to fractions, which wrap.
 Integer sum_in_parts(const Integer& a, const Integer& b) {
-  const Integer one = 65536;
-  const auto fraction = [&](const Integer& n) { return Integer((n % one + one) % one); };
+  const Integer whole = 65536;
+  const auto fraction = [&](const Integer& n) -> Integer { return (n % whole + whole) % whole; };
   return a - fraction(a) + b - fraction(b) + fraction(fraction(a) + fraction(b));
 }
 
