@@ -386,7 +386,7 @@ TEST(Streams, SumsOfTransformsCarryAndDoNot) {
       const auto lossy = answers(printed);
       const auto whole = answers(repaired);
       std::size_t carries = 0;
-      for (std::size_t i = 0; i < whole.size(); ++i) carries += lossy[i] != whole[i] ? 1 : 0;
+      for (std::size_t i = 0; i < whole.size(); ++i) carries += lossy[i] != whole[i] ? 1U : 0U;
       EXPECT_GT(carries, rows / 10) << name_of(job.stream);
       EXPECT_LT(carries, rows * 9 / 10) << name_of(job.stream);
     }
