@@ -63,7 +63,7 @@ TEST(StepClocks, AreThoseOfTheTables) {
       // Not taken, but for JMP: 7 and what it leads to, 1 to 4 bytes on a 286, 1 to 5 components on
       // a 386.
       {"jz .There", {"4", "3", "3", "1"}},
-      {"jmp .There", {"15", "8-11", "8-12", "3"}},
+      {"jmp .There", {"15", "8-12", "8-12", "3"}},
       // One in AX, and DX becomes 0. A 386 and a 486 stop at the multiplier's highest bit, but not
       // before 3.
       {"mul bx", {"119", "21", "9", "13"}},

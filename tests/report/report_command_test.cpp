@@ -50,7 +50,7 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   EXPECT_TRUE(json.at("made").at("quick"));
   EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes", "phong"}));
   EXPECT_FALSE(json.at("host").at("host").empty());
-  EXPECT_EQ(json.at("findings").size(), 17U);
+  EXPECT_EQ(json.at("findings").size(), 21U);
   EXPECT_GT(json.at("verify").at("cases").get<int>(), 65'536);
   EXPECT_EQ(json.at("verify").at("mismatches"), 0);
   // One line more for the names.

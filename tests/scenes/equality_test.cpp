@@ -77,19 +77,20 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Equality,
 
 // Were a variant drawn with another's rules, the tests above would not notice.
 TEST(Variants, EachDrawsDifferently) {
-  // From a place without a fraction the repaired 8088 draws what the printed one does.
-  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/lost_carry.json", SCENES));
   std::map<std::string, std::string> dumps;
-  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
-    const auto player = make_player(scene, choice);
-    xsharp::Picture picture;
-    std::string dump;
-    for (std::uint64_t frame = 0; frame < 300; ++frame) {
-      if (frame > 0) player->move();
-      player->draw(picture);
-      if (frame % 20 == 0) dump += dump_frame(*player, frame);
+  // From a place without a fraction the repaired 8088 draws what the printed one does; the cubes of
+  // the second scene are too few to tell whether divides round.
+  for (const char* file : {SCENES "/twelve_cubes.json", SCENES "/lost_carry.json"}) {
+    const xsharp::Scene scene = xsharp::read_scene(file);
+    for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+      const auto player = make_player(scene, choice);
+      xsharp::Picture picture;
+      for (std::uint64_t frame = 0; frame < 300; ++frame) {
+        if (frame > 0) player->move();
+        player->draw(picture);
+        if (frame % 20 == 0) dumps[name_of(choice)] += dump_frame(*player, frame);
+      }
     }
-    dumps[name_of(choice)] = dump;
   }
   for (const auto& [one, dump] : dumps) {
     for (const auto& [other, other_dump] : dumps) {
