@@ -48,8 +48,8 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
       ->check(named(on_off))
       ->excludes(both);
   auto* printed = command.add_flag("--as-printed", as_printed,
-                                   "the roundings are the printed switches, and CosSin for the 8088 "
-                                   "shifts by two: see docs/findings.md, 1 and 8");
+                                   "the roundings are the printed switches (docs/findings.md, 1); "
+                                   "list and trace have CosSin's shift by two as well (8)");
   auto* chapter = command
                       .add_option_function<std::string>(
                           "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },

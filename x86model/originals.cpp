@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace x86model {
 
@@ -100,6 +101,7 @@ Digest original(Routine routine, Target target, const Build& build) {
   const auto* found = std::find_if(originals.begin(), originals.end(), [&](const Original& o) {
     return o.routine == routine && o.target == target && o.rounding == rounds(routine, build);
   });
+  if (found == originals.end()) throw std::logic_error("a listing without a digest");
   return found->digest;
 }
 

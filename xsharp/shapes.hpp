@@ -1,7 +1,7 @@
 /// @file
 /// Bodies that are computed: the cube as chapter 52 prints it, and a ball. Of the ball chapter 53
-/// says that it has 72 faces in bands and that radius and bands can be chosen; how it is made is
-/// ours.
+/// says that it has 72 faces in bands and that radius and bands can be chosen. Its generator is not
+/// printed. The order of its faces and their vertices follows the pictures of the original program.
 #pragma once
 
 #include <cmath>

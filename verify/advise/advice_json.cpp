@@ -49,6 +49,7 @@ std::string json_of(const AdviceReport& report) {
   json["frames_per_second"] = advised_rate;
   json["budget_pixels"] = report.budget;
   json["cpu"] = report.cpu ? AdviceJson(x86model::name_of(*report.cpu)) : AdviceJson();
+  json["repaired"] = report.repaired;
   json["cost_unit"] = report.cpu ? "clocks a frame" : "ns a frame";
   json["variants"] = AdviceJson::array();
   for (const Tried& tried : report.tried) json["variants"].push_back(json_of(tried, report));

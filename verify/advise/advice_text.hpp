@@ -19,6 +19,7 @@ struct AdviceReport {
   double budget = 0;         ///< in pixels
   /// Whose clocks were counted; without one, costs are nanoseconds of this processor.
   std::optional<x86model::Cpu> cpu{};
+  bool repaired = false;       ///< whether 8088 code has ConcatXforms repaired
   std::vector<Tried> tried{};  ///< sorted by cost
   /// Of what to take: the worst of the motion alone, as `drift` measures it over the same frames.
   std::optional<double> drift_pixels{};

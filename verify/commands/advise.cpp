@@ -95,6 +95,7 @@ std::string heading(const AdviceReport& report) {
         "round count as the same, and the more exact\nis taken first.\n",
         TimeSample::rounds);
   }
+  if (report.repaired) text += "The 8088 code has ConcatXforms repaired.\n";
   return text + '\n';
 }
 
@@ -115,7 +116,7 @@ int advise_on(const AdviseOptions& options) {
     check_replaceable(options.json);
   }
 
-  AdviceReport report{.scene = scene.name, .budget = budget};
+  AdviceReport report{.scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};
   if (!options.host) report.cpu = options.cpu;
   const auto choices = choices_on(report.cpu);
   const std::uint64_t wanted = options.minutes * 60 * advised_rate;

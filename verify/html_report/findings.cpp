@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -44,8 +43,6 @@ struct Finding {
   std::string test;
   std::string says;
   std::vector<Asked> cases;
-  /// Of its section in docs/findings.md; without it, the one after the last.
-  std::optional<std::size_t> number{};
 };
 
 std::vector<std::string> words_of(std::string_view text) {
@@ -324,8 +321,7 @@ std::vector<Finding> carry_findings() {
        {evaluated("8088", half_after("00008000"), "concat --target i8088"),
         evaluated("8088, repaired", half_after("00008000"), "concat --target i8088 --repaired"),
         evaluated("8088", half_after("00018000"), "concat --target i8088"),
-        evaluated("386", half_after("00008000"), "concat --target i386")},
-       18},
+        evaluated("386", half_after("00008000"), "concat --target i386")}},
   };
 }
 
@@ -342,9 +338,9 @@ std::string lean_of_normals(double radius) {
     };
     const xsharp::Triple right =
         xsharp::cross(edge_to(face.vertices[1]), edge_to(face.vertices.back()));
-    const xsharp::Triple wrong = xsharp::difference(right, base);
+    const xsharp::Triple leaning = xsharp::difference(inward, base);
     const double angle =
-        std::atan2(xsharp::length(xsharp::cross(right, wrong)), xsharp::dot(right, wrong));
+        std::atan2(xsharp::length(xsharp::cross(inward, leaning)), xsharp::dot(inward, leaning));
     least = std::min(least, angle * 180 / std::numbers::pi);
     most = std::max(most, angle * 180 / std::numbers::pi);
   }
@@ -358,8 +354,7 @@ std::vector<Finding> normal_findings() {
        "The author's generator of the ball, which is not printed, subtracts a vertex from each "
        "normal before it scales the normal to length 1. The smaller the ball, the more they lean.",
        {{"radius 25", "72 faces", lean_of_normals(25)},
-        {"radius 60", "72 faces", lean_of_normals(60)}},
-       19},
+        {"radius 60", "72 faces", lean_of_normals(60)}}},
   };
 }
 
@@ -381,8 +376,7 @@ std::vector<Finding> projection_findings() {
        {evaluated("x over z", "00320000 ff9c0000", "div"),
         evaluated("times the constant", "ffff8000 fec00001", "mul"),
         {"code", "x = 50, z = -100", from_middle(50)},
-        {"comment's edge", "x = 25, z = -100", from_middle(25)}},
-       20},
+        {"comment's edge", "x = 25, z = -100", from_middle(25)}}},
   };
 }
 
@@ -407,8 +401,7 @@ std::vector<Finding> texture_findings() {
        "The pseudo-code of a texture steps its coordinates and then fetches the texel; the "
        "assembly fetches first. One pixel apart. Three pixels from column 1, a column a pixel.",
        {{"assembly", "from column 1", texels_drawn(1, 3)},
-        {"pseudo-code", "a step further, from column 2", texels_drawn(2, 3)}},
-       21},
+        {"pseudo-code", "a step further, from column 2", texels_drawn(2, 3)}}},
   };
 }
 
@@ -428,7 +421,7 @@ nlohmann::ordered_json computed_findings() {
     for (const Asked& asked : finding.cases) {
       cases.push_back({{"who", asked.who}, {"asked", asked.question}, {"answer", asked.answer}});
     }
-    json.push_back({{"number", finding.number.value_or(json.size() + 1)},
+    json.push_back({{"number", json.size() + 1},
                     {"title", finding.title},
                     {"test", finding.test},
                     {"says", finding.says},

@@ -142,7 +142,8 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// The share that the matrix routines take at least: no frame took longer than those of chapter 52.
+/// The share that the matrix routines take at least, if no frame of chapter 53 takes longer than
+/// those of chapter 52, which its text suggests and does not say.
 Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
   Claim claim{"In assembly language, matrix math takes less than ten percent of the time.",
               raw_speed,

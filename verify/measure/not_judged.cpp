@@ -18,9 +18,6 @@ constexpr std::array statements{
     NotJudged{"At first, matrix and projection math took more than 90 % of the time.",
               "chapter 53, look it up",
               "the program of that time is floating-point C, which these chapters do not print"},
-    NotJudged{"Renormalised normals take about 3 ADDs, 3 DIVs and 6 MULs a pixel.",
-              "interpolation text, Phong",
-              "it counts operations, not clocks; docs/stepping.md counts them"},
 };
 
 }  // namespace

@@ -82,6 +82,9 @@ xsharp::Scene SceneOptions::read() const {
   if (scene.from_scratch && scene.restore_every > 0) {
     throw UsageError("--from-scratch leaves --reortho nothing to restore");
   }
+  if (restore_rows && scene.restore_every == 0) {
+    throw UsageError("--reortho-rows: nothing is restored, say --reortho and how often");
+  }
   return scene;
 }
 

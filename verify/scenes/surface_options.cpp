@@ -75,6 +75,9 @@ void SurfaceOptions::apply(xsharp::Scene& scene) const {
     throw UsageError(
         "--texture-every: no object of the scene has a texture, say --surface texture");
   }
+  if (depth_measure && scene.depth_buffer == xsharp::DepthBuffering::off) {
+    throw UsageError("--depth-measure: the scene has no depth buffer, say --depth-buffer on");
+  }
   try {
     xsharp::validate(scene);
   } catch (const xsharp::SceneError& error) {

@@ -86,7 +86,8 @@ class ExactFiller final : public SurfaceFiller {
       };
     };
     chains.walk(height, store(&Span::left), store(&Span::right));
-    // Crossings are rationals whose distance from a whole number, if any, double does not lose.
+    // A projected coordinate is within 2^17, so a crossing's distance from a whole number is 0 or
+    // at least 2^-18, which double does not lose.
     const auto pixel = [width](double x) {
       return static_cast<std::int32_t>(std::clamp(std::ceil(x), 0.0, double{1} * width));
     };

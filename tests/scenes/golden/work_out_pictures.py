@@ -10,7 +10,7 @@ import re
 import sys
 
 from chains import spans
-from work_out import ONE, Rules, coordinate, frames, light_of, refuse_unknown
+from work_out import Rules, coordinate, frames, light_of, refuse_unknown
 
 WIDTH, HEIGHT = 320, 240
 
@@ -22,7 +22,7 @@ def shade(rules, lights, normal):
         cosine = rules.dot(light_of(spot), normal)
         if cosine > 0:
             light = [a + rules.mul(coordinate(i), cosine) for a, i in zip(light, spot["intensity"])]
-    parts = [(rules.mul(min(a, ONE), 255 * ONE) + ONE // 2) >> 16 for a in light]
+    parts = [min(rules.mul(255, a), 255) for a in light]
     if sum(part > 0 for part in parts) == 1:
         (primary,) = (i for i, part in enumerate(parts) if part)
         return 64 * (primary + 1) + (parts[primary] >> 2)
