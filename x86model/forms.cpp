@@ -46,8 +46,8 @@ void append(std::vector<Instruction>& all, const Program& program) {
   all.insert(all.end(), code.begin(), code.end());
 }
 
-/// The instructions of the routines for one processor. SHL BX,2 in the printed CosSin is none of an
-/// 8088: no build here has it.
+/// The instructions of the routines for one processor. An 8088 has no SHL BX,2, which the printed
+/// CosSin uses: no build here contains it.
 std::vector<Instruction> instructions_of(Target target) {
   constexpr std::array builds{Build{}, Build{.mul_rounding = false, .div_rounding = false},
                               Build{.chapter_52 = true}};

@@ -156,7 +156,7 @@ struct Processor::Parts {
   LowMemory memory;
   Landing* landing = new (memory.at(LowMemory::landing)) Landing{};
   Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE, segment_size};
-  /// Ends before the code: a table that stands there is read with a CS: override or not at all.
+  /// Ends before the code, so only a read with a CS: override reaches a table there.
   Descriptor data{memory.address_of(0), MODIFY_LDT_CONTENTS_DATA, caller_origin};
   /// For the handler; the largest register files of x86-64 take 11 KiB of it.
   std::vector<std::uint8_t> signal_stack = std::vector<std::uint8_t>(0x10000);
