@@ -37,8 +37,8 @@ enum class DivideRule {
 enum class TranslationRule {
   fourth,  ///< in the fourth column alone, as matrix algebra has it
   every,   ///< in all four columns, as listing 52.4 has it
-  /// In the fourth column alone, the fractions and the whole parts each added by themselves, as the
-  /// 8088 listing has it. Let x and t be the sum of products and the translation, and frac(x) =
+  /// In the fourth column alone. Fractions are added to fractions and whole parts to whole parts,
+  /// as in the 8088 listing. Let x and t be the sum of products and the translation, and frac(x) =
   /// x - floor(x): the result is floor(x) + floor(t) + frac(x + t). It is x + t less 1 where
   /// frac(x) + frac(t) is 1 or more.
   fourth_in_parts,

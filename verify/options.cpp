@@ -47,9 +47,10 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
           "rounding of divides: on or off")
       ->check(named(on_off))
       ->excludes(both);
-  auto* printed = command.add_flag("--as-printed", as_printed,
-                                   "the roundings are the printed switches (docs/findings.md, 1); "
-                                   "list and trace have CosSin's shift by two as well (8)");
+  auto* printed =
+      command.add_flag("--as-printed", as_printed,
+                       "take roundings from the printed switches (docs/findings.md, 1); "
+                       "list and trace take CosSin's shift by two as well (8)");
   auto* chapter = command
                       .add_option_function<std::string>(
                           "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },

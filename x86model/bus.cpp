@@ -29,7 +29,7 @@ std::uint64_t operand_bytes(const Instruction& i) {
   return bytes;
 }
 
-/// What goes to or from the stack, or to where STOS stores, which no operand names.
+/// The bytes that no operand names: those of the stack, and those that STOS stores.
 std::uint64_t implied_bytes(const Instruction& i) {
   switch (i.mnemonic) {
     case Mnemonic::push:

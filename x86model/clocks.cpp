@@ -362,7 +362,7 @@ Range address_wait(const Execution& e) {
 std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const Instruction& i = execution.instruction;
   const int prefixes = encoding_of(i).prefixes;
-  // A prefix that is no segment override makes an operand or an address of 32 bits.
+  // Any prefix other than a segment override makes an operand or an address 32 bits wide.
   const int prefixes_of_386 = prefixes - (overrides_segment(i) ? 1 : 0);
   if (prefixes_of_386 > 0 && cpu < Cpu::i386) return std::nullopt;
   const Cell cell = cell_of(cpu, execution);

@@ -28,8 +28,8 @@ struct Encoding {
   }
 };
 
-/// The shortest encoding at full width, which is the one that assemblers choose. A jump is short,
-/// but for one that the listing calls near.
+/// The shortest encoding at full width, which is the one that assemblers choose. A jump is short
+/// unless the listing calls it near.
 Encoding encoding_of(const Instruction& instruction);
 
 /// Whether a prefix takes a memory operand from another segment.

@@ -82,7 +82,7 @@ enum class Addressing : std::uint8_t {
 };
 
 /// The segment that a memory operand is in: that of its base register, or the one that a prefix
-/// names. Only CS is overridden to: CosSin's table lies with its code.
+/// names. CS is the only override: CosSin's table lies in the code segment.
 enum class SegmentOverride : std::uint8_t { none, cs };
 
 struct Operand {

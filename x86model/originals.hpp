@@ -16,7 +16,7 @@ struct Digest {
   std::string_view sha256;
 };
 
-/// What stands behind a listing.
+/// The source of a listing.
 struct Source {
   /// The printed listing, and how ours differs from it.
   std::string_view printed;
@@ -28,7 +28,7 @@ struct Source {
 
 Source source_of(Routine routine, Target target, const Build& build);
 
-/// The same as comments of an assembler source, two lines.
+/// The same as two comment lines of assembler source.
 std::string source_comment(Routine routine, Target target, const Build& build);
 
 }  // namespace x86model

@@ -22,8 +22,8 @@ struct Face {
   std::optional<std::size_t> normal_end{};
 };
 
-/// A body of faces; vertices are those of the faces and the ends of normals. What comes behind the
-/// last vertex of a face is turned with the body, but not projected.
+/// A body of faces; vertices are those of the faces and the ends of normals. Vertices after the
+/// last one that a face uses are turned with the body, but not projected.
 struct Mesh {
   std::vector<Triple> vertices;
   std::vector<Face> faces;

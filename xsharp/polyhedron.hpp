@@ -128,7 +128,7 @@ class Polyhedron final : public Object<N> {
           {Arithmetic<N>::raw(v.x), Arithmetic<N>::raw(v.y), Arithmetic<N>::raw(v.z)});
     }
     state.screen = screen_;
-    // Drawing does not project the ends of normals; who asks for the state gets every vertex.
+    // Drawing does not project the ends of normals; the state has every vertex.
     for (std::size_t v = projected_; v < view_.size(); ++v) {
       const bool is_seen = inside(view_[v], projection_.slope);
       state.screen.push_back(is_seen ? project(view_[v], projection_) : std::nullopt);
@@ -269,7 +269,7 @@ class Polyhedron final : public Object<N> {
   Motion<N> motion_;
   double radius_ = 0;
   std::vector<Vec3<N>> vertices_;
-  /// So many of them are corners of faces, or stand before one; the rest are ends of normals.
+  /// The number of vertices up to the last corner of a face. The rest are ends of normals.
   std::size_t projected_ = 0;
 
   bool prepared_ = false;

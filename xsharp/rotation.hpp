@@ -50,9 +50,9 @@ Vec3<N> toward_unit(const Vec3<N>& v) {
 /// of unit length.
 ///
 /// RestoredRows::one is what chapter 52 suggests: the last row becomes the cross product of the
-/// other two. Which row, the chapter leaves open. The other two keep the angle between them, and no
-/// row gets unit length; the new row has the product of the others' lengths, so that errors of
-/// length grow.
+/// other two. The chapter does not say which row. The other two keep the angle between them, and no
+/// row gets unit length; the new row has the product of the others' lengths, so errors of length
+/// grow.
 ///
 /// RestoredRows::all is ours: the last row becomes the cross product of the other two, then the
 /// middle one that of the last and the first; each of unit length, see toward_unit().

@@ -73,7 +73,7 @@ struct Spin {
   Delay delay{};
 };
 
-/// From where to where an object moves in z.
+/// The range of z in which an object moves.
 struct Bounds {
   double least = 0;
   double most = 0;

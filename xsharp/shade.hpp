@@ -35,9 +35,10 @@ struct Lighting {
 
 /// The lights of a scene as numbers.
 ///
-/// A direction goes the published way: its components are constants, whole ones too; it is made a
-/// unit vector in double, converted, turned into view space and only then negated. The published
-/// conversion is one unit too high for negative values, so the order decides about the last bit.
+/// A direction takes the published steps. Its components, whole ones too, are converted as
+/// constants. It is made a unit vector in double, converted again, turned into view space, and only
+/// then negated. The published conversion is one unit too high for negative values, so the order
+/// decides the last bit.
 /// @param to_view its matrix turns world space into view space; directions have no place
 template <Scalar N>
 Lighting<N> lighting_of(const Lights& lights, Conversion conversion, Transform<N> to_view) {
@@ -79,8 +80,8 @@ Vec3<N> light_vector(const Lighting<N>& lighting) {
 ///
 /// Chapter 54 does not print the last step. This is the order of X-Sharp's program: the light is
 /// summed first, then one multiply takes the reflectance, as that many units of 2^-16, times the
-/// light. The result is in 255ths and rounded as the multiply rounds; a build that cuts products
-/// floors it or truncates it.
+/// light. The result is in 255ths and rounded as the multiply rounds. A build that cuts products
+/// floors or truncates it.
 /// @param normal      of unit length, in view space
 /// @param reflectance 255 for 1
 template <Scalar N>

@@ -1,7 +1,7 @@
 /// @file
-/// Bodies that are computed: the cube as chapter 52 prints it, and a ball. Of the ball chapter 53
-/// says that it has 72 faces in bands and that radius and bands can be chosen. Its generator is not
-/// printed. The order of its faces and their vertices follows the pictures of the original program.
+/// Bodies that are computed: the cube as chapter 52 prints it, and a ball. Chapter 53 says that its
+/// ball has 72 faces in bands, and that radius and bands can be chosen. It does not print the
+/// generator. Faces and vertices are in the order that the original program's pictures show.
 #pragma once
 
 #include <cmath>
@@ -41,9 +41,9 @@ namespace xsharp {
 inline constexpr int most_bands = 45;
 
 /// A ball about the origin: `bands` of equal latitude from the pole at +y to that at -y, each of
-/// 2 * bands faces. The faces come band by band, and within one in the order of a full turn from -x
-/// towards +z, as those of X-Sharp do; those at the poles are triangles, the others flat
-/// trapezoids. Vertices: the pole at +y, the circles between bands downward, the pole at -y.
+/// 2 * bands faces. The faces come band by band, and within a band in the order of a full turn from
+/// -x towards +z, as in X-Sharp. Those at the poles are triangles, the others flat trapezoids.
+/// Vertices: the pole at +y, the circles between bands downward, the pole at -y.
 /// @throws std::invalid_argument unless there are 2 to most_bands bands
 [[nodiscard]] inline Mesh ball(double radius, int bands) {
   if (bands < 2 || bands > most_bands) throw std::invalid_argument("a ball has 2 to 45 bands");

@@ -31,9 +31,9 @@ N depth_value(const Vec3<N>& place, N near) {
   return nearness(-place.z, near) * from_whole<N>(nearest_depth);
 }
 
-/// The depth of DepthMeasure::z: z + 32768, so 0 for the farthest z of 16.16 and greater nearer by.
-/// The sum is the same in 16 bits as z above minus infinity, the word 8000h.
-/// @pre z is at most -1, which clipping sees to
+/// The depth of DepthMeasure::z: z + 32768. It is 0 for the farthest z of 16.16 and grows towards
+/// the viewer. The sum is the same in 16 bits as z above minus infinity, the word 8000h.
+/// @pre z is at most -1, which clipping ensures
 template <Scalar N>
 N z_depth(const Vec3<N>& place) {
   return place.z + from_whole<N>(nearest_depth) + from_whole<N>(1);

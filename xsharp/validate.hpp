@@ -208,7 +208,7 @@ inline void validate_object(const ObjectDescription& object) {
     }
     if (const auto& bounce = object.drift->bounce_z) {
       if (object.drift->stop_z) {
-        throw SceneError("drift has both stop_z and bounce_z, must have one of them");
+        throw SceneError("drift must not have both stop_z and bounce_z");
       }
       detail::demand_range("drift.bounce_z, least", bounce->least, -most, most);
       detail::demand_range("drift.bounce_z, most", bounce->most, bounce->least, most);

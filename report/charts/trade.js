@@ -31,7 +31,7 @@ function clockPoints(choice) {
       const on = call.processors.find((p) => p.cpu === choice.time);
       const row = errors.find((r) => presetsOf(r).includes(presetOfListing(call)));
       if (!on?.clocks.mean || !row) return [];
-      // An 8088 takes the larger of two times at least.
+      // An 8088 takes at least the larger of two times.
       const bus = on.bus?.mean?.max;
       return [{ name: `${call.target === "i386" ? "386" : "8088"} listing, ${call.rounds ? "rounded" : "unrounded"}`,
         kind: call.target === "i386" ? "386 listing" : "8088 listing", alike: presetOfListing(call),

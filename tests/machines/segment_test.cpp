@@ -1,4 +1,4 @@
-// CosSin's table stands with the code and is read with a CS: override. On the processor the data
+// CosSin's table is in the code segment and is read with a CS: override. On the processor the data
 // segment ends before the code, so that a read without the override is a fault.
 #include <gtest/gtest.h>
 

@@ -46,7 +46,7 @@ void expect_golden(const std::string& name, const std::string& by) {
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice)) continue;
-    // From the origin there is no carry to lose: the golden files do not say the same twice.
+    // From the origin no carry is lost: these golden files leave out the repaired builds.
     if (choice.repaired && scene.camera.position == xsharp::Triple{}) continue;
     all += fmt::format("# {}{} multiply {} divide {}\n", choice.target,
                        choice.repaired ? " repaired" : "", choice.mul_round ? "on" : "off",

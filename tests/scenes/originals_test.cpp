@@ -20,7 +20,7 @@
 namespace fixproof {
 namespace {
 
-/// A recording, and what it is a recording of.
+/// A recording, and the scene that it shows.
 struct Recorded {
   const char* file;
   const char* scene;

@@ -21,7 +21,7 @@ struct Cost {
   double most = 0;
   double ranked = 0;  ///< what choices are ranked by
   double spread = 0;  ///< of what ranks, from round to round: less than that is no difference
-  std::optional<double> bus{};  ///< on an 8088, which the others are at least
+  std::optional<double> bus{};  ///< of an 8088; the others are at least as large
 };
 
 /// The frames that are looked at for clocks: so many in a row, so that delays of 2, 3 and 4 frames

@@ -72,8 +72,8 @@ std::span<const Lemma> lemmas_for(const Programs& programs) {
   return programs.routines.empty() ? std::span<const Lemma>{} : lemmas();
 }
 
-/// The roundings of the 8088 ConcatXforms whose lost carry is asked about: those for which the
-/// repaired routine is chosen.
+/// The roundings for which the proof of the lost carry runs: those of the repaired ConcatXforms
+/// that are chosen.
 std::vector<bool> lost_carries(const ProveOptions& options, const Programs& programs) {
   std::vector<bool> roundings;
   for (const Variant& v : programs.routines) {
@@ -254,7 +254,7 @@ void add_prove(CLI::App& app, int& status) {
       "the\n"
       "registers it has to. Products and quotients stay abstract; the lemmas about integers say "
       "why\n"
-      "that is enough. With the repaired 8088 concat goes a proof of where the printed one "
+      "that is enough. For the repaired 8088 concat it also proves where the printed one "
       "differs\n"
       "from it. docs/proofs.md tells what is proven and what is not.\n\n"
       "Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 stopped "

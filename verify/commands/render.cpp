@@ -233,7 +233,7 @@ void add_render(CLI::App& app, int& status) {
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
   command
       ->add_option("--switch-spot", options->switched_spots,
-                   "the number of a spot, from 0: on if the scene has it off, off if on")
+                   "switches a spot, counted from 0: on if the scene has it off, else off")
       ->transform(whole_number(0, xsharp::most_spots - 1));
   CLI::Option* true_color = command->add_flag("--true-color", options->true_color,
                                               "24 bits a pixel instead of the palette");
@@ -248,7 +248,7 @@ void add_render(CLI::App& app, int& status) {
       ->check(not_empty());
   command
       ->add_option("--digests", options->outputs.digests,
-                   "for every picture that differs from the one before a line: the first 16 hex "
+                   "a line for every picture that differs from the one before: the first 16 hex "
                    "digits of the SHA-256 of its palette indices, row by row")
       ->check(not_empty())
       ->excludes(true_color);

@@ -68,7 +68,7 @@ CsvJson clock_rows(const CsvJson& clocks) {
                   {"cpu", on.at("cpu")}};
       add_spread(row, "instructions", call.at("instructions"));
       add_spread(row, "clocks", on.at("clocks"));
-      // Of an 8088 alone.
+      // Only an 8088 has bus time.
       const bool bus = on.contains("bus") && on.at("bus").contains("mean");
       row["bus_mean"] = bus ? on.at("bus").at("mean").at("max") : CsvJson();
       row["limit"] = bus ? on.at("limit") : CsvJson();

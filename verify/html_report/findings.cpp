@@ -219,8 +219,8 @@ std::vector<Finding> last_findings() {
       {"An element that is not there",
        "Defects.OutOfBounds",
        "A transform has twelve elements, three rows of four. Chapter 52 stores into row 3, column "
-       "3, which would be the sixteenth: row 0, column 3 of the transform behind it, which is "
-       "written again before it is read.",
+       "3, which would be the sixteenth. That is row 0, column 3 of the next transform, "
+       "which the program writes again before it reads it.",
        {{"model", "row 2, column 3", stored(2, 3)}, {"model", "row 3, column 3", stored(3, 3)}}},
       {"Not an instruction of the 8088",
        "Defects.NotAn8088Instruction",
@@ -230,8 +230,8 @@ std::vector<Finding> last_findings() {
         {"8088", "shl bx, 2", has_instruction(x86::Target::i8088)}}},
       {"Not in place",
        "Defects.InPlace",
-       "XformVec writes a coordinate before it has read the last, and ConcatXforms an element. "
-       "Swapping x and y of (1, 2, 3).",
+       "XformVec writes each coordinate before it reads the source for the next. ConcatXforms does "
+       "so with elements. Swapping x and y of (1, 2, 3).",
        {evaluated("386, apart",
                   "00000000 00010000 00000000 00000000 00010000 00000000 00000000 00000000 "
                   "00000000 00000000 00010000 00000000 00010000 00020000 00030000",
@@ -255,8 +255,8 @@ std::vector<Finding> last_findings() {
        {traced("8088", "div ffffc000 fffd4000 --target i8088", "neg word")}},
       {"What rounding adds",
        "Defects.Comments",
-       "One comment has rounding add a unit, another half a unit. Half a unit becomes a unit, what "
-       "is less becomes nothing. Six more comments contradict their code.",
+       "One comment has rounding add a unit, another half a unit. Half a unit becomes a unit, "
+       "less becomes 0. Six more comments contradict their code.",
        {evaluated("386", "00000001 00008000", "mul"),
         evaluated("386", "00000001 00007fff", "mul")}},
   };
@@ -275,8 +275,8 @@ std::vector<Finding> loop_findings() {
         traced("with SHLD", "depth 00000001 00001234 00000000", "shld")}},
       {"Nothing to draw",
        "Defects.NoPixels",
-       "A loop that counts at its end draws at least one pixel, and for none counts on: in 16-bit "
-       "code LOOP to 65,536, DEC ECX to 4,294,967,296. An unrolled one draws none.",
+       "A loop that counts at its end draws at least one pixel. For none it counts on: in 16-bit "
+       "code LOOP draws 65,536, DEC ECX 4,294,967,296. An unrolled loop draws none.",
        {{"LOOP", "GouraudBytes, 0 pixels", pixels_drawn(bytes, 0)},
         {"DEC, JNZ", "GouraudBytes, 0 pixels",
          pixels_drawn({.loop = x86::Loop::gouraud_byte, .counting = dec_jnz}, 0)},
@@ -284,14 +284,16 @@ std::vector<Finding> loop_findings() {
          pixels_drawn({.loop = x86::Loop::gouraud_byte, .counting = unrolled}, 0)}}},
       {"The odd pixel",
        "Defects.OddPixel",
-       "Two pixels a store: SHR ECX,1 drops the last of an odd number, and of one pixel makes "
-       "none, which is 65,536 words. The source has the caller write the odd ones as bytes.",
+       "Two pixels a store: SHR ECX,1 drops the last of an odd number. One pixel makes no pair, "
+       "for which the loop draws 65,536 words. The source tells the caller to write odd pixels as "
+       "bytes.",
        {{"LOOP", "GouraudWords, 7 pixels", pixels_drawn(words, 7)},
         {"LOOP", "GouraudWords, 1 pixel", pixels_drawn(words, 1)}}},
       {"The depth test and what is said of it",
        "Defects.DepthTestWords",
-       "In words the text keeps a pixel whose depth is greater; the code writes it. A buffer that "
-       "begins at minus infinity agrees with the code: as the words say, nothing would be drawn.",
+       "The text says not to write a pixel whose depth is greater; the code writes it. A "
+       "buffer that begins at minus infinity agrees with the code: the text's rule would draw "
+       "nothing.",
        {traced("depth 1 over 0", "depth 00000001 00000100 00000000", "inc edi"),
         traced("depth -1 over 0", "depth 00000001 ffffff00 00000000", "inc edi")}},
       {"A buffer larger than its segment",
@@ -352,7 +354,8 @@ std::vector<Finding> normal_findings() {
       {"Normals that lean",
        "Defects.WrongNormals",
        "The author's generator of the ball, which is not printed, subtracts a vertex from each "
-       "normal before it scales the normal to length 1. The smaller the ball, the more they lean.",
+       "normal before it scales the normal to length 1. Normals lean more on smaller "
+       "balls.",
        {{"radius 25", "72 faces", lean_of_normals(25)},
         {"radius 60", "72 faces", lean_of_normals(60)}}},
   };
@@ -399,7 +402,8 @@ std::vector<Finding> texture_findings() {
       {"A step before the fetch",
        "Defects.StepBeforeFetch",
        "The pseudo-code of a texture steps its coordinates and then fetches the texel; the "
-       "assembly fetches first. One pixel apart. Three pixels from column 1, a column a pixel.",
+       "assembly fetches first. They are one pixel apart. Three pixels from column 1, a "
+       "column each.",
        {{"assembly", "from column 1", texels_drawn(1, 3)},
         {"pseudo-code", "a step further, from column 2", texels_drawn(2, 3)}}},
   };

@@ -163,7 +163,7 @@ std::vector<LoopClaim> loop_claims() {
 std::string span_clocks_text() {
   std::string text =
       "Inner loops: clocks a pixel of a long span, by Intel's tables, and on the bus of an 8088.\n"
-      "An 8088 takes the larger of the two at least.\n\n" +
+      "An 8088 takes at least the larger of the two.\n\n" +
       fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",
                   "8088", "bus", "286", "386", "486");
   each_row([&](const LoopForm& form, Pixels pixels) {

@@ -19,7 +19,7 @@ enum class Pixels { drawn, hidden };
 struct PixelClocks {
   double min = 0;
   double max = 0;
-  double bus = 0;  ///< of an 8088: its pixel takes the larger of table and bus time at least
+  double bus = 0;  ///< of an 8088: a pixel takes at least the larger of table and bus time
 };
 
 /// @return nothing where the processor cannot run the form
@@ -27,7 +27,7 @@ std::optional<PixelClocks> pixel_clocks(const x86model::LoopForm& form, Pixels p
                                         x86model::Cpu cpu);
 
 /// How many times as many clocks one way to draw takes as another, on one processor. An 8088 has
-/// two gains: by the table, and by the larger of table and bus time of each.
+/// two gains: one by the table, one by the larger of table and bus time.
 struct LoopGain {
   std::string where;  ///< which loops and processor
   double min = 0;

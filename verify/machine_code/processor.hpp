@@ -21,8 +21,8 @@ class Processor {
   /// Why there is no such processor here; empty where there is.
   static std::string absence();
 
-  /// @param data_bytes how long the segment of data and stack is. By default it ends before the
-  /// code: a table that stands with the code is read with a CS: override or not at all.
+  /// @param data_bytes the length of the segment of data and stack. By default it ends before the
+  /// code, so only a read with a CS: override reaches a table in the code segment.
   /// @throws std::system_error where the system gives no segment
   explicit Processor(std::size_t data_bytes = caller_origin);
   Processor(const Processor&) = delete;

@@ -55,7 +55,7 @@ struct ProcessorClocks {
   Spread clocks{};              ///< by Intel's table
   std::optional<Spread> bus{};  ///< of an 8088; see x86model/bus.hpp
 
-  /// Whether the bus takes longer than the table on average, which is what limits the processor.
+  /// Whether the bus time exceeds the table time on average: then the bus limits the processor.
   [[nodiscard]] bool bus_limits() const { return bus && bus->mean_min() > clocks.mean_max(); }
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// What the claims are judged by: clocks of a scene's frames and calls, and figures of them.
+/// The clocks and figures by which the claims are judged.
 #pragma once
 
 #include <limits>
@@ -14,7 +14,7 @@ namespace fixproof {
 
 /// The places of RecordedScene::builds.
 enum class RecordedBuild : std::size_t { i386_on, i386_off, i8088_on, i8088_off, i386_printed };
-/// What was measured when the claims were made.
+/// The 8088 build that the printed switches select: it rounds both.
 inline constexpr RecordedBuild i8088_printed = RecordedBuild::i8088_on;
 
 /// Up to a fifth less or a quarter more.
@@ -25,10 +25,10 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 inline constexpr std::string_view cubes_scene = "twelve cubes";
 inline constexpr std::string_view ball_scene = "shaded ball";
 
-/// What an 8088 does about code while it executes.
+/// Whether an 8088 fetches code while it executes.
 enum class Fetching {
   meanwhile,  ///< the least time: the larger of table and bus time
-  waiting,    ///< every byte of code is waited for: the table, and the code on the bus
+  waiting,    ///< it waits for every byte of code: table time plus the code's bus time
 };
 
 const SceneOperands& operands_of(const RecordedScene& scene, RecordedBuild build);
@@ -39,11 +39,11 @@ Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model:
 
 Bounds ratio(const Bounds& a, const Bounds& b);
 
-/// Adds a figure with its verdict; none where there is nothing to compare.
+/// Adds a figure with its verdict, unless there is nothing to compare.
 void add_figure(Claim& claim, std::string where, const Bounds& measured,
                 Evidence evidence = Evidence::decides);
 
-/// What chapters 52 and 53 say, of the 386 alone.
+/// The claims of chapters 52 and 53, which are about the 386 alone.
 std::vector<Claim> judge_claims_of_the_386(const std::vector<RecordedScene>& scenes);
 
 }  // namespace fixproof

@@ -31,8 +31,8 @@ Claim switch_to_8088(const std::vector<RecordedScene>& scenes) {
       opening,
       "8088 listings over 386 listings, as printed (the 386's cut quotients, the 8088's round), "
       "on one\nprocessor, a frame; 2 to 3.125. The text names no processor. It multiplies the "
-      "figure by the 40 times\nbetween a PC and a 486/33 to get a hundred, which takes the figure "
-      "of the 486: that one decides",
+      "figure by the 40 times\nbetween a PC and a 486/33 to get a hundred. That takes the figure "
+      "of the 486, so the 486 decides",
       "times",
       about(2.5),
       {}};
@@ -53,8 +53,8 @@ struct Machine {
   RecordedBuild build;
 };
 
-/// An 8088 has two figures: as fast as its bus and its table allow, and without any overlap of the
-/// two. Its real time lies between them, so a verdict that both share does not depend on its bus.
+/// An 8088 has two figures: with bus and table time overlapping, and without any overlap. Its real
+/// time lies between them, so a verdict that both share does not depend on the overlap.
 Claim machines(const std::vector<RecordedScene>& scenes, std::string text, std::string means,
                double times, const Machine& slow, const Machine& fast,
                Evidence evidence = Evidence::decides, const char* place = opening) {
@@ -144,8 +144,8 @@ std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes) {
   add(machines(
       scenes, "A PC is perhaps 40 times slower than a 486 at 33 MHz.",
       "8088 listings, as printed, at 4.77 MHz over the same on the 486, seconds a frame; 32 "
-      "to 50. Real\ntimes of an 8088 lie between fetching while it executes and waiting for each "
-      "byte of code",
+      "to 50. A real\n8088 lies between its two figures: it fetches some code while it "
+      "executes, and waits for some",
       40, pc_8088, same_486));
   add(machines(scenes, "With its 8088 instructions that makes a hundred.",
                "8088 listings on the PC over 386 listings on the 486, seconds a frame; 80 to 125",

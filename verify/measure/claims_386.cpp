@@ -23,7 +23,7 @@ constexpr const char* rounding_section = "chapter 53, rounding";
 /// Frames a second of the twelve cubes on a 386 of 20 MHz.
 constexpr double published_frames = 15;
 constexpr double clocks_of_published_frame = 20e6 / published_frames;
-/// Most that fixed-point work takes of the time, as chapter 53 says.
+/// The largest share of the time that fixed-point work takes, as chapter 53 says.
 constexpr double published_share = 0.1;
 
 const std::vector<std::uint32_t>& logged(const OperandLog& log, Operation operation) {
@@ -49,11 +49,9 @@ Claim native_instructions(const std::vector<RecordedScene>& scenes) {
   Claim claim{
       "The native 32-bit multiply and divide were the second key to speed.",
       three_keys,
-      "a call with 16-bit MUL and DIV over one with 32-bit IMUL and DIV, rounded, on a 386; twice "
-      "at\nleast. What they replaced in C were library calls, which are not printed. The 8088 "
-      "divide "
-      "drops the\ndivisor's fraction and does less than those: it can show the claim, not refute "
-      "it.",
+      "a call with 16-bit MUL and DIV over one with 32-bit IMUL and DIV, rounded, on a 386; at "
+      "least\ntwice. In C they replaced library calls, which are not printed. The 8088 divide "
+      "drops the divisor's\nfraction, so it does less: it can show the claim, but not refute it",
       "times",
       {2, unlimited},
       {}};
@@ -70,8 +68,8 @@ Claim native_instructions(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// What a build that rounds takes more, in percent of one that does not. Both meet the same ranges
-/// in the same instructions: least is set against least, most against most.
+/// How much more a build that rounds takes, in percent of one that does not. Both meet the same
+/// ranges in the same instructions, so least is compared with least and most with most.
 Bounds surplus(const Bounds& a, const Bounds& b) {
   const double least = 100 * (a.min / b.min - 1);
   const double most = 100 * (a.max / b.max - 1);
@@ -83,8 +81,8 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
       "The performance cost of rounding is small.",
       rounding_section,
       "386 listings, the only ones of that chapter: those that round over those that do not, a "
-      "frame; at\nmost 10 % more. And what that makes of a program whose fixed-point work is a "
-      "tenth of the time, as the\nsame chapter says of it",
+      "frame; at\nmost 10 % more. The figures of the whole program take fixed-point work as a "
+      "tenth of the time, as\nthe same chapter says",
       "%",
       {-unlimited, 10},
       {}};
@@ -103,7 +101,7 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// Units of the last place that rounding changes a product or quotient by.
+/// The largest change of a product or quotient by rounding, in units of the last place.
 double most_changed(Operation operation, const std::vector<std::uint32_t>& words) {
   std::int32_t most = 0;
   for (std::size_t i = 0; i + 2 <= words.size(); i += 2) {
@@ -126,10 +124,9 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
   Claim claim{
       "Rounded and truncated results differ by 2^-16 at most.",
       rounding_section,
-      "the largest difference of any product and quotient that the scenes ask the 386 listings "
-      "for, "
-      "in\nunits of 2^-16; at most 1. It follows from the listings: half a unit is added before "
-      "the product is\ncut, and 0 or 1 to the quotient after it",
+      "the largest difference of any product and quotient in the scenes, by the 386 listings, in "
+      "units of\n2^-16; at most 1. It follows from the listings: they add half a unit before "
+      "they cut a product, and\n0 or 1 to a quotient afterwards",
       "units",
       {0, 1},
       {}};
@@ -142,16 +139,14 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// The share that the matrix routines take at least, if no frame of chapter 53 takes longer than
-/// those of chapter 52, which its text suggests and does not say.
+/// The least share of the time for the matrix routines, if no frame of chapter 53 takes longer than
+/// those of chapter 52. The text suggests that and does not say it.
 Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
   Claim claim{"In assembly language, matrix math takes less than ten percent of the time.",
               raw_speed,
-              "ConcatXforms and XformVec, rounded, on a 386 at 20 MHz, of the 15th of a second "
-              "that a frame "
-              "takes in\nchapter 52. Frames that take less make it a larger share: this can refute "
-              "it and is "
-              "not enough to\nshow it; at most 10",
+              "ConcatXforms and XformVec, rounded, on a 386 at 20 MHz, as a share of the 15th of a "
+              "second that a\nframe takes in chapter 52; at most 10. In shorter frames the share "
+              "is larger, so this can refute the\nclaim, but not show it",
               "%",
               {0, 100 * published_share},
               {}};
@@ -190,11 +185,10 @@ Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
       "A 386 at 20 MHz animates the twelve cubes about 15 times a second.",
       three_keys,
       "what the calls of FixedMul and FixedDiv, the assembly of that chapter, would allow; at "
-      "least "
-      "15.\nConcatXforms and XformVec are C there and call FixedMul 36 and 9 times, the first "
-      "number "
-      "of calls.\nTheir loops, pushes and sums, sine and cosine by the emulator and all of the "
-      "drawing come on top: this\ncan refute it and is not enough to show it",
+      "least 15.\nConcatXforms and XformVec are C there. They call FixedMul 36 and 9 times, "
+      "which gives the first number\nof calls. Their loops, pushes and sums, the emulator's sines "
+      "and cosines and all of the drawing come\non top. So this can refute the claim, but not "
+      "show it",
       "frames a second",
       {published_frames, unlimited},
       {}};

@@ -189,9 +189,9 @@ class ClockRun {
            "that end in #DE are left out.\n"
            "Bus: the mean clocks that an 8088 needs for the bytes of code and data, 4 for each. "
            "Its "
-           "bus fetches while\nit executes, so that a call takes the larger of the two means at "
-           "least; limit says which that is. Code that\nis fetched and discarded at a jump is not "
-           "counted. Other processors have wider buses, and no bus time here.\n\n";
+           "bus fetches while\nit executes, so a call takes at least the larger of the two means. "
+           "The column limit names it. Code that\nis fetched and discarded at a jump is not "
+           "counted. Only an 8088 has bus time here: others have wider buses.\n\n";
     std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>22}  {:>30}\n", "", "", "", "",
                              "instructions", "clocks");
     std::cout << fmt::format(

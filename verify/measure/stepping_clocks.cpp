@@ -43,7 +43,7 @@ Bounds clocks_alone(Cpu cpu, std::initializer_list<x86::Instruction> instruction
   return {static_cast<double>(sum.min), static_cast<double>(sum.max)};
 }
 
-/// Of what the depth loop does at a pixel that it draws, behind its test.
+/// The clocks of the depth loop at a drawn pixel, after its test.
 Bounds clocks_of_depth_write(Cpu cpu) {
   using namespace x86::notation;
   return clocks_alone(cpu,
@@ -129,18 +129,16 @@ std::vector<PixelCost> measure_pixel_costs(const std::vector<SetupClocks>& setup
 std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups) {
   Claim depth{"Under a depth buffer the writing operation is two times slower than Gouraud's.",
               "interpolation text, Z-buffer",
-              "clocks of the two MOVs and INC over those of STOSB; and of a whole pixel that is "
-              "drawn, its\n"
-              "test included, over those of Gouraud's bytes; 1.6 to 2.5",
+              "clocks of the two MOVs and INC over those of STOSB; and clocks of a whole drawn "
+              "pixel with its\n"
+              "test over those of Gouraud's bytes; 1.6 to 2.5",
               "times",
               {1.6, 2.5},
               {}};
   Claim order{
       "From front to back, with a bit of luck, hidden pixels are not written, which saves time.",
       "interpolation text, tips, Z-buffer optimizations",
-      "a pixel that is hidden is tested all the same: clocks of one that is drawn over "
-      "those of one\n"
-      "that is hidden; more than 1",
+      "clocks of a drawn pixel over those of a hidden one, which is still tested; more than 1",
       "times",
       {1.0001, unlimited},
       {}};

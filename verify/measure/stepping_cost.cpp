@@ -20,7 +20,7 @@ CostJson bounds_json(const Bounds& b) { return {{"min", b.min}, {"max", b.max}};
 
 void print_setups(const std::vector<SetupClocks>& setups) {
   std::cout << fmt::format(
-      "\nClocks by Intel's tables; of an 8088 those of its bus where it takes longer. Every value "
+      "\nClocks by Intel's tables; for an 8088, bus time where that is larger. Every value "
       "that a span steps takes a FixedDiv for its slope "
       "and "
       "a FixedMul\nfor its start, rounded; means of random spans.\n\n{:<18}{:>12}{:>14}\n",

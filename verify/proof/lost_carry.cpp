@@ -31,7 +31,7 @@ std::string sum_of_products(int row) {
   return text + ")";
 }
 
-/// The fractions and the whole parts each added by themselves.
+/// Adds fractions to fractions and whole parts to whole parts.
 constexpr const char* in_parts =
     R"((define-fun in-parts ((s (_ BitVec 32)) (t (_ BitVec 32))) (_ BitVec 32)
   (concat (bvadd ((_ extract 31 16) s) ((_ extract 31 16) t))

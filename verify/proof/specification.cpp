@@ -137,7 +137,7 @@ std::string sum(const Variant& v, const std::vector<std::pair<std::string, std::
   return text + (translation.empty() ? ")" : " " + translation + ")");
 }
 
-/// The fractions and the whole parts each added by themselves.
+/// Adds fractions to fractions and whole parts to whole parts.
 constexpr const char* sum_in_parts =
     R"((define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
   (concat (bvadd (high x) (high y)) (bvadd (low x) (low y))))

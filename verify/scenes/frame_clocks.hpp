@@ -11,9 +11,9 @@
 
 namespace fixproof {
 
-/// What calls take: of the listings alone, not of the C around them.
+/// The clocks of calls: of the listings alone, without the C around them.
 struct FrameClocks {
-  x86model::Range table;   ///< by Intel's tables, which give a range where they do
+  x86model::Range table;   ///< by Intel's tables, which have ranges in places
   x86model::BusBytes bus;  ///< on an 8088; see x86model/bus.hpp
 
   /// The larger of table and bus time: the two units of an 8088 work at the same time.

@@ -1,5 +1,5 @@
 /// @file
-/// Pictures as digests, to be set against recordings of the original programs.
+/// Digests of pictures, for comparison with recordings of the original programs.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@ namespace fixproof {
 /// The first 16 hex digits of the SHA-256 of a picture's indices, row by row.
 std::string picture_digest(std::span<const std::uint8_t> pixels);
 
-/// Digests of a run of pictures, each distinct one in a row once: what a viewer sees change.
+/// Digests of a sequence of pictures. Equal pictures in a row give one digest, because a viewer
+/// sees no change.
 class DigestLines {
  public:
   /// The picture's digest and an end of line; empty if the picture before had the same digest.

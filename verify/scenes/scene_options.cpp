@@ -39,7 +39,7 @@ void SceneOptions::add_to(CLI::App& command) {
       ->transform(whole_number(0, std::numeric_limits<std::int32_t>::max()));
   command
       .add_option("--reortho-rows", restore_rows,
-                  "what that restores: all rows, or one row as the cross product of the others")
+                  "which rows --reortho restores: all, or one as the cross product of the others")
       ->check(CLI::IsMember({"all", "one"}));
   command.add_flag("--from-scratch", from_scratch,
                    "work every orientation out anew instead of appending rotations");

@@ -50,7 +50,7 @@ void SurfaceOptions::add_to(CLI::App& command) {
   add_word(command, "--depth-buffer", xsharp::depth_buffer_words, "whether pixels have a depth",
            [this](std::size_t i) { depth_buffer = static_cast<xsharp::DepthBuffering>(i); });
   add_word(command, "--depth-measure", xsharp::depth_measure_words,
-           "what a depth buffer compares: near over -z, or z itself as it is published",
+           "what a depth buffer compares: near over -z, or z itself as published",
            [this](std::size_t i) { depth_measure = static_cast<xsharp::DepthMeasure>(i); });
 }
 

@@ -39,7 +39,7 @@ struct ChainEdge {
 
 class Chains {
  public:
-  /// Without rows if the polygon has fewer than three points or lies in one row.
+  /// Has no rows if the polygon has fewer than three points or lies in one row.
   /// @param points outlive the chains
   explicit Chains(std::span<const ScreenPoint> points) : points_(points) {
     if (points.size() < 3) return;

@@ -16,8 +16,9 @@ namespace xsharp {
 
 /// Depths of a page, and how a depth becomes the 16.8 word that the loops compare.
 ///
-/// Cleared before every picture, to minus infinity, which is the word 8000h, a depth is 0 to 32767,
-/// in 16.8; on the reversed axis 0 to -32767, and cleared to plus infinity, 7FFFh.
+/// A buffer that is cleared before every picture holds minus infinity, the word 8000h, and a depth
+/// is 0 to 32767, in 16.8. On the reversed axis it holds plus infinity, 7FFFh, and a depth is 0 to
+/// -32767.
 ///
 /// Without clearing it is 0 to 8191, and each of seven pictures begins 9216 above the one before:
 /// whatever a picture left is farther than all of the next. That is right for any picture, also

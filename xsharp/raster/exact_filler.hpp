@@ -18,9 +18,9 @@
 
 namespace xsharp {
 
-/// The reference. Whatever variant of a surface a scene asks for, its light is exact, its texture
-/// in perspective, its Phong's light worked out at every pixel, and its depths are inverses of z,
-/// compared in double, cleared before every picture. Indices are still whole: values are cut, as
+/// The reference, the same for every variant of a surface. Light is exact, textures are in
+/// perspective, and Phong's light is computed at every pixel. Depths are inverses of z, compared in
+/// double; the buffer is cleared before every picture. Indices are still whole: values are cut, as
 /// the loops do.
 class ExactFiller final : public SurfaceFiller {
  public:

@@ -74,7 +74,7 @@ inline Integer entry_of(const Points& chain, Integer index, int shift) {
       continue;
     }
     const Integer across = (Integer(chain[i + 1].x) - chain[i].x) * index;
-    // Division cuts, which is the ceiling of what is negative.
+    // Division truncates, which is the ceiling of a negative quotient.
     const Integer whole = across / height;
     return Integer(chain[i].x) + shift + whole + (across > whole * height ? 1 : 0);
   }

@@ -99,7 +99,7 @@ TEST(Scenes, BallAndCubesAreElevenCubesAndABall) {
   ASSERT_TRUE(scene.objects[0].orbit);
 }
 
-// Chapter 54: green light, but for spot two.
+// Chapter 54: all light is green except spot two's.
 TEST(Scenes, ShadedBallHasThreeSpotsAndUnitNormals) {
   const Scene scene = read_scene(file("shaded_ball.json"));
   EXPECT_EQ(scene.palette, PaletteKind::shading_gamma);

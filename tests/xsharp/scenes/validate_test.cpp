@@ -159,7 +159,7 @@ const std::vector<BadScene>& bad_objects() {
        [](Scene& s) { s.objects[0].drift->step[0] = infinity; }},
       {"'cube': drift.stop_z is nan, must be from -1.6384e+10 to 1.6384e+10",
        [](Scene& s) { s.objects[0].drift->stop_z = nan; }},
-      {"'cube': drift has both stop_z and bounce_z, must have one of them",
+      {"'cube': drift must not have both stop_z and bounce_z",
        [](Scene& s) {
          s.objects[0].drift->stop_z = -350;
          s.objects[0].drift->bounce_z = Bounds{-6000, -350};
