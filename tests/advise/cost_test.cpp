@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "verify/parties/interpreter.hpp"
+#include "verify/scenes/frame_clocks.hpp"
 #include "x86model/count_clocks.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -83,6 +84,18 @@ TEST(Clocks, FromScratchAreThoseOfAppendingForOneAxis) {
   const double appended = clocks(scene, {});
   // The angle is 3600 where it is appended and 0 from scratch: to bring it into range is extra.
   EXPECT_EQ(appended - clocks(scene, {true, 0}), of_a_sine(3600) - of_a_sine(0));
+}
+
+// CosSin of 0 on an 8088. Its instructions have 77 bytes, counted by hand: 28 to the comparison with
+// 90 degrees, 29 for the shifts, four reads by CS: and a near jump, and 20 from CSDone on. They move
+// 16 words of data. That takes 4 * 109 clocks; the table's instructions without MUL or DIV take less.
+TEST(FrameClocks, TheBusLimitsACosSin) {
+  OperandLog log;
+  log.at(static_cast<std::size_t>(Operation::cossin)) = {0};
+  const FrameClocks clocks = clocks_of(log, {"model", "i8088", true, true}, x86model::Cpu::i8088);
+  EXPECT_EQ(clocks.bus, (x86model::BusBytes{77, 32}));
+  EXPECT_LT(clocks.table.max, 436U);
+  EXPECT_EQ(clocks.at_least(), (x86model::Range{436, 436}));
 }
 
 // The larger of table and bus time counts. A 386 has no bus time.

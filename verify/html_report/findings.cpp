@@ -338,7 +338,7 @@ std::string lean_of_normals(double radius) {
     const auto edge_to = [&](std::size_t vertex) {
       return xsharp::difference(body.vertices[vertex], base);
     };
-    const xsharp::Triple right =
+    const xsharp::Triple inward =
         xsharp::cross(edge_to(face.vertices[1]), edge_to(face.vertices.back()));
     const xsharp::Triple leaning = xsharp::difference(inward, base);
     const double angle =
