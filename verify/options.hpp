@@ -15,6 +15,11 @@ namespace fixproof {
 inline constexpr const char* only_repaired =
     "--repaired is for concat --target i8088: no other routine loses a carry";
 
+/// Why CosSin for the 8088 is refused as printed.
+inline constexpr const char* no_printed_shift =
+    "cossin as printed has 'shl bx, 2', which an 8088 does not have and no party models; "
+    "without --as-printed it shifts twice by one (docs/findings.md, 8)";
+
 /// What was given on the command line to choose a variant; what was not given is empty.
 struct VariantOptions {
   std::vector<Target> targets;

@@ -91,7 +91,7 @@ TEST(Usage, UnknownValues) {
   expect_usage_error("eval mul --chapter 53", "53");
   expect_usage_error("list cossin --chapter 52", "--chapter 52 has only");
   expect_usage_error("eval cossin --target i8088 --as-printed", "an 8088 does not have");
-  expect_usage_error("dos cossin --target i8088 --as-printed", "cossin-i8088-printed");
+  expect_usage_error("dos cossin --target i8088 --as-printed", "shl bx, 2");
   expect_usage_error("trace cossin 0000 --target i8088 --as-printed --mutant 1", "--as-printed");
   expect_usage_error("eval xformvec --by oracle --chapter 52", "--chapter 52 has only");
   expect_usage_error("list mul --target i8088 --round off --as-scanned", "--as-scanned");

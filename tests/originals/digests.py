@@ -144,6 +144,8 @@ def digests_of_planted(source):
 
 
 def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: digests.py FIXPROOF ROOT")
     fixproof, root = sys.argv[1], Path(sys.argv[2])
     wanted = [found.groups() for line in (root / "docs/originals.md").read_text().splitlines()
               if (found := ROW.match(line))]

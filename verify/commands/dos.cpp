@@ -25,6 +25,7 @@ void write(const DosOptions& options) {
   if (const std::string absence = machine_code_absence(); !absence.empty()) {
     throw UsageError(fmt::format("no program for DOS: {}", absence));
   }
+  if (key.build.shl_as_printed) throw UsageError(no_printed_shift);
   const auto bytes = dos_command(key);
   if (bytes.empty()) throw UsageError(fmt::format("no program for DOS: {}", name_of(key)));
   const std::string contents(bytes.begin(), bytes.end());

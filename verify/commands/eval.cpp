@@ -40,9 +40,7 @@ Variant chosen(const EvalOptions& options) {
   if (is_routine(operation)) {
     const Variant variant = v.choose(operation);
     if (v.as_printed && operation == Operation::cossin && variant.target == Target::i8088) {
-      throw UsageError(
-          "cossin as printed has 'shl bx, 2', which an 8088 does not have and no party models; "
-          "without --as-printed it shifts twice by one (docs/findings.md, 8)");
+      throw UsageError(no_printed_shift);
     }
     return variant;
   }

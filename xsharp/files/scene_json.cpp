@@ -273,6 +273,7 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
       break;
   }
   if (draft.shadings_are_each) {
+    if (draft.shadings.empty()) node.refuse("shadings must have one for each face");
     object.shadings = std::move(draft.shadings);
   } else if (!draft.shadings.empty()) {
     object.shadings.assign(faces, draft.shadings[0]);

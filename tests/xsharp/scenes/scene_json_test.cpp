@@ -232,6 +232,8 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        "arithmetic: repaired is for the target i8088: no other ConcatXforms loses a carry"},
       {R"({"objects": [], "arithmetic": {"by": "double", "target": "i8088", "repaired": true}})",
        "arithmetic: repaired is for the target i8088: no other ConcatXforms loses a carry"},
+      {R"({"objects": [{"shape": {"cube": {"half_edge": 1}}, "paint": 1, "shadings": []}]})",
+       "objects[0]: shadings must have one for each face"},
       {R"({"objects": [], "width": "wide"})",
        "width: must be a whole number from 2 to 4096, not \"wide\""},
       {R"({"objects": [], "width": 320.0})",
