@@ -86,9 +86,10 @@ TEST(Clocks, FromScratchAreThoseOfAppendingForOneAxis) {
   EXPECT_EQ(appended - clocks(scene, {true, 0}), of_a_sine(3600) - of_a_sine(0));
 }
 
-// CosSin of 0 on an 8088. Its instructions have 77 bytes, counted by hand: 28 to the comparison with
-// 90 degrees, 29 for the shifts, four reads by CS: and a near jump, and 20 from CSDone on. They move
-// 16 words of data. That takes 4 * 109 clocks; the table's instructions without MUL or DIV take less.
+// CosSin of 0 on an 8088. Its instructions have 77 bytes, counted by hand: 28 to the comparison
+// with 90 degrees, 29 for the shifts, four reads by CS: and a near jump, and 20 from CSDone on.
+// They move 16 words of data. That takes 4 * 109 clocks; the table's instructions without MUL or
+// DIV take less.
 TEST(FrameClocks, TheBusLimitsACosSin) {
   OperandLog log;
   log.at(static_cast<std::size_t>(Operation::cossin)) = {0};

@@ -159,8 +159,7 @@ TEST(Claims, AnI8088HasTwoFigures) {
   ASSERT_EQ(pc.figures.size(), 2U);
   constexpr double table =
       5 * 15 + 5 * 12 + 4 * 21 + 7 * 2 + 8 * 3 + 2 * 4 + 3 * 16 + (119 + 118 + 119 + 118) + 20;
-  EXPECT_EQ(pc.figures[1].verdict,
-            judge(pc.figures[1].measured, pc.allowed, Evidence::decides));
+  EXPECT_EQ(pc.figures[1].verdict, judge(pc.figures[1].measured, pc.allowed, Evidence::decides));
   EXPECT_DOUBLE_EQ(pc.figures[1].measured.min / pc.figures[0].measured.min,
                    (table + 4 * 73) / table);
   EXPECT_DOUBLE_EQ(pc.figures[1].measured.max / pc.figures[0].measured.max,

@@ -55,9 +55,8 @@ TEST(Encoding, LabelsStandWhereNasmPutsThem) {
                         (code[i].mnemonic == Mnemonic::jmp &&
                          assembled[static_cast<std::size_t>(starts[i])] != short_jump);
       const auto place =
-          near
-              ? static_cast<std::int16_t>(assembled[end - 2] | unsigned{assembled[end - 1]} << 8U)
-              : static_cast<std::int8_t>(assembled[end - 1]);
+          near ? static_cast<std::int16_t>(assembled[end - 2] | unsigned{assembled[end - 1]} << 8U)
+               : static_cast<std::int8_t>(assembled[end - 1]);
       EXPECT_EQ(starts[i + 1] + place, starts[static_cast<std::size_t>(to.value)])
           << name_of(key) << ' ' << text_of(code[i]);
       ++jumps;
