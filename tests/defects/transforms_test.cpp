@@ -144,49 +144,27 @@ TEST(Defects, OutOfBounds) {
   EXPECT_TRUE(two.write(address(3, 3), 0));
 }
 
-/// ConcatXforms with DestXform made to point at one of its sources, 0 or 1, and what stands there
-/// afterwards.
-Words concat_in_place(x86::Target target, const Words& in, std::uint32_t which) {
-  x86::CallMachine<concat, 16> machine;
-  x86::enter<concat>(machine, in);
-  // Above the return address: SourceXform1, SourceXform2, DestXform.
+/// `routine` with its destination made to point at source 0 or 1, and the words that stand there
+/// afterwards. Both take two sources and a destination, which lie above the return address.
+template <x86::Routine routine>
+Words in_place(x86::Target target, const Words& in, std::uint32_t which) {
+  x86::CallMachine<routine, 16> machine;
+  x86::enter<routine>(machine, in);
   const std::uint32_t sp = machine.registers.read(x86::Register::sp, x86::Size::word);
   std::uint32_t source = 0;
   EXPECT_TRUE(machine.memory.read(sp + 2 + 2 * which, source));
   EXPECT_TRUE(machine.memory.write(sp + 6, source));
-  const x86::Program program = x86::assemble(x86::listing(concat, target), defects::rounded);
+  const x86::Program program = x86::assemble(x86::listing(routine, target), defects::rounded);
   EXPECT_EQ(x86::run(program.instructions(), machine).outcome, x86::Outcome::returned);
-  Words transform;
-  for (std::uint32_t at = source; at < source + 48; at += 4) {
+  Words result;
+  for (int i = 0; i < x86::arity(routine).out; ++i, source += 4) {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
-    EXPECT_TRUE(machine.memory.read(at, low));
-    EXPECT_TRUE(machine.memory.read(at + 2, high));
-    transform.push_back(high << 16U | low);
+    EXPECT_TRUE(machine.memory.read(source, low));
+    EXPECT_TRUE(machine.memory.read(source + 2, high));
+    result.push_back(high << 16U | low);
   }
-  return transform;
-}
-
-/// XformVec with DestVec made to point at the source vector, and what stands there afterwards.
-Words transform_in_place(x86::Target target, const Words& in) {
-  x86::CallMachine<xformvec, 16> machine;
-  x86::enter<xformvec>(machine, in);
-  // Above the return address: WorkingXform, SourceVec, DestVec.
-  const std::uint32_t sp = machine.registers.read(x86::Register::sp, x86::Size::word);
-  std::uint32_t source = 0;
-  EXPECT_TRUE(machine.memory.read(sp + 4, source));
-  EXPECT_TRUE(machine.memory.write(sp + 6, source));
-  const x86::Program program = x86::assemble(x86::listing(xformvec, target), defects::rounded);
-  EXPECT_EQ(x86::run(program.instructions(), machine).outcome, x86::Outcome::returned);
-  Words vector;
-  for (std::uint32_t at = source; at < source + 12; at += 4) {
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    EXPECT_TRUE(machine.memory.read(at, low));
-    EXPECT_TRUE(machine.memory.read(at + 2, high));
-    vector.push_back(high << 16U | low);
-  }
-  return vector;
+  return result;
 }
 
 // The transform that swaps x and y, on (1, 2, 3): the new x is taken for the old one.
@@ -196,14 +174,16 @@ TEST(Defects, InPlace) {
   for (const auto target : defects::targets) {
     EXPECT_EQ(ask<xformvec>(target, defects::rounded, in),
               defects::values({2 * one, one, 3 * one}));
-    EXPECT_EQ(transform_in_place(target, in), (Words{2 * one, 2 * one, 3 * one}));
+    EXPECT_EQ(in_place<xformvec>(target, in, 1), (Words{2 * one, 2 * one, 3 * one}));
   }
   // The swap times itself: each element is taken for the old one as soon as it is written.
   const Words twice = both(swap, swap);
   for (const auto target : defects::targets) {
     EXPECT_EQ(ask<concat>(target, defects::rounded, twice), defects::values(move(0, 0, 0)));
-    EXPECT_EQ(concat_in_place(target, twice, 0), (Words{one, one, 0, 0, 0, 0, 0, 0, 0, 0, one, 0}));
-    EXPECT_EQ(concat_in_place(target, twice, 1), (Words{one, 0, 0, 0, one, 0, 0, 0, 0, 0, one, 0}));
+    EXPECT_EQ(in_place<concat>(target, twice, 0),
+              (Words{one, one, 0, 0, 0, 0, 0, 0, 0, 0, one, 0}));
+    EXPECT_EQ(in_place<concat>(target, twice, 1),
+              (Words{one, 0, 0, 0, one, 0, 0, 0, 0, 0, one, 0}));
   }
 }
 
