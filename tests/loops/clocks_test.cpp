@@ -88,7 +88,7 @@ TEST(LoopClocks, Texture) {
   form.counting = Counting::unrolled;
   expect(form, Cpu::i8088, 2 + 2 + 17 + 11 + 3 + 3, 38);
   expect({Loop::texture, Counting::unrolled}, Cpu::i386, 2 + 2 + 4 + 4 + 2 + 2, 16);
-  // The address waits for BX, of which BL is a part. Two prefixes.
+  // The address waits for BX because the instruction before writes BL. Two prefixes.
   expect({Loop::texture, Counting::unrolled}, Cpu::i486, 1 + 1 + (1 + 1) + 5 + 1 + 1, 11 + 2);
 }
 
