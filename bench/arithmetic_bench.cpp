@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/measure/host_run.hpp"
+#include "trade/host/host_run.hpp"
 
 namespace {
 
@@ -17,15 +17,15 @@ using namespace fixproof;
 
 constexpr std::uint64_t seed = 54;
 
-void time_loop(benchmark::State& state, const HostOperation& operation,
-               const HostContender& contender, bool chain) {
+void time_loop(benchmark::State& state, const trade::HostOperation& operation,
+               const trade::HostContender& contender, bool chain) {
   try {
-    judge_contender(operation, contender);
-  } catch (const WrongContender& wrong) {
+    trade::judge_contender(operation, contender);
+  } catch (const trade::WrongContender& wrong) {
     state.SkipWithError(wrong.what());
     return;
   }
-  HostLoop& loop = *contender.loop;
+  trade::HostLoop& loop = *contender.loop;
   for ([[maybe_unused]] auto _ : state) {
     chain ? loop.apply_in_chain() : loop.apply_all();
     benchmark::ClobberMemory();
@@ -36,9 +36,9 @@ void time_loop(benchmark::State& state, const HostOperation& operation,
 }
 
 /// Named as `mul/q16_16` and `mul/q16_16/chain`.
-void register_all(const std::vector<HostOperation>& operations) {
-  for (const HostOperation& o : operations) {
-    for (const HostContender& contender : o.contenders) {
+void register_all(const std::vector<trade::HostOperation>& operations) {
+  for (const trade::HostOperation& o : operations) {
+    for (const trade::HostContender& contender : o.contenders) {
       const auto timed = [&o, &contender](bool chain) {
         return [&o, &contender, chain](benchmark::State& state) {
           time_loop(state, o, contender, chain);
@@ -55,7 +55,7 @@ void register_all(const std::vector<HostOperation>& operations) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto operations = host_operations(seed, 1);
+  const auto operations = trade::host_operations(seed, 1);
   register_all(operations);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

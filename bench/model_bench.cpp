@@ -4,28 +4,29 @@
 #include <random>
 #include <vector>
 
-#include "verify/party.hpp"
+#include "parties/party.hpp"
 
 namespace {
 
 using namespace fixproof;
 
 /// Asks `party` the same uniform cases over and over, once it agrees with the oracle on them.
-void calls(benchmark::State& state, const char* party, Variant variant) {
+void calls(benchmark::State& state, const char* party, cases::Variant variant) {
   constexpr std::size_t cases = 1024;
   std::mt19937 random(54);
-  std::vector<std::uint32_t> in(cases * words_in(variant.operation));
+  std::vector<std::uint32_t> in(cases * cases::words_in(variant.operation));
   for (std::uint32_t& word : in) word = static_cast<std::uint32_t>(random());
-  std::vector<std::uint32_t> out(cases * words_out(variant.operation));
+  std::vector<std::uint32_t> out(cases * cases::words_out(variant.operation));
   std::vector<std::uint32_t> expected(out.size());
-  std::vector<Ending> endings(cases);
-  std::vector<Ending> expected_endings(cases);
-  party_named("oracle").answer(variant, {in, expected, expected_endings});
-  const Party& asked = party_named(party);
+  std::vector<parties::Ending> endings(cases);
+  std::vector<parties::Ending> expected_endings(cases);
+  parties::party_named("oracle").answer(variant, {in, expected, expected_endings});
+  const parties::Party& asked = parties::party_named(party);
   asked.answer(variant, {in, out, endings});
   bool right = endings == expected_endings;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const bool valued = expected_endings[i / words_out(variant.operation)] == Ending::value;
+    const bool valued =
+        expected_endings[i / cases::words_out(variant.operation)] == parties::Ending::value;
     right = right && (!valued || out[i] == expected[i]);
   }
   if (!right) {
@@ -39,12 +40,18 @@ void calls(benchmark::State& state, const char* party, Variant variant) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases));
 }
 
-constexpr Variant mul_i8088{.operation = Operation::mul, .target = Target::i8088};
-constexpr Variant mul_i386{.operation = Operation::mul, .target = Target::i386};
-constexpr Variant div_i8088{.operation = Operation::div, .target = Target::i8088};
-constexpr Variant div_i386{.operation = Operation::div, .target = Target::i386};
-constexpr Variant xformvec_i8088{.operation = Operation::xformvec, .target = Target::i8088};
-constexpr Variant xformvec_i386{.operation = Operation::xformvec, .target = Target::i386};
+constexpr cases::Variant mul_i8088{.operation = cases::Operation::mul,
+                                   .target = cases::Target::i8088};
+constexpr cases::Variant mul_i386{.operation = cases::Operation::mul,
+                                  .target = cases::Target::i386};
+constexpr cases::Variant div_i8088{.operation = cases::Operation::div,
+                                   .target = cases::Target::i8088};
+constexpr cases::Variant div_i386{.operation = cases::Operation::div,
+                                  .target = cases::Target::i386};
+constexpr cases::Variant xformvec_i8088{.operation = cases::Operation::xformvec,
+                                        .target = cases::Target::i8088};
+constexpr cases::Variant xformvec_i386{.operation = cases::Operation::xformvec,
+                                       .target = cases::Target::i386};
 
 BENCHMARK_CAPTURE(calls, mul_i8088_compiled, "model", mul_i8088);
 BENCHMARK_CAPTURE(calls, mul_i8088_interpreted, "interpreter", mul_i8088);

@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <string>
 
-#include "verify/scenes/players.hpp"
+#include "player/players.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 
 namespace {
 
 std::int64_t pixels_of_frames(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice) {
-  const auto player = fixproof::make_player(scene, choice);
+  const auto player = fixproof::player::make_player(scene, choice);
   xsharp::Screen<std::uint8_t> screen(scene.width, scene.height, scene.palette, scene.background);
   xsharp::Picture picture;
   for (int i = 0; i < 100; ++i) {
@@ -31,7 +31,7 @@ void frames(benchmark::State& state, const std::string& name,
   const auto exact = static_cast<double>(pixels_of_frames(scene, {"double", "", true, true}));
   const auto drawn = static_cast<double>(pixels_of_frames(scene, choice));
   if (std::fabs(drawn / exact - 1) > 0.01) state.SkipWithError("the pictures are wrong");
-  const auto player = fixproof::make_player(scene, choice);
+  const auto player = fixproof::player::make_player(scene, choice);
   xsharp::Screen<std::uint8_t> screen(scene.width, scene.height, scene.palette, scene.background);
   xsharp::Picture picture;
   for (auto _ : state) {

@@ -1,6 +1,6 @@
 /// \file
 /// Everything of namespace fixed, but for fixed/batch.hpp, fixed/batch_radian.hpp and
-/// fixed/rapidcheck.hpp.
+/// property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///

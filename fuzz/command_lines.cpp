@@ -17,14 +17,14 @@
 #include <string_view>
 #include <vector>
 
+#include "check/cases.hpp"
+#include "check/results.hpp"
+#include "cli/commands.hpp"
 #include "fuzz/finding.hpp"
 #include "fuzz/memory_file.hpp"
 #include "oracle/exact.hpp"
-#include "verify/check/cases.hpp"
-#include "verify/check/results.hpp"
-#include "verify/commands/commands.hpp"
-#include "verify/singlestep/judge.hpp"
-#include "verify/usage_error.hpp"
+#include "singlestep/judge.hpp"
+#include "support/usage_error.hpp"
 
 using namespace fixproof;
 
@@ -53,7 +53,7 @@ class Command {
     try {
       app_.parse(arguments);
       said.status = status_;
-    } catch (const UsageError& error) {
+    } catch (const support::UsageError& error) {
       said.refused = error.what();
     } catch (const std::exception& error) {
       std::cin.rdbuf(cin);
@@ -79,7 +79,7 @@ class Command {
 }
 
 void eval(const std::string& options, const std::string& input) {
-  static Command command(add_eval);
+  static Command command(cli::add_eval);
   const std::string by_model = "eval " + options + " --by model";
   const std::string by_oracle = "eval " + options + " --by oracle";
   if (command.run(by_model, input) != command.run(by_oracle, input)) {
@@ -95,7 +95,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 void step(const std::string& input) {
-  static Command command(add_step);
+  static Command command(cli::add_step);
   const Said narrow = command.run("step --cpu 8088", input);
   const Said wide = command.run("step --cpu 386", input);
   command.run("step --cpu 386 --clocks 486", input);
@@ -112,22 +112,23 @@ void step(const std::string& input) {
 }
 
 /// What is right of a case: halves up, wrapped, DE for a zero divisor and a negative radicand.
-std::optional<std::uint32_t> right(Operation operation, std::span<const std::uint32_t> words) {
+std::optional<std::uint32_t> right(cases::Operation operation,
+                                   std::span<const std::uint32_t> words) {
   constexpr auto rule = oracle::Rounding::half_up;
-  if (operation == Operation::mul) return oracle::mul(words[0], words[1], rule, 16);
-  if (operation == Operation::div) return oracle::quotient(words[0], words[1], rule, 16);
+  if (operation == cases::Operation::mul) return oracle::mul(words[0], words[1], rule, 16);
+  if (operation == cases::Operation::div) return oracle::quotient(words[0], words[1], rule, 16);
   return oracle::sqrt(words[0], 16);
 }
 
 /// Whether every result is right; nothing where a line is refused or one of the two ends early.
-std::optional<bool> all_right(Operation operation, const std::string& cases,
+std::optional<bool> all_right(cases::Operation operation, const std::string& cases,
                               const std::string& results) {
   const fuzz::MemoryFile file(cases);
-  FileCases source(operation, file.path());
+  check::FileCases source(operation, file.path());
   std::istringstream in(results);
-  Results said(in, "results");
+  check::Results said(in, "results");
   std::array<std::uint32_t, 2> words{};
-  const auto one_case = std::span(words).first(words_in(operation));
+  const auto one_case = std::span(words).first(cases::words_in(operation));
   bool all = true;
   bool any = false;
   try {
@@ -138,22 +139,22 @@ std::optional<bool> all_right(Operation operation, const std::string& cases,
       any = true;
     }
     if (!any || said.next()) return std::nullopt;
-  } catch (const UsageError&) {
+  } catch (const support::UsageError&) {
     return std::nullopt;
   }
   return all;
 }
 
 /// Cases, a line `--`, and results.
-void check(Operation operation, const std::string& input) {
-  static Command command(add_check);
+void check(cases::Operation operation, const std::string& input) {
+  static Command command(cli::add_check);
   constexpr std::string_view bar = "\n--\n";
   const auto at = input.find(bar);
   const std::string cases = at == std::string::npos ? input : input.substr(0, at + 1);
   const std::string results = at == std::string::npos ? "" : input.substr(at + bar.size());
   const fuzz::MemoryFile file(cases);
   const std::string arguments =
-      fmt::format("check {} --rounding half-up --from {}", name_of(operation), file.path());
+      fmt::format("check {} --rounding half-up --from {}", cases::name_of(operation), file.path());
   const Said said = command.run(arguments, results);
   const auto expected = all_right(operation, cases, results);
   const bool refused = !said.refused.empty();
@@ -171,7 +172,7 @@ void single_steps(x86model::Target cpu, const std::string& input) {
   try {
     singlestep::read_cases(file.path(), cpu,
                            [cpu](const singlestep::Case& c) { singlestep::judge(c, cpu); });
-  } catch (const UsageError&) {
+  } catch (const support::UsageError&) {
     // Refused, as it may be.
   } catch (const std::exception& error) {
     fuzz::report_finding(fmt::format("--singlestep: not a UsageError: {}", error.what()));
@@ -188,7 +189,8 @@ const std::vector<Try>& tries() {
       made.emplace_back([options](const std::string& input) { eval(options, input); });
     }
     made.emplace_back(step);
-    for (const Operation operation : {Operation::mul, Operation::div, Operation::sqrt}) {
+    for (const cases::Operation operation :
+         {cases::Operation::mul, cases::Operation::div, cases::Operation::sqrt}) {
       made.emplace_back([operation](const std::string& input) { check(operation, input); });
     }
     for (const auto cpu : {x86model::Target::i8088, x86model::Target::i386}) {

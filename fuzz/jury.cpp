@@ -5,51 +5,56 @@
 #include <algorithm>
 #include <array>
 
+#include "cases/plan.hpp"
+#include "cases/words.hpp"
+#include "parties/answer.hpp"
 #include "verify/engine.hpp"
-#include "verify/plan.hpp"
+#include "verify/replay.hpp"
 #include "verify/shrink.hpp"
-#include "verify/text.hpp"
 
 namespace fixproof::fuzz {
 
 namespace {
 
-std::vector<Answer> answers_of(const Seat& seat, std::span<const std::uint32_t> words) {
-  std::vector<Answer> answers;
-  for (const Party* party : seat.parties) answers.push_back(ask(*party, seat.variant, words));
+std::vector<parties::Answer> answers_of(const Seat& seat, std::span<const std::uint32_t> words) {
+  std::vector<parties::Answer> answers;
+  for (const parties::Party* party : seat.parties)
+    answers.push_back(parties::ask(*party, seat.variant, words));
   return answers;
 }
 
 /// Whether all give one answer, a value or #DE; agree() without memory of its own, for it is asked
 /// of every input.
 bool all_agree(const Seat& seat, std::span<const std::uint32_t> words) {
-  using Out = std::array<std::uint32_t, most_words_out>;
+  using Out = std::array<std::uint32_t, cases::most_words_out>;
   Out expected{};
-  Ending expected_ending{};
-  for (const Party* party : seat.parties) {
+  parties::Ending expected_ending{};
+  for (const parties::Party* party : seat.parties) {
     Out out{};
-    std::array<Ending, 1> ending{Ending::broken};
-    const auto used = std::span(out).first(words_out(seat.variant.operation));
+    std::array<parties::Ending, 1> ending{parties::Ending::broken};
+    const auto used = std::span(out).first(cases::words_out(seat.variant.operation));
     party->answer(seat.variant, {words, used, ending});
-    if (ending[0] != Ending::value) out = {};
+    if (ending[0] != parties::Ending::value) out = {};
     if (party == seat.parties.front()) {
       expected = out;
       expected_ending = ending[0];
     }
-    const bool answered = ending[0] == Ending::value || ending[0] == Ending::divide_error;
+    const bool answered =
+        ending[0] == parties::Ending::value || ending[0] == parties::Ending::divide_error;
     if (!answered || ending[0] != expected_ending || out != expected) return false;
   }
   return true;
 }
 
 std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
-  const int bits = operand_bits(seat.variant);
-  const auto smallest = shrink({words.begin(), words.end()}, bits,
-                               [&](auto fewer) { return !agree(answers_of(seat, fewer)); });
+  const int bits = cases::operand_bits(seat.variant);
+  const auto smallest = verify::shrink({words.begin(), words.end()}, bits, [&](auto fewer) {
+    return !parties::agree(answers_of(seat, fewer));
+  });
   const auto answers = answers_of(seat, smallest);
   const int result_bits = 2 * seat.variant.fraction_bits;
-  std::string text = fmt::format("{}: not all parties agree\n", name_of(seat.variant));
-  Row row{seat.variant, {}};
+  std::string text = fmt::format("{}: not all parties agree\n", cases::name_of(seat.variant));
+  cases::Row row{seat.variant, {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string name(seat.parties[i]->name());
     text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
@@ -58,41 +63,42 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
     row.parties.insert(first_liar ? row.parties.begin() : row.parties.end(), name);
   }
   return text + fmt::format("  found with  {}\n  replay:     {}\n  must print  {}",
-                            hex_words(words, bits), replay(row, smallest),
+                            cases::hex_words(words, bits), verify::replay(row, smallest),
                             answers.front().text(result_bits));
 }
 
 }  // namespace
 
-std::vector<Seat> seats_of(std::span<const Operation> operations,
+std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
                            std::span<const std::string_view> names) {
   std::vector<Seat> seats;
-  const auto add = [&](const Variant& variant) {
+  const auto add = [&](const cases::Variant& variant) {
     Seat seat{variant, {}};
     for (const std::string_view name : names) {
-      const auto found = std::find_if(parties().begin(), parties().end(),
+      const auto found = std::find_if(parties::parties().begin(), parties::parties().end(),
                                       [&](const auto& party) { return party->name() == name; });
-      if (found != parties().end() && (*found)->absence().empty() && (*found)->answers(variant)) {
+      if (found != parties::parties().end() && (*found)->absence().empty() &&
+          (*found)->answers(variant)) {
         seat.parties.push_back(found->get());
       }
     }
     if (seat.parties.size() > 1) seats.push_back(std::move(seat));
   };
-  for (const Variant& variant : all_variants()) {
+  for (const cases::Variant& variant : cases::all_variants()) {
     if (std::find(operations.begin(), operations.end(), variant.operation) == operations.end()) {
       continue;
     }
     add(variant);
-    const auto half = at_level(3, variant);
+    const auto half = cases::at_level(3, variant);
     if (half && half->fraction_bits == 8) add(*half);
   }
   return seats;
 }
 
 std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words) {
-  std::array<std::uint32_t, most_words_in> own{};
-  const auto one_case = std::span(own).first(words_in(seat.variant.operation));
-  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - operand_bits(seat.variant));
+  std::array<std::uint32_t, cases::most_words_in> own{};
+  const auto one_case = std::span(own).first(cases::words_in(seat.variant.operation));
+  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - cases::operand_bits(seat.variant));
   for (std::size_t i = 0; i < one_case.size() && i < words.size(); ++i) {
     one_case[i] = words[i] & mask;
   }

@@ -10,20 +10,20 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/party.hpp"
-#include "verify/variant.hpp"
+#include "cases/variant.hpp"
+#include "parties/party.hpp"
 
 namespace fixproof::fuzz {
 
 /// Who answers one variant; the oracle comes first.
 struct Seat {
-  Variant variant;
-  std::vector<const Party*> parties;
+  cases::Variant variant;
+  std::vector<const parties::Party*> parties;
 };
 
 /// A seat for every variant of these operations, multiply and divide at half width too. Parties
 /// that are absent from this build, or do not answer a variant, have no place.
-std::vector<Seat> seats_of(std::span<const Operation> operations,
+std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
                            std::span<const std::string_view> parties);
 
 /// What there is to say where the parties do not all give the oracle's answer: the smallest case

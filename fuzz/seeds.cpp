@@ -12,14 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/plan.hpp"
+#include "cases/streams.hpp"
+#include "cases/words.hpp"
 #include "fuzz/step_case.hpp"
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
 #include "oracle/decimal.hpp"
-#include "verify/file.hpp"
-#include "verify/plan.hpp"
-#include "verify/streams.hpp"
-#include "verify/text.hpp"
+#include "support/file.hpp"
 
 using namespace fixproof;
 namespace fs = std::filesystem;
@@ -46,7 +46,7 @@ class Corpus {
 
   /// The text of a file, with `before` in front of it.
   void add_file(const fs::path& path, std::string_view before = "") {
-    add(std::string(before) + read_file(path));
+    add(std::string(before) + support::read_file(path));
   }
 
  private:
@@ -57,13 +57,13 @@ class Corpus {
 /// `each(words)` for some cases of every stream that a verification has for the variant, evenly
 /// spread.
 template <class Each>
-void some_cases(const Variant& variant, std::uint64_t of_each_stream, Each each) {
-  const Plan plan(1, seed, {{variant, {"a", "b"}}});
-  std::vector<std::uint32_t> words(words_in(variant.operation));
-  for (const Job& job : plan.jobs()) {
+void some_cases(const cases::Variant& variant, std::uint64_t of_each_stream, Each each) {
+  const cases::Plan plan(1, seed, {{variant, {"a", "b"}}});
+  std::vector<std::uint32_t> words(cases::words_in(variant.operation));
+  for (const cases::Job& job : plan.jobs()) {
     const std::uint64_t cases = std::min(of_each_stream, job.cases);
     for (std::uint64_t i = 0; i < cases; ++i) {
-      make_cases(job.stream, variant, seed, job.cases / cases * i, words);
+      cases::make_cases(job.stream, variant, seed, job.cases / cases * i, words);
       each(std::span<const std::uint32_t>(words));
     }
   }
@@ -100,7 +100,7 @@ void write_steps(const fs::path& root) {
 
 void write_decimals(const fs::path& root) {
   Corpus corpus(root, "decimal_text");
-  some_cases({.operation = Operation::decimal, .target = Target::standard}, 40,
+  some_cases({.operation = cases::Operation::decimal, .target = cases::Target::standard}, 40,
              [&](std::span<const std::uint32_t> words) {
                const std::string text = oracle::to_decimal(words[0], 16);
                corpus.add(text);
@@ -118,14 +118,15 @@ void write_decimals(const fs::path& root) {
 /// A letter and lines: see command_lines.cpp.
 void write_lines(const fs::path& root, const fs::path& vectors) {
   Corpus corpus(root, "command_lines");
-  const std::array<Operation, 8> evaluated{Operation::mul,      Operation::mul,   Operation::div,
-                                           Operation::div,      Operation::div,   Operation::cossin,
-                                           Operation::xformvec, Operation::concat};
+  const std::array<cases::Operation, 8> evaluated{
+      cases::Operation::mul,      cases::Operation::mul,   cases::Operation::div,
+      cases::Operation::div,      cases::Operation::div,   cases::Operation::cossin,
+      cases::Operation::xformvec, cases::Operation::concat};
   char letter = 'a';
-  for (const Operation operation : evaluated) {
-    const Variant variant{.operation = operation};
+  for (const cases::Operation operation : evaluated) {
+    const cases::Variant variant{.operation = operation};
     some_cases(variant, 4, [&](std::span<const std::uint32_t> words) {
-      corpus.add(letter + hex_words(words, operand_bits(variant)) + "\n");
+      corpus.add(letter + cases::hex_words(words, cases::operand_bits(variant)) + "\n");
     });
     ++letter;
   }

@@ -14,7 +14,7 @@
 
 #include "fuzz/finding.hpp"
 #include "fuzz/step_case.hpp"
-#include "verify/machine_code/emulator.hpp"
+#include "machine_code/emulator.hpp"
 #include "x86model/parse.hpp"
 #include "x86model/run.hpp"
 #include "x86model/text.hpp"
@@ -53,21 +53,21 @@ class Executor {
 
  private:
   Left execute_once(const fuzz::StepCase& step, std::size_t length) {
-    if (place_ + place_size > segment_size) renew();
+    if (place_ + place_size > machine_code::segment_size) renew();
     const std::size_t place = place_;
     place_ += place_size;
     std::uint8_t* code = emulator_->memory() + place;
     std::fill_n(code, place_size, nop);
     std::copy_n(step.code.begin(), length, code);
 
-    SegmentMachine m(emulator_->memory());
+    machine_code::SegmentMachine m(emulator_->memory());
     m.registers.write(Register::sp, Size::dword, stack);
     m.registers.write(Register::ax, Size::dword, static_cast<std::uint32_t>(place));
     Left left;
     std::size_t steps = 0;
     const auto ending = emulator_->trace(
         m,
-        [&](SegmentMachine& machine, std::uint16_t next) {
+        [&](machine_code::SegmentMachine& machine, std::uint16_t next) {
           ++steps;
           if (steps == 2) {
             machine.registers = step.machine.registers;
@@ -79,7 +79,7 @@ class Executor {
           }
         },
         3);
-    left.divide_error = ending == CallEnding::divide_error && steps == 2;
+    left.divide_error = ending == machine_code::CallEnding::divide_error && steps == 2;
     return left;
   }
 
@@ -90,12 +90,12 @@ class Executor {
   void renew() {
     constexpr std::array<std::uint8_t, 2> jmp_ax{0xFF, 0xE0};
     emulator_.reset();
-    emulator_ = std::make_unique<Emulator>(jmp_ax);
-    place_ = code_origin + page_size;
+    emulator_ = std::make_unique<machine_code::Emulator>(jmp_ax);
+    place_ = machine_code::code_origin + machine_code::page_size;
   }
 
-  std::unique_ptr<Emulator> emulator_;
-  std::size_t place_ = segment_size;
+  std::unique_ptr<machine_code::Emulator> emulator_;
+  std::size_t place_ = machine_code::segment_size;
 };
 
 std::string text_of(const x86::Registers<16>& registers, std::uint16_t flags) {
@@ -126,7 +126,7 @@ std::optional<std::string> difference(const Left& model, const Left& unicorn) {
 
 /// Whether the emulator would end the whole process: Unicorn 2.0.1 divides -2^63 by -1 with the
 /// host's own IDIV. What is right is #DE, as for every quotient that does not fit.
-bool ends_unicorn(const x86::Instruction& instruction, const StepMachine& m) {
+bool ends_unicorn(const x86::Instruction& instruction, const singlestep::StepMachine& m) {
   const auto& divisor = instruction.operands[0];
   return instruction.mnemonic == x86::Mnemonic::idiv && divisor.size == Size::dword &&
          m.registers.read(Register::dx, Size::dword) == 0x80000000U &&
@@ -142,7 +142,7 @@ bool reads_back(const x86::Instruction& instruction) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (const std::string reason = Emulator::absence(); !reason.empty()) {
+  if (const std::string reason = machine_code::Emulator::absence(); !reason.empty()) {
     fuzz::report_finding("step needs Unicorn: " + reason);
   }
   const fuzz::StepCase step = fuzz::read_step_case({data, size});
@@ -150,7 +150,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!decoded) return 0;
   Left model;
   model.length = decoded->length;
-  StepMachine machine = step.machine;
+  singlestep::StepMachine machine = step.machine;
   const x86::Outcome outcome = x86::execute_any(decoded->instruction, machine);
   model.divide_error = outcome == x86::Outcome::divide_error;
   model.registers = machine.registers;

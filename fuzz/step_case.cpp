@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <variant>
 
+#include "cases/draw.hpp"
+#include "cases/stream_makers.hpp"
+#include "cases/streams.hpp"
 #include "fuzz/words.hpp"
-#include "verify/commands/shown.hpp"
-#include "verify/draw.hpp"
-#include "verify/stream_makers.hpp"
-#include "verify/streams.hpp"
-#include "verify/usage_error.hpp"
+#include "singlestep/shown.hpp"
+#include "support/usage_error.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::fuzz {
@@ -31,7 +31,7 @@ x86::Register register_at(std::size_t i) { return static_cast<x86::Register>(i);
 
 /// Bytes that are drawn until they are an instruction that is modelled: of what is drawn one in
 /// some dozens is.
-void draw_code(StepCase& step, Draw& draw) {
+void draw_code(StepCase& step, cases::Draw& draw) {
   do {
     for (auto& byte : step.code) byte = static_cast<std::uint8_t>(draw.bits());
     const bool wide = step.cpu == x86::Target::i386 && draw.coin();
@@ -50,12 +50,12 @@ void draw_code(StepCase& step, Draw& draw) {
   } while (!step.decoded());
 }
 
-void draw_register(StepCase& step, Draw& draw) {
-  static const auto lattice = boundary_lattice(32);
-  static const auto narrow = boundary_lattice(16);
+void draw_register(StepCase& step, cases::Draw& draw) {
+  static const auto lattice = cases::boundary_lattice(32);
+  static const auto narrow = cases::boundary_lattice(16);
   const x86::Register r = register_at(draw.below(x86::register_count));
   const std::uint32_t before = step.machine.registers.read(r, x86::Size::dword);
-  const Format format{16, 32};
+  const cases::Format format{16, 32};
   std::uint32_t value = 0;
   switch (draw.below(5)) {
     case 0:
@@ -65,7 +65,7 @@ void draw_register(StepCase& step, Draw& draw) {
       value = narrow[draw.below(narrow.size())];
       break;
     case 2:
-      value = scaled_word(draw, format);
+      value = cases::scaled_word(draw, format);
       break;
     case 3:
       value = before + 1 - 2 * static_cast<std::uint32_t>(draw.coin());
@@ -83,7 +83,7 @@ std::optional<singlestep::Decoded> StepCase::decoded() const {
   try {
     const auto result = singlestep::decode(code, cpu);
     if (const auto* whole = std::get_if<singlestep::Decoded>(&result)) return *whole;
-  } catch (const UsageError&) {
+  } catch (const support::UsageError&) {
     // The bytes end inside the instruction.
   }
   return std::nullopt;
@@ -93,7 +93,7 @@ std::string StepCase::replay(const x86::Instruction& instruction) const {
   const bool i386 = cpu == x86::Target::i386;
   const x86::Size size = size_on(cpu);
   std::string line = x86::text_of(instruction) + " |";
-  for (const x86::Register r : shown_registers) {
+  for (const x86::Register r : singlestep::shown_registers) {
     line += fmt::format(" {}={:0{}x}", x86::name_of(r, size), machine.registers.read(r, size),
                         i386 ? 8 : 4);
   }
@@ -130,7 +130,7 @@ void write_step_case(const StepCase& step, std::span<std::uint8_t, step_input_si
 }
 
 void mutate_step_case(StepCase& step, std::uint32_t seed) {
-  Draw draw(seed, 0);
+  cases::Draw draw(seed, 0);
   if (draw.below(16) == 0) {
     step.cpu = draw.coin() ? x86::Target::i386 : x86::Target::i8088;
     for (std::size_t i = 0; i < x86::register_count; ++i) {

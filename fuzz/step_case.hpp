@@ -9,8 +9,8 @@
 #include <span>
 #include <string>
 
-#include "verify/singlestep/decode.hpp"
-#include "verify/step_machine.hpp"
+#include "singlestep/decode.hpp"
+#include "singlestep/step_machine.hpp"
 #include "x86model/routine.hpp"
 
 namespace fixproof::fuzz {
@@ -24,7 +24,7 @@ struct StepCase {
   x86model::Target cpu = x86model::Target::i386;
   std::array<std::uint8_t, longest_code> code{};
   /// Every flag is defined. On an 8088 the upper halves of the registers are 0.
-  StepMachine machine;
+  singlestep::StepMachine machine;
 
   /// The instruction; nothing where the bytes are none, or one that is not modelled.
   [[nodiscard]] std::optional<singlestep::Decoded> decoded() const;

@@ -8,33 +8,33 @@
 #include <string_view>
 #include <utility>
 
+#include "cases/plan.hpp"
+#include "cases/stream_makers.hpp"
+#include "cases/streams.hpp"
 #include "fuzz/words.hpp"
-#include "verify/plan.hpp"
-#include "verify/stream_makers.hpp"
-#include "verify/streams.hpp"
 
 namespace fixproof::fuzz {
 
 namespace {
 
 /// A case of one of the streams that a verification has for the variant.
-void draw_fresh(const Variant& variant, std::span<std::uint32_t> words, Draw& draw) {
-  static std::map<std::pair<Operation, int>, Plan> plans;
+void draw_fresh(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
+  static std::map<std::pair<cases::Operation, int>, cases::Plan> plans;
   const auto key = std::pair(variant.operation, variant.fraction_bits);
-  const Plan& plan =
-      plans.try_emplace(key, 1, 1994, std::vector<Row>{{variant, {"a", "b"}}}).first->second;
-  const Job& job = plan.jobs()[draw.below(plan.jobs().size())];
-  make_cases(job.stream, variant, draw.bits(), draw.below(job.cases), words);
+  const cases::Plan& plan =
+      plans.try_emplace(key, 1, 1994, std::vector<cases::Row>{{variant, {"a", "b"}}}).first->second;
+  const cases::Job& job = plan.jobs()[draw.below(plan.jobs().size())];
+  cases::make_cases(job.stream, variant, draw.bits(), draw.below(job.cases), words);
 }
 
 /// A word in units of the last place.
-std::int64_t units(std::uint32_t word, const Format& format) {
+std::int64_t units(std::uint32_t word, const cases::Format& format) {
   const auto raw = static_cast<std::int64_t>(word);
   return raw < format.limit() ? raw : raw - 2 * format.limit();
 }
 
 /// The dividend at an edge of the divisor: of its whole part, as the 8088 divides, or of all of it.
-void aim_quotient(const Format& format, std::span<std::uint32_t> words, Draw& draw) {
+void aim_quotient(const cases::Format& format, std::span<std::uint32_t> words, cases::Draw& draw) {
   const std::array<std::int64_t, 4> edges{0, 1, format.limit(), 2 * format.limit()};
   const std::int64_t quotient =
       draw.coin() ? draw.magnitude(format.word_bits - 1) : edges[draw.below(edges.size())];
@@ -54,7 +54,7 @@ void aim_quotient(const Format& format, std::span<std::uint32_t> words, Draw& dr
   words[0] = format.word(draw.either_sign(n));
 }
 
-void step_word(const Format& format, std::uint32_t& word, Draw& draw) {
+void step_word(const cases::Format& format, std::uint32_t& word, cases::Draw& draw) {
   const std::int64_t value = units(word, format);
   const auto small = static_cast<std::int64_t>(draw.below(4));
   switch (draw.below(5)) {
@@ -78,10 +78,11 @@ void step_word(const Format& format, std::uint32_t& word, Draw& draw) {
 
 /// Every operation by every party but Unicorn; whatever is added to either is heard too.
 std::vector<Seat> all_seats() {
-  std::vector<Operation> operations;
-  for (const Variant& variant : all_variants()) operations.push_back(variant.operation);
+  std::vector<cases::Operation> operations;
+  for (const cases::Variant& variant : cases::all_variants())
+    operations.push_back(variant.operation);
   std::vector<std::string_view> names{"oracle"};
-  for (const auto& party : parties()) {
+  for (const auto& party : parties::parties()) {
     if (party->name() != "oracle" && party->name() != "unicorn") names.push_back(party->name());
   }
   return seats_of(operations, names);
@@ -90,8 +91,8 @@ std::vector<Seat> all_seats() {
 }  // namespace
 
 const std::vector<Seat>& seats_of(WordTarget target) {
-  using enum Operation;
-  constexpr auto hear = [](std::initializer_list<Operation> operations) {
+  using enum cases::Operation;
+  constexpr auto hear = [](std::initializer_list<cases::Operation> operations) {
     constexpr auto names =
         std::to_array<std::string_view>({"oracle", "fast", "type", "model", "interpreter"});
     return seats_of(operations, names);
@@ -103,19 +104,19 @@ const std::vector<Seat>& seats_of(WordTarget target) {
 
 std::size_t input_size(WordTarget target) {
   const bool pair = target == WordTarget::divide || target == WordTarget::multiply;
-  const std::size_t words = pair ? 2 : most_words_in;
+  const std::size_t words = pair ? 2 : cases::most_words_in;
   return (target == WordTarget::agreement ? 1 : 0) + words * bytes_of_word;
 }
 
-void mutate_case(const Variant& variant, std::span<std::uint32_t> words, Draw& draw) {
-  const Format format{variant.fraction_bits, operand_bits(variant)};
+void mutate_case(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
+  const cases::Format format{variant.fraction_bits, cases::operand_bits(variant)};
   std::uint32_t& word = words[draw.below(words.size())];
-  switch (draw.below(variant.operation == Operation::div ? 5 : 4)) {
+  switch (draw.below(variant.operation == cases::Operation::div ? 5 : 4)) {
     case 0:
       draw_fresh(variant, words, draw);
       break;
     case 1: {
-      static const auto wide = boundary_lattice(32);
+      static const auto wide = cases::boundary_lattice(32);
       const std::array<std::int64_t, 4> ends{-format.limit(), format.limit() - 1, -format.one(),
                                              -1};
       word = draw.below(4) == 0 ? format.word(ends[draw.below(ends.size())])
@@ -140,7 +141,7 @@ std::size_t mutate_input(WordTarget target, std::span<std::uint8_t> room, std::s
   if (room.size() < whole) return std::min(size, room.size());
   std::fill(room.begin() + static_cast<std::ptrdiff_t>(std::min(size, whole)),
             room.begin() + static_cast<std::ptrdiff_t>(whole), std::uint8_t{0});
-  Draw draw(seed, 0);
+  cases::Draw draw(seed, 0);
   const auto& seats = seats_of(target);
   std::size_t seat = draw.below(seats.size());
   auto bytes = room.first(whole);
@@ -149,12 +150,12 @@ std::size_t mutate_input(WordTarget target, std::span<std::uint8_t> room, std::s
     seat = bytes[0] % seats.size();
     bytes = bytes.subspan(1);
   }
-  std::array<std::uint32_t, most_words_in> words{};
+  std::array<std::uint32_t, cases::most_words_in> words{};
   const auto all = std::span(words).first(bytes.size() / bytes_of_word);
   read_words(bytes, all);
-  const Variant& variant = seats[seat].variant;
-  const auto one_case = all.first(words_in(variant.operation));
-  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - operand_bits(variant));
+  const cases::Variant& variant = seats[seat].variant;
+  const auto one_case = all.first(cases::words_in(variant.operation));
+  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - cases::operand_bits(variant));
   for (auto& word : one_case) word &= mask;
   for (auto more = draw.below(3) + 1; more > 0; --more) mutate_case(variant, one_case, draw);
   write_words(all, bytes);

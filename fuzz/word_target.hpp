@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "cases/draw.hpp"
 #include "fuzz/jury.hpp"
-#include "verify/draw.hpp"
 
 namespace fixproof::fuzz {
 
@@ -27,7 +27,7 @@ std::size_t input_size(WordTarget target);
 /// its words moved to where rules change, or by a step. For a divide also: the dividend at which
 /// the divisor that is there gives an exact tie, or a quotient of 0, 1, 2^31 or 2^32 units, or the
 /// one beside it.
-void mutate_case(const Variant& variant, std::span<std::uint32_t> words, Draw& draw);
+void mutate_case(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw);
 
 /// The same of an input of the target, in libFuzzer's terms: `size` bytes of `room` are there.
 /// @return the bytes of the new input

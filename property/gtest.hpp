@@ -37,7 +37,7 @@ inline bool register_test(const std::string& name, const std::string& test, cons
 inline bool register_streams(const Subject& subject, const char* file, int line) {
   for (const auto& [stream, cases] : streams_of(subject.rules.operation)) {
     register_test(
-        subject.name, std::string(name_of(stream)), file, line,
+        subject.name, std::string(cases::name_of(stream)), file, line,
         [subject, stream = stream, cases = cases] { return wrong_over(subject, stream, cases); });
   }
   return true;
@@ -48,11 +48,11 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): names of functions become names of tests
 
 /// Rules by their names alone, as enumerators of verify/check/rules.hpp.
-#define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result) \
-  ::fixproof::property::subject(                                             \
-      #function,                                                             \
-      {::fixproof::Operation::operation, ::oracle::Rounding::rounding,       \
-       ::fixproof::Overflow::overflow, ::fixproof::NoResult::no_result},     \
+#define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result)           \
+  ::fixproof::property::subject(                                                       \
+      #function,                                                                       \
+      {::fixproof::cases::Operation::operation, ::oracle::Rounding::rounding,          \
+       ::fixproof::check::Overflow::overflow, ::fixproof::check::NoResult::no_result}, \
       [](auto... operands) -> decltype(function(operands...)) { return function(operands...); })
 
 /// Tests of the namespace that they stand in. Semicolons are not needed, and do no harm.

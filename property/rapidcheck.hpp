@@ -1,5 +1,5 @@
 /// @file
-/// A RapidCheck property for a function: operands drawn by the generator of fixed/rapidcheck.hpp,
+/// A RapidCheck property for a function: operands drawn by the generator of property/generator.hpp,
 /// which shrinks those that fail.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "fixed/number.hpp"
-#include "fixed/rapidcheck.hpp"
+#include "property/generator.hpp"
 #include "property/gtest.hpp"
 #include "property/subject.hpp"
 
@@ -22,12 +22,12 @@ inline bool property_holds(const Subject& subject) {
   using Number = fixed::q16_16;
   const auto check = [&](std::span<const std::uint32_t> words) {
     if (holds(subject, words)) return;
-    JudgedCase kept{1, "RapidCheck", {}, subject.ask(words)};
+    check::JudgedCase kept{1, "RapidCheck", {}, subject.ask(words)};
     std::copy(words.begin(), words.end(), kept.words.begin());
-    RC_FAIL(text_of(kept, subject.rules));
+    RC_FAIL(check::text_of(kept, subject.rules));
   };
   const auto word = [](Number x) { return static_cast<std::uint32_t>(x.raw()); };
-  if (words_in(subject.rules.operation) == 1) {
+  if (cases::words_in(subject.rules.operation) == 1) {
     return rc::check(subject.name, [&](Number a) { check(std::array{word(a)}); });
   }
   return rc::check(subject.name, [&](Number a, Number b) { check(std::array{word(a), word(b)}); });

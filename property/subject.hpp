@@ -12,25 +12,25 @@
 #include <utility>
 #include <vector>
 
-#include "verify/check/judged_case.hpp"
-#include "verify/check/rules.hpp"
-#include "verify/check/verdict_text.hpp"
-#include "verify/plan.hpp"
-#include "verify/streams.hpp"
+#include "cases/plan.hpp"
+#include "cases/streams.hpp"
+#include "check/judged_case.hpp"
+#include "check/rules.hpp"
+#include "check/verdict_text.hpp"
 
 namespace fixproof::property {
 
 /// A function under test, as a function of words.
 struct Subject {
   std::string name;
-  Rules rules;
-  std::function<Said(std::span<const std::uint32_t>)> ask;
+  check::Rules rules;
+  std::function<check::Said(std::span<const std::uint32_t>)> ask;
 };
 
 namespace detail {
 
 template <class Result>
-Said said_of(Result result) {
+check::Said said_of(Result result) {
   if constexpr (std::is_same_v<Result, std::optional<std::int32_t>>) {
     if (!result) return std::nullopt;
     return static_cast<std::uint32_t>(*result);
@@ -46,7 +46,7 @@ inline std::int32_t operand(std::uint32_t word) { return static_cast<std::int32_
 /// A function of one or two std::int32_t that returns one, or an optional one, empty for a divide
 /// error. It need not be a function: what can be called so will do.
 template <class Function>
-Subject subject(std::string name, const Rules& rules, Function function) {
+Subject subject(std::string name, const check::Rules& rules, Function function) {
   using detail::operand;
   Subject one{std::move(name), rules, {}};
   if constexpr (std::is_invocable_v<Function, std::int32_t, std::int32_t>) {
@@ -63,35 +63,36 @@ Subject subject(std::string name, const Rules& rules, Function function) {
 
 /// Whether the case is kept. One for which the rules accept anything is not even asked.
 inline bool holds(const Subject& subject, std::span<const std::uint32_t> words) {
-  return !expected_of(subject.rules, words).judged ||
-         keeps(subject.rules, words, subject.ask(words));
+  return !check::expected_of(subject.rules, words).judged ||
+         check::keeps(subject.rules, words, subject.ask(words));
 }
 
 /// The streams of cases that a verification has of the operation at level 1, and how many cases of
 /// each.
-inline std::vector<std::pair<Stream, std::uint64_t>> streams_of(Operation operation) {
-  const Variant variant{.operation = operation, .target = Target::standard};
+inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Operation operation) {
+  const cases::Variant variant{.operation = operation, .target = cases::Target::standard};
   // Two parties: a plan has no cases of what is not compared.
-  const Plan plan(1, 1994, {{variant, {"a", "b"}}});
-  std::vector<std::pair<Stream, std::uint64_t>> streams;
-  for (const Job& job : plan.jobs()) streams.emplace_back(job.stream, job.cases);
+  const cases::Plan plan(1, 1994, {{variant, {"a", "b"}}});
+  std::vector<std::pair<cases::Stream, std::uint64_t>> streams;
+  for (const cases::Job& job : plan.jobs()) streams.emplace_back(job.stream, job.cases);
   return streams;
 }
 
 /// What is wrong over a stream of cases, the first of them in lines of text; empty where all holds.
-inline std::string wrong_over(const Subject& subject, Stream stream, std::uint64_t cases) {
-  const Variant variant{.operation = subject.rules.operation, .target = Target::standard};
-  const std::size_t arity = words_in(subject.rules.operation);
+inline std::string wrong_over(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
+  const cases::Variant variant{.operation = subject.rules.operation,
+                               .target = cases::Target::standard};
+  const std::size_t arity = cases::words_in(subject.rules.operation);
   std::array<std::uint32_t, 2048> room{};
-  FirstCases wrong;
+  check::FirstCases wrong;
   for (std::uint64_t first = 0; first < cases; first += room.size() / arity) {
     const auto batch = std::min<std::uint64_t>(room.size() / arity, cases - first);
     const auto words = std::span(room).first(batch * arity);
-    make_cases(stream, variant, 1994, first, words);
+    cases::make_cases(stream, variant, 1994, first, words);
     for (std::uint64_t i = 0; i < batch; ++i) {
       const auto one = words.subspan(i * arity, arity);
       if (holds(subject, one)) continue;
-      JudgedCase kept{first + i + 1, name_of(stream), {}, subject.ask(one)};
+      check::JudgedCase kept{first + i + 1, cases::name_of(stream), {}, subject.ask(one)};
       std::copy(one.begin(), one.end(), kept.words.begin());
       wrong.add(kept);
     }
@@ -99,7 +100,8 @@ inline std::string wrong_over(const Subject& subject, Stream stream, std::uint64
   if (wrong.count() == 0) return "";
   std::string text =
       std::to_string(wrong.count()) + " of " + std::to_string(cases) + " cases are wrong:\n";
-  for (const JudgedCase& one : wrong.shown()) text += text_of(one, subject.rules) + '\n';
+  for (const check::JudgedCase& one : wrong.shown())
+    text += check::text_of(one, subject.rules) + '\n';
   return text;
 }
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "verify/streams.hpp"
+#include "cases/streams.hpp"
+#include "parties/answer.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 namespace {
 
@@ -13,34 +14,35 @@ constexpr std::size_t batch_cases = 1024;
 
 }  // namespace
 
-ChunkRunner::ChunkRunner(const Plan& plan, const std::vector<std::vector<const Party*>>& parties,
+ChunkRunner::ChunkRunner(const cases::Plan& plan,
+                         const std::vector<std::vector<const parties::Party*>>& parties,
                          std::size_t max_shown)
     : plan_(plan),
       parties_(parties),
       max_shown_(max_shown),
-      in_(batch_cases * most_words_in),
-      judged_{std::vector<std::uint32_t>(batch_cases * most_words_out),
-              std::vector<Ending>(batch_cases)},
+      in_(batch_cases * cases::most_words_in),
+      judged_{std::vector<std::uint32_t>(batch_cases * cases::most_words_out),
+              std::vector<parties::Ending>(batch_cases)},
       other_(judged_),
       differs_(batch_cases) {}
 
 Findings ChunkRunner::run(std::uint64_t number) {
-  const Chunk chunk = plan_.chunk(number);
-  const Variant& variant = plan_.rows()[chunk.job->row].variant;
-  const std::size_t arity = words_in(variant.operation);
+  const cases::Chunk chunk = plan_.chunk(number);
+  const cases::Variant& variant = plan_.rows()[chunk.job->row].variant;
+  const std::size_t arity = cases::words_in(variant.operation);
   Findings found;
   for (std::uint64_t done = 0; done < chunk.cases; done += batch_cases) {
     const std::uint64_t first = chunk.first + done;
     const auto cases =
         static_cast<std::size_t>(std::min<std::uint64_t>(batch_cases, chunk.cases - done));
     const std::span in = std::span(in_).first(cases * arity);
-    make_cases(chunk.job->stream, variant, plan_.seed(), first, in);
+    cases::make_cases(chunk.job->stream, variant, plan_.seed(), first, in);
     compare(variant, parties_[chunk.job->row], cases);
 
     found.cases += cases;
     const auto endings = std::span(judged_.endings).first(cases);
     found.faults += static_cast<std::uint64_t>(
-        std::count(endings.begin(), endings.end(), Ending::divide_error));
+        std::count(endings.begin(), endings.end(), parties::Ending::divide_error));
     for (std::size_t i = 0; i < cases; ++i) {
       if (differs_[i] == 0) continue;
       ++found.mismatches;
@@ -52,26 +54,27 @@ Findings ChunkRunner::run(std::uint64_t number) {
   return found;
 }
 
-void ChunkRunner::compare(const Variant& variant, std::span<const Party* const> parties,
-                          std::size_t cases) {
-  const std::size_t out = words_out(variant.operation);
-  const auto ask = [&](const Party& party, Answers& answers) {
-    party.answer(variant, {std::span(in_).first(cases * words_in(variant.operation)),
+void ChunkRunner::compare(const cases::Variant& variant,
+                          std::span<const parties::Party* const> parties, std::size_t cases) {
+  const std::size_t out = cases::words_out(variant.operation);
+  const auto ask = [&](const parties::Party& party, Answers& answers) {
+    party.answer(variant, {std::span(in_).first(cases * cases::words_in(variant.operation)),
                            std::span(answers.out).first(cases * out),
                            std::span(answers.endings).first(cases)});
   };
   ask(*parties.front(), judged_);
   for (std::size_t i = 0; i < cases; ++i) {
     // A broken program is never right, even if all parties break alike.
-    const Ending ending = judged_.endings[i];
-    differs_[i] = ending != Ending::value && ending != Ending::divide_error ? 1 : 0;
+    const parties::Ending ending = judged_.endings[i];
+    differs_[i] =
+        ending != parties::Ending::value && ending != parties::Ending::divide_error ? 1 : 0;
   }
-  for (const Party* party : parties.subspan(1)) {
+  for (const parties::Party* party : parties.subspan(1)) {
     ask(*party, other_);
     for (std::size_t i = 0; i < cases; ++i) {
-      const Ending ending = judged_.endings[i];
+      const parties::Ending ending = judged_.endings[i];
       bool differs = ending != other_.endings[i];
-      if (ending == Ending::value) {
+      if (ending == parties::Ending::value) {
         for (std::size_t k = 0; k < out; ++k) {
           differs = differs || judged_.out[i * out + k] != other_.out[i * out + k];
         }
@@ -81,4 +84,4 @@ void ChunkRunner::compare(const Variant& variant, std::span<const Party* const> 
   }
 }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

@@ -6,17 +6,18 @@
 #include <span>
 #include <vector>
 
-#include "verify/party.hpp"
-#include "verify/plan.hpp"
+#include "cases/plan.hpp"
+#include "parties/party.hpp"
 #include "verify/report.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 /// The buffers of one thread.
 class ChunkRunner {
  public:
   /// `parties` holds those of each row of the plan. Both must outlive the runner.
-  ChunkRunner(const Plan& plan, const std::vector<std::vector<const Party*>>& parties,
+  ChunkRunner(const cases::Plan& plan,
+              const std::vector<std::vector<const parties::Party*>>& parties,
               std::size_t max_shown);
 
   /// Makes the cases of a chunk, asks the parties of its row and compares them with the first.
@@ -26,13 +27,14 @@ class ChunkRunner {
   /// Answers of one party to the cases at hand.
   struct Answers {
     std::vector<std::uint32_t> out;
-    std::vector<Ending> endings;
+    std::vector<parties::Ending> endings;
   };
 
-  void compare(const Variant& variant, std::span<const Party* const> parties, std::size_t cases);
+  void compare(const cases::Variant& variant, std::span<const parties::Party* const> parties,
+               std::size_t cases);
 
-  const Plan& plan_;
-  const std::vector<std::vector<const Party*>>& parties_;
+  const cases::Plan& plan_;
+  const std::vector<std::vector<const parties::Party*>>& parties_;
   std::size_t max_shown_;
   std::vector<std::uint32_t> in_;
   Answers judged_;
@@ -41,4 +43,4 @@ class ChunkRunner {
   std::vector<std::uint8_t> differs_;
 };
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

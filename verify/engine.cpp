@@ -10,22 +10,25 @@
 #include <system_error>
 #include <thread>
 
+#include "cases/plan.hpp"
+#include "parties/answer.hpp"
 #include "verify/chunk_runner.hpp"
 #include "verify/shrink.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 namespace {
 
 /// The parties of each row, by the names that the plan gives.
-std::vector<std::vector<const Party*>> seat(const Plan& plan,
-                                            std::span<const Party* const> parties) {
-  std::vector<std::vector<const Party*>> rows;
-  for (const Row& row : plan.rows()) {
+std::vector<std::vector<const parties::Party*>> seat(
+    const cases::Plan& plan, std::span<const parties::Party* const> parties) {
+  std::vector<std::vector<const parties::Party*>> rows;
+  for (const cases::Row& row : plan.rows()) {
     auto& seated = rows.emplace_back();
     for (const std::string& name : row.parties) {
-      const auto found = std::find_if(parties.begin(), parties.end(),
-                                      [&](const Party* party) { return party->name() == name; });
+      const auto found =
+          std::find_if(parties.begin(), parties.end(),
+                       [&](const parties::Party* party) { return party->name() == name; });
       if (found == parties.end()) {
         throw std::invalid_argument(fmt::format("no party '{}'", name));
       }
@@ -36,18 +39,19 @@ std::vector<std::vector<const Party*>> seat(const Plan& plan,
 }
 
 /// Seeks the smallest case for each mismatch that has none yet.
-void explain(Report& report, const std::vector<std::vector<const Party*>>& parties) {
+void explain(Report& report, const std::vector<std::vector<const parties::Party*>>& parties) {
   for (std::size_t row = 0; row < parties.size(); ++row) {
-    const Variant& variant = report.plan.rows()[row].variant;
+    const cases::Variant& variant = report.plan.rows()[row].variant;
     const auto answers_to = [&](std::span<const std::uint32_t> words) {
-      std::vector<Answer> answers;
-      for (const Party* party : parties[row]) answers.push_back(ask(*party, variant, words));
+      std::vector<parties::Answer> answers;
+      for (const parties::Party* party : parties[row])
+        answers.push_back(parties::ask(*party, variant, words));
       return answers;
     };
     for (Mismatch& mismatch : report.findings[row].shown) {
       if (!mismatch.smallest.empty()) continue;
-      mismatch.smallest = shrink(mismatch.words, operand_bits(variant),
-                                 [&](auto words) { return !agree(answers_to(words)); });
+      mismatch.smallest = shrink(mismatch.words, cases::operand_bits(variant),
+                                 [&](auto words) { return !parties::agree(answers_to(words)); });
       const auto answers = answers_to(mismatch.smallest);
       for (std::size_t i = 0; i < answers.size(); ++i) {
         mismatch.said.emplace_back(parties[row][i]->name(),
@@ -60,7 +64,7 @@ void explain(Report& report, const std::vector<std::vector<const Party*>>& parti
 /// The threads of a run: each takes the next chunk that is not done until none is left.
 class Workers {
  public:
-  Workers(Report& report, const std::vector<std::vector<const Party*>>& parties,
+  Workers(Report& report, const std::vector<std::vector<const parties::Party*>>& parties,
           const RunOptions& options)
       : report_(report), parties_(parties), options_(options) {
     for (std::uint64_t chunk = 0; chunk < report.done.size(); ++chunk) {
@@ -142,7 +146,7 @@ class Workers {
   }
 
   Report& report_;
-  const std::vector<std::vector<const Party*>>& parties_;
+  const std::vector<std::vector<const parties::Party*>>& parties_;
   const RunOptions& options_;
   std::vector<std::uint64_t> left_;
   std::atomic<std::size_t> next_ = 0;
@@ -156,7 +160,8 @@ class Workers {
 
 }  // namespace
 
-void run(Report& report, std::span<const Party* const> parties, const RunOptions& options) {
+void run(Report& report, std::span<const parties::Party* const> parties,
+         const RunOptions& options) {
   const auto seated = seat(report.plan, parties);
   const auto begin = std::chrono::steady_clock::now();
   const double before = report.seconds;
@@ -178,10 +183,11 @@ void run(Report& report, std::span<const Party* const> parties, const RunOptions
   report.seconds = seconds();
 }
 
-Report run(const Plan& plan, std::span<const Party* const> parties, const RunOptions& options) {
-  Report report(plan, Shard{}, 10);
+Report run(const cases::Plan& plan, std::span<const parties::Party* const> parties,
+           const RunOptions& options) {
+  Report report(plan, cases::Shard{}, 10);
   run(report, parties, options);
   return report;
 }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

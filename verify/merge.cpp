@@ -6,10 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cases/plan.hpp"
+#include "support/plain_text.hpp"
 #include "verify/report_json.hpp"
-#include "verify/text.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 namespace {
 
@@ -42,7 +43,7 @@ void add(Report& sum, const NamedReport& part, std::span<const NamedReport> befo
 
 Report merged(std::span<const NamedReport> parts) {
   const Report& first = parts.front().report;
-  Report sum(first.plan, Shard{}, first.max_shown);
+  Report sum(first.plan, cases::Shard{}, first.max_shown);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string differs = difference(parts[i].report, first);
     if (!differs.empty()) {
@@ -70,13 +71,14 @@ std::string missing(const Report& sum, std::span<const NamedReport> parts) {
     }
     if (left == 0) continue;
     if (++lacking > most_named) continue;
-    names.push_back(left == all ? fmt::format("shard {}/{}", i, shards)
-                                : fmt::format("{} of {} chunks of shard {}/{}", grouped(left),
-                                              grouped(all), i, shards));
+    names.push_back(left == all
+                        ? fmt::format("shard {}/{}", i, shards)
+                        : fmt::format("{} of {} chunks of shard {}/{}", support::grouped(left),
+                                      support::grouped(all), i, shards));
   }
   std::string text = fmt::format("missing: {}", fmt::join(names, ", "));
   if (lacking > most_named) text += fmt::format(" and {} shards more", lacking - most_named);
   return text;
 }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

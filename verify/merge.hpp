@@ -7,7 +7,7 @@
 
 #include "verify/report.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 /// A report and the name under which messages speak of it.
 struct NamedReport {
@@ -23,4 +23,4 @@ Report merged(std::span<const NamedReport> parts);
 /// complete.
 std::string missing(const Report& sum, std::span<const NamedReport> parts);
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

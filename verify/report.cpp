@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-namespace fixproof {
+#include "cases/plan.hpp"
+
+namespace fixproof::verify {
 
 namespace {
 
@@ -26,7 +28,7 @@ void Findings::add(const Findings& other, std::size_t most) {
   if (shown.size() > most) shown.resize(most);
 }
 
-Report::Report(Plan plan_, Shard shard_, std::size_t max_shown_)
+Report::Report(cases::Plan plan_, cases::Shard shard_, std::size_t max_shown_)
     : plan(std::move(plan_)),
       shard(shard_),
       max_shown(max_shown_),
@@ -46,4 +48,4 @@ std::uint64_t Report::cases() const { return sum_of(findings, &Findings::cases);
 
 std::uint64_t Report::mismatches() const { return sum_of(findings, &Findings::mismatches); }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

@@ -7,18 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "verify/plan.hpp"
+#include "cases/plan.hpp"
 
-namespace fixproof {
-
-/// A part of the chunks: those whose number is `index` - 1 modulo `count`.
-struct Shard {
-  std::uint64_t index = 1;  ///< 1 ... count
-  std::uint64_t count = 1;
-
-  [[nodiscard]] bool has(std::uint64_t chunk) const { return chunk % count == index - 1; }
-  friend bool operator==(const Shard&, const Shard&) = default;
-};
+namespace fixproof::verify {
 
 /// A case on which parties differ.
 struct Mismatch {
@@ -47,10 +38,10 @@ struct Findings {
 
 /// The state of a verification.
 struct Report {
-  Report(Plan plan_, Shard shard_, std::size_t max_shown_);
+  Report(cases::Plan plan_, cases::Shard shard_, std::size_t max_shown_);
 
-  Plan plan;
-  Shard shard;
+  cases::Plan plan;
+  cases::Shard shard;
   std::size_t max_shown;           ///< mismatches kept for each row
   std::vector<bool> done;          ///< one for each chunk of the plan
   std::vector<Findings> findings;  ///< one for each row of the plan
@@ -64,4 +55,4 @@ struct Report {
   [[nodiscard]] std::uint64_t mismatches() const;
 };
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

@@ -4,24 +4,23 @@
 
 #include <stdexcept>
 
-#include "verify/file.hpp"
-#include "verify/party.hpp"
-#include "verify/text.hpp"
+#include "parties/party.hpp"
+#include "support/file.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 Report read_report(const std::string& path) {
-  const std::string text = read_file(path);
+  const std::string text = support::read_file(path);
   try {
     Report report = from_json(text);
-    for (const Row& row : report.plan.rows()) {
+    for (const cases::Row& row : report.plan.rows()) {
       if (!row.compared()) {
-        throw std::runtime_error(fmt::format("{} is not compared", name_of(row.variant)));
+        throw std::runtime_error(fmt::format("{} is not compared", cases::name_of(row.variant)));
       }
       for (const std::string& name : row.parties) {
-        if (!party_named(name).answers(row.variant)) {
+        if (!parties::party_named(name).answers(row.variant)) {
           throw std::runtime_error(
-              fmt::format("{} does not answer {}", name, name_of(row.variant)));
+              fmt::format("{} does not answer {}", name, cases::name_of(row.variant)));
         }
       }
     }
@@ -31,4 +30,4 @@ Report read_report(const std::string& path) {
   }
 }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

@@ -8,9 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "verify/text.hpp"
+#include "cases/plan.hpp"
+#include "cases/words.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 namespace {
 
@@ -67,29 +68,29 @@ Json json_of(const Mismatch& m, int word_bits) {
   for (const auto& [party, answer] : m.said) said[party] = answer;
   return {{"chunk", m.chunk},
           {"case", m.index},
-          {"words", hex_words(m.words, word_bits)},
-          {"smallest", hex_words(m.smallest, word_bits)},
+          {"words", cases::hex_words(m.words, word_bits)},
+          {"smallest", cases::hex_words(m.smallest, word_bits)},
           {"said", said}};
 }
 
 /// The streams of a row and how many cases each has: what tells that two builds draw the same
 /// cases.
-Json streams_of(const Plan& plan, std::size_t row) {
+Json streams_of(const cases::Plan& plan, std::size_t row) {
   Json streams = Json::object();
-  for (const Job& job : plan.jobs()) {
-    if (job.row == row) streams[std::string(name_of(job.stream))] = job.cases;
+  for (const cases::Job& job : plan.jobs()) {
+    if (job.row == row) streams[std::string(cases::name_of(job.stream))] = job.cases;
   }
   return streams;
 }
 
 Json json_of(const Report& report, std::size_t number) {
-  const Row& row = report.plan.rows()[number];
+  const cases::Row& row = report.plan.rows()[number];
   const Findings& found = report.findings[number];
-  const Variant& v = row.variant;
+  const cases::Variant& v = row.variant;
   Json shown = Json::array();
-  for (const Mismatch& m : found.shown) shown.push_back(json_of(m, operand_bits(v)));
-  return {{"operation", name_of(v.operation)},
-          {"target", name_of(v.target)},
+  for (const Mismatch& m : found.shown) shown.push_back(json_of(m, cases::operand_bits(v)));
+  return {{"operation", cases::name_of(v.operation)},
+          {"target", cases::name_of(v.target)},
           {"mul_round", v.mul_round},
           {"div_round", v.div_round},
           {"chapter", v.chapter_52 ? 52 : 54},
@@ -139,17 +140,18 @@ void read_done(const Json& ranges, Report& report) {
   }
 }
 
-Target target_named(const std::string& name) {
-  for (const Target t : {Target::i386, Target::i8088, Target::standard}) {
-    if (name_of(t) == name) return t;
+cases::Target target_named(const std::string& name) {
+  for (const cases::Target t :
+       {cases::Target::i386, cases::Target::i8088, cases::Target::standard}) {
+    if (cases::name_of(t) == name) return t;
   }
   refuse(fmt::format("unknown target '{}'", name));
 }
 
-Row row_in(const Json& json) {
-  Row row;
-  Variant& v = row.variant;
-  v.operation = operation_named(json.at("operation").get<std::string>());
+cases::Row row_in(const Json& json) {
+  cases::Row row;
+  cases::Variant& v = row.variant;
+  v.operation = cases::operation_named(json.at("operation").get<std::string>());
   v.target = target_named(json.at("target").get<std::string>());
   v.mul_round = json.at("mul_round").get<bool>();
   v.div_round = json.at("div_round").get<bool>();
@@ -181,10 +183,10 @@ Findings findings_in(const Json& json) {
 /// Whether a mismatch can come from a chunk that is done of that row, by the row's parties.
 bool fits(const Mismatch& m, const Report& report, std::size_t row) {
   if (m.chunk >= report.done.size() || !report.done[m.chunk]) return false;
-  const Chunk chunk = report.plan.chunk(m.chunk);
-  const Row& of = report.plan.rows()[row];
-  const std::size_t arity = words_in(of.variant.operation);
-  const int bits = operand_bits(of.variant);
+  const cases::Chunk chunk = report.plan.chunk(m.chunk);
+  const cases::Row& of = report.plan.rows()[row];
+  const std::size_t arity = cases::words_in(of.variant.operation);
+  const int bits = cases::operand_bits(of.variant);
   const auto too_wide = [bits](std::uint32_t word) { return bits < 32 && word >> bits != 0; };
   const auto is_case = [&](const std::vector<std::uint32_t>& words) {
     return words.size() == arity && std::none_of(words.begin(), words.end(), too_wide);
@@ -206,7 +208,7 @@ bool fits(const Mismatch& m, const Report& report, std::size_t row) {
 void check_counts(const Report& report) {
   std::vector<std::uint64_t> cases(report.findings.size());
   each_chunk(report, [&](std::uint64_t, std::uint64_t number) {
-    const Chunk chunk = report.plan.chunk(number);
+    const cases::Chunk chunk = report.plan.chunk(number);
     if (report.done[number]) cases[chunk.job->row] += chunk.cases;
   });
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -221,8 +223,8 @@ void check_counts(const Report& report) {
   }
 }
 
-Shard shard_in(const Json& json) {
-  const Shard shard{count_in(json.at(0)), count_in(json.at(1))};
+cases::Shard shard_in(const Json& json) {
+  const cases::Shard shard{count_in(json.at(0)), count_in(json.at(1))};
   if (shard.index < 1 || shard.index > shard.count) refuse("impossible shard");
   return shard;
 }
@@ -233,11 +235,11 @@ Report report_in(const Json& json) {
   if (const int version = json.at("version").get<int>(); version != format_version) {
     refuse(fmt::format("a report of version {}; this is version {}", version, format_version));
   }
-  std::vector<Row> rows;
+  std::vector<cases::Row> rows;
   for (const Json& row : json.at("rows")) rows.push_back(row_in(row));
-  Plan plan(json.at("level").get<int>(),
-            integer_in<std::uint64_t>(json.at("seed").get<std::string>(), 10, "seed"),
-            std::move(rows));
+  cases::Plan plan(json.at("level").get<int>(),
+                   integer_in<std::uint64_t>(json.at("seed").get<std::string>(), 10, "seed"),
+                   std::move(rows));
   for (std::size_t i = 0; i < plan.rows().size(); ++i) {
     if (json.at("rows")[i].at("streams") != streams_of(plan, i)) {
       refuse("made by a fixproof that runs other cases");
@@ -306,8 +308,8 @@ std::string difference(const Report& a, const Report& b) {
   if (first.empty()) first = differ("--max-reports", a.max_shown, b.max_shown);
   if (first.empty()) first = differ("rows:", a.plan.rows().size(), b.plan.rows().size());
   for (std::size_t i = 0; first.empty() && i < a.plan.rows().size(); ++i) {
-    const Row& of_a = a.plan.rows()[i];
-    const Row& of_b = b.plan.rows()[i];
+    const cases::Row& of_a = a.plan.rows()[i];
+    const cases::Row& of_b = b.plan.rows()[i];
     if (of_a.variant != of_b.variant) first = fmt::format("another variant in row {}", i + 1);
     if (of_a.parties == of_b.parties) continue;
     first = fmt::format("row {} compares {}, not {}", i + 1, fmt::join(of_a.parties, " "),
@@ -316,4 +318,4 @@ std::string difference(const Report& a, const Report& b) {
   return first;
 }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

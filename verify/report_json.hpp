@@ -7,7 +7,7 @@
 
 #include "verify/report.hpp"
 
-namespace fixproof {
+namespace fixproof::verify {
 
 /// The report as indented JSON text. `done` lists the chunks that are done by their places in the
 /// shard (0 for its first chunk), as pairs of first and last place.
@@ -22,4 +22,4 @@ Report from_json(std::string_view text);
 /// kept), else what differs, such as "seed 1, not 2": `a` first.
 std::string difference(const Report& a, const Report& b);
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

@@ -3,7 +3,7 @@
 #include <bit>
 #include <tuple>
 
-namespace fixproof {
+namespace fixproof::verify {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<std::uint32_t> shrink(
   return words;
 }
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

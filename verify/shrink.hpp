@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace fixproof {
+namespace fixproof::verify {
 
 /// The simplest case that greedy steps reach from `words` while `fails` holds: words become 0, lose
 /// their sign, become a power of two, lose bits, or are halved; a step is kept only if it makes a
@@ -17,4 +17,4 @@ namespace fixproof {
 std::vector<std::uint32_t> shrink(std::vector<std::uint32_t> words, int word_bits,
                                   const std::function<bool(std::span<const std::uint32_t>)>& fails);
 
-}  // namespace fixproof
+}  // namespace fixproof::verify

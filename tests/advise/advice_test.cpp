@@ -1,5 +1,5 @@
 // Which choice is taken of those that were tried.
-#include "verify/advise/advice.hpp"
+#include "trade/advice/advice.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,14 +8,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "verify/advise/advice_text.hpp"
-#include "verify/measure/provenance.hpp"
+#include "trade/advice/advice_text.hpp"
+#include "trade/host/provenance.hpp"
 
 namespace fixproof {
 namespace {
 
-Tried tried(double clocks, double pixels) {
-  Tried t;
+trade::Tried tried(double clocks, double pixels) {
+  trade::Tried t;
   t.cost = {clocks, clocks, clocks};
   t.error.pixels = pixels;
   t.error.over = 7;
@@ -23,9 +23,9 @@ Tried tried(double clocks, double pixels) {
 }
 
 TEST(Advice, IsTheCheapestWithinTheBudget) {
-  std::vector<Tried> all{tried(400, 0.1), tried(100, 9), tried(200, 4), tried(300, 0.5)};
-  sort_by_cost(all);
-  const Advice advice = advise(all, 0.5);
+  std::vector<trade::Tried> all{tried(400, 0.1), tried(100, 9), tried(200, 4), tried(300, 0.5)};
+  trade::sort_by_cost(all);
+  const trade::Advice advice = trade::advise(all, 0.5);
   ASSERT_TRUE(advice.take && advice.runner_up && advice.next_cheaper);
   EXPECT_EQ(all[*advice.take].cost.least, 300);
   EXPECT_EQ(all[*advice.runner_up].cost.least, 400);
@@ -34,21 +34,21 @@ TEST(Advice, IsTheCheapestWithinTheBudget) {
 }
 
 TEST(Advice, HasNothingCheaperThanTheCheapest) {
-  std::vector<Tried> all{tried(100, 0.4), tried(200, 4)};
-  const Advice advice = advise(all, 0.5);
+  std::vector<trade::Tried> all{tried(100, 0.4), tried(200, 4)};
+  const trade::Advice advice = trade::advise(all, 0.5);
   EXPECT_EQ(advice.take, 0U);
   EXPECT_FALSE(advice.runner_up);
   EXPECT_FALSE(advice.next_cheaper);
 }
 
 TEST(Advice, OfTheSameCostTakesTheMoreAccurate) {
-  std::vector<Tried> all{tried(100, 0.4), tried(100, 0.3)};
-  sort_by_cost(all);
-  EXPECT_EQ(all.at(*advise(all, 0.5).take).error.pixels, 0.3);
+  std::vector<trade::Tried> all{tried(100, 0.4), tried(100, 0.3)};
+  trade::sort_by_cost(all);
+  EXPECT_EQ(all.at(*trade::advise(all, 0.5).take).error.pixels, 0.3);
 }
 
-Tried timed(double median, double spread, double pixels) {
-  Tried t = tried(median, pixels);
+trade::Tried timed(double median, double spread, double pixels) {
+  trade::Tried t = tried(median, pixels);
   t.cost.spread = spread;
   return t;
 }
@@ -56,10 +56,10 @@ Tried timed(double median, double spread, double pixels) {
 // 200, 200.5 and 204 are 5 or less apart; 209 is noisy, and dearer; 201 is as cheap, but over the
 // budget.
 TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
-  std::vector<Tried> all{timed(209, 50, 0.1),   timed(200, 5, 0.4), timed(204, 5, 0.3),
-                         timed(200.5, 5, 0.45), timed(201, 5, 9),   timed(150, 5, 8)};
-  sort_by_cost(all);
-  const Advice advice = advise(all, 0.5);
+  std::vector<trade::Tried> all{timed(209, 50, 0.1),   timed(200, 5, 0.4), timed(204, 5, 0.3),
+                                timed(200.5, 5, 0.45), timed(201, 5, 9),   timed(150, 5, 8)};
+  trade::sort_by_cost(all);
+  const trade::Advice advice = trade::advise(all, 0.5);
   ASSERT_TRUE(advice.take && advice.runner_up && advice.next_cheaper);
   EXPECT_EQ(all[*advice.take].cost.ranked, 204);
   EXPECT_EQ(all[*advice.runner_up].cost.ranked, 200);
@@ -68,87 +68,89 @@ TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
 }
 
 TEST(Advice, SaysWhatCostsTheSame) {
-  AdviceReport report{
+  trade::AdviceReport report{
       .scene = "a scene", .budget = 0.5, .tried = {timed(200, 5, 0.4), timed(204, 5, 0.3)}};
-  EXPECT_NE(sentences_of(report).find("1 other within the budget costs the same"),
+  EXPECT_NE(trade::sentences_of(report).find("1 other within the budget costs the same"),
             std::string::npos)
-      << sentences_of(report);
-  EXPECT_NE(sentences_of(report).find("which costs the same, at most 0.400"), std::string::npos);
+      << trade::sentences_of(report);
+  EXPECT_NE(trade::sentences_of(report).find("which costs the same, at most 0.400"),
+            std::string::npos);
   report.tried = {timed(200, 1, 0.4), timed(204, 1, 0.3)};
-  EXPECT_EQ(sentences_of(report).find("the same"), std::string::npos) << sentences_of(report);
+  EXPECT_EQ(trade::sentences_of(report).find("the same"), std::string::npos)
+      << trade::sentences_of(report);
 }
 
 TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
-  AdviceReport report{
+  trade::AdviceReport report{
       .scene = "a scene",
       .budget = 0.5,
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
-  const auto json = nlohmann::json::parse(json_of(report));
+  const auto json = nlohmann::json::parse(trade::json_of(report));
   EXPECT_EQ(json.at("made").at("command"), "advise");
-  EXPECT_EQ(json.at("made").at("processor"), processor_name());
+  EXPECT_EQ(json.at("made").at("processor"), trade::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
   EXPECT_TRUE(json.at("variants").at(0).at("worst_pixels").is_null());
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);
   EXPECT_EQ(json.at("variants").at(1).at("cost_spread"), 5);
   report.cpu = x86model::Cpu::i386;
-  EXPECT_TRUE(nlohmann::json::parse(json_of(report)).at("made").at("processor").is_null());
+  EXPECT_TRUE(nlohmann::json::parse(trade::json_of(report)).at("made").at("processor").is_null());
 }
 
 TEST(Advice, IsNoneWhereNoneFits) {
-  const AdviceReport report{
+  const trade::AdviceReport report{
       .scene = "a scene", .budget = 0.5, .tried = {tried(100, 9), tried(200, 0.75)}};
-  const Advice advice = advise(report.tried, report.budget);
+  const trade::Advice advice = trade::advise(report.tried, report.budget);
   EXPECT_FALSE(advice.take);
   EXPECT_FALSE(advice.runner_up);
   EXPECT_EQ(advice.nearest, 1U);
-  EXPECT_EQ(sentences_of(report).rfind("None stays within 0.5 pixels.", 0), 0U);
-  EXPECT_NE(sentences_of(report).find("0.750 pixels off"), std::string::npos);
+  EXPECT_EQ(trade::sentences_of(report).rfind("None stays within 0.5 pixels.", 0), 0U);
+  EXPECT_NE(trade::sentences_of(report).find("0.750 pixels off"), std::string::npos);
 }
 
 // Only drift has those.
 TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
-  AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
+  trade::AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
   const auto names_them = [&report](double pixels) {
     report.drift_pixels = pixels;
-    return sentences_of(report).find("corners that are clipped") != std::string::npos;
+    return trade::sentences_of(report).find("corners that are clipped") != std::string::npos;
   };
   EXPECT_FALSE(names_them(0.5));
   EXPECT_TRUE(names_them(0.75));
 }
 
 RC_GTEST_PROP(Advice, IsNeverDearerForALargerBudget, ()) {
-  std::vector<Tried> all;
+  std::vector<trade::Tried> all;
   for (const auto& [clocks, pixels] :
        *rc::gen::nonEmpty<std::vector<std::pair<std::uint8_t, std::uint8_t>>>()) {
     all.push_back(tried(clocks, pixels));
   }
-  sort_by_cost(all);
+  trade::sort_by_cost(all);
   const double small = *rc::gen::inRange(0, 256);
   const double large = small + *rc::gen::inRange(0, 100);
-  const Advice strict = advise(all, small);
-  const Advice loose = advise(all, large);
+  const trade::Advice strict = trade::advise(all, small);
+  const trade::Advice loose = trade::advise(all, large);
   if (!strict.take) return;
   RC_ASSERT(loose.take.has_value());
   RC_ASSERT(all[*loose.take].cost.ranked <= all[*strict.take].cost.ranked);
   // By definition: it fits, and whatever is cheaper does not.
   RC_ASSERT(all[*strict.take].error.pixels <= small);
-  for (const Tried& t : all) {
+  for (const trade::Tried& t : all) {
     RC_ASSERT(t.cost.ranked >= all[*strict.take].cost.ranked || t.error.pixels > small);
   }
 }
 
 TEST(Choices, AreThoseThatTheProcessorRuns) {
   using enum x86model::Cpu;
-  const auto runs_386_code = [](const Choice& c) { return c.target == Target::i386; };
+  const auto runs_386_code = [](const trade::Choice& c) { return c.target == cases::Target::i386; };
   for (const auto cpu : {i8088, i286}) {
-    EXPECT_EQ(choices_on(cpu).size(), 4U * 6);
-    EXPECT_TRUE(std::ranges::none_of(choices_on(cpu), runs_386_code));
+    EXPECT_EQ(trade::choices_on(cpu).size(), 4U * 6);
+    EXPECT_TRUE(std::ranges::none_of(trade::choices_on(cpu), runs_386_code));
   }
   for (const std::optional<x86model::Cpu> cpu : {std::optional(i386), std::optional(i486), {}}) {
-    const auto choices = choices_on(cpu);
+    const auto choices = trade::choices_on(cpu);
     EXPECT_EQ(choices.size(), 8U * 6);
     for (auto it = choices.begin(); it != choices.end(); ++it) {
-      EXPECT_EQ(std::find(it + 1, choices.end(), *it), choices.end()) << name_of(*it);
+      EXPECT_EQ(std::find(it + 1, choices.end(), *it), choices.end()) << trade::name_of(*it);
     }
   }
 }

@@ -1,10 +1,10 @@
 // What frames cost: by hand from the clocks of single multiplies.
-#include "verify/advise/cost.hpp"
+#include "trade/advice/cost.hpp"
 
 #include <gtest/gtest.h>
 
-#include "verify/parties/interpreter.hpp"
-#include "verify/scenes/frame_clocks.hpp"
+#include "parties/interpreter.hpp"
+#include "trade/clocks/frame_clocks.hpp"
 #include "x86model/count_clocks.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -25,15 +25,15 @@ xsharp::Scene turning_cube(std::int32_t axes) {
   return scene;
 }
 
-double clocks(const xsharp::Scene& scene, const Turning& turning) {
+double clocks(const xsharp::Scene& scene, const trade::Turning& turning) {
   const std::atomic<bool> stop = false;
-  const Choice choice{.turning = turning};
-  return clocks_a_frame(scene, std::vector{choice}, cpu, stop).at(0).ranked;
+  const trade::Choice choice{.turning = turning};
+  return trade::clocks_a_frame(scene, std::vector{choice}, cpu, stop).at(0).ranked;
 }
 
 /// The dearest and the cheapest FixedMul there are.
 x86model::Range of_a_multiply() {
-  const x86model::Program program = program_of({});
+  const x86model::Program program = parties::program_of({});
   const auto count = [&](std::uint32_t factor) {
     const std::array in{factor, factor};
     return x86model::count_clocks<x86model::Routine::mul>(program.instructions(), in, cpu).clocks;
@@ -42,7 +42,7 @@ x86model::Range of_a_multiply() {
 }
 
 double of_a_sine(std::uint32_t tenths) {
-  const x86model::Program program = program_of({.operation = Operation::cossin});
+  const x86model::Program program = parties::program_of({.operation = cases::Operation::cossin});
   const std::array in{tenths};
   const auto counted =
       x86model::count_clocks<x86model::Routine::cossin>(program.instructions(), in, cpu);
@@ -50,7 +50,8 @@ double of_a_sine(std::uint32_t tenths) {
 }
 
 TEST(Clocks, OfACubeThatStandsStillAreNone) {
-  for (const Turning& turning : {Turning{}, Turning{false, 1}, Turning{true, 0}}) {
+  for (const trade::Turning& turning :
+       {trade::Turning{}, trade::Turning{false, 1}, trade::Turning{true, 0}}) {
     EXPECT_EQ(clocks(turning_cube(0), turning), 0);
   }
 }
@@ -91,9 +92,10 @@ TEST(Clocks, FromScratchAreThoseOfAppendingForOneAxis) {
 // They move 16 words of data. That takes 4 * 109 clocks; the table's instructions without MUL or
 // DIV take less.
 TEST(FrameClocks, TheBusLimitsACosSin) {
-  OperandLog log;
-  log.at(static_cast<std::size_t>(Operation::cossin)) = {0};
-  const FrameClocks clocks = clocks_of(log, {"model", "i8088", true, true}, x86model::Cpu::i8088);
+  player::OperandLog log;
+  log.at(static_cast<std::size_t>(cases::Operation::cossin)) = {0};
+  const trade::FrameClocks clocks =
+      trade::clocks_of(log, {"model", "i8088", true, true}, x86model::Cpu::i8088);
   EXPECT_EQ(clocks.bus, (x86model::BusBytes{77, 32}));
   EXPECT_LT(clocks.table.max, 436U);
   EXPECT_EQ(clocks.at_least(), (x86model::Range{436, 436}));
@@ -102,12 +104,12 @@ TEST(FrameClocks, TheBusLimitsACosSin) {
 // The larger of table and bus time counts. A 386 has no bus time.
 TEST(Clocks, OfAn8088HaveABus) {
   const std::atomic<bool> stop = false;
-  const std::vector choices{Choice{.target = Target::i8088, .turning = {}}};
+  const std::vector choices{trade::Choice{.target = cases::Target::i8088, .turning = {}}};
   const auto on = [&](x86model::Cpu processor) {
-    return clocks_a_frame(turning_cube(1), choices, processor, stop).at(0);
+    return trade::clocks_a_frame(turning_cube(1), choices, processor, stop).at(0);
   };
   EXPECT_EQ(on(x86model::Cpu::i386).bus, std::nullopt);
-  const Cost cost = on(x86model::Cpu::i8088);
+  const trade::Cost cost = on(x86model::Cpu::i8088);
   ASSERT_TRUE(cost.bus);
   EXPECT_GT(*cost.bus, 0);
   EXPECT_GE(cost.least, *cost.bus);
@@ -123,16 +125,16 @@ TEST(Clocks, HalfOfTheFramesCostHalf) {
 
 TEST(Clocks, StopWhenAsked) {
   const std::atomic<bool> stop = true;
-  EXPECT_TRUE(clocks_a_frame(turning_cube(1), choices_on(cpu), cpu, stop).empty());
-  EXPECT_TRUE(nanoseconds_a_frame(turning_cube(1), choices_on({}), stop).empty());
+  EXPECT_TRUE(trade::clocks_a_frame(turning_cube(1), trade::choices_on(cpu), cpu, stop).empty());
+  EXPECT_TRUE(trade::nanoseconds_a_frame(turning_cube(1), trade::choices_on({}), stop).empty());
 }
 
 TEST(Nanoseconds, AreOfEveryChoice) {
   const std::atomic<bool> stop = false;
-  const std::vector<Choice> choices{{}, {.target = Target::i8088}};
-  const auto costs = nanoseconds_a_frame(turning_cube(1), choices, stop);
+  const std::vector<trade::Choice> choices{{}, {.target = cases::Target::i8088}};
+  const auto costs = trade::nanoseconds_a_frame(turning_cube(1), choices, stop);
   ASSERT_EQ(costs.size(), 2U);
-  for (const Cost& cost : costs) {
+  for (const trade::Cost& cost : costs) {
     EXPECT_GT(cost.least, 0);
     EXPECT_LE(cost.least, cost.most);
     EXPECT_EQ(cost.ranked, cost.most);
@@ -142,9 +144,9 @@ TEST(Nanoseconds, AreOfEveryChoice) {
 // Whatever the times are: a tenth of the way from never to always, on average over rounds.
 TEST(Nanoseconds, OfRestoringLieBetween) {
   const std::atomic<bool> stop = false;
-  const std::vector<Choice> choices{
+  const std::vector<trade::Choice> choices{
       {}, {.turning = {false, 600}}, {.turning = {false, 10}}, {.turning = {false, 1}}};
-  const auto costs = nanoseconds_a_frame(turning_cube(2), choices, stop);
+  const auto costs = trade::nanoseconds_a_frame(turning_cube(2), choices, stop);
   ASSERT_EQ(costs.size(), 4U);
   for (std::size_t i = 1; i < costs.size(); ++i) {
     EXPECT_LT(costs[i - 1].ranked, costs[i].ranked) << i;

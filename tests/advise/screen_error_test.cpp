@@ -1,5 +1,5 @@
 // How far corners are off: by hand, by the pipeline's own pixels, and by drift.
-#include "verify/advise/screen_error.hpp"
+#include "trade/advice/screen_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <map>
 
 #include "fixed/fixed.hpp"
-#include "verify/advise/screen_corners.hpp"
-#include "verify/drift/run.hpp"
-#include "verify/scenes/players.hpp"
+#include "player/players.hpp"
+#include "trade/advice/screen_corners.hpp"
+#include "trade/drift/run.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -27,10 +27,11 @@ xsharp::Scene still_cube(double half_edge, double z) {
   return scene;
 }
 
-ScreenError error_of(const xsharp::Scene& scene, const Choice& choice, std::uint64_t frames,
-                     double budget = 0.5) {
+trade::ScreenError error_of(const xsharp::Scene& scene, const trade::Choice& choice,
+                            std::uint64_t frames, double budget = 0.5) {
   const std::atomic<bool> stop = false;
-  return screen_errors(scene, std::vector{choice}, budget, frames, stop, [](std::uint64_t) {})
+  return trade::screen_errors(scene, std::vector{choice}, budget, frames, stop,
+                              [](std::uint64_t) {})
       .at(0);
 }
 
@@ -40,11 +41,11 @@ TEST(ScreenError, OfTheDivisorsFraction) {
   const double expected = 160.0 * (1 / 8.0 - 1 / 8.5) * std::sqrt(2);
   // A quotient that is a unit off is 320 units off on the screen.
   const double units = 2 * 320.0 / 65536;
-  const auto off = [](Target target) {
+  const auto off = [](cases::Target target) {
     return error_of(still_cube(0.5, -9), {.target = target}, 1).pixels;
   };
-  EXPECT_NEAR(off(Target::i8088), expected, units);
-  EXPECT_LT(off(Target::i386), units);
+  EXPECT_NEAR(off(cases::Target::i8088), expected, units);
+  EXPECT_LT(off(cases::Target::i386), units);
 }
 
 // Corners at x, y = 1 and z = -9, -11: 65536 / 9 and / 11 are 7281.78 and 5957.82 units.
@@ -64,10 +65,10 @@ TEST(ScreenError, IsThatOfTheWorstFrameAndObject) {
   scene.objects.push_back(scene.objects[0]);
   scene.objects[1].position = {0, 0, -11.5};
   scene.objects[1].drift = xsharp::Drift{.step = {0, 0, 1.25}};
-  const Choice choice{.target = Target::i8088};
+  const trade::Choice choice{.target = cases::Target::i8088};
   // After five frames at -5.25: corners at -4.75, taken for -4.
   const double expected = 160.0 * (1 / 4.0 - 1 / 4.75) * std::sqrt(2);
-  const ScreenError error = error_of(scene, choice, 6, 5);
+  const trade::ScreenError error = error_of(scene, choice, 6, 5);
   EXPECT_NEAR(error.pixels, expected, 0.05);
   EXPECT_EQ(error.frame, 5U);
   EXPECT_EQ(error.object, 1U);
@@ -78,19 +79,22 @@ TEST(ScreenError, IsThatOfTheWorstFrameAndObject) {
 
 TEST(ScreenError, SharedMotionsChangeNothing) {
   const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
-  const auto choices = choices_on({});
+  const auto choices = trade::choices_on({});
   std::uint64_t frames = 30;
   const std::atomic<bool> stop = false;
-  const auto together = screen_errors(scene, choices, 0.5, frames, stop, [](std::uint64_t) {});
+  const auto together =
+      trade::screen_errors(scene, choices, 0.5, frames, stop, [](std::uint64_t) {});
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    EXPECT_EQ(together[i].pixels, error_of(scene, choices[i], 30).pixels) << name_of(choices[i]);
+    EXPECT_EQ(together[i].pixels, error_of(scene, choices[i], 30).pixels)
+        << trade::name_of(choices[i]);
   }
 }
 
 TEST(ScreenError, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   std::uint64_t frames = 1000;
-  screen_errors(still_cube(1, -9), choices_on({}), 0.5, frames, stop, [](std::uint64_t) {});
+  trade::screen_errors(still_cube(1, -9), trade::choices_on({}), 0.5, frames, stop,
+                       [](std::uint64_t) {});
   EXPECT_EQ(frames, 0U);
 }
 
@@ -99,10 +103,10 @@ template <class N>
 int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& choice) {
   xsharp::Scene scene = xsharp::read_scene(file);
   scene.restore_every = 10;
-  const auto player = make_player(scene, choice);
+  const auto player = player::make_player(scene, choice);
   const auto view = xsharp::view_of<N>(scene);
   const xsharp::RotationStyle style{scene.trigonometry, scene.conversion, false, 10};
-  std::vector<ScreenCorners<N>> objects;
+  std::vector<trade::ScreenCorners<N>> objects;
   for (const auto& object : scene.objects) objects.emplace_back(object, style);
   int compared = 0;
   xsharp::Picture picture;
@@ -124,7 +128,7 @@ int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& 
         const auto& drawn = state.screen.at((corner++)->first);
         if (drawn.has_value() != xsharp::inside(place, view.projection.slope)) return -1;
         if (!drawn) continue;
-        const auto at = screen_place(place, view.projection);
+        const auto at = trade::screen_place(place, view.projection);
         if (!at) return -1;
         const xsharp::ScreenPoint pixel{
             static_cast<std::int32_t>(std::floor((*at)[0] + 0.5)) + view.projection.center_x,
@@ -154,16 +158,18 @@ TEST(ScreenCorners, AreWhatIsDrawn) {
 TEST(ScreenError, IsBorneOutByDrift) {
   const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
   for (const bool mul_round : {true, false}) {
-    for (const Turning& turning : {Turning{}, Turning{false, 60}, Turning{true, 0}}) {
+    for (const trade::Turning& turning :
+         {trade::Turning{}, trade::Turning{false, 60}, trade::Turning{true, 0}}) {
       std::uint64_t frames = 2000;
       const std::atomic<bool> stop = false;
-      const DriftCase drift{.multiply = mul_round ? Multiply::i386_on : Multiply::i386_off,
-                            .restore_every = turning.restore_every,
-                            .from_scratch = turning.from_scratch};
+      const trade::DriftCase drift{
+          .multiply = mul_round ? trade::Multiply::i386_on : trade::Multiply::i386_off,
+          .restore_every = turning.restore_every,
+          .from_scratch = turning.from_scratch};
       const double motion =
-          run_drift(scene, {drift}, frames, stop, [](std::uint64_t) {}).at(0).worst.pixels;
-      const Choice choice{.mul_round = mul_round, .turning = turning};
-      EXPECT_NEAR(error_of(scene, choice, 2000).pixels, motion, 0.02) << name_of(choice);
+          trade::run_drift(scene, {drift}, frames, stop, [](std::uint64_t) {}).at(0).worst.pixels;
+      const trade::Choice choice{.mul_round = mul_round, .turning = turning};
+      EXPECT_NEAR(error_of(scene, choice, 2000).pixels, motion, 0.02) << trade::name_of(choice);
     }
   }
 }

@@ -15,42 +15,43 @@
 #include <utility>
 #include <vector>
 
+#include "cases/plan.hpp"
+#include "cases/streams.hpp"
+#include "cli/selection.hpp"
+#include "parties/with_number.hpp"
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
-#include "verify/parties/with_number.hpp"
-#include "verify/plan.hpp"
 #include "verify/report.hpp"
-#include "verify/selection.hpp"
-#include "verify/streams.hpp"
 
 namespace batch_test {
 namespace {
 
-using fixproof::Operation;
+using fixproof::cases::Operation;
 
 /// As a level is seeded where nothing else is asked for.
 constexpr std::uint64_t seed = 1994;
 
-fixproof::Shard part() {
+fixproof::cases::Shard part() {
   const char* const asked = std::getenv("FIXPROOF_STREAMS");
-  return fixproof::parse_shard(asked != nullptr ? asked : "1/1");
+  return fixproof::cases::parse_shard(asked != nullptr ? asked : "1/1");
 }
 
 /// The words of a block of cases.
 class Cases {
  public:
-  Cases(const fixproof::Plan& plan, const fixproof::Chunk& chunk)
-      : arity_(fixproof::words_in(plan.rows()[0].variant.operation)), words_(chunk.cases * arity_) {
-    fixproof::make_cases(chunk.job->stream, plan.rows()[0].variant, plan.seed(), chunk.first,
-                         words_);
+  Cases(const fixproof::cases::Plan& plan, const fixproof::cases::Chunk& chunk)
+      : arity_(fixproof::cases::words_in(plan.rows()[0].variant.operation)),
+        words_(chunk.cases * arity_) {
+    fixproof::cases::make_cases(chunk.job->stream, plan.rows()[0].variant, plan.seed(), chunk.first,
+                                words_);
   }
 
   [[nodiscard]] std::size_t count() const { return words_.size() / arity_; }
 
   template <class Number>
   [[nodiscard]] Number operand(std::size_t one, std::size_t which) const {
-    return fixproof::number_of<Number>(words_[one * arity_ + which]);
+    return fixproof::parties::number_of<Number>(words_[one * arity_ + which]);
   }
 
   /// Operand `which` of each case, or of the case so many after it.
@@ -72,8 +73,8 @@ class Cases {
 /// tells how far it is.
 template <class Compare>
 void each_block(Operation operation, const Compare& compare) {
-  const fixproof::Plan plan(2, seed, {{{.operation = operation}, {"type", "batch"}}});
-  const fixproof::Shard shard = part();
+  const fixproof::cases::Plan plan(2, seed, {{{.operation = operation}, {"type", "batch"}}});
+  const fixproof::cases::Shard shard = part();
   std::vector<std::uint64_t> blocks;
   for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk) {
     if (shard.has(chunk)) blocks.push_back(chunk);
@@ -99,7 +100,7 @@ void each_block(Operation operation, const Compare& compare) {
     threads.emplace_back(work);
   }
   for (std::thread& thread : threads) thread.join();
-  std::cout << fixproof::name_of(operation) << ": " << cases << " of " << plan.cases()
+  std::cout << fixproof::cases::name_of(operation) << ": " << cases << " of " << plan.cases()
             << " cases\n";
 }
 

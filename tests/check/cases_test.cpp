@@ -1,5 +1,5 @@
 // The cases that a subject is given are those of a verification.
-#include "verify/check/cases.hpp"
+#include "check/cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "verify/streams.hpp"
-#include "verify/usage_error.hpp"
+#include "cases/streams.hpp"
+#include "support/usage_error.hpp"
 
 namespace {
 
-using fixproof::CaseOptions;
-using fixproof::GeneratedCases;
-using fixproof::Operation;
+using fixproof::cases::Operation;
+using fixproof::check::CaseOptions;
+using fixproof::check::GeneratedCases;
 using Words = std::vector<std::uint32_t>;
 
 struct Drawn {
@@ -28,7 +28,7 @@ struct Drawn {
 Drawn draw_all(Operation operation, const CaseOptions& options) {
   GeneratedCases cases(operation, options);
   Drawn drawn;
-  Words words(words_in(operation));
+  Words words(fixproof::cases::words_in(operation));
   while (cases.next(words)) {
     drawn.cases.push_back(words);
     ++drawn.of_stream[std::string(cases.origin())];
@@ -44,9 +44,11 @@ TEST(CheckCases, AreTheStreamsOfLevelOne) {
   EXPECT_EQ(drawn.cases.size(), 1'039'204U);
   EXPECT_EQ(drawn.of_stream.at("lattice"), 39'204U);
   EXPECT_EQ(drawn.of_stream.at("near_product_ties"), 250'000U);
-  const fixproof::Variant variant{.operation = Operation::mul, .target = fixproof::Target::i8088};
+  const fixproof::cases::Variant variant{.operation = Operation::mul,
+                                         .target = fixproof::cases::Target::i8088};
   Words words(2);
-  fixproof::make_cases(fixproof::Stream::near_product_ties, variant, 1994, 249'999, words);
+  fixproof::cases::make_cases(fixproof::cases::Stream::near_product_ties, variant, 1994, 249'999,
+                              words);
   EXPECT_EQ(drawn.cases.back(), words);
 }
 
@@ -94,7 +96,7 @@ TEST(CheckCases, TheSeedChangesThem) {
 TEST(CheckCases, AShardThatIsNone) {
   CaseOptions options;
   options.shard = "4/3";
-  EXPECT_THROW(GeneratedCases(Operation::mul, options), fixproof::UsageError);
+  EXPECT_THROW(GeneratedCases(Operation::mul, options), fixproof::support::UsageError);
 }
 
 }  // namespace

@@ -44,13 +44,13 @@ std::string contents_of(const std::string& path) {
 /// 1.5 x 2.5, minus an ulp x 0.5.
 constexpr std::string_view two_cases = "# two\n00018000 00028000\n\nffffffff 00008000\n";
 
-cli::Run check_two(std::string_view options, std::string_view results) {
+command::Run check_two(std::string_view options, std::string_view results) {
   const Folder folder;
-  return cli::fixproof(
+  return command::fixproof(
       fmt::format("check mul --from {} {}", folder.with("cases", two_cases), options), results);
 }
 
-void expect_usage_error(const cli::Run& run, std::string_view part) {
+void expect_usage_error(const command::Run& run, std::string_view part) {
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
   EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
@@ -92,7 +92,7 @@ TEST(CheckCommand, TooFewResults) {
   // What there was is judged.
   EXPECT_NE(run.out.find("half-up"), std::string::npos);
   const auto generated =
-      cli::fixproof("check div --rounding half-up --cases 5 --seed 3", "00000000\n");
+      command::fixproof("check div --rounding half-up --cases 5 --seed 3", "00000000\n");
   expect_usage_error(generated, "ends after 1 result: there are 5 cases");
 }
 
@@ -121,19 +121,20 @@ TEST(CheckCommand, LinesThatAreNoCases) {
   const Folder folder;
   const auto cases = folder.with("cases", "# comment\n00018000\n");
   const auto run =
-      cli::fixproof("check mul --rounding floor --from " + cases, "00000000\n00000000\n");
+      command::fixproof("check mul --rounding floor --from " + cases, "00000000\n00000000\n");
   expect_usage_error(run, "cases, line 2: mul takes 2 words with single spaces between");
   const auto none = folder.with("none", "# nothing\n");
-  expect_usage_error(cli::fixproof("check mul --rounding floor --from " + none),
+  expect_usage_error(command::fixproof("check mul --rounding floor --from " + none),
                      "there are no cases");
 }
 
 // An answer that is missing moves all that follow to other cases.
 TEST(CheckCommand, BlankLineBetweenResults) {
   const std::string command = "check mul --cases 3 --rounding floor";
-  expect_usage_error(cli::fixproof(command, "00000000\n\n00000000\n00000000\n"),
+  expect_usage_error(command::fixproof(command, "00000000\n\n00000000\n00000000\n"),
                      "standard input, line 2: blank; a result is");
-  const auto at_the_end = cli::fixproof(command + " --overflow any", "#\nDE\nDE\nDE\n\n \n# end\n");
+  const auto at_the_end =
+      command::fixproof(command + " --overflow any", "#\nDE\nDE\nDE\n\n \n# end\n");
   EXPECT_EQ(at_the_end.status, 1) << at_the_end.err;
 }
 
@@ -141,14 +142,16 @@ TEST(CheckCommand, BlankLineBetweenResults) {
 TEST(CheckCommand, LineWithoutAnEnd) {
   const std::string long_line(1 << 20, '0');
   expect_usage_error(
-      cli::fixproof("check mul --cases 3 --rounding floor", "00000000\n" + long_line),
+      command::fixproof("check mul --cases 3 --rounding floor", "00000000\n" + long_line),
       "standard input, line 2: longer than 4096 characters");
-  expect_usage_error(cli::fixproof("eval mul", long_line), "line 1: longer than 4096 characters");
-  EXPECT_EQ(cli::run({"sh", "-c",
-                      "head -c 100000000 /dev/zero | \"$0\" check mul --cases 3 --rounding floor",
-                      FIXPROOF_COMMAND})
-                .status,
-            2);
+  expect_usage_error(command::fixproof("eval mul", long_line),
+                     "line 1: longer than 4096 characters");
+  EXPECT_EQ(
+      command::run({"sh", "-c",
+                    "head -c 100000000 /dev/zero | \"$0\" check mul --cases 3 --rounding floor",
+                    FIXPROOF_COMMAND})
+          .status,
+      2);
 }
 
 // The root of 2 is 92681.9 ulps, and minus that lies between -92682 and -92681: the rules that are
@@ -157,11 +160,11 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
   const Folder folder;
   const std::string command = "check sqrt --negative-root mirror --from " +
                               folder.with("roots", "00020000\nfffe0000\n") + " --rounding ";
-  const auto cut = cli::fixproof(command + "toward-zero", "00016a09\nfffe95f7\n");
+  const auto cut = command::fixproof(command + "toward-zero", "00016a09\nfffe95f7\n");
   EXPECT_EQ(cut.status, 0) << cut.out << cut.err;
   EXPECT_NE(cut.out.find("rounded toward zero on all 1 negative operands"), std::string::npos)
       << cut.out;
-  const auto down = cli::fixproof(command + "floor", "00016a09\nfffe95f6\n");
+  const auto down = command::fixproof(command + "floor", "00016a09\nfffe95f6\n");
   EXPECT_EQ(down.status, 0) << down.out << down.err;
   EXPECT_NE(down.out.find("rounded down, away from zero on all 1 negative operands"),
             std::string::npos)
@@ -170,7 +173,7 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
 
 TEST(CheckCommand, OptionsThatAreNone) {
   const auto refused = [](std::string_view arguments, std::string_view part) {
-    expect_usage_error(cli::fixproof(arguments), part);
+    expect_usage_error(command::fixproof(arguments), part);
   };
   refused("check", "operation");
   refused("check mul", "--rounding");
@@ -201,43 +204,43 @@ TEST(CheckCommand, OptionsThatAreNone) {
 }
 
 TEST(GenCommand, WritesTheCasesThatEvalReads) {
-  const auto cases = cli::fixproof("gen div --cases 2000");
+  const auto cases = command::fixproof("gen div --cases 2000");
   EXPECT_EQ(cases.status, 0) << cases.err;
   EXPECT_EQ(
       cases.out.rfind("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: ", 0), 0);
-  const auto answers = cli::fixproof("eval div --target i386 --round off", cases.out);
+  const auto answers = command::fixproof("eval div --target i386 --round off", cases.out);
   EXPECT_EQ(answers.status, 0) << answers.err;
   const auto verdict =
-      cli::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers.out);
+      command::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers.out);
   EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
 }
 
 TEST(GenCommand, OfEveryOperationOfEval) {
   for (const std::string operation : {"mul", "div", "cossin", "xformvec", "concat"}) {
-    const auto cases = cli::fixproof("gen " + operation + " --cases 50");
+    const auto cases = command::fixproof("gen " + operation + " --cases 50");
     EXPECT_EQ(cases.status, 0) << cases.err;
-    const auto answers = cli::fixproof("eval " + operation, cases.out);
+    const auto answers = command::fixproof("eval " + operation, cases.out);
     EXPECT_EQ(answers.status, 0) << answers.err;
-    EXPECT_EQ(cli::split(answers.out, '\n').size(), 51U);
+    EXPECT_EQ(command::split(answers.out, '\n').size(), 51U);
   }
 }
 
 TEST(GenCommand, IntoAFile) {
   const Folder folder;
-  const auto run = cli::fixproof("gen sqrt --cases 100 -o " + folder.file("cases"));
+  const auto run = command::fixproof("gen sqrt --cases 100 -o " + folder.file("cases"));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_EQ(contents_of(folder.file("cases")), cli::fixproof("gen sqrt --cases 100").out);
+  EXPECT_EQ(contents_of(folder.file("cases")), command::fixproof("gen sqrt --cases 100").out);
 }
 
 TEST(GenCommand, AReaderThatHasGoneIsNoError) {
-  const auto run = cli::fixproof("gen mul", "", cli::Output::reader_gone);
+  const auto run = command::fixproof("gen mul", "", command::Output::reader_gone);
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
 }
 
 TEST(GenCommand, AFullDiskIsAnError) {
-  const auto run = cli::fixproof("gen mul", "", cli::Output::full_device);
+  const auto run = command::fixproof("gen mul", "", command::Output::full_device);
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
 }

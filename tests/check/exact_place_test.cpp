@@ -1,5 +1,5 @@
 // Where exact results lie, worked out by hand.
-#include "verify/check/exact_place.hpp"
+#include "check/exact_place.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,14 @@
 
 namespace {
 
-using fixproof::CaseKind;
-using fixproof::Operation;
+using fixproof::cases::Operation;
+using fixproof::check::CaseKind;
 using Words = std::vector<std::uint32_t>;
 
 /// The kind of a case whose result fits, and the exact result as text.
 void expect_place(Operation operation, const Words& words, CaseKind kind, const std::string& text,
                   bool negative) {
-  const auto place = fixproof::exact_place(operation, words);
+  const auto place = fixproof::check::exact_place(operation, words);
   EXPECT_EQ(place.kind(false), kind) << text;
   EXPECT_EQ(place.text(), text);
   EXPECT_EQ(place.negative, negative) << text;
@@ -54,15 +54,15 @@ TEST(CheckPlace, OfRoots) {
 }
 
 TEST(CheckPlace, WithoutAResult) {
-  const auto zero = fixproof::exact_place(Operation::div, Words{0xffff0000, 0});
+  const auto zero = fixproof::check::exact_place(Operation::div, Words{0xffff0000, 0});
   EXPECT_EQ(zero.kind(false), CaseKind::no_result);
   EXPECT_TRUE(zero.negative);
-  EXPECT_EQ(fixproof::exact_place(Operation::sqrt, Words{0x80000000}).kind(false),
+  EXPECT_EQ(fixproof::check::exact_place(Operation::sqrt, Words{0x80000000}).kind(false),
             CaseKind::no_result);
 }
 
 TEST(CheckPlace, OverflowIsAKindOfItsOwn) {
-  const auto place = fixproof::exact_place(Operation::mul, Words{0x1000000, 0x800000});
+  const auto place = fixproof::check::exact_place(Operation::mul, Words{0x1000000, 0x800000});
   EXPECT_EQ(place.kind(true), CaseKind::overflow);
 }
 

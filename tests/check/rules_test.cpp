@@ -1,5 +1,5 @@
 // The rules a subject is held to, worked out by hand.
-#include "verify/check/rules.hpp"
+#include "check/rules.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 
 namespace {
 
-using fixproof::NoResult;
-using fixproof::Operation;
-using fixproof::Overflow;
-using fixproof::Rules;
-using fixproof::Said;
+using fixproof::cases::Operation;
+using fixproof::check::NoResult;
+using fixproof::check::Overflow;
+using fixproof::check::Rules;
+using fixproof::check::Said;
 using oracle::Rounding;
 using Words = std::vector<std::uint32_t>;
 
@@ -21,7 +21,7 @@ constexpr std::uint32_t minus_one_ulp = 0xffffffff;
 constexpr std::uint32_t half = 0x8000;
 
 Said expected_word(const Rules& rules, const Words& words) {
-  const auto expected = fixproof::expected_of(rules, words);
+  const auto expected = fixproof::check::expected_of(rules, words);
   EXPECT_TRUE(expected.judged);
   return expected.said;
 }
@@ -79,7 +79,7 @@ TEST(CheckRules, OverflowByEveryRule) {
   EXPECT_EQ(said(Overflow::maximum, below), 0x7fffffffU);
   EXPECT_EQ(said(Overflow::minimum, above), 0x80000000);
   EXPECT_EQ(said(Overflow::error, above), std::nullopt);
-  EXPECT_FALSE(fixproof::expected_of({.overflow = Overflow::any}, above).judged);
+  EXPECT_FALSE(fixproof::check::expected_of({.overflow = Overflow::any}, above).judged);
 }
 
 TEST(CheckRules, TheLastResultThatFits) {
@@ -108,7 +108,8 @@ TEST(CheckRules, ZeroDivisorsByEveryRule) {
 TEST(CheckRules, ZeroByZeroMayBeZeroWhereTheSignDecides) {
   const Words words{0, 0};
   const auto keeps = [&](NoResult rule, Said said) {
-    return fixproof::keeps(Rules{.operation = Operation::div, .no_result = rule}, words, said);
+    return fixproof::check::keeps(Rules{.operation = Operation::div, .no_result = rule}, words,
+                                  said);
   };
   EXPECT_TRUE(keeps(NoResult::saturate, 0U));
   EXPECT_TRUE(keeps(NoResult::saturate, 0x7fffffffU));
@@ -139,22 +140,24 @@ TEST(CheckRules, AnythingIsAcceptedWhereAskedFor) {
   const Rules rules{
       .operation = Operation::div, .overflow = Overflow::any, .no_result = NoResult::any};
   for (const Said said : {Said(), Said(7U), Said(0x80000000)}) {
-    EXPECT_TRUE(fixproof::keeps(rules, Words{0x10000, 0}, said));
-    EXPECT_TRUE(fixproof::keeps(rules, Words{0x7fffffff, 1}, said));
-    EXPECT_FALSE(fixproof::keeps(rules, Words{0x10000, 0x10000}, said));
+    EXPECT_TRUE(fixproof::check::keeps(rules, Words{0x10000, 0}, said));
+    EXPECT_TRUE(fixproof::check::keeps(rules, Words{0x7fffffff, 1}, said));
+    EXPECT_FALSE(fixproof::check::keeps(rules, Words{0x10000, 0x10000}, said));
   }
 }
 
 TEST(CheckRules, NamesAreDifferent) {
   std::vector<std::string_view> names;
-  for (const auto rule : fixproof::roundings()) names.push_back(fixproof::name_of(rule));
+  for (const auto rule : fixproof::check::roundings())
+    names.push_back(fixproof::check::name_of(rule));
   EXPECT_EQ(names, (std::vector<std::string_view>{"half-up", "half-away", "half-even", "floor",
                                                   "toward-zero"}));
   names.clear();
-  for (const auto rule : fixproof::overflow_rules()) names.push_back(fixproof::name_of(rule));
+  for (const auto rule : fixproof::check::overflow_rules())
+    names.push_back(fixproof::check::name_of(rule));
   EXPECT_EQ(names, (std::vector<std::string_view>{"wrap", "saturate", "symmetric", "maximum",
                                                   "minimum", "de"}));
-  EXPECT_EQ(fixproof::no_result_rules(Operation::mul).size(), 0U);
+  EXPECT_EQ(fixproof::check::no_result_rules(Operation::mul).size(), 0U);
 }
 
 }  // namespace

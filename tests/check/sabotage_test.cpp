@@ -10,20 +10,20 @@
 #include <string>
 #include <string_view>
 
-#include "verify/check/cases.hpp"
-#include "verify/check/guess_text.hpp"
-#include "verify/check/judge.hpp"
-#include "verify/check/verdict_text.hpp"
+#include "check/cases.hpp"
+#include "check/guess_text.hpp"
+#include "check/judge.hpp"
+#include "check/verdict_text.hpp"
 
 namespace {
 
-using fixproof::CaseKind;
-using fixproof::Judge;
-using fixproof::NoResult;
-using fixproof::Operation;
-using fixproof::Overflow;
-using fixproof::Rules;
-using fixproof::Said;
+using fixproof::cases::Operation;
+using fixproof::check::CaseKind;
+using fixproof::check::Judge;
+using fixproof::check::NoResult;
+using fixproof::check::Overflow;
+using fixproof::check::Rules;
+using fixproof::check::Said;
 using oracle::Rounding;
 using SubjectFunction = std::function<Said(std::int64_t, std::int64_t)>;
 
@@ -34,12 +34,12 @@ Said word(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
 
 /// Held to the rules over cases of every stream.
 Judge judged(const Rules& rules, const SubjectFunction& subject) {
-  fixproof::CaseOptions options;
+  fixproof::check::CaseOptions options;
   options.cases = 60'000;
-  fixproof::GeneratedCases cases(rules.operation, options);
+  fixproof::check::GeneratedCases cases(rules.operation, options);
   Judge judge(rules, 3);
-  fixproof::JudgedCase one;
-  const auto words = std::span(one.words).first(words_in(rules.operation));
+  fixproof::check::JudgedCase one;
+  const auto words = std::span(one.words).first(fixproof::cases::words_in(rules.operation));
   while (cases.next(words)) {
     ++one.number;
     one.origin = "stream";
@@ -58,17 +58,17 @@ void expect_wrong(const Judge& judge, std::initializer_list<CaseKind> kinds,
   std::uint64_t sum = 0;
   for (const CaseKind kind : kinds) {
     const auto all = judge.tally(kind, false);
-    EXPECT_GT(all.wrong, 0U) << name_of(kind, judge.rules().operation);
+    EXPECT_GT(all.wrong, 0U) << fixproof::check::name_of(kind, judge.rules().operation);
     if (negative_alone) {
       EXPECT_EQ(all.wrong, judge.tally(kind, true).wrong);
     }
     sum += all.wrong;
   }
-  EXPECT_EQ(judge.wrong().count(), sum) << verdict_text(judge);
+  EXPECT_EQ(judge.wrong().count(), sum) << fixproof::check::verdict_text(judge);
 }
 
 void expect_guess(const Judge& judge, std::string_view part) {
-  const std::string text = guess_text(judge);
+  const std::string text = fixproof::check::guess_text(judge);
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
@@ -155,7 +155,7 @@ TEST(CheckSabotage, AnyOverflowIsNotJudgedAndSaysSo) {
   });
   expect_wrong(judge, {});
   EXPECT_EQ(judge.not_judged(), judge.tally(CaseKind::overflow, false).cases);
-  EXPECT_NE(verdict_text(judge).find("were not judged"), std::string::npos);
+  EXPECT_NE(fixproof::check::verdict_text(judge).find("were not judged"), std::string::npos);
 }
 
 TEST(CheckSabotage, AQuotientOfZero) {
@@ -226,7 +226,7 @@ TEST(CheckVerdict, NamesTheFirstWrongCases) {
   Judge judge(mul_half_up, 1);
   judge.add({1, "product_ties", {0xffffffff, 0x8000}, 0xffffffffU});
   judge.add({2, "product_ties", {0xffffffff, 0x8000}, Said()});
-  const std::string text = verdict_text(judge);
+  const std::string text = fixproof::check::verdict_text(judge);
   EXPECT_NE(text.find("case 1 (product_ties): ffffffff 00008000 (-0.00002 0.5): 00000000 expected, "
                       "ffffffff said; exact -1 + 1/2 ulp, tie\n"
                       "The first 1 of 2 wrong results (--show N).\n"),

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "parties/answer.hpp"
+
 namespace bitwise {
 
 namespace {

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <thread>
 
-namespace cli {
+namespace command {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-}  // namespace cli
+}  // namespace command

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cli {
+namespace command {
 
 /// What a run left behind.
 struct Run {
@@ -61,4 +61,4 @@ std::string repeated(std::size_t count, char c);
 
 std::vector<std::string> split(std::string_view text, char separator);
 
-}  // namespace cli
+}  // namespace command

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace cli {
+namespace command {
 
 /// A sequence of 64-bit numbers that its seed settles: steps of 2^64 over the golden ratio, their
 /// bits mixed (SplitMix64).
@@ -33,4 +33,4 @@ inline std::uint32_t draw_word(Random& random, std::uint32_t bits) {
   return (random() % 2 == 0 ? word : 0U - word) & mask;
 }
 
-}  // namespace cli
+}  // namespace command

@@ -23,7 +23,7 @@ void expect_one_line(const std::string& err) {
 
 /// `bad` as the third line of three: refused by its number, after both answers before it.
 void expect_refused(const std::string& bad, std::string_view arguments = "eval mul") {
-  const auto run = cli::fixproof(arguments, fmt::format("{0}{0}{1}\n{0}", good, bad));
+  const auto run = command::fixproof(arguments, fmt::format("{0}{0}{1}\n{0}", good, bad));
   EXPECT_EQ(run.status, 2) << bad;
   EXPECT_EQ(run.out, fmt::format("{0}{0}", answered)) << bad;
   EXPECT_EQ(run.err.rfind("fixproof: line 3: ", 0), 0) << run.err;
@@ -32,33 +32,33 @@ void expect_refused(const std::string& bad, std::string_view arguments = "eval m
 }
 
 TEST(EvalInput, PassesOverBlankLinesAndComments) {
-  const auto run = cli::fixproof("eval mul", fmt::format("\n# {0}{0}\n   \n\t\n#\n{0}", good));
+  const auto run = command::fixproof("eval mul", fmt::format("\n# {0}{0}\n   \n\t\n#\n{0}", good));
   EXPECT_EQ(run.out, fmt::format("{0}{0}", answered));
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
 }
 
 TEST(EvalInput, PassedOverLinesCount) {
-  const auto run = cli::fixproof("eval mul", fmt::format("\n# comment\n{}wrong\n", good));
+  const auto run = command::fixproof("eval mul", fmt::format("\n# comment\n{}wrong\n", good));
   EXPECT_EQ(run.out, answered);
   EXPECT_EQ(run.err.rfind("fixproof: line 4: ", 0), 0) << run.err;
 }
 
 TEST(EvalInput, NothingIsNothing) {
-  const auto run = cli::fixproof("eval mul", "");
+  const auto run = command::fixproof("eval mul", "");
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
 }
 
 TEST(EvalInput, TheLastLineNeedsNoNewline) {
-  const auto run = cli::fixproof("eval mul", good.substr(0, good.size() - 1));
+  const auto run = command::fixproof("eval mul", good.substr(0, good.size() - 1));
   EXPECT_EQ(run.out, answered);
   EXPECT_EQ(run.status, 0);
 }
 
 TEST(EvalInput, AnswersBeforeTheNextLineIsAsked) {
-  cli::Process process(cli::command("eval div"));
+  command::Process process(command::command("eval div"));
   process.write("00010000 00030000\n");
   ASSERT_EQ(process.read_line(), "00005555");
   process.write("# nothing to answer\n00010000 00000000\n");
@@ -105,7 +105,8 @@ TEST(EvalInput, RefusesOtherSpacing) {
 }
 
 TEST(EvalInput, TakesLinesOfEitherKind) {
-  const auto run = cli::fixproof("eval mul", "\r\n# c\r\n00018000 00028000\r\n00018000 00028000");
+  const auto run =
+      command::fixproof("eval mul", "\r\n# c\r\n00018000 00028000\r\n00018000 00028000");
   EXPECT_EQ(run.out, fmt::format("{0}{0}", answered));
   EXPECT_EQ(run.err, "");
   expect_refused("00018000\r 00028000");
@@ -119,24 +120,25 @@ TEST(EvalInput, RefusesBinaryNoise) {
   expect_refused("\0"s);
   expect_refused("\0\0\0\0\0\0\0\0 \0\0\0\0\0\0\0\0"s);
   expect_refused("\x1b[31m00018000 \x80\xff\xfe");
-  cli::Random random(1990);
+  command::Random random(1990);
   for (int i = 0; i < 50; ++i) {
     std::string noise(1 + random() % 300, '\0');
     for (char& c : noise) c = static_cast<char>(random());
     noise.front() = '\x01';
-    expect_refused(cli::split(noise, '\n').front());
+    expect_refused(command::split(noise, '\n').front());
   }
 }
 
 TEST(EvalInput, RefusesALineOfTenMegabytes) {
-  expect_refused(cli::repeated(10'000'000, '0'));
-  expect_refused(cli::repeated(10'000'000, ' ') + "0");
+  expect_refused(command::repeated(10'000'000, '0'));
+  expect_refused(command::repeated(10'000'000, ' ') + "0");
 }
 
 TEST(EvalInput, CountsTheWordsOfEachOperation) {
   const auto expect_message = [](std::string_view operation, std::string_view line,
                                  std::string_view message) {
-    const auto run = cli::fixproof(fmt::format("eval {}", operation), fmt::format("{}\n", line));
+    const auto run =
+        command::fixproof(fmt::format("eval {}", operation), fmt::format("{}\n", line));
     EXPECT_EQ(run.err, fmt::format("fixproof: line 1: {}\n", message));
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.status, 2);
@@ -149,13 +151,13 @@ TEST(EvalInput, CountsTheWordsOfEachOperation) {
 }
 
 TEST(EvalInput, QuotesForeignTextShortAndPrintable) {
-  const auto run = cli::fixproof("eval cossin", "\x1b]0;\x07" + std::string(3000, 'x') + "\n");
+  const auto run = command::fixproof("eval cossin", "\x1b]0;\x07" + std::string(3000, 'x') + "\n");
   EXPECT_EQ(run.err,
             "fixproof: line 1: '?]0;?" + std::string(35, 'x') + "...' is not lower-case hex\n");
 }
 
 TEST(EvalOutput, AFullDiskIsAnError) {
-  const auto run = cli::fixproof("eval mul", good, cli::Output::full_device);
+  const auto run = command::fixproof("eval mul", good, command::Output::full_device);
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
 }
@@ -164,7 +166,7 @@ TEST(EvalOutput, AReaderThatHasGoneIsAnError) {
   std::string many;
   for (int i = 0; i < 100'000; ++i) many += good;
   for (const std::string_view input : {good, std::string_view(many)}) {
-    const auto run = cli::fixproof("eval mul", input, cli::Output::reader_gone);
+    const auto run = command::fixproof("eval mul", input, command::Output::reader_gone);
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
   }

@@ -26,26 +26,26 @@ TEST_P(EvalReference, SixHundredThousandLinesAgree) {
   const bool is_mul = std::string_view(operation) == "mul";
   const bool is_386 = std::string_view(target) == "i386";
   const bool rounds = std::string_view(round) == "on";
-  cli::Random random(20260614);
+  command::Random random(20260614);
   std::string lines;
   std::string expected;
   for (int i = 0; i < 600'000; ++i) {
-    const std::uint32_t a = cli::draw_word(random, 32);
-    const std::uint32_t b = cli::draw_word(random, 32);
+    const std::uint32_t a = command::draw_word(random, 32);
+    const std::uint32_t b = command::draw_word(random, 32);
     fmt::format_to(std::back_inserter(lines), "{:08x} {:08x}\n", a, b);
     const auto answer =
         is_mul ? semantics::mul(a, b, is_386, rounds) : semantics::div(a, b, is_386, rounds);
     expected += answer ? fmt::format("{:08x}\n", *answer) : "DE\n";
   }
-  const auto run = cli::fixproof(
+  const auto run = command::fixproof(
       fmt::format("eval {} --target {} --round {} --by {}", operation, target, round, party),
       lines);
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   if (run.out == expected) return;
-  const auto asked = cli::split(lines, '\n');
-  const auto wanted = cli::split(expected, '\n');
-  const auto given = cli::split(run.out, '\n');
+  const auto asked = command::split(lines, '\n');
+  const auto wanted = command::split(expected, '\n');
+  const auto given = command::split(run.out, '\n');
   ASSERT_EQ(given.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_EQ(given[i], wanted[i]) << asked[i];
 }
@@ -75,7 +75,7 @@ TEST(EvalReference, CosSinOfEveryAngle) {
                    nearest(std::sin(radians)));
   }
   for (const char* options : {"--target i386", "--target i8088", "--by type", "--by oracle"}) {
-    const auto run = cli::fixproof(fmt::format("eval cossin {}", options), lines);
+    const auto run = command::fixproof(fmt::format("eval cossin {}", options), lines);
     EXPECT_EQ(run.status, 0) << options;
     EXPECT_TRUE(run.out == expected) << options;
   }

@@ -16,8 +16,8 @@ void expect_from_all(std::string_view arguments, std::string_view line, std::str
                      const std::vector<std::string>& parties = {"model", "interpreter", "oracle",
                                                                 "fast", "type"}) {
   for (const std::string& party : parties) {
-    const auto run =
-        cli::fixproof(fmt::format("eval {} --by {}", arguments, party), std::string(line) + '\n');
+    const auto run = command::fixproof(fmt::format("eval {} --by {}", arguments, party),
+                                       std::string(line) + '\n');
     EXPECT_EQ(run.out, std::string(answer) + '\n') << arguments << " by " << party << ": " << line;
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(run.status, 0);
@@ -201,7 +201,7 @@ TEST(EvalChapter52, HasOnlyRounded386Routines) {
   expect_from_all("div --chapter 52", "00020000 00030000", "0000aaab");
   expect_from_all("mul --chapter 52", "ffffffff 00008000", "00000000");
   for (const std::string_view other : {"--target i8088", "--round off", "--div-round off"}) {
-    const auto run = cli::fixproof(fmt::format("eval div --chapter 52 {}", other), "");
+    const auto run = command::fixproof(fmt::format("eval div --chapter 52 {}", other), "");
     EXPECT_EQ(run.err,
               "fixproof: --chapter 52 has only mul, div and concat, for the 386, rounded\n")
         << other;
@@ -214,7 +214,7 @@ TEST(EvalType, WhatIsNoRoutine) {
                          std::string_view answer) {
     for (const std::string_view by : {"", " --by oracle", " --by fast", " --by type"}) {
       const auto run =
-          cli::fixproof(fmt::format("eval {}{}", operation, by), std::string(word) + '\n');
+          command::fixproof(fmt::format("eval {}{}", operation, by), std::string(word) + '\n');
       EXPECT_EQ(run.out, std::string(answer) + '\n') << operation << by << ' ' << word;
     }
   };
@@ -239,8 +239,8 @@ TEST(EvalOptions, EachRoundingAppliesToItsOwnRoutine) {
 }
 
 TEST(EvalOptions, WithoutOptionsTheModelOfThe386Rounds) {
-  EXPECT_EQ(cli::fixproof("eval mul", "ffffffff 00008000\n").out, "00000000\n");
-  EXPECT_EQ(cli::fixproof("eval div", "00020000 00030000\n").out, "0000aaab\n");
+  EXPECT_EQ(command::fixproof("eval mul", "ffffffff 00008000\n").out, "00000000\n");
+  EXPECT_EQ(command::fixproof("eval div", "00020000 00030000\n").out, "0000aaab\n");
 }
 
 TEST(EvalAsPrinted, The8088DivideInvertsItsSwitch) {

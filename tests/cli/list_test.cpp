@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// Whether nasm can be run at all.
 bool has_nasm() {
-  static const bool has = cli::run({"sh", "-c", "command -v nasm"}).status == 0;
+  static const bool has = command::run({"sh", "-c", "command -v nasm"}).status == 0;
   return has;
 }
 
@@ -31,7 +31,7 @@ class List : public testing::Test {
     const std::string from = folder_ / "routine.asm";
     const std::string to = folder_ / "routine.bin";
     std::ofstream(from) << source;
-    const auto run = cli::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
+    const auto run = command::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     std::ostringstream code;
@@ -49,7 +49,7 @@ class List : public testing::Test {
 };
 
 std::string list(std::string_view arguments) {
-  const auto run = cli::fixproof("list " + std::string(arguments));
+  const auto run = command::fixproof("list " + std::string(arguments));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   return run.out;

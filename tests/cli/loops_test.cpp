@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string loop_output(std::string_view arguments) {
-  const auto run = cli::fixproof(arguments);
+  const auto run = command::fixproof(arguments);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   return run.out;
@@ -29,7 +29,7 @@ std::string loop_code(std::string_view arguments) {
   const std::string from = folder / "loop.asm";
   const std::string to = folder / "loop.bin";
   std::ofstream(from) << loop_output(fmt::format("list {}", arguments));
-  const auto run = cli::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
+  const auto run = command::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   std::ostringstream code;
@@ -42,7 +42,7 @@ std::string loop_code(std::string_view arguments) {
 }
 
 TEST(Loops, AssembleToTheseBytes) {
-  if (cli::run({"sh", "-c", "command -v nasm"}).status != 0)
+  if (command::run({"sh", "-c", "command -v nasm"}).status != 0)
     GTEST_SKIP() << "nasm is not installed";
   EXPECT_EQ(loop_code("gouraud-byte --target i8088"),
             "88 f0 "  // mov  al, dh
@@ -68,7 +68,7 @@ TEST(Loops, AssembleToTheseBytes) {
 std::vector<std::string> traced_loop(std::string_view arguments) {
   std::vector<std::string> lines;
   for (const std::string& line :
-       cli::split(loop_output(fmt::format("trace {}", arguments)), '\n')) {
+       command::split(loop_output(fmt::format("trace {}", arguments)), '\n')) {
     if (line.size() < 36 || line.starts_with("   #")) continue;
     std::string text = line.substr(6, 30);
     text.erase(text.find_last_not_of(' ') + 1);
@@ -101,7 +101,7 @@ TEST(Loops, TracesOfTwoPixels) {
 }
 
 void expect_loop_refused(std::string_view arguments, std::string_view part) {
-  const auto run = cli::fixproof(arguments);
+  const auto run = command::fixproof(arguments);
   EXPECT_EQ(run.status, 2) << arguments;
   EXPECT_EQ(run.out, "") << arguments;
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;

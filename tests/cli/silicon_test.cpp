@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "parties/answer.hpp"
 #include "tests/cli/bitwise.hpp"
 #include "tests/cli/draw.hpp"
 
@@ -107,14 +108,14 @@ class Silicon : public testing::TestWithParam<const char*> {
   static void expect_agreement() {
     constexpr int bits = 8 * sizeof(Word);
     const std::string_view name = GetParam();
-    cli::Random random(386);
+    command::Random random(386);
     int faults = 0;
     constexpr int cases = 100'000;
     for (int i = 0; i < cases; ++i) {
-      const Operands o{.first = cli::draw_word(random, bits),
-                       .second = cli::draw_word(random, bits),
+      const Operands o{.first = command::draw_word(random, bits),
+                       .second = command::draw_word(random, bits),
                        .count = static_cast<int>(random() % 40),
-                       .high = cli::draw_word(random, bits),
+                       .high = command::draw_word(random, bits),
                        .flags = static_cast<std::uint16_t>(random() & bitwise::all_six)};
       // SHLD and SHRD of a word by more than 16 are not defined at all.
       if (bits == 16 && name.starts_with("sh") && name.size() == 4 && o.count % 32 > 16) continue;

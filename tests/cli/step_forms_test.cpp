@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parties/answer.hpp"
 #include "tests/cli/bitwise.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/cli/draw.hpp"
@@ -159,7 +160,7 @@ class Questions {
   std::string constant(std::string_view name, char kind, bitwise::Operands& o, int bits) {
     if (kind == 'l') return "Somewhere";
     if (!is_shift(name)) {
-      o.second = cli::draw_word(random_, static_cast<std::uint32_t>(bits));
+      o.second = command::draw_word(random_, static_cast<std::uint32_t>(bits));
       return immediate_text(o.second, bits);
     }
     // 1 by itself is a form of its own, but 33 is the same count.
@@ -206,7 +207,7 @@ class Questions {
     State state;
     for (std::size_t i = 0; i < names.size(); ++i) {
       state.wide.at(i) = is_386_ && (all_wide || random_() % 2 == 0);
-      state.registers.at(i) = cli::draw_word(random_, state.wide.at(i) ? 32 : 16);
+      state.registers.at(i) = command::draw_word(random_, state.wide.at(i) ? 32 : 16);
     }
     state.flags = static_cast<std::uint16_t>(random_());
     return state;
@@ -219,14 +220,14 @@ class Questions {
   }
 
   bool is_386_;
-  cli::Random random_{8088};
+  command::Random random_{8088};
 };
 
 class StepForms : public testing::TestWithParam<const char*> {
  protected:
   static bool is_386() { return GetParam() == std::string_view("386"); }
-  static cli::Run step(std::string_view lines) {
-    return cli::fixproof(fmt::format("step --cpu {}", GetParam()), lines);
+  static command::Run step(std::string_view lines) {
+    return command::fixproof(fmt::format("step --cpu {}", GetParam()), lines);
   }
 };
 
@@ -250,7 +251,7 @@ TEST_P(StepForms, DoWhatIntelDefines) {
   const auto run = step(lines);
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
-  const auto answers = cli::split(run.out, '\n');
+  const auto answers = command::split(run.out, '\n');
   ASSERT_EQ(answers.size(), asked.size() + 1);
   for (std::size_t i = 0; i < asked.size(); ++i) {
     ASSERT_EQ(answers[i], asked[i].answer) << asked[i].line;
@@ -317,8 +318,8 @@ TEST_P(StepForms, NoOthersAreModelled) {
   }
   const auto run = step(lines);
   EXPECT_EQ(run.status, 0);
-  const auto asked = cli::split(lines, '\n');
-  const auto given = cli::split(run.out, '\n');
+  const auto asked = command::split(lines, '\n');
+  const auto given = command::split(run.out, '\n');
   ASSERT_EQ(given.size(), expected.size() + 1) << run.err;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const bool has_state = given[i].starts_with("ax=");

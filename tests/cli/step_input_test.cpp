@@ -27,8 +27,8 @@ const std::string& first_answer() {
 
 /// `bad` as the second line of three: refused by its number, after the answer before it.
 void expect_refused(const std::string& bad, std::string_view part, std::string_view cpu = "386") {
-  const auto run = cli::fixproof(fmt::format("step --cpu {}", cpu),
-                                 fmt::format("{}\n{}\n{}\n", good(), bad, good()));
+  const auto run = command::fixproof(fmt::format("step --cpu {}", cpu),
+                                     fmt::format("{}\n{}\n{}\n", good(), bad, good()));
   EXPECT_EQ(run.status, 2) << bad;
   EXPECT_EQ(run.out, first_answer() + '\n') << bad;
   EXPECT_EQ(run.err.rfind("fixproof: line 2: ", 0), 0) << run.err;
@@ -42,14 +42,15 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 }
 
 TEST(StepInput, PassesOverBlankLinesAndComments) {
-  const auto run = cli::fixproof("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good()));
+  const auto run =
+      command::fixproof("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good()));
   EXPECT_EQ(run.out, fmt::format("{0}\n{0}\n", first_answer()));
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.status, 0);
 }
 
 TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
-  cli::Process process(cli::command("step --cpu 8088"));
+  command::Process process(command::command("step --cpu 8088"));
   process.write(good("\n"));
   ASSERT_EQ(process.read_line(), first_answer());
   process.write(line("hlt") + '\n');
@@ -58,7 +59,7 @@ TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
 }
 
 TEST(StepInput, RegistersComeInAnyOrder) {
-  const auto run = cli::fixproof(
+  const auto run = command::fixproof(
       "step --cpu 8088",
       "inc cx|fl=0000   sp=0000 bp=0000 di=0000 si=0000 dx=0000 cx=0000 bx=0000 ax=0000\n");
   EXPECT_EQ(run.out, replaced(std::string(registers), "cx=0000", "cx=0001") + " undef=-\n");
@@ -132,23 +133,24 @@ TEST(StepInput, RefusesImmediatesThatDoNotFit) {
   // One less does.
   for (const std::string_view fits :
        {"add ax, 0xffff", "add ax, -32768", "add eax, -2147483648", "shl bx, 255"}) {
-    EXPECT_EQ(cli::fixproof("step", line(fits)).status, 0) << fits;
+    EXPECT_EQ(command::fixproof("step", line(fits)).status, 0) << fits;
   }
 }
 
 TEST(StepInput, RefusesNoiseAndEndlessLines) {
   expect_refused("\0\0\0"s, "'|'");
   expect_refused(line("\0"s), "is no mnemonic");
-  expect_refused(cli::repeated(4'000, 'a'), "'|'");
-  expect_refused(line(cli::repeated(3'000, 'A')), "is no mnemonic");
-  expect_refused(line("mov ax, " + cli::repeated(3'000, 'A')), "is no operand");
-  expect_refused(cli::repeated(10'000'000, 'a'), "longer than 4096 characters");
+  expect_refused(command::repeated(4'000, 'a'), "'|'");
+  expect_refused(line(command::repeated(3'000, 'A')), "is no mnemonic");
+  expect_refused(line("mov ax, " + command::repeated(3'000, 'A')), "is no operand");
+  expect_refused(command::repeated(10'000'000, 'a'), "longer than 4096 characters");
   expect_refused(line("\x1b[31mmov"), "is no mnemonic");
 }
 
 TEST(StepInput, OutputThatCannotBeWritten) {
-  for (const cli::Output output : {cli::Output::full_device, cli::Output::reader_gone}) {
-    const auto run = cli::fixproof("step --cpu 8088", good(), output);
+  for (const command::Output output :
+       {command::Output::full_device, command::Output::reader_gone}) {
+    const auto run = command::fixproof("step --cpu 8088", good(), output);
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
   }

@@ -15,10 +15,10 @@ constexpr std::string_view zeros =
 /// The registers of one line, all 0 but those given first: "cx=0001 fl=0002".
 std::string state(std::string_view given) {
   std::string result;
-  for (const std::string& field : cli::split(zeros, ' ')) {
+  for (const std::string& field : command::split(zeros, ' ')) {
     const std::string name = field.substr(0, field.find('='));
     std::string text = field;
-    for (const std::string& other : cli::split(given, ' ')) {
+    for (const std::string& other : command::split(given, ' ')) {
       const std::string other_name = other.substr(0, other.find('='));
       if (other_name == name || other_name == "e" + name) text = other;
     }
@@ -28,7 +28,7 @@ std::string state(std::string_view given) {
 }
 
 void expect_answer(std::string_view cpu, std::string_view line, const std::string& answer) {
-  const auto run = cli::fixproof(fmt::format("step --cpu {}", cpu), fmt::format("{}\n", line));
+  const auto run = command::fixproof(fmt::format("step --cpu {}", cpu), fmt::format("{}\n", line));
   EXPECT_EQ(run.out, answer + '\n') << line;
   EXPECT_EQ(run.err, "") << line;
   EXPECT_EQ(run.status, 0) << line;
@@ -173,7 +173,7 @@ TEST(Step, EachRegisterComesBackAsItWasGiven) {
 }
 
 TEST(Step, The8088HasNoShiftByTwoAndNo32BitRegisters) {
-  const auto run = cli::fixproof(
+  const auto run = command::fixproof(
       "step --cpu 8088", fmt::format("shl bx, 2 | {0}\nshl bx, 1 | {0}\nadd eax, ebx | {0}\n"
                                      "imul bx | {0}\n",
                                      zeros));
@@ -187,7 +187,8 @@ TEST(Step, WhatNoRoutineHasIsUnmodelled) {
   for (const std::string_view instruction :
        {"or ax, bx", "add al, bl", "mov ax, [bx]", "add word [bp+4], 1", "pop ax", "ret",
         "call FixedMul", "mov ds, ax", "nop", "rol eax, 1", "mov ax, 5", "lodsw"}) {
-    const auto run = cli::fixproof("step --cpu 386", fmt::format("{} | {}\n", instruction, zeros));
+    const auto run =
+        command::fixproof("step --cpu 386", fmt::format("{} | {}\n", instruction, zeros));
     EXPECT_EQ(run.out, "unmodelled\n") << instruction;
     EXPECT_EQ(run.err, "fixproof step: 1 line unmodelled\n") << instruction;
     EXPECT_EQ(run.status, 0) << instruction;

@@ -12,10 +12,10 @@ namespace {
 
 /// The lines of a trace that ends well.
 std::vector<std::string> trace(std::string_view arguments) {
-  const auto run = cli::fixproof("trace " + std::string(arguments));
+  const auto run = command::fixproof("trace " + std::string(arguments));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  auto lines = cli::split(run.out, '\n');
+  auto lines = command::split(run.out, '\n');
   EXPECT_EQ(lines.back(), "");
   lines.pop_back();
   return lines;
@@ -130,7 +130,7 @@ TEST(Trace, SaysWhatAMutantDoesNotKeep) {
 
 TEST(Trace, CountsAndChecksItsWords) {
   const auto expect_error = [](std::string_view arguments, std::string_view message) {
-    const auto run = cli::fixproof(arguments);
+    const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.err, "fixproof: " + std::string(message) + "\n");
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.status, 2);

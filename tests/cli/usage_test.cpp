@@ -12,7 +12,7 @@ namespace {
 
 /// Status 2, nothing on stdout, one line on stderr that has `part`.
 void expect_usage_error(std::string_view arguments, std::string_view part) {
-  const auto run = cli::fixproof(arguments, "00018000 00028000\n");
+  const auto run = command::fixproof(arguments, "00018000 00028000\n");
   EXPECT_EQ(run.status, 2) << arguments;
   EXPECT_EQ(run.out, "") << arguments;
   EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;
@@ -117,11 +117,12 @@ TEST(Usage, OnlyThe8088ConcatIsRepaired) {
 TEST(Usage, NumbersAreDecimal) {
   // As octal 010 would be 8, 09 nothing and 064 the 52 of a chapter.
   for (const std::string_view number : {"010", "10"}) {
-    const auto run = cli::fixproof("trace mul 00018000 00028000 --mutant " + std::string(number));
+    const auto run =
+        command::fixproof("trace mul 00018000 00028000 --mutant " + std::string(number));
     EXPECT_EQ(run.out.rfind("mutant 10: ", 0), 0U) << run.out;
   }
   const auto heading = [](std::string_view options) {
-    const std::string out = cli::fixproof("verify cossin " + std::string(options)).out;
+    const std::string out = command::fixproof("verify cossin " + std::string(options)).out;
     return out.substr(0, out.find(':'));
   };
   EXPECT_EQ(heading("--seed 09 --threads 01 --level 01"), "Level 1, seed 9, 1 thread");
@@ -140,7 +141,7 @@ TEST(Usage, HelpIsNoError) {
        {"--help", "verify --help", "merge --help", "eval --help", "step --help", "trace --help",
         "list --help", "prove --help", "mutate --help", "dos --help", "render --help",
         "drift --help", "measure --help", "--version"}) {
-    const auto run = cli::fixproof(arguments);
+    const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_NE(run.out, "") << arguments;
     // No name of the program's own text.
@@ -151,8 +152,9 @@ TEST(Usage, HelpIsNoError) {
 
 TEST(Usage, OutputThatCannotBeWritten) {
   for (const std::string_view arguments : {"list mul", "trace mul 00018000 00028000", "--help"}) {
-    for (const cli::Output output : {cli::Output::full_device, cli::Output::reader_gone}) {
-      const auto run = cli::fixproof(arguments, "", output);
+    for (const command::Output output :
+         {command::Output::full_device, command::Output::reader_gone}) {
+      const auto run = command::fixproof(arguments, "", output);
       EXPECT_EQ(run.status, 2) << arguments;
       EXPECT_EQ(run.err, "fixproof: cannot write standard output\n") << arguments;
     }

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "cli/options.hpp"
 #include "fixed/fixed.hpp"
+#include "parties/party.hpp"
 #include "tests/defects/routine.hpp"
-#include "verify/options.hpp"
-#include "verify/party.hpp"
 
 namespace {
 
@@ -16,23 +16,23 @@ using enum x86model::Routine;
 using enum x86model::Target;
 
 /// What the model answers to a divide under the switches as they are printed.
-std::uint32_t divide_as_printed(fixproof::Target target, std::uint32_t n, std::uint32_t d) {
-  fixproof::VariantOptions options;
+std::uint32_t divide_as_printed(fixproof::cases::Target target, std::uint32_t n, std::uint32_t d) {
+  fixproof::cli::VariantOptions options;
   options.targets = {target};
   options.as_printed = true;
-  const fixproof::Variant variant = options.choose(fixproof::Operation::div);
+  const fixproof::cases::Variant variant = options.choose(fixproof::cases::Operation::div);
   const std::array in{n, d};
   std::array<std::uint32_t, 1> out{};
-  std::array<fixproof::Ending, 1> ending{};
-  fixproof::party_named("model").answer(variant, {in, out, ending});
-  EXPECT_EQ(ending[0], fixproof::Ending::value);
+  std::array<fixproof::parties::Ending, 1> ending{};
+  fixproof::parties::party_named("model").answer(variant, {in, out, ending});
+  EXPECT_EQ(ending[0], fixproof::parties::Ending::value);
   return out[0];
 }
 
 // Two thirds is 43690 2/3 units. The switch is printed off, for both processors.
 TEST(Defects, InvertedSwitch) {
-  EXPECT_EQ(divide_as_printed(fixproof::Target::i386, 0x20000, 0x30000), 0xAAAA);
-  EXPECT_EQ(divide_as_printed(fixproof::Target::i8088, 0x20000, 0x30000), 0xAAAB);
+  EXPECT_EQ(divide_as_printed(fixproof::cases::Target::i386, 0x20000, 0x30000), 0xAAAA);
+  EXPECT_EQ(divide_as_printed(fixproof::cases::Target::i8088, 0x20000, 0x30000), 0xAAAB);
   // Asked for what the code is to do, both do it.
   for (const auto target : defects::targets) {
     EXPECT_EQ(ask<div>(target, defects::unrounded, {0x20000, 0x30000}), value(0xAAAA));

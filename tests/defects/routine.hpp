@@ -7,6 +7,7 @@
 #include <ostream>
 #include <vector>
 
+#include "parties/answer.hpp"
 #include "x86model/call.hpp"
 
 namespace defects {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "cases/streams.hpp"
 #include "oracle/exact.hpp"
+#include "parties/party.hpp"
 #include "tests/defects/routine.hpp"
-#include "verify/party.hpp"
-#include "verify/streams.hpp"
 
 namespace {
 
@@ -98,15 +98,16 @@ TEST(Defects, LostCarry) {
 TEST(Defects, HalfOfAllSumsLoseACarry) {
   using namespace fixproof;
   constexpr std::size_t cases = 20'000;
-  const Variant printed{.operation = Operation::concat, .target = Target::i8088};
-  Variant sound = printed;
+  const cases::Variant printed{.operation = cases::Operation::concat,
+                               .target = cases::Target::i8088};
+  cases::Variant sound = printed;
   sound.repaired = true;
-  std::vector<std::uint32_t> in(cases * words_in(printed.operation));
-  make_cases(Stream::uniform, printed, 1994, 0, in);
-  const auto answers = [&](const Variant& v) {
-    std::vector<std::uint32_t> out(cases * words_out(v.operation));
-    std::vector<Ending> endings(cases);
-    party_named("model").answer(v, {in, out, endings});
+  std::vector<std::uint32_t> in(cases * cases::words_in(printed.operation));
+  cases::make_cases(cases::Stream::uniform, printed, 1994, 0, in);
+  const auto answers = [&](const cases::Variant& v) {
+    std::vector<std::uint32_t> out(cases * cases::words_out(v.operation));
+    std::vector<parties::Ending> endings(cases);
+    parties::party_named("model").answer(v, {in, out, endings});
     return out;
   };
   const auto lossy = answers(printed);

@@ -1,4 +1,6 @@
 /// The RapidCheck generators: they reach the edges, and they shrink.
+#include "property/generator.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -8,7 +10,6 @@
 #include <sstream>
 
 #include "fixed/fixed.hpp"
-#include "fixed/rapidcheck.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "fixed/rapidcheck.hpp"
+#include "property/generator.hpp"
 
 namespace property {
 

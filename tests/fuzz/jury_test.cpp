@@ -15,20 +15,21 @@ namespace {
 
 using namespace fixproof;
 
-constexpr Variant div_i8088{.operation = Operation::div, .target = Target::i8088};
+constexpr cases::Variant div_i8088{.operation = cases::Operation::div,
+                                   .target = cases::Target::i8088};
 
 /// Divides as the fast oracle does, but for exact ties of the 8088's divide.
 test::Saboteur lost_tie() {
-  return test::saboteur([](auto in, auto out, Ending& ending) {
+  return test::saboteur([](auto in, auto out, parties::Ending& ending) {
     const std::uint32_t whole = in[1] >> 16U;
     const bool positive = in[0] < 0x80000000U && in[1] < 0x80000000U;
-    if (ending == Ending::value && positive && in[0] % whole * 2 == whole) --out[0];
+    if (ending == parties::Ending::value && positive && in[0] % whole * 2 == whole) --out[0];
   });
 }
 
 TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
   const auto liar = lost_tie();
-  const fuzz::Seat seat{div_i8088, {&party_named("oracle"), &liar}};
+  const fuzz::Seat seat{div_i8088, {&parties::party_named("oracle"), &liar}};
   const std::array<std::uint32_t, 2> words{0x0005A5A5, 0x0002FFFF};
   const auto found = fuzz::disagreement(seat, words);
   ASSERT_TRUE(found);
@@ -46,7 +47,7 @@ TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
 
 TEST(Jury, HasNothingToSayWhereAllAgree) {
   const auto liar = lost_tie();
-  const fuzz::Seat seat{div_i8088, {&party_named("oracle"), &liar}};
+  const fuzz::Seat seat{div_i8088, {&parties::party_named("oracle"), &liar}};
   EXPECT_FALSE(fuzz::disagreement(seat, std::array<std::uint32_t, 2>{0x0005A5A4, 0x0002FFFF}));
   // #DE is an answer.
   EXPECT_FALSE(fuzz::disagreement(seat, std::array<std::uint32_t, 2>{1, 0xFFFF}));
@@ -68,18 +69,18 @@ TEST(Jury, HearsEveryVariantAtBothWidths) {
   // The first bytes of the inputs kept in fuzz/regressions/agreement count on this number: the five
   // routines and their 8.8 forms, chapter 52, the repaired ConcatXforms, the standard rules.
   EXPECT_EQ(all.size(), 8U + 8U + 4U + 4U + 4U + 3U + 2U + 2U + 2U + 7U);
-  for (const auto& variant : all_variants()) {
+  for (const auto& variant : cases::all_variants()) {
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& seat) {
       return seat.variant == variant;
-    })) << name_of(variant.operation);
+    })) << cases::name_of(variant.operation);
   }
   const auto heard = [&](std::string_view name) {
     return std::any_of(all.begin(), all.end(), [&](const auto& seat) {
       return std::any_of(seat.parties.begin(), seat.parties.end(),
-                         [&](const Party* party) { return party->name() == name; });
+                         [&](const parties::Party* party) { return party->name() == name; });
     });
   };
-  for (const auto& party : parties()) {
+  for (const auto& party : parties::parties()) {
     if (party->name() == "unicorn") continue;
     EXPECT_EQ(heard(party->name()), party->absence().empty()) << party->name();
   }

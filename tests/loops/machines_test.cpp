@@ -5,23 +5,23 @@
 #include <algorithm>
 #include <optional>
 
+#include "machine_code/emulator.hpp"
+#include "machine_code/machine_code.hpp"
+#include "machine_code/processor.hpp"
 #include "tests/loops/span.hpp"
-#include "verify/machine_code/emulator.hpp"
-#include "verify/machine_code/machine_code.hpp"
-#include "verify/machine_code/processor.hpp"
 #include "x86model/encoding.hpp"
 
 namespace {
 
 using namespace loops_test;
-using fixproof::CallEnding;
-using fixproof::SegmentMachine;
+using fixproof::machine_code::CallEnding;
+using fixproof::machine_code::SegmentMachine;
 using x86::Loop;
 using x86::LoopCall;
 using x86::LoopForm;
 
 /// The return address that both callers of machine code push: behind a CALL of three bytes.
-constexpr std::uint32_t return_address = fixproof::caller_origin + 3;
+constexpr std::uint32_t return_address = fixproof::machine_code::caller_origin + 3;
 
 /// A state for model and machine alike.
 struct Ready {
@@ -31,7 +31,7 @@ struct Ready {
   /// Fills the machine with data, its registers with noise, and enters the loop.
   Ready(const LoopForm& form, const LoopCall& call, SegmentMachine& m, std::uint8_t* segment,
         const Memory& data, Random& random) {
-    std::copy_n(data.begin(), fixproof::caller_origin, segment);
+    std::copy_n(data.begin(), fixproof::machine_code::caller_origin, segment);
     for (std::size_t r = 0; r < x86::register_count; ++r) {
       m.registers.write(static_cast<x86::Register>(r), x86::Size::dword,
                         static_cast<std::uint32_t>(random()));
@@ -39,7 +39,7 @@ struct Ready {
     x86::enter_loop(form, m, call);
     registers = m.registers;
     m.memory.write(0x5E, return_address);
-    memory.assign(segment, segment + fixproof::segment_size);
+    memory.assign(segment, segment + fixproof::machine_code::segment_size);
   }
 };
 
@@ -70,19 +70,19 @@ struct ModelRun {
 };
 
 std::string skip_reason(const std::string& machine_absence) {
-  const std::string absence = fixproof::machine_code_absence();
+  const std::string absence = fixproof::machine_code::machine_code_absence();
   return absence.empty() ? machine_absence : absence;
 }
 
 TEST(LoopsOnSilicon, EveryFormAndLength) {
-  if (const auto why = skip_reason(fixproof::Processor::absence()); !why.empty()) {
+  if (const auto why = skip_reason(fixproof::machine_code::Processor::absence()); !why.empty()) {
     GTEST_SKIP() << why;
   }
   Random random(386);
   // A texture may reach over the whole segment.
-  fixproof::Processor processor(fixproof::segment_size);
+  fixproof::machine_code::Processor processor(fixproof::machine_code::segment_size);
   for (const LoopForm& form : x86::all_loop_forms()) {
-    processor.load(fixproof::machine_code(form));
+    processor.load(fixproof::machine_code::machine_code(form));
     const auto code = x86::code_of(form);
     const bool words = form.loop == Loop::gouraud_word;
     const Memory data = noise(random);
@@ -93,7 +93,7 @@ TEST(LoopsOnSilicon, EveryFormAndLength) {
       const ModelRun model(ready, code, false);
       ASSERT_EQ(model.ending.outcome, x86::Outcome::returned) << text(form);
       const auto ending = [&] {
-        const fixproof::Processor::Calls calls(processor);
+        const fixproof::machine_code::Processor::Calls calls(processor);
         return calls.call(m);
       }();
       ASSERT_EQ(ending, CallEnding::returned) << text(form) << ", pixels " << pixels;
@@ -108,7 +108,7 @@ TEST(LoopsOnSilicon, EveryFormAndLength) {
 /// nothing does. Flags that the model calls undefined become noise on the way.
 std::string difference(const LoopForm& form, std::span<const std::uint8_t> machine_code,
                        const LoopCall& call, Random& random) {
-  fixproof::Emulator emulator(machine_code);
+  fixproof::machine_code::Emulator emulator(machine_code);
   SegmentMachine m(emulator.memory());
   const Ready ready(form, call, m, emulator.memory(), noise(random), random);
   const auto code = x86::code_of(form);
@@ -150,21 +150,21 @@ std::string difference(const LoopForm& form, std::span<const std::uint8_t> machi
 }
 
 TEST(LoopsOnUnicorn, InLockStep) {
-  if (const auto why = skip_reason(fixproof::Emulator::absence()); !why.empty()) {
+  if (const auto why = skip_reason(fixproof::machine_code::Emulator::absence()); !why.empty()) {
     GTEST_SKIP() << why;
   }
   Random random(1981);
   for (const LoopForm& form : x86::all_loop_forms()) {
     for (const std::uint32_t pixels : {2U, 24U}) {
-      EXPECT_EQ(difference(form, fixproof::machine_code(form), draw_call(form.loop, pixels, random),
-                           random),
+      EXPECT_EQ(difference(form, fixproof::machine_code::machine_code(form),
+                           draw_call(form.loop, pixels, random), random),
                 "")
           << text(form) << ", pixels " << pixels;
     }
     if (form.loop == Loop::gouraud_word) continue;
     for (const std::uint32_t pixels : {1U, 3U}) {
-      EXPECT_EQ(difference(form, fixproof::machine_code(form), draw_call(form.loop, pixels, random),
-                           random),
+      EXPECT_EQ(difference(form, fixproof::machine_code::machine_code(form),
+                           draw_call(form.loop, pixels, random), random),
                 "")
           << text(form) << ", pixels " << pixels;
     }
@@ -172,14 +172,14 @@ TEST(LoopsOnUnicorn, InLockStep) {
 }
 
 TEST(LoopsOnUnicorn, TheLongestSpanInLockStep) {
-  if (const auto why = skip_reason(fixproof::Emulator::absence()); !why.empty()) {
+  if (const auto why = skip_reason(fixproof::machine_code::Emulator::absence()); !why.empty()) {
     GTEST_SKIP() << why;
   }
   Random random(320);
   const LoopForm form{Loop::texture, x86::Counting::unrolled};
-  EXPECT_EQ(
-      difference(form, fixproof::machine_code(form), draw_call(form.loop, most, random), random),
-      "");
+  EXPECT_EQ(difference(form, fixproof::machine_code::machine_code(form),
+                       draw_call(form.loop, most, random), random),
+            "");
 }
 
 /// Whether a byte of the code is a prefix of 32 bits without which these loops do the same, as long
@@ -190,12 +190,12 @@ bool is_idle_prefix(std::span<const std::uint8_t> code, std::size_t at) {
 
 /// Every byte of the code matters to the comparison: with one bit of it changed the two differ.
 TEST(LoopsOnUnicorn, SeesOtherCode) {
-  if (const auto why = skip_reason(fixproof::Emulator::absence()); !why.empty()) {
+  if (const auto why = skip_reason(fixproof::machine_code::Emulator::absence()); !why.empty()) {
     GTEST_SKIP() << why;
   }
   for (const LoopForm& form :
        {LoopForm{Loop::gouraud_word}, LoopForm{Loop::texture}, LoopForm{Loop::depth_test}}) {
-    const auto right = fixproof::machine_code(form);
+    const auto right = fixproof::machine_code::machine_code(form);
     for (std::size_t at = 0; at + 1 < right.size(); ++at) {
       std::vector<std::uint8_t> wrong(right.begin(), right.end());
       wrong[at] ^= 1U;

@@ -1,5 +1,5 @@
 // The loops that draw pictures on the model, against the same in C++ on words.
-#include "verify/scenes/model_loops.hpp"
+#include "player/model_loops.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using fixproof::ModelLoops;
+using fixproof::player::ModelLoops;
 using x86model::Counting;
 using x86model::Target;
 

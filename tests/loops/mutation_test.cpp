@@ -2,8 +2,8 @@
 // that is only done twice. That these are harmless, proof_test.cpp and `fixproof mutate` ask.
 #include <gtest/gtest.h>
 
+#include "proof/span_cases.hpp"
 #include "tests/loops/span.hpp"
-#include "verify/loops/span_cases.hpp"
 #include "x86model/mutants.hpp"
 
 namespace {
@@ -16,7 +16,7 @@ constexpr std::uint64_t seed = 1994;
 
 TEST(LoopMutation, TheListingsThemselvesSurvive) {
   for (const LoopForm& form : x86::all_loop_forms()) {
-    EXPECT_EQ(fixproof::spans_to_kill(form, x86::assemble(x86::listing(form), {}), seed),
+    EXPECT_EQ(fixproof::proof::spans_to_kill(form, x86::assemble(x86::listing(form), {}), seed),
               std::nullopt)
         << text(form);
   }
@@ -26,7 +26,7 @@ TEST(LoopMutation, AllAreKilledOrHarmless) {
   std::size_t killed = 0;
   for (const LoopForm& form : x86::all_loop_forms()) {
     for (const auto& mutant : x86::mutants(x86::assemble(x86::listing(form), {}))) {
-      if (fixproof::spans_to_kill(form, mutant.program, seed)) {
+      if (fixproof::proof::spans_to_kill(form, mutant.program, seed)) {
         ++killed;
       } else {
         // A shift that keeps the sign is the same for a count that has none.

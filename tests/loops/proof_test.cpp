@@ -4,22 +4,22 @@
 #include <algorithm>
 #include <sstream>
 
+#include "proof/solver.hpp"
+#include "proof/span_cases.hpp"
+#include "proof/step_proof.hpp"
 #include "tests/loops/span.hpp"
-#include "verify/loops/span_cases.hpp"
-#include "verify/loops/step_proof.hpp"
-#include "verify/proof/solver.hpp"
 #include "x86model/mutants.hpp"
 
 namespace {
 
 using namespace loops_test;
-using fixproof::Verdict;
+using fixproof::proof::Verdict;
 using x86::Counting;
 using x86::Loop;
 using x86::LoopForm;
 
-const fixproof::Solver& z3() {
-  static const fixproof::Solver one("z3");
+const fixproof::proof::Solver& z3() {
+  static const fixproof::proof::Solver one("z3");
   return one;
 }
 
@@ -45,7 +45,7 @@ TEST(LoopProof, EveryTurnIsProven) {
   std::vector<std::string> all;
   for (const LoopForm& form : x86::all_loop_forms()) {
     const auto program = x86::assemble(x86::listing(form), {});
-    const auto scripts = fixproof::step_questions(form, program);
+    const auto scripts = fixproof::proof::step_questions(form, program);
     // Going on and leaving, where something counts; drawn or not. Then that this is all, and of
     // words that the count is halved.
     const bool counted = form.counting != Counting::unrolled;
@@ -66,9 +66,10 @@ TEST(LoopProof, IsOfOneMindWithTheSpans) {
     const auto mutants = x86::mutants(x86::assemble(x86::listing(form), {}));
     for (std::size_t i = 0; i < mutants.size(); ++i) {
       if (i % 13 != 3) continue;
-      const bool killed = fixproof::spans_to_kill(form, mutants[i].program, 1994).has_value();
+      const bool killed =
+          fixproof::proof::spans_to_kill(form, mutants[i].program, 1994).has_value();
       if (killed && i % 39 != 3) continue;
-      const auto scripts = fixproof::step_questions(form, mutants[i].program);
+      const auto scripts = fixproof::proof::step_questions(form, mutants[i].program);
       if (killed) {
         // How an unrolled loop is entered, and where it ends, is not part of its turn.
         const bool in_turn = form.counting != Counting::unrolled || i > 3;
@@ -96,9 +97,10 @@ TEST(LoopProof, TheDepthsCommentHoldsForShldAlone) {
   const LoopForm corrected{Loop::depth_test};
   LoopForm printed = corrected;
   printed.as_printed = true;
-  EXPECT_EQ(z3().ask(fixproof::depth_comment_question(corrected), 60).verdict,
+  EXPECT_EQ(z3().ask(fixproof::proof::depth_comment_question(corrected), 60).verdict,
             Verdict::unsatisfiable);
-  EXPECT_EQ(z3().ask(fixproof::depth_comment_question(printed), 60).verdict, Verdict::satisfiable);
+  EXPECT_EQ(z3().ask(fixproof::proof::depth_comment_question(printed), 60).verdict,
+            Verdict::satisfiable);
 }
 
 }  // namespace

@@ -4,10 +4,11 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "machine_code/emulator.hpp"
+#include "machine_code/machine_code.hpp"
+#include "machine_code/processor.hpp"
+#include "parties/answer.hpp"
 #include "verify/engine.hpp"
-#include "verify/machine_code/emulator.hpp"
-#include "verify/machine_code/machine_code.hpp"
-#include "verify/machine_code/processor.hpp"
 
 #if defined(__linux__) && defined(__x86_64__)
 #include <linux/filter.h>
@@ -26,7 +27,7 @@ namespace {
 using namespace fixproof;
 
 TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
-  for (const auto& party : parties()) {
+  for (const auto& party : parties::parties()) {
     const bool is_machine = party->name() == "silicon" || party->name() == "unicorn";
     if (party->name().starts_with("batch-")) continue;  // of another processor
     if (!is_machine) {
@@ -34,11 +35,12 @@ TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
       continue;
     }
     EXPECT_EQ(party->absence().empty(), party->answers({})) << party->name();
-    EXPECT_TRUE(machine_code_absence().empty() || !party->absence().empty()) << party->name();
+    EXPECT_TRUE(machine_code::machine_code_absence().empty() || !party->absence().empty())
+        << party->name();
     if (party->absence().empty()) {
-      EXPECT_EQ(&party_named(party->name()), party.get());
+      EXPECT_EQ(&parties::party_named(party->name()), party.get());
     } else {
-      EXPECT_THROW(static_cast<void>(party_named(party->name())), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(parties::party_named(party->name())), std::invalid_argument);
     }
   }
 }
@@ -71,7 +73,8 @@ class AbsenceDeathTest : public testing::Test {
  protected:
   void SetUp() override {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    if (!machine_code_absence().empty()) GTEST_SKIP() << machine_code_absence();
+    if (!machine_code::machine_code_absence().empty())
+      GTEST_SKIP() << machine_code::machine_code_absence();
   }
 };
 
@@ -89,15 +92,17 @@ TEST_F(AbsenceDeathTest, OfTheProcessorEndsWithStatus2AndTheReason) {
 /// was there before the segment.
 void fault_inside_then_outside(void (*action)(int)) {
   static_cast<void>(std::signal(SIGFPE, action));
-  if (!Processor::absence().empty()) std::_Exit(77);
+  if (!machine_code::Processor::absence().empty()) std::_Exit(77);
   const std::array<std::uint32_t, 2> by_zero{1, 0};
-  if (ask(party_named("silicon"), {.operation = Operation::div}, by_zero).text(32) != "DE") return;
+  if (parties::ask(parties::party_named("silicon"), {.operation = cases::Operation::div}, by_zero)
+          .text(32) != "DE")
+    return;
   static_cast<void>(std::raise(SIGFPE));
 }
 
 TEST_F(AbsenceDeathTest, OfAHandlerIsNotBroughtAbout) {
   const auto absent = [](int status) {
-    return testing::ExitedWithCode(77)(status) && !Processor::absence().empty();
+    return testing::ExitedWithCode(77)(status) && !machine_code::Processor::absence().empty();
   };
   const auto handled = [&](int status) {
     return testing::ExitedWithCode(42)(status) || absent(status);

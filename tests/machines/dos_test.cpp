@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "cases/streams.hpp"
+#include "machine_code/machine_code.hpp"
 #include "tests/cli/command.hpp"
-#include "verify/machine_code/machine_code.hpp"
-#include "verify/streams.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ using namespace fixproof;
 namespace fs = std::filesystem;
 
 bool has(std::string_view program) {
-  return cli::run({"sh", "-c", fmt::format("command -v {}", program)}).status == 0;
+  return command::run({"sh", "-c", fmt::format("command -v {}", program)}).status == 0;
 }
 
 std::string contents_of(const fs::path& file) {
@@ -30,8 +30,8 @@ std::string contents_of(const fs::path& file) {
 }
 
 /// The options of fixproof that name a program.
-std::string arguments_of(const ProgramKey& key) {
-  const std::string name = name_of(key);
+std::string arguments_of(const machine_code::ProgramKey& key) {
+  const std::string name = machine_code::name_of(key);
   std::string arguments = name.substr(0, name.find('-'));
   arguments += key.target == x86model::Target::i386 ? " --target i386" : " --target i8088";
   if (name.find("-off") != std::string::npos) arguments += " --round off";
@@ -41,27 +41,28 @@ std::string arguments_of(const ProgramKey& key) {
 }
 
 /// Lines of operands for a program: streams of each kind, each line as `fixproof eval` reads it.
-std::string lines_for(const ProgramKey& key) {
-  const Variant v{.operation = static_cast<Operation>(key.routine)};
-  const std::size_t in = words_in(v.operation);
-  const int digits = v.operation == Operation::cossin ? 4 : 8;
+std::string lines_for(const machine_code::ProgramKey& key) {
+  const cases::Variant v{.operation = static_cast<cases::Operation>(key.routine)};
+  const std::size_t in = cases::words_in(v.operation);
+  const int digits = v.operation == cases::Operation::cossin ? 4 : 8;
   std::string lines;
-  const auto add = [&](Stream stream, std::uint64_t first, std::size_t cases) {
+  const auto add = [&](cases::Stream stream, std::uint64_t first, std::size_t cases) {
     std::vector<std::uint32_t> words(cases * in);
-    make_cases(stream, v, 1981, first, words);
+    cases::make_cases(stream, v, 1981, first, words);
     for (std::size_t i = 0; i < words.size(); ++i) {
       lines += fmt::format("{:0{}x}{}", words[i], digits, (i + 1) % in == 0 ? '\n' : ' ');
     }
   };
-  if (v.operation == Operation::cossin) {
-    for (std::uint64_t angle = 0; angle < 0x10000; angle += 31) add(Stream::every, angle, 1);
+  if (v.operation == cases::Operation::cossin) {
+    for (std::uint64_t angle = 0; angle < 0x10000; angle += 31) add(cases::Stream::every, angle, 1);
   } else if (in == 2) {
     // No common divisor with the lattice's width, so that every value comes.
-    for (std::uint64_t i = 0; i < *size_of(Stream::lattice, v); i += 25) add(Stream::lattice, i, 1);
-    add(Stream::scaled, 0, 1000);
+    for (std::uint64_t i = 0; i < *cases::size_of(cases::Stream::lattice, v); i += 25)
+      add(cases::Stream::lattice, i, 1);
+    add(cases::Stream::scaled, 0, 1000);
   } else {
-    add(Stream::lattice_words, 0, 200);
-    add(Stream::scaled, 0, 200);
+    add(cases::Stream::lattice_words, 0, 200);
+    add(cases::Stream::scaled, 0, 200);
   }
   return lines;
 }
@@ -69,7 +70,8 @@ std::string lines_for(const ProgramKey& key) {
 class Dos : public testing::Test {
  protected:
   void SetUp() override {
-    if (!machine_code_absence().empty()) GTEST_SKIP() << machine_code_absence();
+    if (!machine_code::machine_code_absence().empty())
+      GTEST_SKIP() << machine_code::machine_code_absence();
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -82,7 +84,7 @@ class Dos : public testing::Test {
 
   /// Has a program written under a name that DOS can have; CON.COM, for one, is a device.
   void make(const std::string& name, std::string_view arguments) const {
-    const auto run = cli::fixproof(fmt::format("dos {} -o {}", arguments, file(name).string()));
+    const auto run = command::fixproof(fmt::format("dos {} -o {}", arguments, file(name).string()));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.out + run.err, "");
   }
@@ -93,9 +95,9 @@ class Dos : public testing::Test {
           "[cpu]\ncore=normal\ncycles=max\n[mixer]\nnosound=true\n[autoexec]\n@echo off\n"
           "mount c " +
               folder_.string() + "\nc:\n" + commands + "exit\n");
-    const auto run = cli::run({"env", "HOME=" + folder_.string(), "SDL_VIDEODRIVER=dummy",
-                               "SDL_AUDIODRIVER=dummy", "timeout", "200", "dosbox", "-conf",
-                               file("dosbox.cfg").string()});
+    const auto run = command::run({"env", "HOME=" + folder_.string(), "SDL_VIDEODRIVER=dummy",
+                                   "SDL_AUDIODRIVER=dummy", "timeout", "200", "dosbox", "-conf",
+                                   file("dosbox.cfg").string()});
     ASSERT_EQ(run.status, 0) << run.err;
   }
 
@@ -114,8 +116,8 @@ std::string without_cr(std::string text) {
 
 TEST_F(Dos, EveryProgramAnswersAsTheModel) {
   if (!has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
-  std::vector<ProgramKey> keys;
-  for (const ProgramKey& key : all_programs()) {
+  std::vector<machine_code::ProgramKey> keys;
+  for (const machine_code::ProgramKey& key : machine_code::all_programs()) {
     if (!key.build.endif_as_scanned) keys.push_back(key);
   }
   std::string commands;
@@ -126,16 +128,17 @@ TEST_F(Dos, EveryProgramAnswersAsTheModel) {
   }
   in_dosbox(commands);
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto model = cli::fixproof("eval " + arguments_of(keys[i]), lines_for(keys[i]));
+    const auto model = command::fixproof("eval " + arguments_of(keys[i]), lines_for(keys[i]));
     ASSERT_EQ(model.status, 0) << model.err;
     // Not EXPECT_EQ: it would print thousands of lines.
-    const auto said = cli::split(without_cr(contents_of(file(fmt::format("P{}.OUT", i)))), '\n');
-    const auto expected = cli::split(model.out, '\n');
-    ASSERT_EQ(said.size(), expected.size()) << name_of(keys[i]);
+    const auto said =
+        command::split(without_cr(contents_of(file(fmt::format("P{}.OUT", i)))), '\n');
+    const auto expected = command::split(model.out, '\n');
+    ASSERT_EQ(said.size(), expected.size()) << machine_code::name_of(keys[i]);
     const auto [other, wanted] = std::mismatch(said.begin(), said.end(), expected.begin());
     if (other == said.end()) continue;
-    ADD_FAILURE() << name_of(keys[i]) << ", line " << other - said.begin() + 1 << ": " << *other
-                  << ", not " << *wanted;
+    ADD_FAILURE() << machine_code::name_of(keys[i]) << ", line " << other - said.begin() + 1 << ": "
+                  << *other << ", not " << *wanted;
   }
 }
 
@@ -160,24 +163,24 @@ TEST_F(Dos, AProgramReadsLinesAsEvalDoes) {
   for (std::size_t i = 0; i < bad.size(); ++i) {
     EXPECT_EQ(contents_of(file(fmt::format("BAD{}.OUT", i))), "00018000\r\n") << bad[i];
     EXPECT_TRUE(fs::exists(file(fmt::format("BAD{}.ST", i)))) << bad[i];
-    EXPECT_EQ(cli::fixproof("eval div --target i8088", bad[i] + "\n").status, 2) << bad[i];
+    EXPECT_EQ(command::fixproof("eval div --target i8088", bad[i] + "\n").status, 2) << bad[i];
   }
 }
 
 TEST_F(Dos, WritesTheSameToAFileAndToAPipe) {
   make("MUL.COM", "mul");
-  const auto run = cli::fixproof("dos mul");
+  const auto run = command::fixproof("dos mul");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, contents_of(file("MUL.COM")));
-  EXPECT_NE(cli::fixproof("dos mul --round off").out, run.out);
-  EXPECT_NE(cli::fixproof("dos div --target i8088 --round off --as-scanned").out,
-            cli::fixproof("dos div --target i8088 --round off").out);
+  EXPECT_NE(command::fixproof("dos mul --round off").out, run.out);
+  EXPECT_NE(command::fixproof("dos div --target i8088 --round off --as-scanned").out,
+            command::fixproof("dos div --target i8088 --round off").out);
 }
 
 TEST_F(Dos, WritesNothingToATerminal) {
   if (!has("script")) GTEST_SKIP() << "script(1) is not installed";
   const auto run =
-      cli::run({"script", "-qec", std::string(FIXPROOF_COMMAND) + " dos mul", "/dev/null"});
+      command::run({"script", "-qec", std::string(FIXPROOF_COMMAND) + " dos mul", "/dev/null"});
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.out.find("nothing for a terminal"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find('\xE8'), std::string::npos);
@@ -187,7 +190,7 @@ TEST_F(Dos, RefusesWhatItCannotWrite) {
   for (const std::string_view arguments :
        {"dos", "dos sqrt", "dos mul -o", "dos mul -o /nowhere/at/all.com",
         "dos mul --as-scanned"}) {
-    const auto run = cli::fixproof(arguments);
+    const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.out, "") << arguments;
     EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;

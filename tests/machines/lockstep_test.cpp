@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "verify/draw.hpp"
-#include "verify/machine_code/emulator.hpp"
-#include "verify/machine_code/frame.hpp"
-#include "verify/machine_code/machine_code.hpp"
-#include "verify/streams.hpp"
-#include "verify/text.hpp"
+#include "cases/draw.hpp"
+#include "cases/streams.hpp"
+#include "cases/words.hpp"
+#include "machine_code/emulator.hpp"
+#include "machine_code/frame.hpp"
+#include "machine_code/machine_code.hpp"
 #include "x86model/call.hpp"
 
 namespace {
@@ -38,7 +38,7 @@ struct History {
 };
 
 template <Routine routine>
-History history_of(const ProgramKey& key, const x86model::Registers<16>& garbage,
+History history_of(const machine_code::ProgramKey& key, const x86model::Registers<16>& garbage,
                    std::span<const std::uint32_t> in) {
   const auto program = x86model::assemble(x86model::listing(key.routine, key.target), key.build);
   x86model::CallMachine<routine, 16> m;
@@ -53,7 +53,7 @@ History history_of(const ProgramKey& key, const x86model::Registers<16>& garbage
   return h;
 }
 
-History history_of(const ProgramKey& key, const x86model::Registers<16>& garbage,
+History history_of(const machine_code::ProgramKey& key, const x86model::Registers<16>& garbage,
                    std::span<const std::uint32_t> in) {
   switch (key.routine) {
     case Routine::mul:
@@ -83,21 +83,21 @@ std::string shown(const x86model::Registers<16>& registers, std::uint16_t flags)
 class Lockstep {
  public:
   /// @param code other code than the program's makes a saboteur
-  Lockstep(const ProgramKey& key, std::span<const std::uint8_t> code)
+  Lockstep(const machine_code::ProgramKey& key, std::span<const std::uint8_t> code)
       : key_(key), emulator_(code) {}
 
   /// @return the first difference, empty where there is none
   std::string difference(std::span<const std::uint32_t> in) {
-    const Frame frame = frame_of(key_.routine);
-    SegmentMachine m(emulator_.memory());
-    scramble(m, frame, cases_);
-    Draw random(1981, cases_++);
+    const machine_code::Frame frame = machine_code::frame_of(key_.routine);
+    machine_code::SegmentMachine m(emulator_.memory());
+    machine_code::scramble(m, frame, cases_);
+    cases::Draw random(1981, cases_++);
     const History model = history_of(key_, m.registers, in);
     frame.enter(m, in);
 
     std::string found;
     std::size_t steps = 0;
-    const auto step = [&](SegmentMachine& machine, std::uint16_t next) {
+    const auto step = [&](machine_code::SegmentMachine& machine, std::uint16_t next) {
       if (found.empty()) found = difference_at(model, steps, machine, next);
       const std::uint16_t undefined =
           steps == 0
@@ -107,28 +107,29 @@ class Lockstep {
       machine.flags.value = static_cast<std::uint16_t>((machine.flags.value & ~undefined) | noise);
       ++steps;
     };
-    const CallEnding ending = emulator_.trace(m, step, model.instants.size() + 1);
+    const machine_code::CallEnding ending = emulator_.trace(m, step, model.instants.size() + 1);
     if (!found.empty()) return found;
     const bool returned = model.ending.outcome == Outcome::returned;
     if (!returned && model.ending.outcome != Outcome::divide_error) {
       return fmt::format("the model breaks off at row {}", model.ending.position);
     }
-    const auto expected = returned ? CallEnding::returned : CallEnding::divide_error;
+    const auto expected =
+        returned ? machine_code::CallEnding::returned : machine_code::CallEnding::divide_error;
     if (ending != expected || steps != model.instants.size() + 1) {
       return fmt::format("ended as {} after {} steps, not as {} after {}", static_cast<int>(ending),
                          steps - 1, static_cast<int>(expected), model.instants.size());
     }
-    if (ending != CallEnding::returned) return "";
+    if (ending != machine_code::CallEnding::returned) return "";
     std::vector<std::uint32_t> out(model.out.size());
     frame.leave(m, out);
-    return out == model.out ? "" : "results differ: " + hex_words(out, 32);
+    return out == model.out ? "" : "results differ: " + cases::hex_words(out, 32);
   }
 
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
  private:
-  std::string difference_at(const History& model, std::size_t steps, const SegmentMachine& machine,
-                            std::uint16_t next) {
+  std::string difference_at(const History& model, std::size_t steps,
+                            const machine_code::SegmentMachine& machine, std::uint16_t next) {
     ++instructions_;
     if (steps > model.instants.size()) return fmt::format("more than {} instructions", steps - 1);
     // The instruction that is next: every position of the listing has one address, in order.
@@ -153,77 +154,78 @@ class Lockstep {
                        shown(expected.registers, expected.flags.value), expected.flags.undefined);
   }
 
-  ProgramKey key_;
-  Emulator emulator_;
+  machine_code::ProgramKey key_;
+  machine_code::Emulator emulator_;
   std::map<std::size_t, std::uint16_t> places_;
   std::uint64_t cases_ = 0;
   std::uint64_t instructions_ = 0;
 };
 
 /// Operands for a program: the lattice, every `stride`-th case of it, and random ones.
-std::vector<std::uint32_t> cases_for(const ProgramKey& key) {
-  const Variant v{.operation = static_cast<Operation>(key.routine)};
-  const std::size_t in = words_in(v.operation);
+std::vector<std::uint32_t> cases_for(const machine_code::ProgramKey& key) {
+  const cases::Variant v{.operation = static_cast<cases::Operation>(key.routine)};
+  const std::size_t in = cases::words_in(v.operation);
   std::vector<std::uint32_t> words;
-  const auto add = [&](Stream stream, std::uint64_t first, std::size_t cases) {
+  const auto add = [&](cases::Stream stream, std::uint64_t first, std::size_t cases) {
     words.resize(words.size() + cases * in);
-    make_cases(stream, v, 1994, first, std::span(words).last(cases * in));
+    cases::make_cases(stream, v, 1994, first, std::span(words).last(cases * in));
   };
   switch (key.routine) {
     case Routine::mul:
     case Routine::div:
       // A stride without a common divisor with the lattice's width comes to every value.
-      for (std::uint64_t i = 0; i < *size_of(Stream::lattice, v); i += 5)
-        add(Stream::lattice, i, 1);
-      add(Stream::scaled, 0, 2000);
-      add(Stream::uniform, 0, 500);
-      if (key.routine == Routine::div) add(Stream::fault_edge, 0, 1000);
+      for (std::uint64_t i = 0; i < *cases::size_of(cases::Stream::lattice, v); i += 5)
+        add(cases::Stream::lattice, i, 1);
+      add(cases::Stream::scaled, 0, 2000);
+      add(cases::Stream::uniform, 0, 500);
+      if (key.routine == Routine::div) add(cases::Stream::fault_edge, 0, 1000);
       break;
     case Routine::cossin:
-      for (std::uint64_t i = 0; i < 0x10000; i += 11) add(Stream::every, i, 1);
+      for (std::uint64_t i = 0; i < 0x10000; i += 11) add(cases::Stream::every, i, 1);
       break;
     case Routine::xformvec:
     case Routine::concat:
-      add(Stream::lattice_words, 0, 150);
-      add(Stream::scaled, 0, 100);
+      add(cases::Stream::lattice_words, 0, 150);
+      add(cases::Stream::scaled, 0, 100);
       break;
   }
   return words;
 }
 
 std::string skip_reason() {
-  const std::string reason = Emulator::absence();
-  return reason.empty() ? machine_code_absence() : reason;
+  const std::string reason = machine_code::Emulator::absence();
+  return reason.empty() ? machine_code::machine_code_absence() : reason;
 }
 
 class LockstepOf : public testing::TestWithParam<std::string> {};
 
-ProgramKey key_named(const std::string& name) {
-  for (const ProgramKey& key : all_programs()) {
-    if (name_of(key) == name) return key;
+machine_code::ProgramKey key_named(const std::string& name) {
+  for (const machine_code::ProgramKey& key : machine_code::all_programs()) {
+    if (machine_code::name_of(key) == name) return key;
   }
   throw std::invalid_argument(name);
 }
 
 TEST_P(LockstepOf, EveryInstructionAgrees) {
   if (!skip_reason().empty()) GTEST_SKIP() << skip_reason();
-  const ProgramKey key = key_named(GetParam());
-  Lockstep lockstep(key, machine_code(key));
+  const machine_code::ProgramKey key = key_named(GetParam());
+  Lockstep lockstep(key, machine_code::machine_code(key));
   const auto words = cases_for(key);
   const auto in = static_cast<std::size_t>(x86model::arity(key.routine).in);
   for (std::size_t i = 0; i < words.size(); i += in) {
     const auto operands = std::span(words).subspan(i, in);
     const std::string difference = lockstep.difference(operands);
-    ASSERT_EQ(difference, "") << GetParam() << ": " << hex_words(operands, 32);
+    ASSERT_EQ(difference, "") << GetParam() << ": " << cases::hex_words(operands, 32);
   }
   RecordProperty("instructions", std::to_string(lockstep.instructions()));
 }
 
 std::vector<std::string> programs_in_lockstep() {
   std::vector<std::string> names;
-  for (const ProgramKey& key : all_programs()) {
+  for (const machine_code::ProgramKey& key : machine_code::all_programs()) {
     // As it was scanned, the unrounded divide adds a flag that DIV leaves undefined.
-    if (!key.build.endif_as_scanned || key.build.div_rounding) names.push_back(name_of(key));
+    if (!key.build.endif_as_scanned || key.build.div_rounding)
+      names.push_back(machine_code::name_of(key));
   }
   return names;
 }
@@ -237,8 +239,8 @@ INSTANTIATE_TEST_SUITE_P(Program, LockstepOf, testing::ValuesIn(programs_in_lock
 
 TEST(Lockstep, SeesOtherCode) {
   if (!skip_reason().empty()) GTEST_SKIP() << skip_reason();
-  const ProgramKey key = key_named("mul-i386-on");
-  const auto right = machine_code(key);
+  const machine_code::ProgramKey key = key_named("mul-i386-on");
+  const auto right = machine_code::machine_code(key);
   // 1.5 x 2.5, and a product whose rounding carries into all of EDX.
   constexpr std::array<std::array<std::uint32_t, 2>, 2> cases{
       {{0x00018000, 0x00028000}, {0x00000001, 0xFFFF8000}}};
@@ -258,23 +260,27 @@ TEST(Lockstep, SeesOtherCode) {
 
 TEST(Lockstep, SeesThatAnUndefinedFlagIsRead) {
   if (!skip_reason().empty()) GTEST_SKIP() << skip_reason();
-  const ProgramKey key = key_named("div-i8088-off-scanned");
+  const machine_code::ProgramKey key = key_named("div-i8088-off-scanned");
   const std::array<std::uint32_t, 2> operands{0x00030000, 0x00020000};
-  EXPECT_EQ(Lockstep(key, machine_code(key)).difference(operands).rfind("the model breaks off", 0),
+  EXPECT_EQ(Lockstep(key, machine_code::machine_code(key))
+                .difference(operands)
+                .rfind("the model breaks off", 0),
             0);
 }
 
 TEST(Lockstep, FlagsWrittenBetweenInstructionsCount) {
   if (!skip_reason().empty()) GTEST_SKIP() << skip_reason();
   // ADD AX,0 clears CF; ADC AX,0 adds it to AX, which holds 0.
-  Emulator emulator(std::array<std::uint8_t, 7>{0x05, 0x00, 0x00, 0x15, 0x00, 0x00, 0xC3});
+  machine_code::Emulator emulator(
+      std::array<std::uint8_t, 7>{0x05, 0x00, 0x00, 0x15, 0x00, 0x00, 0xC3});
   for (const std::uint16_t carry : {std::uint16_t{0}, std::uint16_t{x86model::CF}}) {
-    SegmentMachine m(emulator.memory());
+    machine_code::SegmentMachine m(emulator.memory());
     m.registers.write(x86model::Register::sp, x86model::Size::word, 0x40);
-    const auto ending = emulator.trace(m, [&](SegmentMachine& machine, std::uint16_t next) {
-      if (next == code_origin + 3) machine.flags.value = carry;
-    });
-    EXPECT_EQ(ending, CallEnding::returned);
+    const auto ending =
+        emulator.trace(m, [&](machine_code::SegmentMachine& machine, std::uint16_t next) {
+          if (next == machine_code::code_origin + 3) machine.flags.value = carry;
+        });
+    EXPECT_EQ(ending, machine_code::CallEnding::returned);
     EXPECT_EQ(m.registers.read(x86model::Register::ax, x86model::Size::word), carry);
   }
 }

@@ -7,18 +7,18 @@
 #include <thread>
 #include <vector>
 
+#include "cases/streams.hpp"
+#include "machine_code/machine_code.hpp"
+#include "parties/answer.hpp"
+#include "parties/machines.hpp"
 #include "verify/engine.hpp"
-#include "verify/machine_code/machine_code.hpp"
-#include "verify/parties/machines.hpp"
-#include "verify/streams.hpp"
-#include "verify/text.hpp"
 
 namespace {
 
 using namespace fixproof;
 
-const Party& find(std::string_view name) {
-  for (const auto& party : parties()) {
+const parties::Party& find(std::string_view name) {
+  for (const auto& party : parties::parties()) {
     if (party->name() == name) return *party;
   }
   throw std::invalid_argument(std::string(name));
@@ -26,67 +26,71 @@ const Party& find(std::string_view name) {
 
 /// Operands and room for the answers of one variant.
 struct Cases {
-  explicit Cases(const Variant& v) : variant(v) {}
+  explicit Cases(const cases::Variant& v) : variant(v) {}
 
-  void add(Stream stream, std::uint64_t first, std::size_t cases) {
-    const std::size_t in = words_in(variant.operation);
+  void add(cases::Stream stream, std::uint64_t first, std::size_t cases) {
+    const std::size_t in = cases::words_in(variant.operation);
     words.resize(words.size() + cases * in);
-    make_cases(stream, variant, 54, first, std::span(words).last(cases * in));
+    cases::make_cases(stream, variant, 54, first, std::span(words).last(cases * in));
   }
-  [[nodiscard]] std::size_t size() const { return words.size() / words_in(variant.operation); }
+  [[nodiscard]] std::size_t size() const {
+    return words.size() / cases::words_in(variant.operation);
+  }
 
-  Variant variant;
+  cases::Variant variant;
   std::vector<std::uint32_t> words;
 };
 
 /// What a party says of all of them; result words of a case that faults are 0.
 struct Answers {
   std::vector<std::uint32_t> out;
-  std::vector<Ending> endings;
+  std::vector<parties::Ending> endings;
 
   friend bool operator==(const Answers&, const Answers&) = default;
 };
 
 template <class Answer>
 Answers answers_of(const Cases& cases, Answer answer) {
-  const std::size_t each = words_out(cases.variant.operation);
+  const std::size_t each = cases::words_out(cases.variant.operation);
   Answers said{std::vector<std::uint32_t>(cases.size() * each),
-               std::vector<Ending>(cases.size(), Ending::broken)};
-  answer(Batch{cases.words, said.out, said.endings});
+               std::vector<parties::Ending>(cases.size(), parties::Ending::broken)};
+  answer(parties::Batch{cases.words, said.out, said.endings});
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (said.endings[i] == Ending::value) continue;
+    if (said.endings[i] == parties::Ending::value) continue;
     std::fill_n(said.out.begin() + static_cast<std::ptrdiff_t>(i * each), each, 0);
   }
   return said;
 }
 
-Answers answers_of(const Cases& cases, const Party& party) {
-  return answers_of(cases, [&](const Batch& batch) { party.answer(cases.variant, batch); });
+Answers answers_of(const Cases& cases, const parties::Party& party) {
+  return answers_of(cases,
+                    [&](const parties::Batch& batch) { party.answer(cases.variant, batch); });
 }
 
-Cases cases_for(const Variant& v) {
+Cases cases_for(const cases::Variant& v) {
   Cases cases(v);
   switch (v.operation) {
-    case Operation::mul:
-    case Operation::div:
-      for (std::uint64_t i = 0; i < *size_of(Stream::lattice, v); i += 5) {
-        cases.add(Stream::lattice, i, 1);
+    case cases::Operation::mul:
+    case cases::Operation::div:
+      for (std::uint64_t i = 0; i < *cases::size_of(cases::Stream::lattice, v); i += 5) {
+        cases.add(cases::Stream::lattice, i, 1);
       }
-      cases.add(Stream::uniform, 0, 1000);
-      cases.add(Stream::scaled, 0, 1000);
+      cases.add(cases::Stream::uniform, 0, 1000);
+      cases.add(cases::Stream::scaled, 0, 1000);
       break;
-    case Operation::cossin:
-      cases.add(Stream::every, 0, 0x10000);
+    case cases::Operation::cossin:
+      cases.add(cases::Stream::every, 0, 0x10000);
       break;
     default:
-      cases.add(Stream::lattice_words, 0, 500);
-      cases.add(Stream::scaled, 0, 500);
+      cases.add(cases::Stream::lattice_words, 0, 500);
+      cases.add(cases::Stream::scaled, 0, 500);
       break;
   }
   return cases;
 }
 
-using AnswerByCode = void (*)(std::span<const std::uint8_t>, x86model::Routine, const Batch&);
+using AnswerByCode = void (*)(std::span<const std::uint8_t>, x86model::Routine,
+                              const parties::Batch&);
 
 struct Machine {
   const char* name;
@@ -102,39 +106,41 @@ class MachineParty : public testing::TestWithParam<Machine> {
 };
 
 TEST_P(MachineParty, AgreesWithTheModelOnEveryProgram) {
-  const Party& machine = find(GetParam().name);
+  const parties::Party& machine = find(GetParam().name);
   int variants = 0;
-  for (const Variant& v : all_variants()) {
+  for (const cases::Variant& v : cases::all_variants()) {
     if (!find("model").answers(v)) continue;
-    ASSERT_TRUE(machine.answers(v)) << name_of(v);
+    ASSERT_TRUE(machine.answers(v)) << cases::name_of(v);
     const Cases cases = cases_for(v);
-    EXPECT_EQ(answers_of(cases, machine), answers_of(cases, find("model"))) << name_of(v);
+    EXPECT_EQ(answers_of(cases, machine), answers_of(cases, find("model"))) << cases::name_of(v);
     ++variants;
   }
   EXPECT_EQ(variants, 25);
 }
 
 TEST_P(MachineParty, HasNothingToSayOfTheRest) {
-  const Party& machine = find(GetParam().name);
-  EXPECT_FALSE(machine.answers({.operation = Operation::mul, .fraction_bits = 8}));
-  EXPECT_FALSE(machine.answers({.operation = Operation::mul, .target = Target::standard}));
-  EXPECT_FALSE(machine.answers({.operation = Operation::sqrt}));
+  const parties::Party& machine = find(GetParam().name);
+  EXPECT_FALSE(machine.answers({.operation = cases::Operation::mul, .fraction_bits = 8}));
   EXPECT_FALSE(
-      machine.answers({.operation = Operation::mul, .mul_round = false, .chapter_52 = true}));
-  EXPECT_FALSE(machine.answers({.operation = Operation::xformvec, .chapter_52 = true}));
-  EXPECT_FALSE(machine.answers({.operation = Operation::concat, .repaired = true}));
+      machine.answers({.operation = cases::Operation::mul, .target = cases::Target::standard}));
+  EXPECT_FALSE(machine.answers({.operation = cases::Operation::sqrt}));
   EXPECT_FALSE(machine.answers(
-      {.operation = Operation::xformvec, .target = Target::i8088, .repaired = true}));
+      {.operation = cases::Operation::mul, .mul_round = false, .chapter_52 = true}));
+  EXPECT_FALSE(machine.answers({.operation = cases::Operation::xformvec, .chapter_52 = true}));
+  EXPECT_FALSE(machine.answers({.operation = cases::Operation::concat, .repaired = true}));
+  EXPECT_FALSE(machine.answers(
+      {.operation = cases::Operation::xformvec, .target = cases::Target::i8088, .repaired = true}));
 }
 
 TEST_P(MachineParty, IsWrongWhereOneByteIs) {
-  const Variant v{.operation = Operation::mul};
+  const cases::Variant v{.operation = cases::Operation::mul};
   const Cases cases = cases_for(v);
-  const auto right = machine_code(key_of(v));
+  const auto right = machine_code::machine_code(machine_code::key_of(v));
   std::vector<std::uint8_t> code(right.begin(), right.end());
   const auto say = [&] {
-    return answers_of(
-        cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
+    return answers_of(cases, [&](const parties::Batch& batch) {
+      GetParam().answer(code, x86model::Routine::mul, batch);
+    });
   };
   const Answers model = answers_of(cases, find("model"));
   EXPECT_EQ(say(), model);
@@ -151,69 +157,75 @@ TEST_P(MachineParty, IsWrongWhereOneByteIs) {
 
 TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
   const Cases cases = [] {
-    Cases some({.operation = Operation::mul});
-    some.add(Stream::uniform, 0, 10);
+    Cases some({.operation = cases::Operation::mul});
+    some.add(cases::Stream::uniform, 0, 10);
     return some;
   }();
   // XOR SI,SI and RET, then the same of BP and of DI.
   for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xED, 0xFF}) {
     const std::array<std::uint8_t, 3> code{0x31, registers, 0xC3};
-    const Answers said = answers_of(
-        cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
-    EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+    const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
+      GetParam().answer(code, x86model::Routine::mul, batch);
+    });
+    EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   }
   // XOR ESI,10000h and RET, then the same of EBP and of EDI: only the upper half is lost.
   for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xF5, 0xF7}) {
     const std::array<std::uint8_t, 8> code{0x66, 0x81, registers, 0x00, 0x00, 0x01, 0x00, 0xC3};
-    const Answers said = answers_of(
-        cases, [&](const Batch& batch) { GetParam().answer(code, x86model::Routine::mul, batch); });
-    EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+    const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
+      GetParam().answer(code, x86model::Routine::mul, batch);
+    });
+    EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   }
   // RET 2: the arguments are the caller's to drop.
   const std::array<std::uint8_t, 3> ret_2{0xC2, 0x02, 0x00};
-  const Answers said = answers_of(
-      cases, [&](const Batch& batch) { GetParam().answer(ret_2, x86model::Routine::mul, batch); });
-  EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+  const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
+    GetParam().answer(ret_2, x86model::Routine::mul, batch);
+  });
+  EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
 }
 
 TEST_P(MachineParty, SeesThatARoutineDoesNotWriteItsResults) {
   // RET. What memory held before may be the right answer: that of the case before, or zeros.
   const std::array<std::uint8_t, 1> code{0xC3};
-  for (const Operation operation : {Operation::cossin, Operation::xformvec, Operation::concat}) {
-    const Variant v{.operation = operation};
+  for (const cases::Operation operation :
+       {cases::Operation::cossin, cases::Operation::xformvec, cases::Operation::concat}) {
+    const cases::Variant v{.operation = operation};
     Cases zeros(v);
-    zeros.words.resize(10 * words_in(operation));
+    zeros.words.resize(10 * cases::words_in(operation));
     const Answers right = answers_of(zeros, find(GetParam().name));
-    const Answers said = answers_of(
-        zeros, [&](const Batch& batch) { GetParam().answer(code, key_of(v).routine, batch); });
+    const Answers said = answers_of(zeros, [&](const parties::Batch& batch) {
+      GetParam().answer(code, machine_code::key_of(v).routine, batch);
+    });
     for (std::size_t i = 0; i < said.out.size(); ++i) {
-      ASSERT_EQ(said.endings[i / words_out(operation)], Ending::value);
-      ASSERT_NE(said.out[i], right.out[i]) << name_of(v) << ", word " << i;
+      ASSERT_EQ(said.endings[i / cases::words_out(operation)], parties::Ending::value);
+      ASSERT_NE(said.out[i], right.out[i]) << cases::name_of(v) << ", word " << i;
     }
   }
 }
 
 TEST_P(MachineParty, EndsInAFaultForCodeThatIsNone) {
-  Cases cases({.operation = Operation::mul});
-  cases.add(Stream::uniform, 0, 10);
+  Cases cases({.operation = cases::Operation::mul});
+  cases.add(cases::Stream::uniform, 0, 10);
   // UD2.
   const std::array<std::uint8_t, 2> undefined{0x0F, 0x0B};
-  const Answers said = answers_of(cases, [&](const Batch& batch) {
+  const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
     GetParam().answer(undefined, x86model::Routine::mul, batch);
   });
-  EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), Ending::broken), 10);
+  EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   // And afterwards all is as before.
   EXPECT_EQ(answers_of(cases, find(GetParam().name)), answers_of(cases, find("model")));
 }
 
 TEST_P(MachineParty, FaultsInManyThreadsAtOnce) {
   // More than half of these cases fault.
-  Cases cases({.operation = Operation::div, .target = Target::i8088});
-  cases.add(Stream::small_divisors, 0, 2000);
-  cases.add(Stream::fault_edge, 0, 2000);
+  Cases cases({.operation = cases::Operation::div, .target = cases::Target::i8088});
+  cases.add(cases::Stream::small_divisors, 0, 2000);
+  cases.add(cases::Stream::fault_edge, 0, 2000);
   const Answers model = answers_of(cases, find("model"));
-  ASSERT_GT(std::count(model.endings.begin(), model.endings.end(), Ending::divide_error), 2000);
-  ASSERT_GT(std::count(model.endings.begin(), model.endings.end(), Ending::value), 500);
+  ASSERT_GT(std::count(model.endings.begin(), model.endings.end(), parties::Ending::divide_error),
+            2000);
+  ASSERT_GT(std::count(model.endings.begin(), model.endings.end(), parties::Ending::value), 500);
 
   std::array<int, 8> right{};
   constexpr int rounds = 4;
@@ -233,8 +245,8 @@ TEST_P(MachineParty, FaultsInManyThreadsAtOnce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(On, MachineParty,
-                         testing::Values(Machine{"silicon", answer_on_silicon},
-                                         Machine{"unicorn", answer_on_unicorn}),
+                         testing::Values(Machine{"silicon", parties::answer_on_silicon},
+                                         Machine{"unicorn", parties::answer_on_unicorn}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

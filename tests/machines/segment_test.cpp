@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
-#include "verify/machine_code/frame.hpp"
-#include "verify/machine_code/machine_code.hpp"
-#include "verify/machine_code/processor.hpp"
+#include "machine_code/frame.hpp"
+#include "machine_code/machine_code.hpp"
+#include "machine_code/processor.hpp"
 #include "x86model/cosine_table.hpp"
 
 namespace {
@@ -33,17 +33,18 @@ std::vector<std::uint8_t> without_overrides(std::span<const std::uint8_t> code, 
 }
 
 /// cos and sin of 45.0 degrees, and how the call ended.
-CallEnding call(Processor& processor, std::span<const std::uint8_t> code,
-                std::array<std::uint32_t, 2>& out) {
+machine_code::CallEnding call(machine_code::Processor& processor,
+                              std::span<const std::uint8_t> code,
+                              std::array<std::uint32_t, 2>& out) {
   processor.load(code);
-  const Frame frame = frame_of(Routine::cossin);
-  SegmentMachine m(processor.memory());
+  const machine_code::Frame frame = machine_code::frame_of(Routine::cossin);
+  machine_code::SegmentMachine m(processor.memory());
   const std::array<std::uint32_t, 1> angle{450};
-  scramble(m, frame, 1);
+  machine_code::scramble(m, frame, 1);
   frame.enter(m, angle);
-  CallEnding ending{};
+  machine_code::CallEnding ending{};
   {
-    const Processor::Calls calls(processor);
+    const machine_code::Processor::Calls calls(processor);
     ending = calls.call(m);
   }
   frame.leave(m, out);
@@ -51,19 +52,20 @@ CallEnding call(Processor& processor, std::span<const std::uint8_t> code,
 }
 
 TEST(Segment, TheTableIsReadWithTheCode) {
-  if (const auto why = Processor::absence(); !why.empty()) GTEST_SKIP() << why;
-  Processor processor;
+  if (const auto why = machine_code::Processor::absence(); !why.empty()) GTEST_SKIP() << why;
+  machine_code::Processor processor;
   for (const auto target : {x86model::Target::i386, x86model::Target::i8088}) {
-    const auto code = machine_code(ProgramKey{Routine::cossin, target, {}});
-    if (code.empty()) GTEST_SKIP() << machine_code_absence();
+    const auto code =
+        machine_code::machine_code(machine_code::ProgramKey{Routine::cossin, target, {}});
+    if (code.empty()) GTEST_SKIP() << machine_code::machine_code_absence();
     std::array<std::uint32_t, 2> out{};
-    EXPECT_EQ(call(processor, code, out), CallEnding::returned);
+    EXPECT_EQ(call(processor, code, out), machine_code::CallEnding::returned);
     // 65536 * sqrt(1/2) = 46340.95
     EXPECT_EQ(out, (std::array<std::uint32_t, 2>{46341, 46341}));
     int changed = 0;
     const auto spoilt = without_overrides(code, changed);
     EXPECT_EQ(changed, target == x86model::Target::i386 ? 8 : 16);
-    EXPECT_EQ(call(processor, spoilt, out), CallEnding::fault);
+    EXPECT_EQ(call(processor, spoilt, out), machine_code::CallEnding::fault);
   }
 }
 

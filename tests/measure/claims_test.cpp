@@ -1,10 +1,10 @@
 // Verdicts, and counts of whole calls that are worked by hand from Intel's tables.
-#include "verify/measure/claims.hpp"
+#include "trade/clocks/claims.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/measure/never.hpp"
-#include "verify/measure/call_clocks.hpp"
+#include "trade/clocks/call_clocks.hpp"
 
 namespace {
 
@@ -12,35 +12,39 @@ using namespace fixproof;
 using x86model::Cpu;
 
 TEST(Claims, AVerdictNeedsAllOfARange) {
-  const auto verdict = [](Bounds measured) { return judge(measured, {2, 3}, Evidence::decides); };
-  EXPECT_EQ(verdict({2, 3}), Verdict::holds);
-  EXPECT_EQ(verdict({2.5, 2.5}), Verdict::holds);
-  EXPECT_EQ(verdict({1, 1.9}), Verdict::does_not_hold);
-  EXPECT_EQ(verdict({3.1, 9}), Verdict::does_not_hold);
-  EXPECT_EQ(verdict({1, 2}), Verdict::open);
-  EXPECT_EQ(verdict({2.9, 3.1}), Verdict::open);
-  EXPECT_EQ(verdict({1, 9}), Verdict::open);
+  const auto verdict = [](trade::Bounds measured) {
+    return trade::judge(measured, {2, 3}, trade::Evidence::decides);
+  };
+  EXPECT_EQ(verdict({2, 3}), trade::Verdict::holds);
+  EXPECT_EQ(verdict({2.5, 2.5}), trade::Verdict::holds);
+  EXPECT_EQ(verdict({1, 1.9}), trade::Verdict::does_not_hold);
+  EXPECT_EQ(verdict({3.1, 9}), trade::Verdict::does_not_hold);
+  EXPECT_EQ(verdict({1, 2}), trade::Verdict::open);
+  EXPECT_EQ(verdict({2.9, 3.1}), trade::Verdict::open);
+  EXPECT_EQ(verdict({1, 9}), trade::Verdict::open);
 }
 
 TEST(Claims, EvidenceOfOneSideSaysNothingOfTheOther) {
-  const Bounds allowed{2, 3};
-  const Bounds inside{2.5, 2.5};
-  const Bounds outside{1, 1};
-  EXPECT_EQ(judge(inside, allowed, Evidence::can_show), Verdict::holds);
-  EXPECT_EQ(judge(outside, allowed, Evidence::can_show), Verdict::open);
-  EXPECT_EQ(judge(inside, allowed, Evidence::can_refute), Verdict::not_refuted);
-  EXPECT_EQ(judge(outside, allowed, Evidence::can_refute), Verdict::does_not_hold);
-  EXPECT_EQ(judge(inside, allowed, Evidence::neither), Verdict::open);
-  EXPECT_EQ(judge(outside, allowed, Evidence::neither), Verdict::open);
+  const trade::Bounds allowed{2, 3};
+  const trade::Bounds inside{2.5, 2.5};
+  const trade::Bounds outside{1, 1};
+  EXPECT_EQ(trade::judge(inside, allowed, trade::Evidence::can_show), trade::Verdict::holds);
+  EXPECT_EQ(trade::judge(outside, allowed, trade::Evidence::can_show), trade::Verdict::open);
+  EXPECT_EQ(trade::judge(inside, allowed, trade::Evidence::can_refute),
+            trade::Verdict::not_refuted);
+  EXPECT_EQ(trade::judge(outside, allowed, trade::Evidence::can_refute),
+            trade::Verdict::does_not_hold);
+  EXPECT_EQ(trade::judge(inside, allowed, trade::Evidence::neither), trade::Verdict::open);
+  EXPECT_EQ(trade::judge(outside, allowed, trade::Evidence::neither), trade::Verdict::open);
 }
 
 TEST(Claims, FiguresThatAreOpenDecideNothing) {
-  const auto of = [](const std::vector<Verdict>& verdicts) {
-    Claim claim;
-    for (const Verdict v : verdicts) claim.figures.push_back({"", {}, v});
-    return verdict_on(claim);
+  const auto of = [](const std::vector<trade::Verdict>& verdicts) {
+    trade::Claim claim;
+    for (const trade::Verdict v : verdicts) claim.figures.push_back({"", {}, v});
+    return trade::verdict_on(claim);
   };
-  using enum Verdict;
+  using enum trade::Verdict;
   EXPECT_EQ(of({open, open}), open);
   EXPECT_EQ(of({open, holds, holds}), holds);
   EXPECT_EQ(of({does_not_hold, open}), does_not_hold);
@@ -48,7 +52,7 @@ TEST(Claims, FiguresThatAreOpenDecideNothing) {
 }
 
 TEST(Spread, MeansAreOfTypicalCallsAlone) {
-  Spread s;
+  trade::Spread s;
   s.add({10, 12});
   s.add({20, 20});
   s.bound({5, 40});
@@ -59,8 +63,8 @@ TEST(Spread, MeansAreOfTypicalCallsAlone) {
   EXPECT_EQ(s.mean_max(), 16);
 }
 
-const ProcessorClocks& on(const CallClocks& clocks, Cpu cpu) {
-  for (const ProcessorClocks& p : clocks.processors) {
+const trade::ProcessorClocks& on(const trade::CallClocks& clocks, Cpu cpu) {
+  for (const trade::ProcessorClocks& p : clocks.processors) {
     if (p.cpu == cpu) return p;
   }
   throw std::invalid_argument("not on this processor");
@@ -70,12 +74,14 @@ const ProcessorClocks& on(const CallClocks& clocks, Cpu cpu) {
 // multiplier, ADD 2, ADC 2, SHR 3, POP 4, RET 10 and 3 for ADD SP,8. Three times 2^16 has 18 bits,
 // 1.0 is 2^16: 32 + 27 and 32 + 25. On a 486 14 to 21, IMUL 27 to 29 and 26 to 27.
 TEST(CallClocks, FixedMulOnA386) {
-  CallClocks clocks = no_calls({.operation = Operation::mul, .target = Target::i386});
-  add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true, never);
+  trade::CallClocks clocks =
+      trade::no_calls({.operation = cases::Operation::mul, .target = cases::Target::i386});
+  trade::add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true,
+                   never);
   EXPECT_EQ(clocks.processors.size(), 2U);
   EXPECT_EQ(clocks.instructions.least(), 9U);
   EXPECT_EQ(clocks.instructions.most(), 9U);
-  const Spread& counted = on(clocks, Cpu::i386).clocks;
+  const trade::Spread& counted = on(clocks, Cpu::i386).clocks;
   EXPECT_EQ(counted.least(), 57U);
   EXPECT_EQ(counted.most(), 59U);
   EXPECT_EQ(counted.mean_min(), 58);
@@ -96,8 +102,9 @@ TEST(CallClocks, FixedMulOnAn8088) {
   constexpr std::uint64_t jumps = 3 * 16;
   constexpr std::uint64_t multiplies = 119 + 118 + 119 + 118;
   constexpr std::uint64_t ret = 20;
-  CallClocks clocks = no_calls({.operation = Operation::mul, .target = Target::i8088});
-  add_calls(clocks, std::array{0x00010000U, 0x00010000U}, true, never);
+  trade::CallClocks clocks =
+      trade::no_calls({.operation = cases::Operation::mul, .target = cases::Target::i8088});
+  trade::add_calls(clocks, std::array{0x00010000U, 0x00010000U}, true, never);
   EXPECT_EQ(clocks.instructions.least(), 39U);
   EXPECT_EQ(on(clocks, Cpu::i8088).clocks.least(), pushes + pops + loads + moves +
                                                        between_registers + with_constants + jumps +
@@ -105,18 +112,18 @@ TEST(CallClocks, FixedMulOnAn8088) {
 }
 
 /// A scene of one frame whose only work is 1.0 times 1.0, in each build.
-RecordedScene one_product() {
-  RecordedScene scene{"one product", {}};
-  for (const auto& choice : recorded_builds()) {
-    SceneOperands operands{.choice = choice, .frames = 1};
-    operands.log.at(static_cast<std::size_t>(Operation::mul)) = {0x00010000, 0x00010000};
+trade::RecordedScene one_product() {
+  trade::RecordedScene scene{"one product", {}};
+  for (const auto& choice : trade::recorded_builds()) {
+    trade::SceneOperands operands{.choice = choice, .frames = 1};
+    operands.log.at(static_cast<std::size_t>(cases::Operation::mul)) = {0x00010000, 0x00010000};
     scene.builds.push_back(operands);
   }
   return scene;
 }
 
-const Claim& claim_about(const std::vector<Claim>& claims, std::string_view words) {
-  for (const Claim& c : claims) {
+const trade::Claim& claim_about(const std::vector<trade::Claim>& claims, std::string_view words) {
+  for (const trade::Claim& c : claims) {
     if (c.text.find(words) != std::string::npos) return c;
   }
   throw std::invalid_argument("no such claim");
@@ -125,25 +132,25 @@ const Claim& claim_about(const std::vector<Claim>& claims, std::string_view word
 // The 39 rows of the 8088's FixedMul for 1.0 by 1.0 take 155 clocks on a 386 and 220 on a 286; the
 // 386's takes 32 + 25 on a 386, 40 to 48 on a 486.
 TEST(Claims, FiguresOfOneProduct) {
-  const auto claims = judge_claims({one_product()});
-  const Claim& slower = claim_about(claims, "2.5 times");
+  const auto claims = trade::judge_claims({one_product()});
+  const trade::Claim& slower = claim_about(claims, "2.5 times");
   ASSERT_EQ(slower.figures.size(), 2U);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.min, 155.0 / 57);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.max, 155.0 / 57);
   // The 486's figure decides.
-  EXPECT_EQ(slower.figures[0].verdict, Verdict::open);
-  const Claim& at = claim_about(claims, "8 MHz AT is about 10");
+  EXPECT_EQ(slower.figures[0].verdict, trade::Verdict::open);
+  const trade::Claim& at = claim_about(claims, "8 MHz AT is about 10");
   ASSERT_EQ(at.figures.size(), 1U);
   EXPECT_DOUBLE_EQ(at.figures[0].measured.min, 220.0 / 8 / (48.0 / 33));
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (40.0 / 33));
   // Of whole animations: the listings decide nothing.
-  EXPECT_EQ(at.figures[0].verdict, Verdict::open);
+  EXPECT_EQ(at.figures[0].verdict, trade::Verdict::open);
   // Unrounded, ADD and ADC are left out on a 386: 4 clocks of 57. Of a program of 570 clocks of
   // which the rounded product takes a tenth, that is 4 of 566.
-  const Claim& rounding = claim_about(claims, "cost of rounding");
+  const trade::Claim& rounding = claim_about(claims, "cost of rounding");
   ASSERT_EQ(rounding.figures.size(), 3U);
   EXPECT_DOUBLE_EQ(rounding.figures[0].measured.min, 100 * (57.0 / 53 - 1));
-  EXPECT_EQ(rounding.figures[0].verdict, Verdict::holds);
+  EXPECT_EQ(rounding.figures[0].verdict, trade::Verdict::holds);
   EXPECT_NEAR(rounding.figures[1].measured.min, 100 * 4.0 / 566, 1e-9);
   // There is no divide whose time could be compared.
   EXPECT_EQ(claim_about(claims, "native").figures.size(), 1U);
@@ -154,12 +161,13 @@ TEST(Claims, FiguresOfOneProduct) {
 // The 8088 executes 73 bytes of code and moves 30 of data: 412 clocks of bus, which are fewer than
 // the table's. Where the code is waited for, its 292 clocks come on top.
 TEST(Claims, AnI8088HasTwoFigures) {
-  const auto claims = judge_claims({one_product()});
-  const Claim& pc = claim_about(claims, "40 times");
+  const auto claims = trade::judge_claims({one_product()});
+  const trade::Claim& pc = claim_about(claims, "40 times");
   ASSERT_EQ(pc.figures.size(), 2U);
   constexpr double table =
       5 * 15 + 5 * 12 + 4 * 21 + 7 * 2 + 8 * 3 + 2 * 4 + 3 * 16 + (119 + 118 + 119 + 118) + 20;
-  EXPECT_EQ(pc.figures[1].verdict, judge(pc.figures[1].measured, pc.allowed, Evidence::decides));
+  EXPECT_EQ(pc.figures[1].verdict,
+            trade::judge(pc.figures[1].measured, pc.allowed, trade::Evidence::decides));
   EXPECT_DOUBLE_EQ(pc.figures[1].measured.min / pc.figures[0].measured.min,
                    (table + 4 * 73) / table);
   EXPECT_DOUBLE_EQ(pc.figures[1].measured.max / pc.figures[0].measured.max,
@@ -168,51 +176,53 @@ TEST(Claims, AnI8088HasTwoFigures) {
 
 // Half a unit is rounded up, and cut off.
 TEST(Claims, RoundingChangesAProductByAUnit) {
-  RecordedScene scene = one_product();
-  for (SceneOperands& build : scene.builds) {
-    build.log.at(static_cast<std::size_t>(Operation::mul)) = {0x00000001, 0x00008000};
+  trade::RecordedScene scene = one_product();
+  for (trade::SceneOperands& build : scene.builds) {
+    build.log.at(static_cast<std::size_t>(cases::Operation::mul)) = {0x00000001, 0x00008000};
   }
-  const auto claims = judge_claims({scene});
-  const Claim& effect = claim_about(claims, "2^-16");
+  const auto claims = trade::judge_claims({scene});
+  const trade::Claim& effect = claim_about(claims, "2^-16");
   EXPECT_EQ(effect.figures.at(0).measured.max, 1);
-  EXPECT_EQ(effect.figures.at(0).verdict, Verdict::holds);
+  EXPECT_EQ(effect.figures.at(0).verdict, trade::Verdict::holds);
 }
 
 // A frame of one ConcatXforms and one XformVec: 36 and 9 calls of FixedMul from C, 57 clocks each
 // where every factor is 1.0.
 TEST(Claims, TheCubesOfChapter52AreCountedByCallsOfFixedMul) {
-  RecordedScene scene = one_product();
+  trade::RecordedScene scene = one_product();
   scene.name = "twelve cubes";
-  for (SceneOperands& build : scene.builds) {
+  for (trade::SceneOperands& build : scene.builds) {
     build.log = {};
-    build.log.at(static_cast<std::size_t>(Operation::concat)).assign(24, 0x00010000);
-    build.log.at(static_cast<std::size_t>(Operation::xformvec)).assign(15, 0x00010000);
+    build.log.at(static_cast<std::size_t>(cases::Operation::concat)).assign(24, 0x00010000);
+    build.log.at(static_cast<std::size_t>(cases::Operation::xformvec)).assign(15, 0x00010000);
   }
-  const auto claims = judge_claims({scene});
-  const Claim& cubes = claim_about(claims, "twelve cubes");
+  const auto claims = trade::judge_claims({scene});
+  const trade::Claim& cubes = claim_about(claims, "twelve cubes");
   ASSERT_EQ(cubes.figures.size(), 1U);
   EXPECT_EQ(cubes.figures[0].where, "twelve cubes, 45 + 0 FixedMul, 0 FixedDiv");
   EXPECT_DOUBLE_EQ(cubes.figures[0].measured.min, 20e6 / (45 * 57));
-  EXPECT_EQ(cubes.figures[0].verdict, Verdict::not_refuted);
+  EXPECT_EQ(cubes.figures[0].verdict, trade::Verdict::not_refuted);
 }
 
 TEST(Claims, SayWhereTheyArePrinted) {
-  for (const Claim& claim : judge_claims({one_product()})) EXPECT_NE(claim.place, "") << claim.text;
-  for (const NotJudged& statement : not_judged()) {
+  for (const trade::Claim& claim : trade::judge_claims({one_product()}))
+    EXPECT_NE(claim.place, "") << claim.text;
+  for (const trade::NotJudged& statement : trade::not_judged()) {
     EXPECT_NE(statement.place, "");
     EXPECT_NE(statement.reason, "");
   }
 }
 
 TEST(CallClocks, ADivideErrorIsCountedAsThatAlone) {
-  CallClocks clocks = no_calls({.operation = Operation::div, .target = Target::i386});
-  add_calls(clocks, std::array{0x00010000U, 0U}, true, never);
+  trade::CallClocks clocks =
+      trade::no_calls({.operation = cases::Operation::div, .target = cases::Target::i386});
+  trade::add_calls(clocks, std::array{0x00010000U, 0U}, true, never);
   EXPECT_EQ(clocks.faults, 1U);
   EXPECT_EQ(clocks.instructions.calls(), 0U);
 }
 
 TEST(CallClocks, EveryBuildIsTimedOnce) {
-  const auto variants = timed_variants();
+  const auto variants = trade::timed_variants();
   // mul, div, xformvec and concat on two targets under two roundings, CosSin on two targets, and
   // chapter 52's two: it has the third, ConcatXforms, in C.
   EXPECT_EQ(variants.size(), 4U * 4 + 2 + 2);

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "verify/file.hpp"
+#include "support/file.hpp"
 
 namespace {
 
@@ -24,19 +24,19 @@ TEST(MeasureCommand, WantsOneThingToMeasure) {
         "measure --stepping --cases 0", "measure --stepping --json /no/such/folder/file",
         "measure --accuracy --json /no/such/folder/file",
         "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
-    const auto run = cli::fixproof(arguments);
+    const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.out, "") << arguments;
-    EXPECT_EQ(cli::split(run.err, '\n').size(), 2U) << run.err;
+    EXPECT_EQ(command::split(run.err, '\n').size(), 2U) << run.err;
   }
 }
 
 TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
   const std::string file = testing::TempDir() + "measure_command_test.json";
-  const auto run = cli::fixproof("measure --accuracy --cases 200 --seed 5 --json " + file);
+  const auto run = command::fixproof("measure --accuracy --cases 200 --seed 5 --json " + file);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
-  const auto json = nlohmann::json::parse(fixproof::read_file(file));
+  const auto json = nlohmann::json::parse(fixproof::support::read_file(file));
   std::remove(file.c_str());
   EXPECT_EQ(json.at("made").at("seed"), 5);
   EXPECT_EQ(json.at("made").at("date").get<std::string>().size(), 20U);
@@ -62,10 +62,10 @@ bool is_time(const nlohmann::json& times) {
 
 TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
   const std::string file = testing::TempDir() + "measure_host_test.json";
-  const auto run = cli::fixproof("measure --host --rounds 1 --cases 1 --seed 5 --json " + file);
+  const auto run = command::fixproof("measure --host --rounds 1 --cases 1 --seed 5 --json " + file);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
-  const auto json = nlohmann::json::parse(fixproof::read_file(file));
+  const auto json = nlohmann::json::parse(fixproof::support::read_file(file));
   std::remove(file.c_str());
   EXPECT_EQ(json.at("made").at("seed"), 5);
   EXPECT_NE(json.at("made").at("processor"), "");
@@ -98,10 +98,11 @@ TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
 
 TEST(MeasureCommand, StepsEveryVariantWithinItsBound) {
   const std::string file = testing::TempDir() + "measure_stepping_test.json";
-  const auto run = cli::fixproof("measure --stepping --cases 2 --rounds 1 --seed 5 --json " + file);
+  const auto run =
+      command::fixproof("measure --stepping --cases 2 --rounds 1 --seed 5 --json " + file);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
-  const auto json = nlohmann::json::parse(fixproof::read_file(file));
+  const auto json = nlohmann::json::parse(fixproof::support::read_file(file));
   std::remove(file.c_str());
   EXPECT_EQ(json.at("lengths").at("most"), 320);
   std::map<std::string, int> found;

@@ -1,5 +1,5 @@
 // Statistics of a few errors, worked by hand.
-#include "verify/measure/error_statistics.hpp"
+#include "trade/accuracy/error_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 namespace {
 
-using fixproof::ErrorHistogram;
-using fixproof::ErrorStatistics;
+using fixproof::trade::ErrorHistogram;
+using fixproof::trade::ErrorStatistics;
 
 TEST(ErrorStatistics, OfNothingAreZero) {
   const ErrorStatistics none;

@@ -15,9 +15,9 @@ namespace {
 std::string clocks_of(std::string_view cpu, std::string_view clocks, std::string_view instruction,
                       std::string_view ax_bx_dx = "ax=0001 bx=0002 dx=0000") {
   const auto run =
-      cli::fixproof(fmt::format("step --cpu {} --clocks {}", cpu, clocks),
-                    fmt::format("{} | {} cx=0000 si=0000 di=0000 bp=0000 sp=fffe fl=0000\n",
-                                instruction, ax_bx_dx));
+      command::fixproof(fmt::format("step --cpu {} --clocks {}", cpu, clocks),
+                        fmt::format("{} | {} cx=0000 si=0000 di=0000 bp=0000 sp=fffe fl=0000\n",
+                                    instruction, ax_bx_dx));
   EXPECT_EQ(run.status, 0) << run.err;
   const auto at = run.out.find(" clocks=");
   return at == std::string::npos ? run.out : run.out.substr(at + 8, run.out.size() - at - 9);
@@ -38,9 +38,10 @@ void expect_clocks(const std::vector<Row>& rows) {
         row.instruction);
   }
   for (std::size_t i = 0; i < cpus.size(); ++i) {
-    const auto run = cli::fixproof(fmt::format("step --cpu 386 --clocks {}", cpus.at(i)), lines);
+    const auto run =
+        command::fixproof(fmt::format("step --cpu 386 --clocks {}", cpus.at(i)), lines);
     EXPECT_EQ(run.status, 0) << run.err;
-    const auto answers = cli::split(run.out, '\n');
+    const auto answers = command::split(run.out, '\n');
     ASSERT_EQ(answers.size(), rows.size() + 1);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const auto at = answers[k].find(" clocks=");
@@ -93,10 +94,10 @@ TEST(StepClocks, LinesWithoutAStateStayAsTheyAre) {
 }
 
 TEST(StepClocks, IsNotForFiles) {
-  const auto run = cli::fixproof("step --clocks 286 --singlestep some.json");
+  const auto run = command::fixproof("step --clocks 286 --singlestep some.json");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("--clocks"), std::string::npos) << run.err;
-  EXPECT_EQ(cli::fixproof("step --clocks 186").status, 2);
+  EXPECT_EQ(command::fixproof("step --clocks 186").status, 2);
 }
 
 }  // namespace

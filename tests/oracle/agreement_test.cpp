@@ -10,6 +10,7 @@
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/unbounded.hpp"
+#include "parties/answer.hpp"
 #include "tests/oracle/rules.hpp"
 
 namespace oracle {

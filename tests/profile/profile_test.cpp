@@ -1,13 +1,13 @@
 // Profiles of scenes so small that they can be worked out by hand.
-#include "verify/profile/profile.hpp"
+#include "trade/profile/profile.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "verify/profile/profile_text.hpp"
-#include "verify/scenes/players.hpp"
+#include "player/players.hpp"
+#include "trade/profile/profile_text.hpp"
 #include "x86model/forms.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -29,20 +29,20 @@ xsharp::Scene still_cube(double half_edge, double z) {
 }
 
 /// The first frames of a scene.
-SceneProfile profile_of(const xsharp::Scene& scene, const std::string& target, bool round,
-                        int frames) {
+trade::SceneProfile profile_of(const xsharp::Scene& scene, const std::string& target, bool round,
+                               int frames) {
   const xsharp::ArithmeticChoice choice{"model", target, round, round};
-  Profiler profiler(scene, choice);
+  trade::Profiler profiler(scene, choice);
   std::unique_ptr<xsharp::Player> player;
   xsharp::Picture picture;
   for (int frame = 0; frame < frames; ++frame) {
-    OperandLog log;
+    player::OperandLog log;
     {
-      const Recording recording(log);
+      const player::Recording recording(log);
       if (player) {
         player->move();
       } else {
-        player = make_player(scene, choice);
+        player = player::make_player(scene, choice);
       }
       player->draw(picture);
     }
@@ -51,11 +51,13 @@ SceneProfile profile_of(const xsharp::Scene& scene, const std::string& target, b
   return profiler.profile();
 }
 
-const RoutineProfile& routine(const SceneProfile& profile, Operation operation) {
+const trade::RoutineProfile& routine(const trade::SceneProfile& profile,
+                                     cases::Operation operation) {
   return profile.routines.at(static_cast<std::size_t>(operation));
 }
 
-void expect_range(const ValueRange& range, std::int64_t least, std::int64_t greatest, int bits) {
+void expect_range(const trade::ValueRange& range, std::int64_t least, std::int64_t greatest,
+                  int bits) {
   EXPECT_EQ(range.least(), least);
   EXPECT_EQ(range.greatest(), greatest);
   EXPECT_EQ(range.bits(), bits);
@@ -63,22 +65,22 @@ void expect_range(const ValueRange& range, std::int64_t least, std::int64_t grea
 
 // Corners at x, y = -1, 1 and z = -9, -11. The largest quotient is 1/9 = 7281.78 units.
 TEST(Profile, OfACubeWorkedByHand) {
-  const SceneProfile profile = profile_of(still_cube(1, -10), "i386", true, 3);
+  const trade::SceneProfile profile = profile_of(still_cube(1, -10), "i386", true, 3);
   EXPECT_EQ(profile.frames, 3U);
 
-  const RoutineProfile& concat = routine(profile, Operation::concat);
+  const trade::RoutineProfile& concat = routine(profile, cases::Operation::concat);
   EXPECT_EQ(concat.calls, 1U);
   expect_range(concat.operands.at(0), 0, one, 18);
   expect_range(concat.operands.at(1), 0, 0, 1);
   expect_range(concat.operands.at(3), -10 * one, 0, 21);
   expect_range(concat.results.at(1), -10 * one, 0, 21);
 
-  const RoutineProfile& xformvec = routine(profile, Operation::xformvec);
+  const trade::RoutineProfile& xformvec = routine(profile, cases::Operation::xformvec);
   EXPECT_EQ(xformvec.calls, 8U);
   expect_range(xformvec.operands.at(2), -one, one, 18);
   expect_range(xformvec.results.at(0), -11 * one, one, 21);
 
-  const RoutineProfile& div = routine(profile, Operation::div);
+  const trade::RoutineProfile& div = routine(profile, cases::Operation::div);
   EXPECT_EQ(div.calls, 16U);
   EXPECT_EQ(div.faults, 0U);
   expect_range(div.operands.at(0), -one, one, 18);
@@ -87,7 +89,7 @@ TEST(Profile, OfACubeWorkedByHand) {
   EXPECT_EQ(profile.divides.least_divisor, 9 * one);
   EXPECT_EQ(profile.divides.greatest_quotient, 7282);
 
-  const RoutineProfile& mul = routine(profile, Operation::mul);
+  const trade::RoutineProfile& mul = routine(profile, cases::Operation::mul);
   EXPECT_EQ(mul.calls, 16U);
   // Nine instructions without a jump, from PUSH BP to RET.
   EXPECT_EQ(mul.instructions, 16U * 9);
@@ -101,12 +103,12 @@ TEST(Profile, OfACubeWorkedByHand) {
   // Nothing moves: all is done in the first frame. Nothing turns, so no sine is looked up.
   EXPECT_EQ(mul.most_in_frame, 16U);
   EXPECT_EQ(mul.least_in_frame, 0U);
-  EXPECT_EQ(routine(profile, Operation::cossin).calls, 0U);
+  EXPECT_EQ(routine(profile, cases::Operation::cossin).calls, 0U);
 
   EXPECT_EQ(profile.view.nearest, -9 * one);
   EXPECT_EQ(profile.view.faces, 3U * 6);
   EXPECT_EQ(profile.view.clipped_faces, 0U);
-  for (const RoutineProfile& r : profile.routines) EXPECT_EQ(r.wrapped, 0U);
+  for (const trade::RoutineProfile& r : profile.routines) EXPECT_EQ(r.wrapped, 0U);
 }
 
 // As chapters 53 and 54 call the routines.
@@ -117,39 +119,39 @@ TEST(Profile, CallsOfAFrameAreThoseOfTheText) {
   cube.mesh = xsharp::with_normals(std::move(cube.mesh));
   cube.shadings.assign(6, {.ambient = true, .diffuse = true});
   for (xsharp::Paint& paint : cube.paints) paint = {false, 0, {255, 255, 255}};
-  SceneProfile profile = profile_of(scene, "i386", true, 4);
+  trade::SceneProfile profile = profile_of(scene, "i386", true, 4);
   // Three moves of two rotations.
-  EXPECT_EQ(routine(profile, Operation::cossin).calls, 3U * 2);
+  EXPECT_EQ(routine(profile, cases::Operation::cossin).calls, 3U * 2);
   // Eight corners and six ends of normals are transformed, the corners alone are projected.
-  EXPECT_EQ(routine(profile, Operation::xformvec).calls, 4U * (8 + 6));
-  EXPECT_EQ(routine(profile, Operation::div).calls, 4U * 8 * 2);
+  EXPECT_EQ(routine(profile, cases::Operation::xformvec).calls, 4U * (8 + 6));
+  EXPECT_EQ(routine(profile, cases::Operation::div).calls, 4U * 8 * 2);
   // Sorting by centres transforms these too.
   scene.depth_key = xsharp::DepthKey::center;
   profile = profile_of(scene, "i386", true, 4);
-  EXPECT_EQ(routine(profile, Operation::xformvec).calls, 4U * (8 + 6 + 1));
-  EXPECT_EQ(routine(profile, Operation::div).calls, 4U * 8 * 2);
+  EXPECT_EQ(routine(profile, cases::Operation::xformvec).calls, 4U * (8 + 6 + 1));
+  EXPECT_EQ(routine(profile, cases::Operation::div).calls, 4U * 8 * 2);
 }
 
 TEST(Profile, TruncatedQuotientsAreAUnitSmaller) {
-  const SceneProfile profile = profile_of(still_cube(1, -10), "i386", false, 1);
+  const trade::SceneProfile profile = profile_of(still_cube(1, -10), "i386", false, 1);
   EXPECT_EQ(profile.divides.greatest_quotient, 7281);
 }
 
 // Corners at z = 0 and -2: of the six faces the far one alone is whole. Crossings are at -1.
 TEST(Profile, OfACubeInTheNearPlane) {
-  const SceneProfile profile = profile_of(still_cube(1, -1), "i8088", true, 1);
+  const trade::SceneProfile profile = profile_of(still_cube(1, -1), "i8088", true, 1);
   EXPECT_EQ(profile.view.nearest, -2 * one);
   EXPECT_EQ(profile.view.faces, 6U);
   EXPECT_EQ(profile.view.clipped_faces, 5U);
   EXPECT_EQ(profile.divides.least_divisor, one);
   EXPECT_EQ(profile.divides.greatest_quotient, one);
-  EXPECT_EQ(routine(profile, Operation::div).faults, 0U);
+  EXPECT_EQ(routine(profile, cases::Operation::div).faults, 0U);
 }
 
 TEST(Profile, OfACubeOutOfReach) {
   xsharp::Scene scene = still_cube(1, -10);
   scene.objects[0].page = {9, 0, 0};
-  const SceneProfile profile = profile_of(scene, "i386", true, 2);
+  const trade::SceneProfile profile = profile_of(scene, "i386", true, 2);
   EXPECT_EQ(profile.view.out_of_reach, 2U);
   EXPECT_EQ(profile.view.faces, 0U);
   EXPECT_FALSE(profile.view.nearest);
@@ -159,8 +161,8 @@ TEST(Profile, OfACubeOutOfReach) {
 TEST(Profile, FormsAreExecutedOrNever) {
   for (const auto target : {x86model::Target::i386, x86model::Target::i8088}) {
     const bool i386 = target == x86model::Target::i386;
-    const FormUse forms =
-        forms_of(profile_of(still_cube(1, -10), i386 ? "i386" : "i8088", true, 1));
+    const trade::FormUse forms =
+        trade::forms_of(profile_of(still_cube(1, -10), i386 ? "i386" : "i8088", true, 1));
     std::vector<std::string> all;
     std::ranges::merge(forms.executed, forms.never, std::back_inserter(all));
     EXPECT_EQ(all, x86model::form_texts(target));
@@ -174,7 +176,7 @@ TEST(Profile, SaysWhichRoutinesAreNeverCalled) {
   xsharp::Scene scene = still_cube(1, -10);
   scene.objects[0].spin.tenths = {0, 10, 0};
   const auto says_so = [&scene] {
-    return text_of(profile_of(scene, "i386", true, 2)).find("CosSin: never called") !=
+    return trade::text_of(profile_of(scene, "i386", true, 2)).find("CosSin: never called") !=
            std::string::npos;
   };
   EXPECT_FALSE(says_so());

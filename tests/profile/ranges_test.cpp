@@ -6,9 +6,9 @@
 #include <array>
 
 #include "oracle/unbounded.hpp"
-#include "verify/profile/places.hpp"
-#include "verify/profile/value_range.hpp"
-#include "verify/profile/wraps.hpp"
+#include "trade/profile/places.hpp"
+#include "trade/profile/value_range.hpp"
+#include "trade/profile/wraps.hpp"
 
 namespace fixproof {
 namespace {
@@ -18,15 +18,15 @@ using oracle::Rounding;
 using Word = std::uint32_t;
 
 TEST(ValueRange, CountsTheSignAmongTheBits) {
-  EXPECT_EQ(signed_bits(0), 1);
-  EXPECT_EQ(signed_bits(-1), 1);
-  EXPECT_EQ(signed_bits(1), 2);
-  EXPECT_EQ(signed_bits(-2), 2);
-  EXPECT_EQ(signed_bits(32767), 16);
-  EXPECT_EQ(signed_bits(-32768), 16);
-  EXPECT_EQ(signed_bits(32768), 17);
-  EXPECT_EQ(signed_bits(-2147483648LL), 32);
-  ValueRange range;
+  EXPECT_EQ(trade::signed_bits(0), 1);
+  EXPECT_EQ(trade::signed_bits(-1), 1);
+  EXPECT_EQ(trade::signed_bits(1), 2);
+  EXPECT_EQ(trade::signed_bits(-2), 2);
+  EXPECT_EQ(trade::signed_bits(32767), 16);
+  EXPECT_EQ(trade::signed_bits(-32768), 16);
+  EXPECT_EQ(trade::signed_bits(32768), 17);
+  EXPECT_EQ(trade::signed_bits(-2147483648LL), 32);
+  trade::ValueRange range;
   EXPECT_TRUE(range.empty());
   EXPECT_EQ(range.bits(), 0);
   range.add(3);
@@ -38,19 +38,21 @@ TEST(ValueRange, CountsTheSignAmongTheBits) {
 
 TEST(Places, EveryWordHasAName) {
   for (int i = 0; i < 5; ++i) {
-    const auto operation = static_cast<Operation>(i);
+    const auto operation = static_cast<cases::Operation>(i);
     std::array<int, 4> seen{};
-    for (std::size_t w = 0; w < words_in(operation); ++w) ++seen.at(operand_place(operation, w));
+    for (std::size_t w = 0; w < cases::words_in(operation); ++w)
+      ++seen.at(trade::operand_place(operation, w));
     for (std::size_t n = 0; n < seen.size(); ++n) {
-      EXPECT_EQ(seen.at(n) > 0, n < operand_names(operation).size());
+      EXPECT_EQ(seen.at(n) > 0, n < trade::operand_names(operation).size());
     }
-    for (std::size_t w = 0; w < words_out(operation); ++w) {
-      EXPECT_LT(result_place(operation, w), result_names(operation).size());
+    for (std::size_t w = 0; w < cases::words_out(operation); ++w) {
+      EXPECT_LT(trade::result_place(operation, w), trade::result_names(operation).size());
     }
   }
   // Row by row: the fourth word of a row is the translation's.
   const auto name = [](std::size_t word) {
-    return operand_names(Operation::concat)[operand_place(Operation::concat, word)];
+    return trade::operand_names(
+        cases::Operation::concat)[trade::operand_place(cases::Operation::concat, word)];
   };
   EXPECT_EQ(name(11), "first translation");
   EXPECT_EQ(name(12), "second matrix");
@@ -59,7 +61,7 @@ TEST(Places, EveryWordHasAName) {
 TEST(Wraps, AtTheEndsOfTheRange) {
   const auto product_wraps = [](Word a, Word b) {
     const std::array in{a, b};
-    return wraps(Variant{}, in);
+    return trade::wraps(cases::Variant{}, in);
   };
   EXPECT_TRUE(product_wraps(0x40000000, 0x00020000));   // 16384 * 2
   EXPECT_FALSE(product_wraps(0xC0000000, 0x00020000));  // -16384 * 2
@@ -73,17 +75,17 @@ TEST(Wraps, AtTheEndsOfTheRange) {
 TEST(Wraps, WhereRoundingDecides) {
   const std::array<Word, 2> above{2351 * 4513, 13264529};
   const std::array<Word, 2> below{0U - 32768 * 641, 6700417};
-  const auto mul = [](Target target, bool rounds) {
-    return Variant{.target = target, .mul_round = rounds};
+  const auto mul = [](cases::Target target, bool rounds) {
+    return cases::Variant{.target = target, .mul_round = rounds};
   };
-  for (const Target target : {Target::i386, Target::i8088}) {
-    EXPECT_TRUE(wraps(mul(target, true), above));
-    EXPECT_FALSE(wraps(mul(target, false), above));
+  for (const cases::Target target : {cases::Target::i386, cases::Target::i8088}) {
+    EXPECT_TRUE(trade::wraps(mul(target, true), above));
+    EXPECT_FALSE(trade::wraps(mul(target, false), above));
   }
-  EXPECT_FALSE(wraps(mul(Target::i386, true), below));    // halves up
-  EXPECT_TRUE(wraps(mul(Target::i386, false), below));    // down
-  EXPECT_TRUE(wraps(mul(Target::i8088, true), below));    // halves away from zero
-  EXPECT_FALSE(wraps(mul(Target::i8088, false), below));  // toward zero
+  EXPECT_FALSE(trade::wraps(mul(cases::Target::i386, true), below));    // halves up
+  EXPECT_TRUE(trade::wraps(mul(cases::Target::i386, false), below));    // down
+  EXPECT_TRUE(trade::wraps(mul(cases::Target::i8088, true), below));    // halves away from zero
+  EXPECT_FALSE(trade::wraps(mul(cases::Target::i8088, false), below));  // toward zero
 }
 
 // 20000 and 20000, by identity matrices: the sum of the translations alone is out of range.
@@ -91,32 +93,32 @@ TEST(Wraps, WhereTheTranslationDecides) {
   constexpr Word unit = 65536;
   std::array<Word, 24> concat{};
   for (const std::size_t i : {0U, 5U, 10U, 12U, 17U, 22U}) concat.at(i) = unit;
-  const Variant concatenation{.operation = Operation::concat};
-  const Variant transform{.operation = Operation::xformvec};
+  const cases::Variant concatenation{.operation = cases::Operation::concat};
+  const cases::Variant transform{.operation = cases::Operation::xformvec};
   for (std::size_t row = 0; row < 3; ++row) {
     auto in = concat;
     in.at(4 * row + 3) = 20000 * unit;
-    EXPECT_FALSE(wraps(concatenation, in));
+    EXPECT_FALSE(trade::wraps(concatenation, in));
     in.at(12 + 4 * row + 3) = 20000 * unit;
-    EXPECT_TRUE(wraps(concatenation, in));
+    EXPECT_TRUE(trade::wraps(concatenation, in));
     // The same place as a vector.
     std::array<Word, 15> vector{};
     std::copy_n(in.begin(), 12, vector.begin());
-    EXPECT_FALSE(wraps(transform, vector));
+    EXPECT_FALSE(trade::wraps(transform, vector));
     vector.at(12 + row) = 20000 * unit;
-    EXPECT_TRUE(wraps(transform, vector));
+    EXPECT_TRUE(trade::wraps(transform, vector));
   }
 }
 
 /// The rule by which a build rounds products.
-Rounding product_rule(const Variant& v) {
-  if (v.target == Target::i386) return v.mul_round ? Rounding::half_up : Rounding::floor;
+Rounding product_rule(const cases::Variant& v) {
+  if (v.target == cases::Target::i386) return v.mul_round ? Rounding::half_up : Rounding::floor;
   return v.mul_round ? Rounding::half_away : Rounding::truncate;
 }
 
-Variant any_variant(Operation operation) {
+cases::Variant any_variant(cases::Operation operation) {
   return {.operation = operation,
-          .target = *rc::gen::element(Target::i386, Target::i8088),
+          .target = *rc::gen::element(cases::Target::i386, cases::Target::i8088),
           .mul_round = *rc::gen::arbitrary<bool>(),
           .div_round = *rc::gen::arbitrary<bool>()};
 }
@@ -128,28 +130,29 @@ Word any_word(int least_shift) {
 }
 
 RC_GTEST_PROP(Wraps, ProductsAsTheOracleHasThem, ()) {
-  const Variant v = any_variant(Operation::mul);
+  const cases::Variant v = any_variant(cases::Operation::mul);
   const std::array in{any_word(0), any_word(0)};
-  RC_ASSERT(wraps(v, in) ==
+  RC_ASSERT(trade::wraps(v, in) ==
             !oracle::fits(oracle::exact_product(in[0], in[1], product_rule(v), 16), 32));
 }
 
 RC_GTEST_PROP(Wraps, QuotientsAsTheOracleHasThem, ()) {
-  const Variant v = any_variant(Operation::div);
+  const cases::Variant v = any_variant(cases::Operation::div);
   const std::array in{any_word(0), any_word(0)};
   Word divisor = in[1];
-  if (v.target == Target::i8088) {
+  if (v.target == cases::Target::i8088) {
     const bool negative = divisor >> 31 != 0;
     const Word whole = (negative ? 0U - divisor : divisor) & 0xFFFF0000U;
     divisor = negative ? 0U - whole : whole;
   }
   RC_PRE(divisor != 0U);
   const Rounding rule = v.div_round ? Rounding::half_away : Rounding::truncate;
-  RC_ASSERT(wraps(v, in) == !oracle::fits(*oracle::exact_quotient(in[0], divisor, rule, 16), 32));
+  RC_ASSERT(trade::wraps(v, in) ==
+            !oracle::fits(*oracle::exact_quotient(in[0], divisor, rule, 16), 32));
 }
 
 RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
-  const Variant v = any_variant(Operation::xformvec);
+  const cases::Variant v = any_variant(cases::Operation::xformvec);
   std::array<Word, 15> in{};
   for (Word& word : in) word = any_word(4);
   bool expected = false;
@@ -160,7 +163,7 @@ RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
     }
     expected = expected || !oracle::fits(sum, 32);
   }
-  RC_ASSERT(wraps(v, in) == expected);
+  RC_ASSERT(trade::wraps(v, in) == expected);
 }
 
 /// As the printed 8088 ConcatXforms adds: floors to floors, fractions to fractions, which wrap.
@@ -171,8 +174,8 @@ Integer sum_in_parts(const Integer& a, const Integer& b) {
 }
 
 RC_GTEST_PROP(Wraps, ConcatenationsAsTheOracleHasThem, ()) {
-  Variant v = any_variant(Operation::concat);
-  v.repaired = v.target == Target::i8088 && *rc::gen::arbitrary<bool>();
+  cases::Variant v = any_variant(cases::Operation::concat);
+  v.repaired = v.target == cases::Target::i8088 && *rc::gen::arbitrary<bool>();
   std::array<Word, 24> in{};
   for (Word& word : in) word = any_word(6);
   bool expected = false;
@@ -184,13 +187,13 @@ RC_GTEST_PROP(Wraps, ConcatenationsAsTheOracleHasThem, ()) {
       }
       if (j == 3) {
         const Integer moved = oracle::ulps(in.at(4 * i + 3), 16);
-        const bool whole = v.target == Target::i386 || v.repaired;
+        const bool whole = v.target == cases::Target::i386 || v.repaired;
         sum = whole ? sum + moved : sum_in_parts(sum, moved);
       }
       expected = expected || !oracle::fits(sum, 32);
     }
   }
-  RC_ASSERT(wraps(v, in) == expected);
+  RC_ASSERT(trade::wraps(v, in) == expected);
 }
 
 }  // namespace

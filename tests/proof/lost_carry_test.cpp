@@ -1,24 +1,25 @@
 // Where the printed 8088 ConcatXforms differs from the repaired one, proven; and the proof fails
 // for another statement and for another program.
-#include "verify/proof/lost_carry.hpp"
+#include "proof/lost_carry.hpp"
 
 #include <gtest/gtest.h>
 
-#include "verify/parties/interpreter.hpp"
-#include "verify/proof/prove.hpp"
+#include "parties/interpreter.hpp"
+#include "proof/prove.hpp"
 
 namespace {
 
 using namespace fixproof;
 
-const Solver& solver() {
-  static const Solver one("z3");
+const proof::Solver& solver() {
+  static const proof::Solver one("z3");
   return one;
 }
 
 x86model::Program concat(bool repaired) {
-  return program_of(
-      {.operation = Operation::concat, .target = Target::i8088, .repaired = repaired});
+  return parties::program_of({.operation = cases::Operation::concat,
+                              .target = cases::Target::i8088,
+                              .repaired = repaired});
 }
 
 /// How many of the scripts are unsatisfiable, `from` in them replaced by `to` wherever it stands.
@@ -30,23 +31,23 @@ std::size_t proven(std::vector<std::string> scripts, std::string_view from = "",
          at += to.size()) {
       script.replace(at, from.size(), to);
     }
-    const Verdict verdict = solver().ask(script, 60).verdict;
-    EXPECT_NE(verdict, Verdict::unknown);
-    if (verdict == Verdict::unsatisfiable) ++count;
+    const proof::Verdict verdict = solver().ask(script, 60).verdict;
+    EXPECT_NE(verdict, proof::Verdict::unknown);
+    if (verdict == proof::Verdict::unsatisfiable) ++count;
   }
   return count;
 }
 
 TEST(LostCarry, IsProvenWithRoundingAndWithout) {
   for (const bool mul_round : {true, false}) {
-    EXPECT_EQ(lost_carry_questions(mul_round).size(), 5U);
-    EXPECT_EQ(prove_lost_carry(mul_round, solver(), 60).standing, Standing::proven);
+    EXPECT_EQ(proof::lost_carry_questions(mul_round).size(), 5U);
+    EXPECT_EQ(proof::prove_lost_carry(mul_round, solver(), 60).standing, proof::Standing::proven);
   }
 }
 
 // Three questions are about the rows, one about the other columns, one about the difference.
 TEST(LostCarry, AnotherStatementIsRefuted) {
-  const auto scripts = lost_carry_questions(true);
+  const auto scripts = proof::lost_carry_questions(true);
   EXPECT_EQ(proven(scripts), 5U);
   // Another difference.
   EXPECT_EQ(proven(scripts, "(_ bv65536 32)", "(_ bv65535 32)"), 4U);
@@ -57,18 +58,18 @@ TEST(LostCarry, AnotherStatementIsRefuted) {
 }
 
 TEST(LostCarry, AnotherProgramIsRefuted) {
-  EXPECT_EQ(proven(lost_carry_questions(concat(false), concat(true))), 5U);
-  EXPECT_EQ(proven(lost_carry_questions(concat(true), concat(true))), 2U);
-  EXPECT_EQ(proven(lost_carry_questions(concat(false), concat(false))), 2U);
-  EXPECT_EQ(proven(lost_carry_questions(concat(true), concat(false))), 2U);
+  EXPECT_EQ(proven(proof::lost_carry_questions(concat(false), concat(true))), 5U);
+  EXPECT_EQ(proven(proof::lost_carry_questions(concat(true), concat(true))), 2U);
+  EXPECT_EQ(proven(proof::lost_carry_questions(concat(false), concat(false))), 2U);
+  EXPECT_EQ(proven(proof::lost_carry_questions(concat(true), concat(false))), 2U);
 }
 
 // A contradiction among the definitions would prove anything.
 TEST(LostCarry, TakesNothingImpossibleForGranted) {
-  for (std::string script : lost_carry_questions(true)) {
+  for (std::string script : proof::lost_carry_questions(true)) {
     const auto last = script.rfind("(assert ");
     script.erase(last, script.find("(check-sat)", last) - last);
-    EXPECT_EQ(solver().ask(script, 60).verdict, Verdict::satisfiable);
+    EXPECT_EQ(solver().ask(script, 60).verdict, proof::Verdict::satisfiable);
   }
 }
 

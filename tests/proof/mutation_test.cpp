@@ -2,9 +2,9 @@
 // processor's routine, a fault left out. `fixproof mutate` tries all mutants.
 #include <gtest/gtest.h>
 
-#include "verify/mutation/kill.hpp"
-#include "verify/parties/interpreter.hpp"
-#include "verify/parties/parties.hpp"
+#include "parties/interpreter.hpp"
+#include "parties/parties.hpp"
+#include "proof/kill.hpp"
 
 namespace {
 
@@ -12,13 +12,15 @@ using namespace fixproof;
 
 constexpr std::uint64_t seed = 54;
 
-bool caught(const x86model::Program& program, const Variant& v) {
-  return cases_to_kill(v, *make_interpreter_of("broken", program), seed).has_value();
+bool caught(const x86model::Program& program, const cases::Variant& v) {
+  return proof::cases_to_kill(v, *parties::make_interpreter_of("broken", program), seed)
+      .has_value();
 }
 
 TEST(Mutation, ThereAreMutantsOfEveryKind) {
   std::string changes;
-  for (const auto& mutant : mutants_of({.target = Target::i8088})) changes += mutant.change + '\n';
+  for (const auto& mutant : proof::mutants_of({.target = cases::Target::i8088}))
+    changes += mutant.change + '\n';
   for (const char* wanted :
        {"mul bx -> imul bx", "mov ax, si -> mov si, ax", "sub cx, cx -> sub dx, cx",
         "xor cx, 1 -> xor cx, 2", "xor cx, 1 -> xor cx, 0", "add ax, 0x8000 -> add ax, 0\n",
@@ -32,8 +34,8 @@ TEST(Mutation, ThereAreMutantsOfEveryKind) {
 
 TEST(Mutation, JumpsStillLeadWhereTheyLed) {
   // Whatever is left out or doubled, every label is still before the instruction it was before.
-  const Variant v{.target = Target::i8088};
-  for (const auto& mutant : mutants_of(v)) {
+  const cases::Variant v{.target = cases::Target::i8088};
+  for (const auto& mutant : proof::mutants_of(v)) {
     if (!mutant.change.ends_with("twice") && !mutant.change.ends_with("left out")) continue;
     std::size_t jumps = 0;
     for (const auto& i : mutant.program.instructions()) {
@@ -51,46 +53,47 @@ TEST(Mutation, JumpsStillLeadWhereTheyLed) {
 }
 
 TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
-  const Solver solver("z3");
+  const proof::Solver solver("z3");
   std::size_t killed = 0;
-  for (const Variant& v : all_variants()) {
-    if (!has_program(v) || v.chapter_52 || !rounds(v)) continue;
-    const auto all = mutants_of(v);
+  for (const cases::Variant& v : cases::all_variants()) {
+    if (!parties::has_program(v) || v.chapter_52 || !cases::rounds(v)) continue;
+    const auto all = proof::mutants_of(v);
     for (std::size_t i = 5; i < all.size(); i += 97) {
-      const Judgement judgement = judge(v, all[i].program, seed, solver, 60);
-      EXPECT_NE(judgement.fate, Fate::gap) << all[i].change;
-      if (judgement.fate == Fate::killed) ++killed;
+      const proof::Judgement judgement = proof::judge(v, all[i].program, seed, solver, 60);
+      EXPECT_NE(judgement.fate, proof::Fate::gap) << all[i].change;
+      if (judgement.fate == proof::Fate::killed) ++killed;
     }
   }
   EXPECT_GE(killed, 60U);
 }
 
 TEST(Mutation, WhatDoesTheSameIsEquivalent) {
-  const Solver solver("z3");
-  const Variant v{.target = Target::i8088};
-  EXPECT_EQ(judge(v, program_of(v), seed, solver, 60).fate, Fate::equivalent);
+  const proof::Solver solver("z3");
+  const cases::Variant v{.target = cases::Target::i8088};
+  EXPECT_EQ(proof::judge(v, parties::program_of(v), seed, solver, 60).fate,
+            proof::Fate::equivalent);
   bool found = false;
-  for (const auto& mutant : mutants_of(v)) {
+  for (const auto& mutant : proof::mutants_of(v)) {
     // Only the low half of that product is used, in which MUL and IMUL are the same.
     if (mutant.change != "23 mul bx -> imul bx") continue;
     found = true;
-    EXPECT_EQ(judge(v, mutant.program, seed, solver, 60).fate, Fate::equivalent);
+    EXPECT_EQ(proof::judge(v, mutant.program, seed, solver, 60).fate, proof::Fate::equivalent);
   }
   EXPECT_TRUE(found);
 }
 
 TEST(Mutation, SwappedRoundingsAreCaught) {
-  for (const Operation o : {Operation::mul, Operation::div}) {
-    for (const Target t : {Target::i386, Target::i8088}) {
+  for (const cases::Operation o : {cases::Operation::mul, cases::Operation::div}) {
+    for (const cases::Target t : {cases::Target::i386, cases::Target::i8088}) {
       for (const bool round : {true, false}) {
-        const Variant v{.operation = o, .target = t, .mul_round = round, .div_round = round};
-        Variant other = v;
+        const cases::Variant v{.operation = o, .target = t, .mul_round = round, .div_round = round};
+        cases::Variant other = v;
         other.mul_round = other.div_round = !round;
-        EXPECT_TRUE(caught(program_of(other), v));
+        EXPECT_TRUE(caught(parties::program_of(other), v));
         other = v;
-        other.target = t == Target::i386 ? Target::i8088 : Target::i386;
-        EXPECT_TRUE(caught(program_of(other), v));
-        EXPECT_FALSE(caught(program_of(v), v));
+        other.target = t == cases::Target::i386 ? cases::Target::i8088 : cases::Target::i386;
+        EXPECT_TRUE(caught(parties::program_of(other), v));
+        EXPECT_FALSE(caught(parties::program_of(v), v));
       }
     }
   }
@@ -98,35 +101,36 @@ TEST(Mutation, SwappedRoundingsAreCaught) {
 
 TEST(Mutation, APlantedOrMissingCarryIsCaught) {
   for (const bool round : {true, false}) {
-    const Variant printed{
-        .operation = Operation::concat, .target = Target::i8088, .mul_round = round};
-    Variant repaired = printed;
+    const cases::Variant printed{
+        .operation = cases::Operation::concat, .target = cases::Target::i8088, .mul_round = round};
+    cases::Variant repaired = printed;
     repaired.repaired = true;
-    EXPECT_TRUE(caught(program_of(repaired), printed));
-    EXPECT_TRUE(caught(program_of(printed), repaired));
-    EXPECT_FALSE(caught(program_of(printed), printed));
-    EXPECT_FALSE(caught(program_of(repaired), repaired));
+    EXPECT_TRUE(caught(parties::program_of(repaired), printed));
+    EXPECT_TRUE(caught(parties::program_of(printed), repaired));
+    EXPECT_FALSE(caught(parties::program_of(printed), printed));
+    EXPECT_FALSE(caught(parties::program_of(repaired), repaired));
   }
 }
 
 /// The sound model, but for a divide by zero, which it answers with 0.
-class DropsAFault final : public Party {
+class DropsAFault final : public parties::Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "broken"; }
-  [[nodiscard]] bool answers(const Variant& /*variant*/) const override { return true; }
-  void answer(const Variant& v, const Batch& batch) const override {
-    party_named("model").answer(v, batch);
+  [[nodiscard]] bool answers(const cases::Variant& /*variant*/) const override { return true; }
+  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
+    parties::party_named("model").answer(v, batch);
     for (std::size_t i = 0; i < batch.endings.size(); ++i) {
       if (batch.in[2 * i + 1] != 0) continue;
-      batch.endings[i] = Ending::value;
+      batch.endings[i] = parties::Ending::value;
       batch.out[i] = 0;
     }
   }
 };
 
 TEST(Mutation, ADroppedFaultIsCaught) {
-  for (const Target t : {Target::i386, Target::i8088}) {
-    EXPECT_TRUE(cases_to_kill({.operation = Operation::div, .target = t}, DropsAFault(), seed));
+  for (const cases::Target t : {cases::Target::i386, cases::Target::i8088}) {
+    EXPECT_TRUE(proof::cases_to_kill({.operation = cases::Operation::div, .target = t},
+                                     DropsAFault(), seed));
   }
 }
 

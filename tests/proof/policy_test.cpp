@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fixed/fixed.hpp"
-#include "verify/mutation/kill.hpp"
+#include "proof/kill.hpp"
 
 namespace {
 
@@ -19,32 +19,33 @@ using fixed::rounding;
 
 /// Products and quotients under one policy.
 template <policy rules>
-class Ruled final : public Party {
+class Ruled final : public parties::Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "ruled"; }
-  [[nodiscard]] bool answers(const Variant& /*variant*/) const override { return true; }
-  void answer(const Variant& v, const Batch& batch) const override {
+  [[nodiscard]] bool answers(const cases::Variant& /*variant*/) const override { return true; }
+  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
     for (std::size_t i = 0; i < batch.endings.size(); ++i) {
       batch.endings[i] = one(v, batch.in.subspan(2 * i, 2), batch.out[i]);
     }
   }
 
  private:
-  static Ending one(const Variant& v, std::span<const std::uint32_t> in, std::uint32_t& out) {
+  static parties::Ending one(const cases::Variant& v, std::span<const std::uint32_t> in,
+                             std::uint32_t& out) {
     using Number = fixed::number<16, rules>;
     const auto a = Number::from_raw(static_cast<std::int32_t>(in[0]));
     const auto b = Number::from_raw(static_cast<std::int32_t>(in[1]));
     try {
-      if (v.operation == Operation::mul) {
+      if (v.operation == cases::Operation::mul) {
         out = static_cast<std::uint32_t>((a * b).raw());
-        return Ending::value;
+        return parties::Ending::value;
       }
       const auto quotient = fixed::try_divide(a, b);
-      if (!quotient) return Ending::divide_error;
+      if (!quotient) return parties::Ending::divide_error;
       out = static_cast<std::uint32_t>(quotient->raw());
-      return Ending::value;
+      return parties::Ending::value;
     } catch (const fixed::overflow_error&) {
-      return Ending::broken;
+      return parties::Ending::broken;
     }
   }
 };
@@ -52,13 +53,13 @@ class Ruled final : public Party {
 /// The wrong policies of one preset, and those of them that level 1 did not kill.
 class Trials {
  public:
-  explicit Trials(Variant v) : v_(v) {}
+  explicit Trials(cases::Variant v) : v_(v) {}
 
   template <policy wrong>
   void try_out(const std::string& rule, bool is_right) {
     if (is_right) return;
     ++tried;
-    if (!cases_to_kill(v_, Ruled<wrong>(), 54)) survivors.push_back(rule);
+    if (!proof::cases_to_kill(v_, Ruled<wrong>(), 54)) survivors.push_back(rule);
   }
 
   template <policy right>
@@ -69,7 +70,7 @@ class Trials {
       p.divide = r;
       return p;
     };
-    const rounding now = v_.operation == Operation::mul ? right.multiply : right.divide;
+    const rounding now = v_.operation == cases::Operation::mul ? right.multiply : right.divide;
     try_out<with(rounding::half_up)>("half_up", now == rounding::half_up);
     try_out<with(rounding::half_away)>("half_away", now == rounding::half_away);
     try_out<with(rounding::floor)>("floor", now == rounding::floor);
@@ -112,61 +113,61 @@ class Trials {
   std::vector<std::string> survivors;
 
  private:
-  Variant v_;
+  cases::Variant v_;
 };
 
 using Names = std::vector<std::string>;
 
 /// @param same rules of the divide that come to the same as the preset's
 template <policy right>
-void expect_all_killed(Target target, bool mul_round, bool div_round, const Names& same) {
-  const auto variant = [&](Operation o) {
-    return Variant{
+void expect_all_killed(cases::Target target, bool mul_round, bool div_round, const Names& same) {
+  const auto variant = [&](cases::Operation o) {
+    return cases::Variant{
         .operation = o, .target = target, .mul_round = mul_round, .div_round = div_round};
   };
-  Trials products(variant(Operation::mul));
+  Trials products(variant(cases::Operation::mul));
   products.round_otherwise<right>();
   products.overflow_otherwise<right>();
   EXPECT_EQ(products.tried, 5);
   EXPECT_EQ(products.survivors, Names{});
-  EXPECT_FALSE(cases_to_kill(variant(Operation::mul), Ruled<right>(), 54));
+  EXPECT_FALSE(proof::cases_to_kill(variant(cases::Operation::mul), Ruled<right>(), 54));
 
-  Trials quotients(variant(Operation::div));
+  Trials quotients(variant(cases::Operation::div));
   quotients.round_otherwise<right>();
   quotients.overflow_otherwise<right>();
   quotients.divide_otherwise<right>();
   EXPECT_EQ(quotients.tried, 9);
   EXPECT_EQ(quotients.survivors, same);
-  EXPECT_FALSE(cases_to_kill(variant(Operation::div), Ruled<right>(), 54));
+  EXPECT_FALSE(proof::cases_to_kill(variant(cases::Operation::div), Ruled<right>(), 54));
 }
 
 namespace p = fixed::policies;
 
 // try_divide has no value for a zero divisor, whichever policy says so.
 TEST(PolicyMutation, Wrapping) {
-  expect_all_killed<p::wrapping>(Target::standard, true, true, {"zero_divisor"});
+  expect_all_killed<p::wrapping>(cases::Target::standard, true, true, {"zero_divisor"});
 }
 
 TEST(PolicyMutation, I386) {
-  expect_all_killed<p::i386_rounded>(Target::i386, true, true, {});
-  expect_all_killed<p::i386_div_rounded>(Target::i386, false, true, {});
+  expect_all_killed<p::i386_rounded>(cases::Target::i386, true, true, {});
+  expect_all_killed<p::i386_div_rounded>(cases::Target::i386, false, true, {});
 }
 
 // What would be out of range has faulted before.
 TEST(PolicyMutation, I386WithIdiv) {
   const Names same{"saturate", "trap"};
-  expect_all_killed<p::i386_mul_rounded>(Target::i386, true, false, same);
-  expect_all_killed<p::i386_unrounded>(Target::i386, false, false, same);
+  expect_all_killed<p::i386_mul_rounded>(cases::Target::i386, true, false, same);
+  expect_all_killed<p::i386_unrounded>(cases::Target::i386, false, false, same);
 }
 
 // By a whole number, no quotient has a magnitude above 2^31 units: only zero divisors fault, and
 // for those try_divide has no value anyway.
 TEST(PolicyMutation, I8088) {
   const Names same{"none", "unsigned_quotient"};
-  expect_all_killed<p::i8088_rounded>(Target::i8088, true, true, same);
-  expect_all_killed<p::i8088_mul_rounded>(Target::i8088, true, false, same);
-  expect_all_killed<p::i8088_div_rounded>(Target::i8088, false, true, same);
-  expect_all_killed<p::i8088_unrounded>(Target::i8088, false, false, same);
+  expect_all_killed<p::i8088_rounded>(cases::Target::i8088, true, true, same);
+  expect_all_killed<p::i8088_mul_rounded>(cases::Target::i8088, true, false, same);
+  expect_all_killed<p::i8088_div_rounded>(cases::Target::i8088, false, true, same);
+  expect_all_killed<p::i8088_unrounded>(cases::Target::i8088, false, false, same);
 }
 
 }  // namespace

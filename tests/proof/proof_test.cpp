@@ -8,20 +8,20 @@
 #include <random>
 #include <sstream>
 
-#include "verify/mutation/kill.hpp"
-#include "verify/parties/interpreter.hpp"
-#include "verify/parties/parties.hpp"
-#include "verify/proof/lemmas.hpp"
-#include "verify/proof/prove.hpp"
-#include "verify/text.hpp"
-#include "verify/usage_error.hpp"
+#include "parties/answer.hpp"
+#include "parties/interpreter.hpp"
+#include "parties/parties.hpp"
+#include "proof/kill.hpp"
+#include "proof/lemmas.hpp"
+#include "proof/prove.hpp"
+#include "support/usage_error.hpp"
 
 namespace {
 
 using namespace fixproof;
 
-const Solver& z3() {
-  static const Solver one("z3");
+const proof::Solver& z3() {
+  static const proof::Solver one("z3");
   return one;
 }
 
@@ -32,18 +32,19 @@ std::string assumptions(std::string script) {
   return script.erase(last, end - last);
 }
 
-std::vector<Variant> routines() {
-  std::vector<Variant> all;
-  for (const Variant& v : all_variants()) {
-    if (has_program(v)) all.push_back(v);
+std::vector<cases::Variant> routines() {
+  std::vector<cases::Variant> all;
+  for (const cases::Variant& v : cases::all_variants()) {
+    if (parties::has_program(v)) all.push_back(v);
   }
   return all;
 }
 
 TEST(Proof, LemmasHoldAndTakeNothingImpossibleForGranted) {
-  for (const Lemma& lemma : lemmas()) {
-    EXPECT_EQ(z3().ask(lemma.smt, 60).verdict, Verdict::unsatisfiable) << lemma.name;
-    EXPECT_EQ(z3().ask(assumptions(lemma.smt), 60).verdict, Verdict::satisfiable) << lemma.name;
+  for (const proof::Lemma& lemma : proof::lemmas()) {
+    EXPECT_EQ(z3().ask(lemma.smt, 60).verdict, proof::Verdict::unsatisfiable) << lemma.name;
+    EXPECT_EQ(z3().ask(assumptions(lemma.smt), 60).verdict, proof::Verdict::satisfiable)
+        << lemma.name;
   }
 }
 
@@ -63,65 +64,67 @@ std::vector<std::string> answers(const std::vector<std::string>& scripts) {
 // anything could be proven; there is one such for each two signs in the divides for the 8088: their
 // second DIV has the remainder of the first above its dividend, and never faults.
 TEST(Proof, SomeOperandsTakeEveryPath) {
-  for (const Variant& v : routines()) {
-    auto scripts = questions(v, program_of(v).instructions());
+  for (const cases::Variant& v : routines()) {
+    auto scripts = proof::questions(v, parties::program_of(v).instructions());
     scripts.pop_back();
     ASSERT_FALSE(scripts.empty());
     for (std::string& script : scripts) script = assumptions(script);
     const auto said = answers(scripts);
-    EXPECT_EQ(said.size(), scripts.size()) << name_of(v);
-    const bool divides_twice = v.operation == Operation::div && v.target == Target::i8088;
+    EXPECT_EQ(said.size(), scripts.size()) << cases::name_of(v);
+    const bool divides_twice =
+        v.operation == cases::Operation::div && v.target == cases::Target::i8088;
     const auto taken = static_cast<std::size_t>(std::count(said.begin(), said.end(), "sat"));
     const auto never = static_cast<std::size_t>(std::count(said.begin(), said.end(), "unsat"));
-    EXPECT_EQ(never, divides_twice ? 4U : 0U) << name_of(v);
-    EXPECT_EQ(taken + never, scripts.size()) << name_of(v);
+    EXPECT_EQ(never, divides_twice ? 4U : 0U) << cases::name_of(v);
+    EXPECT_EQ(taken + never, scripts.size()) << cases::name_of(v);
   }
 }
 
 TEST(Proof, ATransformMustCallTheFixedMulThatIsProven) {
-  for (const Operation o : {Operation::xformvec, Operation::concat}) {
-    const Variant v{.operation = o, .target = Target::i8088};
-    Variant unrounded = v;
+  for (const cases::Operation o : {cases::Operation::xformvec, cases::Operation::concat}) {
+    const cases::Variant v{.operation = o, .target = cases::Target::i8088};
+    cases::Variant unrounded = v;
     unrounded.mul_round = false;
-    EXPECT_NO_THROW(questions(v, program_of(v).instructions()));
-    EXPECT_THROW(questions(v, program_of(unrounded).instructions()), std::logic_error);
-    const auto broken = x86model::mutants(program_of(v));
-    const std::size_t own = mutants_of(v).size();
-    EXPECT_NO_THROW(questions(v, broken.at(own - 1).program.instructions()));
+    EXPECT_NO_THROW(proof::questions(v, parties::program_of(v).instructions()));
+    EXPECT_THROW(proof::questions(v, parties::program_of(unrounded).instructions()),
+                 std::logic_error);
+    const auto broken = x86model::mutants(parties::program_of(v));
+    const std::size_t own = proof::mutants_of(v).size();
+    EXPECT_NO_THROW(proof::questions(v, broken.at(own - 1).program.instructions()));
     ASSERT_GT(broken.size(), own + 100);
     for (std::size_t i = own; i < broken.size(); ++i) {
-      EXPECT_THROW(questions(v, broken[i].program.instructions()), std::logic_error)
+      EXPECT_THROW(proof::questions(v, broken[i].program.instructions()), std::logic_error)
           << broken[i].change;
     }
   }
 }
 
 TEST(Proof, ProvesTheDivides) {
-  for (const Variant& v : routines()) {
-    if (v.operation != Operation::div) continue;
-    EXPECT_EQ(prove(v, program_of(v), z3(), 120).standing, Standing::proven);
+  for (const cases::Variant& v : routines()) {
+    if (v.operation != cases::Operation::div) continue;
+    EXPECT_EQ(proof::prove(v, parties::program_of(v), z3(), 120).standing, proof::Standing::proven);
   }
 }
 
 // With products and quotients as they are, the specification of given operands is a constant.
 TEST(Proof, TheSpecificationIsTheOracles) {
   std::mt19937 random(54);
-  const Party& oracle = party_named("oracle");
-  for (const Variant& v : routines()) {
-    if (v.operation != Operation::mul && v.operation != Operation::div) continue;
-    const Specification wanted = specification(v);
+  const parties::Party& oracle = parties::party_named("oracle");
+  for (const cases::Variant& v : routines()) {
+    if (v.operation != cases::Operation::mul && v.operation != cases::Operation::div) continue;
+    const proof::Specification wanted = proof::specification(v);
     std::string script = fmt::format(
         "(set-logic QF_UFBV)\n{}(declare-const a (_ BitVec 32))\n(declare-const b (_ BitVec "
         "32))\n{}",
-        abstractions(Arithmetic::exact), wanted.definitions);
+        proof::abstractions(proof::Arithmetic::exact), wanted.definitions);
     constexpr int cases = 20;
     for (int i = 0; i < cases; ++i) {
       const std::uint32_t a = static_cast<std::uint32_t>(random()) >> (random() % 32);
       const std::uint32_t b =
           (static_cast<std::uint32_t>(random()) >> (random() % 32)) * (i % 10 == 0 ? 0U : 1U);
       const std::array operands{i % 2 == 0 ? a : 0U - a, i % 3 == 0 ? b : 0U - b};
-      const Answer answer = ask(oracle, v, operands);
-      const bool faults = answer.ending == Ending::divide_error;
+      const parties::Answer answer = parties::ask(oracle, v, operands);
+      const bool faults = answer.ending == parties::Ending::divide_error;
       script += fmt::format(
           "(push 1)\n(assert (and (= a (_ bv{} 32)) (= b (_ bv{} 32))))\n"
           "(assert (not (and (= {} {}) (or {} (= {} (_ bv{} 32))))))\n(check-sat)\n(pop 1)\n",
@@ -137,17 +140,19 @@ TEST(Proof, TheSpecificationIsTheOracles) {
 
 TEST(Proof, AWrongProgramComesBackWithACase) {
   std::size_t disproven = 0;
-  for (const Variant& v : routines()) {
-    if (v.chapter_52 || v.operation == Operation::cossin || !rounds(v)) continue;
-    const auto party = [&](const x86model::Program& p) { return make_interpreter_of("mutant", p); };
-    const auto all = mutants_of(v);
+  for (const cases::Variant& v : routines()) {
+    if (v.chapter_52 || v.operation == cases::Operation::cossin || !cases::rounds(v)) continue;
+    const auto party = [&](const x86model::Program& p) {
+      return parties::make_interpreter_of("mutant", p);
+    };
+    const auto all = proof::mutants_of(v);
     for (std::size_t i = 0; i < all.size(); i += all.size() / 3 + 1) {
-      if (!cases_to_kill(v, *party(all[i].program), 1)) continue;
-      const Proof proof = prove(v, all[i].program, z3(), 10);
-      ASSERT_NE(proof.standing, Standing::proven) << all[i].change;
-      if (proof.standing == Standing::open) continue;
-      EXPECT_NE(ask(*party(all[i].program), v, proof.counterexample),
-                ask(party_named("oracle"), v, proof.counterexample))
+      if (!proof::cases_to_kill(v, *party(all[i].program), 1)) continue;
+      const proof::Proof proof = proof::prove(v, all[i].program, z3(), 10);
+      ASSERT_NE(proof.standing, proof::Standing::proven) << all[i].change;
+      if (proof.standing == proof::Standing::open) continue;
+      EXPECT_NE(parties::ask(*party(all[i].program), v, proof.counterexample),
+                parties::ask(parties::party_named("oracle"), v, proof.counterexample))
           << all[i].change;
       ++disproven;
     }
@@ -157,7 +162,7 @@ TEST(Proof, AWrongProgramComesBackWithACase) {
 }
 
 TEST(Proof, AnAbsentSolverIsNamed) {
-  EXPECT_THROW(Solver("yices"), UsageError);
+  EXPECT_THROW(proof::Solver("yices"), support::UsageError);
   EXPECT_THROW(static_cast<void>(z3().ask("(assert", 5)), std::runtime_error);
   EXPECT_THROW(static_cast<void>(z3().ask("(check-sat)(get-model)(pop 1)", 5)), std::runtime_error);
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "parties/answer.hpp"
 #include "tests/x86model/cases.hpp"
 #include "x86model/mutants.hpp"
 #include "x86model/symbolic/call.hpp"

@@ -15,15 +15,18 @@ using namespace fixproof;
 using fixproof::property::Subject;
 using oracle::Rounding;
 
-constexpr Rules mul_half_up{Operation::mul, Rounding::half_up, Overflow::wrap, NoResult::any};
-constexpr Rules div_truncated{Operation::div, Rounding::truncate, Overflow::wrap, NoResult::error};
+constexpr check::Rules mul_half_up{cases::Operation::mul, Rounding::half_up, check::Overflow::wrap,
+                                   check::NoResult::any};
+constexpr check::Rules div_truncated{cases::Operation::div, Rounding::truncate,
+                                     check::Overflow::wrap, check::NoResult::error};
 
 std::set<std::string_view> streams_that_fail(const Subject& subject) {
   std::set<std::string_view> names;
   for (const auto& [stream, cases] : property::streams_of(subject.rules.operation)) {
     // A thousand suffice for what a stream is there for; the lattice is counted through.
-    const auto few = stream == Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
-    if (!property::wrong_over(subject, stream, few).empty()) names.insert(name_of(stream));
+    const auto few =
+        stream == cases::Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
+    if (!property::wrong_over(subject, stream, few).empty()) names.insert(cases::name_of(stream));
   }
   return names;
 }
@@ -72,14 +75,14 @@ TEST(PropertySabotage, RapidCheckFindsAndShrinks) {
 TEST(PropertySabotage, WhatIsWrongIsSaid) {
   const auto subject =
       property::subject("none", mul_half_up, [](std::int32_t, std::int32_t) { return 1; });
-  const std::string said = property::wrong_over(subject, Stream::product_ties, 10);
+  const std::string said = property::wrong_over(subject, cases::Stream::product_ties, 10);
   EXPECT_EQ(said.rfind("10 of 10 cases are wrong:\ncase 1 (product_ties): ", 0), 0) << said;
 }
 
 TEST(PropertyNames, OneTestForEachStream) {
-  EXPECT_EQ(property::streams_of(Operation::mul).size(), 5U);
-  EXPECT_EQ(property::streams_of(Operation::div).size(), 9U);
-  EXPECT_EQ(property::streams_of(Operation::sqrt).size(), 4U);
+  EXPECT_EQ(property::streams_of(cases::Operation::mul).size(), 5U);
+  EXPECT_EQ(property::streams_of(cases::Operation::div).size(), 9U);
+  EXPECT_EQ(property::streams_of(cases::Operation::sqrt).size(), 4U);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Tables for other programs.
-#include "verify/html_report/csv.hpp"
+#include "cli/report/csv.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,23 +14,23 @@ TEST(Csv, QuotesWhatHasToBe) {
   const CsvJson rows{{{"name", "plain"}, {"note, with comma", 1.5}},
                      {{"name", "say \"hi\""}, {"note, with comma", nullptr}},
                      {{"name", "two\nlines"}, {"note, with comma", true}}};
-  EXPECT_EQ(csv_text(rows),
+  EXPECT_EQ(cli::csv_text(rows),
             "name,\"note, with comma\"\r\n"
             "plain,1.5\r\n"
             "\"say \"\"hi\"\"\",\r\n"
             "\"two\nlines\",true\r\n");
-  EXPECT_EQ(csv_text(CsvJson::array()), "");
+  EXPECT_EQ(cli::csv_text(CsvJson::array()), "");
 }
 
 std::string text_of(const CsvJson& report, const std::string& name) {
-  const auto files = csv_files(report);
+  const auto files = cli::csv_files(report);
   const auto found =
       std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.first == name; });
   return found == files.end() ? "no such file" : found->second;
 }
 
 TEST(Csv, HasATableForWhatWasMeasured) {
-  EXPECT_TRUE(csv_files({{"accuracy", nullptr}, {"host", nullptr}}).empty());
+  EXPECT_TRUE(cli::csv_files({{"accuracy", nullptr}, {"host", nullptr}}).empty());
   const CsvJson drift{
       {"frames_a_point", 5},
       {"cases", {{{"name", "a, b"}, {"series", {{"length", {0.5, 0.25}}, {"pixels", {1, 2}}}}}}}};

@@ -1,16 +1,16 @@
 // The findings as the report computes them are those of docs/findings.md.
-#include "verify/html_report/findings.hpp"
+#include "cli/report/findings.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "verify/file.hpp"
+#include "support/file.hpp"
 
 namespace {
 
-using fixproof::computed_findings;
+using fixproof::cli::computed_findings;
 
 std::string answer(const nlohmann::ordered_json& findings, std::size_t number, std::size_t place) {
   for (const auto& finding : findings) {
@@ -21,8 +21,8 @@ std::string answer(const nlohmann::ordered_json& findings, std::size_t number, s
 }
 
 TEST(ReportFindings, AreThoseOfThePage) {
-  const std::string page = fixproof::read_file(FINDINGS);
-  const auto findings = computed_findings();
+  const std::string page = fixproof::support::read_file(FINDINGS);
+  const auto findings = fixproof::cli::computed_findings();
   std::size_t headings = 0;
   for (std::size_t at = page.find("\n## "); at != std::string::npos;
        at = page.find("\n## ", at + 1)) {
@@ -39,8 +39,8 @@ TEST(ReportFindings, AreThoseOfThePage) {
 
 // The page shows what the commands print, and is compared with them by a test of its own.
 TEST(ReportFindings, AnswersOfCommandsStandOnThePage) {
-  const std::string page = fixproof::read_file(FINDINGS);
-  for (const auto& finding : computed_findings()) {
+  const std::string page = fixproof::support::read_file(FINDINGS);
+  for (const auto& finding : fixproof::cli::computed_findings()) {
     if (finding.at("number") == 9) continue;  // shown there as a trace
     for (const auto& c : finding.at("cases")) {
       if (c.at("asked").get<std::string>().find("fixproof ") == std::string::npos) continue;
@@ -52,7 +52,7 @@ TEST(ReportFindings, AnswersOfCommandsStandOnThePage) {
 }
 
 TEST(ReportFindings, AnswersThatNoCommandGives) {
-  const auto findings = computed_findings();
+  const auto findings = fixproof::cli::computed_findings();
   EXPECT_EQ(answer(findings, 2, 4), "00000000");  // halves up: -1/2 unit to 0
   EXPECT_EQ(answer(findings, 3, 2), "7fffffff");  // the largest
   EXPECT_EQ(answer(findings, 5, 0), "ffff0001");

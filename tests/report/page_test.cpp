@@ -1,5 +1,5 @@
 // The page as text: what others have written cannot break out of its place.
-#include "verify/html_report/page.hpp"
+#include "cli/report/page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,38 +13,38 @@ constexpr std::string_view places =
     "<!--style--><!--pictures--><!--beside--><!--strip--><!--data--><!--libraries--><!--charts-->";
 
 TEST(Page, EscapesHtml) {
-  EXPECT_EQ(escaped_html("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
+  EXPECT_EQ(cli::escaped_html("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
 }
 
 // The vectors of RFC 4648, section 10, and the two digits that are no letters or numbers.
 TEST(Page, WritesBase64) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xFB\xFF\xBF"), "+/+/");
+  EXPECT_EQ(cli::base64(""), "");
+  EXPECT_EQ(cli::base64("f"), "Zg==");
+  EXPECT_EQ(cli::base64("fo"), "Zm8=");
+  EXPECT_EQ(cli::base64("foo"), "Zm9v");
+  EXPECT_EQ(cli::base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(cli::base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(cli::base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(cli::base64("\xFB\xFF\xBF"), "+/+/");
 }
 
 TEST(Page, DataCannotEndItsScript) {
   const nlohmann::ordered_json json{{"name", "</script><!-- \"x\\"}, {"value", 0.25}};
-  const std::string text = script_json(json);
+  const std::string text = cli::script_json(json);
   EXPECT_EQ(text.find('<'), std::string::npos) << text;
   EXPECT_EQ(nlohmann::ordered_json::parse(text), json);
 }
 
 TEST(Page, TakesNamesThatAreNoUtf8) {
-  const std::string text = script_json({{"name", "\xFF"}});
+  const std::string text = cli::script_json({{"name", "\xFF"}});
   // U+FFFD, for what is no character.
   EXPECT_EQ(nlohmann::json::parse(text).at("name"), "\xEF\xBF\xBD");
 }
 
 TEST(Page, HasEverythingInItsPlace) {
   const std::string page =
-      assemble_page({places, "STYLE", "D3", "PLOT", "CHARTS"}, {{"n", 7}},
-                    {{"a \"<b>\" scene", "foobar", "foo", "3 of <4>"}}, "<svg>STRIP</svg>");
+      cli::assemble_page({places, "STYLE", "D3", "PLOT", "CHARTS"}, {{"n", 7}},
+                         {{"a \"<b>\" scene", "foobar", "foo", "3 of <4>"}}, "<svg>STRIP</svg>");
   for (const char* part :
        {"<style>\nSTYLE</style>", "<script>\nD3\n</script>", "\nPLOT\n", "\nCHARTS\n",
         "<svg>STRIP</svg>", "{\"n\":7}", "alt=\"Animation: a &quot;&lt;b&gt;&quot; scene\"",
@@ -59,21 +59,23 @@ TEST(Page, HasEverythingInItsPlace) {
 
 TEST(Page, SaysThatNothingIsStepped) {
   const std::string page =
-      assemble_page({places, "", "", "", ""}, {}, {{"flat", "foobar", "", ""}}, "");
+      cli::assemble_page({places, "", "", "", ""}, {}, {{"flat", "foobar", "", ""}}, "");
   EXPECT_NE(page.find("None of these scenes is stepped"), std::string::npos) << page;
   EXPECT_EQ(page.find("class=\"beside\""), std::string::npos) << page;
 }
 
 TEST(Page, RefusesPartsThatWouldBreakIt) {
-  EXPECT_THROW(assemble_page({places, "", "a</script>b", "", ""}, {}, {}, ""), std::logic_error);
-  EXPECT_THROW(assemble_page({places, "", "", "", "<!--"}, {}, {}, ""), std::logic_error);
-  EXPECT_THROW(assemble_page({places.substr(1), "", "", "", ""}, {}, {}, ""), std::logic_error);
+  EXPECT_THROW(cli::assemble_page({places, "", "a</script>b", "", ""}, {}, {}, ""),
+               std::logic_error);
+  EXPECT_THROW(cli::assemble_page({places, "", "", "", "<!--"}, {}, {}, ""), std::logic_error);
+  EXPECT_THROW(cli::assemble_page({places.substr(1), "", "", "", ""}, {}, {}, ""),
+               std::logic_error);
 }
 
 // Nothing in the page as it is built is loaded from elsewhere.
 TEST(Page, IsSelfContained) {
-  const PageParts parts = page_parts();
-  const std::string page = assemble_page(parts, nlohmann::ordered_json::object(), {}, "");
+  const cli::PageParts parts = cli::page_parts();
+  const std::string page = cli::assemble_page(parts, nlohmann::ordered_json::object(), {}, "");
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"}) {
     EXPECT_EQ(std::string(parts.page).find(outside), std::string::npos) << outside;
     EXPECT_EQ(std::string(parts.style).find(outside), std::string::npos) << outside;

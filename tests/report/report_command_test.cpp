@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support/file.hpp"
+#include "support/folder_lock.hpp"
 #include "tests/cli/command.hpp"
-#include "verify/file.hpp"
-#include "verify/folder_lock.hpp"
 
 namespace {
 
@@ -35,18 +35,18 @@ class Folder {
 };
 
 std::size_t lines(const std::string& file) {
-  return cli::split(fixproof::read_file(file), '\n').size() - 1;
+  return command::split(fixproof::support::read_file(file), '\n').size() - 1;
 }
 
 TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   const Folder out("report_command_test");
   const std::string command =
       std::string("report ") + cubes + " " SCENES "/phong.json --quick --out " + out.path();
-  const auto run = cli::fixproof(command);
+  const auto run = command::fixproof(command);
   ASSERT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("report.html"), std::string::npos) << run.out;
 
-  const auto json = nlohmann::json::parse(fixproof::read_file(out.file("report.json")));
+  const auto json = nlohmann::json::parse(fixproof::support::read_file(out.file("report.json")));
   EXPECT_TRUE(json.at("made").at("quick"));
   EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes", "phong"}));
   EXPECT_FALSE(json.at("host").at("host").empty());
@@ -59,7 +59,7 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   for (const auto& step : json.at("commands")) {
     EXPECT_EQ(step.at("command").get<std::string>().substr(0, 9), "fixproof ");
   }
-  const std::string page = fixproof::read_file(out.file("report.html"));
+  const std::string page = fixproof::support::read_file(out.file("report.html"));
   EXPECT_NE(page.find("alt=\"Animation: twelve cubes\""), std::string::npos);
   // What is stepped stands beside the exact picture: three frames of 320 by 240.
   EXPECT_EQ(page.find("alt=\"twelve cubes: as stepped"), std::string::npos);
@@ -67,27 +67,27 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   EXPECT_NE(page.find(" of 230,400 pixels differ"), std::string::npos);
   EXPECT_NE(page.find("id=\"data\">{\"made\":{"), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
-  EXPECT_NE(fixproof::read_file(out.file("data/accuracy.txt")).find("seed 1994"),
+  EXPECT_NE(fixproof::support::read_file(out.file("data/accuracy.txt")).find("seed 1994"),
             std::string::npos);
 
   // What is there is kept, what is not is measured.
-  const auto again = cli::fixproof(command + " --resume");
+  const auto again = command::fixproof(command + " --resume");
   EXPECT_EQ(again.status, 0) << again.err;
   for (std::size_t i = 1; i <= 6; ++i) {
-    EXPECT_NE(cli::split(again.out, '\n').at(i - 1).find(": kept, of "), std::string::npos);
+    EXPECT_NE(command::split(again.out, '\n').at(i - 1).find(": kept, of "), std::string::npos);
   }
   fs::remove(out.file("data/accuracy.json"));
-  const auto mended = cli::fixproof(command + " --resume");
-  EXPECT_NE(cli::split(mended.out, '\n').at(0).find(": kept, of "), std::string::npos);
-  EXPECT_EQ(cli::split(mended.out, '\n').at(1).find(": kept, of "), std::string::npos);
+  const auto mended = command::fixproof(command + " --resume");
+  EXPECT_NE(command::split(mended.out, '\n').at(0).find(": kept, of "), std::string::npos);
+  EXPECT_EQ(command::split(mended.out, '\n').at(1).find(": kept, of "), std::string::npos);
   EXPECT_TRUE(fs::exists(out.file("data/accuracy.json")));
   fs::remove(out.file("data/accuracy.txt"));
-  EXPECT_EQ(cli::fixproof(command + " --resume").status, 0);
+  EXPECT_EQ(command::fixproof(command + " --resume").status, 0);
   EXPECT_TRUE(fs::exists(out.file("data/accuracy.txt")));
 
   // Somebody else's figures are not kept.
-  fixproof::replace_file(out.file("data/clocks.json"), "{}");
-  const auto remade = cli::fixproof(command + " --resume");
+  fixproof::support::replace_file(out.file("data/clocks.json"), "{}");
+  const auto remade = command::fixproof(command + " --resume");
   EXPECT_EQ(remade.status, 0) << remade.err;
   EXPECT_GT(fs::file_size(out.file("data/clocks.json")), 2U);
 }
@@ -97,9 +97,9 @@ TEST(ReportCommand, FindsTheScenesOfTheTree) {
   const Folder out("report_scenes_test");
   fs::create_directories(out.path());
   fs::create_directory_symlink(SCENES, out.file("scenes"));
-  const auto run = cli::run({"sh", "-c",
-                             "cd '" + out.path() + "' && exec " + INTERRUPTED + " INT 0.1 " +
-                                 FIXPROOF_COMMAND + " report --out page"});
+  const auto run = command::run({"sh", "-c",
+                                 "cd '" + out.path() + "' && exec " + INTERRUPTED + " INT 0.1 " +
+                                     FIXPROOF_COMMAND + " report --out page"});
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.out.find("STOPPED after 0 of 12 "), std::string::npos) << run.out;
 }
@@ -107,16 +107,17 @@ TEST(ReportCommand, FindsTheScenesOfTheTree) {
 TEST(ReportCommand, KeepsASecondRunOutOfItsFolder) {
   const Folder out("report_twice_test");
   fs::create_directories(out.path());
-  const fixproof::FolderLock lock("--out", out.path());
-  const auto run = cli::fixproof(std::string("report ") + cubes + " --quick --out " + out.path());
+  const fixproof::support::FolderLock lock("--out", out.path());
+  const auto run =
+      command::fixproof(std::string("report ") + cubes + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("another run is writing there"), std::string::npos) << run.err;
 }
 
 TEST(ReportCommand, TellsScenesApartByTheirNames) {
   const Folder out("report_names_test");
-  const auto run =
-      cli::fixproof(std::string("report ") + cubes + " " + cubes + " --quick --out " + out.path());
+  const auto run = command::fixproof(std::string("report ") + cubes + " " + cubes +
+                                     " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("both named twelve cubes"), std::string::npos) << run.err;
 }
@@ -126,24 +127,25 @@ TEST(ReportCommand, TakesNamesThatAreNoUtf8) {
   const Folder out("report_\xff_test");
   fs::create_directories(out.path());
   // Without a name of its own it is called as its file.
-  fixproof::replace_file(out.file("\xfe.json"),
-                         R"({"objects": [{"shape": {"cube": {"half_edge": 15}},
+  fixproof::support::replace_file(out.file("\xfe.json"),
+                                  R"({"objects": [{"shape": {"cube": {"half_edge": 15}},
       "paint": 1, "position": [20, -30, -200], "spin": {"tenths": [0, 60, 60]}}]})");
   const std::string command = "report " + out.file("\xfe.json") + " --quick --out " + out.path();
-  const auto run = cli::fixproof(command);
+  const auto run = command::fixproof(command);
   ASSERT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_TRUE(fs::exists(out.file("report.html")));
-  const auto again = cli::fixproof(command + " --resume");
+  const auto again = command::fixproof(command + " --resume");
   EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_NE(cli::split(again.out, '\n').at(0).find(": kept, of "), std::string::npos) << again.out;
+  EXPECT_NE(command::split(again.out, '\n').at(0).find(": kept, of "), std::string::npos)
+      << again.out;
 }
 
 TEST(ReportCommand, MeasuresNothingOfASceneWithoutObjects) {
   const Folder out("report_empty_test");
   fs::create_directories(out.path());
-  fixproof::replace_file(out.file("empty.json"), R"({"name": "nothing", "objects": []})");
+  fixproof::support::replace_file(out.file("empty.json"), R"({"name": "nothing", "objects": []})");
   const auto run =
-      cli::fixproof("report " + out.file("empty.json") + " --quick --out " + out.path());
+      command::fixproof("report " + out.file("empty.json") + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_NE(run.err.find("nothing has no objects"), std::string::npos) << run.err;
@@ -156,12 +158,12 @@ TEST(ReportCommand, LeavesNoPageOfASceneThatChanges) {
   fs::copy_file(cubes, scene);
   // Another picture takes its place when the first of the steps has ended.
   const auto run =
-      cli::run({"bash", "-c", R"(
+      command::run({"bash", "-c", R"(
       "$1" report "$2" --quick --out "$3" &
       until [[ -s $3/data/steps.json ]]; do kill -0 $! || break; sleep 0.01; done
       cp "$4" "$3/other" && mv "$3/other" "$2"
       wait $!)",
-                "changing", FIXPROOF_COMMAND, scene, out.path(), SCENES "/shaded_ball.json"});
+                    "changing", FIXPROOF_COMMAND, scene, out.path(), SCENES "/shaded_ball.json"});
   EXPECT_EQ(run.status, 2) << run.out;
   EXPECT_NE(run.err.find("a scene has changed while it was measured"), std::string::npos)
       << run.err;
@@ -171,8 +173,8 @@ TEST(ReportCommand, LeavesNoPageOfASceneThatChanges) {
 TEST(ReportCommand, LeavesNoPageWhenStopped) {
   const Folder out("report_stopped_test");
   // The first step of a whole report takes seconds; the signal comes before it ends.
-  const auto run =
-      cli::run({INTERRUPTED, "INT", "0.1", FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
+  const auto run = command::run(
+      {INTERRUPTED, "INT", "0.1", FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.out.find("STOPPED after 0 of "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("goes on"), std::string::npos) << run.out;
@@ -186,9 +188,9 @@ TEST(ReportCommand, SaysWhatIsWrong) {
         std::string("report ") + cubes + " --out /dev/null/x",
         std::string("report ") + cubes + " --seed -1", std::string("report --out ") + out.path(),
         std::string("report ") + cubes + " --out "}) {
-    const auto run = cli::fixproof(arguments);
+    const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
-    EXPECT_EQ(cli::split(run.err, '\n').size(), 2U) << run.err;
+    EXPECT_EQ(command::split(run.err, '\n').size(), 2U) << run.err;
   }
 }
 
@@ -200,10 +202,10 @@ TEST(ReportCommand, WritesOverNoScene) {
   for (const std::string name : {"host.json", "drift.csv"}) {
     const std::string scene = out.file("data/" + name);
     fs::copy_file(cubes, scene);
-    const auto run = cli::fixproof("report " + scene + " --quick --out " + out.path());
+    const auto run = command::fixproof("report " + scene + " --quick --out " + out.path());
     EXPECT_EQ(run.status, 2);
     EXPECT_NE(run.err.find(name), std::string::npos) << run.err;
-    EXPECT_TRUE(fixproof::read_file(scene) == fixproof::read_file(cubes));
+    EXPECT_TRUE(fixproof::support::read_file(scene) == fixproof::support::read_file(cubes));
     fs::remove(scene);
   }
 }

@@ -1,5 +1,5 @@
 // What the steps of a report leave behind, and when it is kept.
-#include "verify/html_report/steps.hpp"
+#include "cli/report/steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,21 +8,21 @@
 namespace fixproof {
 namespace {
 
-ReportStep step(const std::string& name) { return {name, {"measure", "--" + name}, {}}; }
+cli::ReportStep step(const std::string& name) { return {name, {"measure", "--" + name}, {}}; }
 
 TEST(ReportSteps, OnlyMismatchesAreStatusOne) {
-  EXPECT_TRUE(page_shows(step("host"), 0));
-  EXPECT_TRUE(page_shows(step("verify"), 1));
-  EXPECT_FALSE(page_shows(step("verify"), 2));
-  EXPECT_FALSE(page_shows(step("host"), 1));
-  EXPECT_EQ(report_status(1), 2);
-  EXPECT_EQ(report_status(2), 2);
-  EXPECT_EQ(report_status(130), 130);
+  EXPECT_TRUE(cli::page_shows(step("host"), 0));
+  EXPECT_TRUE(cli::page_shows(step("verify"), 1));
+  EXPECT_FALSE(cli::page_shows(step("verify"), 2));
+  EXPECT_FALSE(cli::page_shows(step("host"), 1));
+  EXPECT_EQ(cli::report_status(1), 2);
+  EXPECT_EQ(cli::report_status(2), 2);
+  EXPECT_EQ(cli::report_status(130), 130);
 }
 
 TEST(ReportSteps, GoOnOnlyWhereTheyWereStopped) {
   const auto says = [](int status, const std::string& what) {
-    return stopped_text(step("host"), status, 3, 9).find(what) != std::string::npos;
+    return cli::stopped_text(step("host"), status, 3, 9).find(what) != std::string::npos;
   };
   EXPECT_TRUE(says(130, "STOPPED after 3 of 9 steps"));
   EXPECT_TRUE(says(130, "goes on"));
@@ -31,12 +31,13 @@ TEST(ReportSteps, GoOnOnlyWhereTheyWereStopped) {
   EXPECT_TRUE(says(1, "breaks its own rule"));
   EXPECT_FALSE(says(2, "breaks its own rule"));
   EXPECT_TRUE(says(2, "fixproof measure --host"));
-  EXPECT_NE(stopped_text(step("stepping"), 1, 3, 9).find("beyond its bound"), std::string::npos);
+  EXPECT_NE(cli::stopped_text(step("stepping"), 1, 3, 9).find("beyond its bound"),
+            std::string::npos);
 }
 
 TEST(ReportSteps, AreOfOneProcessor) {
-  EXPECT_EQ(fingerprint({}, "one"), fingerprint({}, "one"));
-  EXPECT_NE(fingerprint({}, "one"), fingerprint({}, "another"));
+  EXPECT_EQ(cli::fingerprint({}, "one"), cli::fingerprint({}, "one"));
+  EXPECT_NE(cli::fingerprint({}, "one"), cli::fingerprint({}, "another"));
 }
 
 }  // namespace

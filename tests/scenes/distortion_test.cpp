@@ -1,19 +1,19 @@
 // How drift is measured, and what it measures in the twelve cubes.
-#include "verify/drift/distortion.hpp"
+#include "trade/drift/distortion.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "verify/drift/run.hpp"
+#include "trade/drift/run.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/shapes.hpp"
 
 namespace fixproof {
 namespace {
 
-constexpr Placement straight{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -100}}};
+constexpr trade::Placement straight{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -100}}};
 
 xsharp::Scene twelve_cubes() {
   return xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
@@ -22,8 +22,8 @@ xsharp::Scene twelve_cubes() {
 TEST(Distortion, OfARotationIsNone) {
   const double c = std::cos(1.0);
   const double s = std::sin(1.0);
-  const Placement turned{{{c, -s, 0, 0}, {s, c, 0, 0}, {0, 0, 1, -100}}};
-  const Distortion d = distortion(turned, turned, xsharp::cube(15), twelve_cubes());
+  const trade::Placement turned{{{c, -s, 0, 0}, {s, c, 0, 0}, {0, 0, 1, -100}}};
+  const trade::Distortion d = trade::distortion(turned, turned, xsharp::cube(15), twelve_cubes());
   EXPECT_NEAR(d.skew, 0, 1e-15);
   EXPECT_NEAR(d.length, 0, 1e-15);
   EXPECT_NEAR(d.volume, 0, 1e-15);
@@ -31,9 +31,10 @@ TEST(Distortion, OfARotationIsNone) {
 }
 
 TEST(Distortion, OfAStretch) {
-  Placement stretched = straight;
+  trade::Placement stretched = straight;
   stretched[0][0] = 1.25;
-  const Distortion d = distortion(stretched, straight, xsharp::cube(15), twelve_cubes());
+  const trade::Distortion d =
+      trade::distortion(stretched, straight, xsharp::cube(15), twelve_cubes());
   EXPECT_EQ(d.skew, 0);
   EXPECT_DOUBLE_EQ(d.length, 0.25);
   EXPECT_DOUBLE_EQ(d.volume, 0.25);
@@ -42,17 +43,18 @@ TEST(Distortion, OfAStretch) {
 }
 
 TEST(Distortion, OfAShear) {
-  Placement sheared = straight;
+  trade::Placement sheared = straight;
   sheared[0][1] = 1;
-  const Distortion d = distortion(sheared, straight, xsharp::cube(15), twelve_cubes());
+  const trade::Distortion d =
+      trade::distortion(sheared, straight, xsharp::cube(15), twelve_cubes());
   EXPECT_NEAR(d.skew, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(d.volume, 0, 1e-12);
   EXPECT_NEAR(d.length, std::sqrt(2.0) - 1, 1e-12);
 }
 
-DriftResult drift(const DriftCase& c, std::uint64_t frames) {
+trade::DriftResult drift(const trade::DriftCase& c, std::uint64_t frames) {
   const std::atomic<bool> stop = false;
-  return run_drift(twelve_cubes(), {c}, frames, stop, [](std::uint64_t) {}).at(0);
+  return trade::run_drift(twelve_cubes(), {c}, frames, stop, [](std::uint64_t) {}).at(0);
 }
 
 // The longest column of a step's matrix, rounded by the published conversion, is so much longer
@@ -65,7 +67,7 @@ TEST(Drift, GrowsWithTheStepsThatAreNotOfUnitLength) {
   const double minus_sin = sin - 1.0 / 65536;
   const double per_turn = std::min(std::hypot(cos, sin), std::hypot(cos, minus_sin));
   const double expected = 1 - std::pow(per_turn, 2 * 6000);
-  const DriftResult r = drift({}, 6001);
+  const trade::DriftResult r = drift({}, 6001);
   EXPECT_NEAR(r.worst.length, expected, 0.01);
   EXPECT_GT(r.worst.length, 0.02);
 }
@@ -73,25 +75,27 @@ TEST(Drift, GrowsWithTheStepsThatAreNotOfUnitLength) {
 TEST(Drift, EachSourceLeftOutLessIsWrong) {
   constexpr std::uint64_t frames = 20'000;
   const double published = drift({}, frames).worst.length;
-  EXPECT_LT(drift({.without = Without::step}, frames).worst.length, published / 10);
-  EXPECT_LT(drift({.without = Without::all}, frames).worst.length, 1e-9);
-  EXPECT_LT(drift({.without = Without::offset}, frames).worst.pixels,
+  EXPECT_LT(drift({.without = trade::Without::step}, frames).worst.length, published / 10);
+  EXPECT_LT(drift({.without = trade::Without::all}, frames).worst.length, 1e-9);
+  EXPECT_LT(drift({.without = trade::Without::offset}, frames).worst.pixels,
             drift({}, frames).worst.pixels);
   // Truncated products alone ruin it.
-  EXPECT_GT(drift({.multiply = Multiply::i386_off, .without = Without::step}, frames).worst.length,
+  EXPECT_GT(drift({.multiply = trade::Multiply::i386_off, .without = trade::Without::step}, frames)
+                .worst.length,
             0.1);
   EXPECT_LT(
-      drift({.multiply = Multiply::i386_off, .without = Without::products}, frames).worst.length,
+      drift({.multiply = trade::Multiply::i386_off, .without = trade::Without::products}, frames)
+          .worst.length,
       published * 1.1);
 }
 
 TEST(Drift, IsHeldBackByRestoringAndByStartingOver) {
   constexpr std::uint64_t frames = 20'000;
-  for (const Multiply multiply :
-       {Multiply::i386_on, Multiply::i386_off, Multiply::i8088_on, Multiply::i8088_off}) {
+  for (const trade::Multiply multiply : {trade::Multiply::i386_on, trade::Multiply::i386_off,
+                                         trade::Multiply::i8088_on, trade::Multiply::i8088_off}) {
     EXPECT_LT(drift({.multiply = multiply, .restore_every = 60}, frames).worst.length, 0.005);
   }
-  const DriftResult anew = drift({.from_scratch = true}, frames);
+  const trade::DriftResult anew = drift({.from_scratch = true}, frames);
   EXPECT_LT(anew.worst.length, 1e-4);
   EXPECT_LT(anew.worst.pixels, 0.1);
 }
@@ -113,7 +117,7 @@ TEST(Drift, ItsSeriesFollowsTheGrowth) {
   const double cos = std::trunc(std::cos(M_PI / 30) * 65536 + 0.5) / 65536;
   const double sin = std::trunc(std::sin(M_PI / 30) * 65536 + 0.5) / 65536;
   const double per_turn = std::min(std::hypot(cos, sin), std::hypot(cos, sin - 1.0 / 65536));
-  const DriftResult r = drift({}, 6001);
+  const trade::DriftResult r = drift({}, 6001);
   ASSERT_EQ(r.series.size(), 194U);  // 193 of 31, and one of 18
   for (const std::size_t point : {48U, 96U, 193U}) {
     const double last = std::min(31.0 * static_cast<double>(point + 1) - 1, 6000.0);
@@ -129,7 +133,7 @@ TEST(Drift, ItsSeriesFollowsTheGrowth) {
 TEST(Drift, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   std::uint64_t frames = 1000;
-  run_drift(twelve_cubes(), {{}}, frames, stop, [](std::uint64_t) {});
+  trade::run_drift(twelve_cubes(), {{}}, frames, stop, [](std::uint64_t) {});
   EXPECT_EQ(frames, 0U);
 }
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
-#include "verify/scenes/dump.hpp"
-#include "verify/scenes/players.hpp"
+#include "player/dump.hpp"
+#include "player/players.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 
@@ -18,7 +18,7 @@ constexpr int frames_compared = 600;
 /// A scene under one arithmetic, drawn.
 struct Drawn {
   explicit Drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
-      : player(make_player(scene, choice)),
+      : player(player::make_player(scene, choice)),
         screen(scene.width, scene.height, scene.palette, scene.background) {}
 
   void draw(int frame) {
@@ -45,9 +45,10 @@ int expect_equal(const std::string& name, xsharp::ArithmeticChoice choice) {
     type.draw(frame);
     model.draw(frame);
     const auto number = static_cast<std::uint64_t>(frame);
-    const bool same = dump_frame(*type.player, number) == dump_frame(*model.player, number) &&
-                      type.screen.page() == model.screen.page();
-    EXPECT_TRUE(same) << name << ", " << name_of(choice) << ", frame " << frame;
+    const bool same =
+        player::dump_frame(*type.player, number) == player::dump_frame(*model.player, number) &&
+        type.screen.page() == model.screen.page();
+    EXPECT_TRUE(same) << name << ", " << player::name_of(choice) << ", frame " << frame;
     if (!same) break;
     ++compared;
   }
@@ -59,7 +60,7 @@ class Equality : public testing::TestWithParam<const char*> {};
 
 TEST_P(Equality, ModelAndTypeDrawTheSame) {
   int variants = 0;
-  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+  for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
     if (choice.by != "model") continue;
     ++variants;
     EXPECT_EQ(expect_equal(GetParam(), choice), frames_compared);
@@ -82,13 +83,13 @@ TEST(Variants, EachDrawsDifferently) {
   // the second scene are too few to tell whether divides round.
   for (const char* file : {SCENES "/twelve_cubes.json", SCENES "/lost_carry.json"}) {
     const xsharp::Scene scene = xsharp::read_scene(file);
-    for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
-      const auto player = make_player(scene, choice);
+    for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
+      const auto player = player::make_player(scene, choice);
       xsharp::Picture picture;
       for (std::uint64_t frame = 0; frame < 300; ++frame) {
         if (frame > 0) player->move();
         player->draw(picture);
-        if (frame % 20 == 0) dumps[name_of(choice)] += dump_frame(*player, frame);
+        if (frame % 20 == 0) dumps[player::name_of(choice)] += player::dump_frame(*player, frame);
       }
     }
   }

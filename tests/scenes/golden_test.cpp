@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "verify/scenes/players.hpp"
-#include "verify/scenes/surfaces.hpp"
+#include "player/players.hpp"
+#include "player/surfaces.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 
@@ -44,14 +44,14 @@ std::string read(const std::string& path) {
 void expect_golden(const std::string& name, const std::string& by) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
   std::string all;
-  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+  for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice)) continue;
     // From the origin no carry is lost: these golden files leave out the repaired builds.
     if (choice.repaired && scene.camera.position == xsharp::Triple{}) continue;
     all += fmt::format("# {}{} multiply {} divide {}\n", choice.target,
                        choice.repaired ? " repaired" : "", choice.mul_round ? "on" : "off",
                        choice.div_round ? "on" : "off");
-    const auto player = make_player(scene, choice);
+    const auto player = player::make_player(scene, choice);
     xsharp::Picture picture;
     for (std::uint64_t frame = 0; frame <= kept_frames.back(); ++frame) {
       if (frame > 0) player->move();
@@ -74,12 +74,12 @@ std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
 void expect_golden_pixels(const std::string& name, const std::string& folder = SCENES) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", folder, name));
   std::string all;
-  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+  for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
     if (choice.by != "type" || !xsharp::is_listing(choice) || choice.repaired) continue;
     all += fmt::format("# {} multiply {} divide {}\n", choice.target,
                        choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");
-    const auto player = make_player(scene, choice);
-    const auto surfaces = make_surfaces(scene, choice);
+    const auto player = player::make_player(scene, choice);
+    const auto surfaces = player::make_surfaces(scene, choice);
     xsharp::Screen<std::uint8_t> screen(scene.width, scene.height, scene.palette, scene.background,
                                         surfaces.get());
     xsharp::Picture picture;
@@ -116,7 +116,7 @@ TEST(Golden, TwelveCubesOnTheModel) { expect_golden("twelve_cubes", "model"); }
 // Worked by hand from the listings of chapter 52: cube 11 after 199 steps.
 TEST(Golden, TheCubeWorkedByHand) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
-  const auto player = make_player(scene, {"type", "i386", true, true});
+  const auto player = player::make_player(scene, {"type", "i386", true, true});
   xsharp::Picture picture;
   for (int i = 0; i < 199; ++i) player->move();
   player->draw(picture);

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "verify/scenes/players.hpp"
-#include "verify/scenes/surfaces.hpp"
+#include "player/players.hpp"
+#include "player/surfaces.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/exact_filler.hpp"
@@ -22,8 +22,8 @@ using xsharp::SurfaceKind;
 /// A scene with surfaces under one arithmetic.
 struct Surfaces {
   Surfaces(const Scene& scene, const ArithmeticChoice& choice)
-      : player(make_player(scene, choice)),
-        filler(make_surfaces(scene, choice)),
+      : player(player::make_player(scene, choice)),
+        filler(player::make_surfaces(scene, choice)),
         screen(scene.width, scene.height, scene.palette, scene.background, filler.get()) {}
 
   void draw(int frame) {
@@ -50,7 +50,7 @@ std::int64_t expect_same_pixels(const Scene& scene, ArithmeticChoice choice, int
     const bool same = type.picture.values == model.picture.values &&
                       type.screen.page() == model.screen.page() &&
                       type.screen.count().pixels == model.screen.count().pixels;
-    EXPECT_TRUE(same) << scene.name << ", " << name_of(choice) << ", frame " << frame;
+    EXPECT_TRUE(same) << scene.name << ", " << player::name_of(choice) << ", frame " << frame;
     if (!same) break;
   }
   return model.screen.count().pixels;
@@ -99,7 +99,7 @@ TEST_P(Interpolation, UnderEveryBuild) {
   scene.width = 160;
   scene.height = 120;
   int builds = 0;
-  for (const ArithmeticChoice& choice : all_arithmetics()) {
+  for (const ArithmeticChoice& choice : player::all_arithmetics()) {
     if (choice.by != "model") continue;
     ++builds;
     EXPECT_GT(expect_same_pixels(scene, choice, 6), 6 * 2'000);

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/scenes/picture_digest.hpp"
-#include "verify/scenes/players.hpp"
+#include "player/picture_digest.hpp"
+#include "player/players.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 
@@ -38,10 +38,10 @@ std::vector<std::string> lines_of(const std::string& file) {
 /// Digests of a scene's pictures from frame `first` on, equal ones in a row once.
 std::vector<std::string> drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
                                std::size_t first, std::size_t pictures) {
-  const auto player = make_player(scene, choice);
+  const auto player = player::make_player(scene, choice);
   xsharp::Screen<std::uint8_t> screen(scene.width, scene.height, scene.palette, scene.background);
   xsharp::Picture picture;
-  DigestLines digests;
+  player::DigestLines digests;
   std::string lines;
   std::size_t distinct = 0;
   // A run of equal pictures ends at some time; the recordings have none longer than this.
@@ -97,23 +97,23 @@ INSTANTIATE_TEST_SUITE_P(
 // A published digest: FIPS 180-4's example for "abc" begins ba7816bf 8f01cfea.
 TEST(PictureDigest, IsTheBeginningOfSha256) {
   const std::vector<std::uint8_t> abc{'a', 'b', 'c'};
-  EXPECT_EQ(picture_digest(abc), "ba7816bf8f01cfea");
-  EXPECT_EQ(picture_digest({}), "e3b0c44298fc1c14");
+  EXPECT_EQ(player::picture_digest(abc), "ba7816bf8f01cfea");
+  EXPECT_EQ(player::picture_digest({}), "e3b0c44298fc1c14");
   // 56 bytes: the length goes into a block of its own (the second example of FIPS 180-4).
   constexpr std::string_view two_blocks =
       "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
-  EXPECT_EQ(picture_digest(std::vector<std::uint8_t>(two_blocks.begin(), two_blocks.end())),
+  EXPECT_EQ(player::picture_digest(std::vector<std::uint8_t>(two_blocks.begin(), two_blocks.end())),
             "248d6a61d20638b8");
 }
 
 TEST(PictureDigest, EqualPicturesInARowAreOneLine) {
-  DigestLines lines;
+  player::DigestLines lines;
   const std::vector<std::uint8_t> one{1};
   const std::vector<std::uint8_t> other{2};
-  EXPECT_EQ(lines.line_of(one), picture_digest(one) + '\n');
+  EXPECT_EQ(lines.line_of(one), player::picture_digest(one) + '\n');
   EXPECT_EQ(lines.line_of(one), "");
-  EXPECT_EQ(lines.line_of(other), picture_digest(other) + '\n');
-  EXPECT_EQ(lines.line_of(one), picture_digest(one) + '\n');
+  EXPECT_EQ(lines.line_of(other), player::picture_digest(other) + '\n');
+  EXPECT_EQ(lines.line_of(one), player::picture_digest(one) + '\n');
 }
 
 }  // namespace

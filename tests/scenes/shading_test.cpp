@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "verify/scenes/players.hpp"
+#include "player/players.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/palette.hpp"
 
@@ -23,7 +23,7 @@ struct Shades {
 Shades shades(bool spot_two) {
   xsharp::Scene scene = xsharp::read_scene(SCENES "/shaded_ball.json");
   scene.lights.spots.at(2).on = spot_two;
-  const auto player = make_player(scene, scene.arithmetic);
+  const auto player = player::make_player(scene, scene.arithmetic);
   const xsharp::Palette& palette = xsharp::palette_of(scene.palette);
   xsharp::Picture picture;
   Shades shades;

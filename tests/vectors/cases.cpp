@@ -8,9 +8,9 @@
 #include <fstream>
 #include <set>
 
+#include "singlestep/gunzip.hpp"
+#include "support/file.hpp"
 #include "tests/cli/bitwise.hpp"
-#include "verify/file.hpp"
-#include "verify/singlestep/gunzip.hpp"
 
 namespace vectors {
 
@@ -30,7 +30,7 @@ std::string path_of(const Committed& file) {
 }
 
 Json load(const Committed& file) {
-  return Json::parse(fixproof::singlestep::gunzip(fixproof::read_file(path_of(file))));
+  return Json::parse(fixproof::singlestep::gunzip(fixproof::support::read_file(path_of(file))));
 }
 
 bool is_run(const Json& c) {
@@ -68,16 +68,18 @@ std::uint16_t undefined_flags(const Json& c) {
   return bitwise::execute(mnemonic, operands, wide ? 32 : 16).undefined;
 }
 
-cli::Run judge_text(const std::string& text, std::string_view cpu) {
+command::Run judge_text(const std::string& text, std::string_view cpu) {
   const std::string path = fmt::format("{}/fixproof-{}.json", testing::TempDir(), getpid());
   std::ofstream(path, std::ios::binary) << text;
-  auto run = cli::fixproof(fmt::format("step --cpu {} --singlestep {}", cpu, path));
+  auto run = command::fixproof(fmt::format("step --cpu {} --singlestep {}", cpu, path));
   std::filesystem::remove(path);
   run.out = replaced(run.out, path, "FILE");
   run.err = replaced(run.err, path, "FILE");
   return run;
 }
 
-cli::Run judge(const Json& cases, std::string_view cpu) { return judge_text(cases.dump(), cpu); }
+command::Run judge(const Json& cases, std::string_view cpu) {
+  return judge_text(cases.dump(), cpu);
+}
 
 }  // namespace vectors

@@ -48,7 +48,7 @@ std::uint16_t undefined_flags(const Json& c);
 
 /// The file with that text, in the test's own folder; judged by the command. In what the command
 /// says, the path is replaced by FILE.
-cli::Run judge_text(const std::string& text, std::string_view cpu);
-cli::Run judge(const Json& cases, std::string_view cpu);
+command::Run judge_text(const std::string& text, std::string_view cpu);
+command::Run judge(const Json& cases, std::string_view cpu);
 
 }  // namespace vectors

@@ -1,11 +1,11 @@
 // Machine code as the decoder of --singlestep reads it. That the processor reads the encodings that
 // are run in the same way, the committed cases show.
-#include "verify/singlestep/decode.hpp"
+#include "singlestep/decode.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "verify/usage_error.hpp"
+#include "support/usage_error.hpp"
 #include "x86model/text.hpp"
 
 namespace {
@@ -172,7 +172,8 @@ TEST(Decode, EveryEndInsideIsRefused) {
                              {0xF7, 0xE3}}) {
     EXPECT_NO_THROW(ss::decode(whole, Target::i386));
     for (std::size_t length = 0; length < whole.size(); ++length) {
-      EXPECT_THROW(ss::decode(std::span(whole).first(length), Target::i386), fixproof::UsageError);
+      EXPECT_THROW(ss::decode(std::span(whole).first(length), Target::i386),
+                   fixproof::support::UsageError);
     }
   }
 }

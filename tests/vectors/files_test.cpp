@@ -14,7 +14,8 @@ using vectors::Json;
 TEST(Vectors, TheModelAgreesWithEveryCommittedCase) {
   for (const auto& file : vectors::committed) {
     const std::string path = vectors::path_of(file);
-    const auto run = cli::fixproof(fmt::format("step --cpu {} --singlestep {}", file.cpu, path));
+    const auto run =
+        command::fixproof(fmt::format("step --cpu {} --singlestep {}", file.cpu, path));
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.out, fmt::format("{}: {}\n", path, file.summary));
     EXPECT_EQ(run.err, "");
@@ -24,7 +25,7 @@ TEST(Vectors, TheModelAgreesWithEveryCommittedCase) {
 TEST(Vectors, SeveralFilesAreJudgedOneAfterTheOther) {
   const std::string first = vectors::path_of(vectors::committed[1]);
   const std::string second = vectors::path_of(vectors::committed[2]);
-  const auto run = cli::fixproof(fmt::format("step --singlestep {} {}", first, second));
+  const auto run = command::fixproof(fmt::format("step --singlestep {} {}", first, second));
   EXPECT_EQ(run.out, fmt::format("{}: {}\n{}: {}\n", first, vectors::committed[1].summary, second,
                                  vectors::committed[2].summary));
   EXPECT_EQ(run.status, 0);

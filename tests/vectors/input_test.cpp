@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "support/file.hpp"
 #include "tests/vectors/cases.hpp"
 #include "tests/vectors/files.hpp"
-#include "verify/file.hpp"
 
 namespace {
 
@@ -146,7 +146,7 @@ TEST(SinglestepInput, WhatRanNothingIsNoSuccess) {
 }
 
 TEST(SinglestepInput, RefusesDamagedGzip) {
-  const std::string whole = fixproof::read_file(vectors::path_of(vectors::committed[2]));
+  const std::string whole = fixproof::support::read_file(vectors::path_of(vectors::committed[2]));
   expect_refused(whole.substr(0, 2), "gzip data cut short", "386");
   expect_refused(whole.substr(0, whole.size() / 2), "gzip data cut short", "386");
   expect_refused(whole.substr(0, whole.size() - 1), "gzip data cut short", "386");
@@ -162,8 +162,8 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
 
 TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
-  vectors::write(path, {.name = "", .text = cli::repeated(1U << 20U, ' '), .compressed = true});
-  const std::string mebibyte = fixproof::read_file(path);
+  vectors::write(path, {.name = "", .text = command::repeated(1U << 20U, ' '), .compressed = true});
+  const std::string mebibyte = fixproof::support::read_file(path);
   std::filesystem::remove(path);
   std::string bomb;
   for (int i = 0; i < 257; ++i) bomb += mebibyte;
@@ -173,7 +173,7 @@ TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
 
 TEST(SinglestepInput, GoesOnAfterABadFileAndForgetsNoMismatch) {
   const std::string good = vectors::path_of(vectors::committed[0]);
-  auto run = cli::fixproof(fmt::format("step --cpu 8088 --singlestep /nonexistent {}", good));
+  auto run = command::fixproof(fmt::format("step --cpu 8088 --singlestep /nonexistent {}", good));
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, fmt::format("{}: {}\n", good, vectors::committed[0].summary));
   EXPECT_EQ(run.err, "fixproof: cannot read /nonexistent: No such file or directory\n");

@@ -212,7 +212,7 @@ TEST(Tampered, AReportSaysWhatDiffersAndIsCutShort) {
   first["final"]["regs"]["flags"] = vectors::final_value(first, "flags") ^ 0x401U;
   for (int i = 0; i < 25; ++i) cases.push_back(first);
   const auto run = vectors::judge(cases, "8088");
-  const auto lines = cli::split(run.out, '\n');
+  const auto lines = command::split(run.out, '\n');
   ASSERT_EQ(lines.size(), 23U) << run.out;
   EXPECT_EQ(lines[19].rfind("FILE: case 19 '?[31m add': ds: model ", 0), 0) << lines[19];
   EXPECT_NE(lines[19].find("; CF: model "), std::string::npos) << lines[19];

@@ -45,7 +45,7 @@ void store(State& state, std::uint32_t address, std::uint32_t word) {
 unsigned Writer::any_register() { return static_cast<unsigned>(random_() % names.size()); }
 
 std::uint32_t Writer::any_word() {
-  return cli::draw_word(random_, static_cast<std::uint32_t>(bits()));
+  return command::draw_word(random_, static_cast<std::uint32_t>(bits()));
 }
 
 std::string Writer::name(unsigned r) const {
@@ -62,7 +62,7 @@ std::uint32_t Writer::between(std::uint32_t first, std::uint32_t last) {
 State Writer::draw(const Bytes& code, bool with_vector) {
   State state;
   for (std::uint32_t& word : state.registers.general) {
-    word = cli::draw_word(random_, i386_ ? 32 : 16);
+    word = command::draw_word(random_, i386_ ? 32 : 16);
   }
   state.registers.general[sp] = between(0x80, 0x7FFF) * 2;
   const auto fixed = i386_ ? 0xFFFC0002U : 0xF002U;

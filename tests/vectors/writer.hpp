@@ -82,7 +82,7 @@ class Writer {
 
   bool i386_;
   bool wide_ = false;
-  cli::Random random_;
+  command::Random random_;
   std::string lines_;
   std::size_t count_ = 0;
   std::uint32_t flag_address_ = 0;

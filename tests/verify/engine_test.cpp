@@ -7,9 +7,10 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "cases/plan.hpp"
+#include "cases/streams.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
-#include "verify/streams.hpp"
 
 namespace fixproof {
 namespace {
@@ -19,22 +20,23 @@ using test::Saboteur;
 using test::saboteur;
 using Words = std::span<const std::uint32_t>;
 
-constexpr Variant mul{.operation = Operation::mul};
-constexpr Variant div{.operation = Operation::div};
-constexpr Variant div_8088{.operation = Operation::div, .target = Target::i8088};
-constexpr Variant concat{.operation = Operation::concat};
+constexpr cases::Variant mul{.operation = cases::Operation::mul};
+constexpr cases::Variant div{.operation = cases::Operation::div};
+constexpr cases::Variant div_8088{.operation = cases::Operation::div,
+                                  .target = cases::Target::i8088};
+constexpr cases::Variant concat{.operation = cases::Operation::concat};
 
 std::int64_t value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
 
 /// Cases of the plan of a variant for which `wanted` holds, made again one by one.
 template <class Wanted>
-std::uint64_t count_cases(const Variant& variant, Wanted wanted) {
-  const Plan plan = test::plan_against_fast(variant);
+std::uint64_t count_cases(const cases::Variant& variant, Wanted wanted) {
+  const cases::Plan plan = test::plan_against_fast(variant);
   std::uint64_t count = 0;
-  std::vector<std::uint32_t> words(words_in(variant.operation));
-  for (const Job& job : plan.jobs()) {
+  std::vector<std::uint32_t> words(cases::words_in(variant.operation));
+  for (const cases::Job& job : plan.jobs()) {
     for (std::uint64_t i = 0; i < job.cases; ++i) {
-      make_cases(job.stream, variant, plan.seed(), i, words);
+      cases::make_cases(job.stream, variant, plan.seed(), i, words);
       if (wanted(Words(words))) ++count;
     }
   }
@@ -42,8 +44,8 @@ std::uint64_t count_cases(const Variant& variant, Wanted wanted) {
 }
 
 TEST(Engine, HonestPartiesAgree) {
-  const auto honest = saboteur([](Words, auto, Ending&) {});
-  const Report report = judge(honest, mul);
+  const auto honest = saboteur([](Words, auto, parties::Ending&) {});
+  const verify::Report report = judge(honest, mul);
   EXPECT_TRUE(report.complete());
   EXPECT_EQ(report.mismatches(), 0U);
   EXPECT_EQ(report.cases(), report.plan.cases());
@@ -55,30 +57,30 @@ TEST(Engine, WrongRoundingAtTiesOnly) {
     const std::int64_t product = value_of(in[0]) * value_of(in[1]);
     return product < 0 && (product & 0xffff) == 0x8000;
   };
-  const auto liar = saboteur([&](Words in, std::span<std::uint32_t> out, Ending&) {
+  const auto liar = saboteur([&](Words in, std::span<std::uint32_t> out, parties::Ending&) {
     if (is_negative_tie(in)) --out[0];
   });
-  const Report report = judge(liar, mul);
+  const verify::Report report = judge(liar, mul);
   EXPECT_GT(report.mismatches(), 100'000U);
   EXPECT_EQ(report.mismatches(), count_cases(mul, is_negative_tie));
 }
 
 TEST(Engine, DroppedFaults) {
-  const auto liar = saboteur([](Words, std::span<std::uint32_t> out, Ending& ending) {
+  const auto liar = saboteur([](Words, std::span<std::uint32_t> out, parties::Ending& ending) {
     out[0] = 0;
-    ending = Ending::value;
+    ending = parties::Ending::value;
   });
   EXPECT_GT(judge(liar, div_8088).mismatches(), 100'000U);
 
   // The single fault of 8088 divisors one unit below 1.0.
   std::atomic<std::uint64_t> dropped = 0;
-  const auto edge = saboteur([&](Words in, std::span<std::uint32_t> out, Ending& ending) {
-    if (in[1] != 0xffff || ending != Ending::divide_error) return;
+  const auto edge = saboteur([&](Words in, std::span<std::uint32_t> out, parties::Ending& ending) {
+    if (in[1] != 0xffff || ending != parties::Ending::divide_error) return;
     out[0] = in[0];
-    ending = Ending::value;
+    ending = parties::Ending::value;
     ++dropped;
   });
-  const Report report = judge(edge, div_8088, {.threads = 1});
+  const verify::Report report = judge(edge, div_8088, {.threads = 1});
   ASSERT_GT(report.mismatches(), 0U);
   // Shrinking asks again, so that more were dropped than there are cases.
   EXPECT_LE(report.mismatches(), dropped);
@@ -86,17 +88,17 @@ TEST(Engine, DroppedFaults) {
 }
 
 TEST(Engine, ExtraFault) {
-  const auto liar = saboteur([](Words in, auto, Ending& ending) {
+  const auto liar = saboteur([](Words in, auto, parties::Ending& ending) {
     // One unit above the largest divisor that faults.
     const std::int64_t n = std::abs(value_of(in[0]));
-    if (std::abs(value_of(in[1])) == (n >> 16) + 1) ending = Ending::divide_error;
+    if (std::abs(value_of(in[1])) == (n >> 16) + 1) ending = parties::Ending::divide_error;
   });
   EXPECT_GT(judge(liar, div).mismatches(), 10'000U);
 }
 
 TEST(Engine, OneWrongWordOfTwelve) {
   for (std::size_t wrong = 0; wrong < 12; ++wrong) {
-    const auto liar = saboteur([wrong](Words in, std::span<std::uint32_t> out, Ending&) {
+    const auto liar = saboteur([wrong](Words in, std::span<std::uint32_t> out, parties::Ending&) {
       // Once in some 4,096 cases.
       if ((in[7] & 0xfffU) == 0x123U) out[wrong] ^= 1U;
     });
@@ -106,7 +108,7 @@ TEST(Engine, OneWrongWordOfTwelve) {
 
 TEST(Engine, WrongAtOneLatticeValueOnly) {
   for (const std::uint32_t value : {0x80000000U, 0x7fffffffU, 0x8001U, 0xffff7fffU, 0x55555555U}) {
-    const auto liar = saboteur([value](Words in, std::span<std::uint32_t> out, Ending&) {
+    const auto liar = saboteur([value](Words in, std::span<std::uint32_t> out, parties::Ending&) {
       if (in[0] == value && in[1] == 0x10001U) ++out[0];
     });
     EXPECT_GE(judge(liar, mul).mismatches(), 1U) << std::hex << value;
@@ -115,68 +117,71 @@ TEST(Engine, WrongAtOneLatticeValueOnly) {
 }
 
 TEST(Engine, WrongForTheMostNegativeOnly) {
-  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending&) {
     if (in[0] == 0x80000000U) out[0] = 0x7fffffffU;
   });
-  const Variant sqrt{.operation = Operation::sqrt, .target = Target::standard};
+  const cases::Variant sqrt{.operation = cases::Operation::sqrt, .target = cases::Target::standard};
   EXPECT_GT(judge(liar, sqrt).mismatches(), 0U);
 }
 
 TEST(Engine, PartiesThatBreakAlikeAreNotEqual) {
-  for (const Ending ending : {Ending::undefined_flag, Ending::broken}) {
-    const auto spoil = [ending](Words in, auto, Ending& e) {
+  for (const parties::Ending ending : {parties::Ending::undefined_flag, parties::Ending::broken}) {
+    const auto spoil = [ending](Words in, auto, parties::Ending& e) {
       if (in[0] == 3) e = ending;
     };
-    const Saboteur one("one", party_named("fast"), spoil);
-    const Saboteur two("two", party_named("fast"), spoil);
-    const std::array<const Party*, 2> both{&one, &two};
-    const Report report = run(Plan(1, 1, {{mul, {"one", "two"}}}), both);
+    const Saboteur one("one", parties::party_named("fast"), spoil);
+    const Saboteur two("two", parties::party_named("fast"), spoil);
+    const std::array<const parties::Party*, 2> both{&one, &two};
+    const verify::Report report = verify::run(cases::Plan(1, 1, {{mul, {"one", "two"}}}), both);
     EXPECT_GT(report.mismatches(), 0U);
   }
 }
 
 TEST(Engine, ACaseIsCountedOnceHoweverManyDiffer) {
-  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending&) {
     if (in[0] == 2) ++out[0];
   });
-  const std::array<const Party*, 3> three{&liar, &party_named("fast"), &party_named("type")};
-  const Report report = run(Plan(1, 1, {{mul, {"saboteur", "fast", "type"}}}), three);
+  const std::array<const parties::Party*, 3> three{&liar, &parties::party_named("fast"),
+                                                   &parties::party_named("type")};
+  const verify::Report report =
+      verify::run(cases::Plan(1, 1, {{mul, {"saboteur", "fast", "type"}}}), three);
   EXPECT_EQ(report.mismatches(), judge(liar, mul).mismatches());
   EXPECT_EQ(report.cases(), report.plan.cases());
 }
 
 TEST(Engine, FaultsAreCounted) {
-  const auto honest = saboteur([](Words, auto, Ending&) {});
-  const Report report = judge(honest, div_8088);
+  const auto honest = saboteur([](Words, auto, parties::Ending&) {});
+  const verify::Report report = judge(honest, div_8088);
   EXPECT_EQ(report.findings[0].faults,
             count_cases(div_8088, [](Words in) { return std::abs(value_of(in[1])) < 0x10000; }));
 }
 
 TEST(Engine, ThreadsDoNotChangeTheReport) {
-  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
+  const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending&) {
     if ((in[0] & 0xffU) == 0x42U) ++out[0];
   });
-  Report alone = judge(liar, mul, {.threads = 1});
-  Report many = judge(liar, mul, {.threads = 7});
+  verify::Report alone = judge(liar, mul, {.threads = 1});
+  verify::Report many = judge(liar, mul, {.threads = 7});
   alone.seconds = many.seconds = 0;
-  EXPECT_EQ(to_json(alone), to_json(many));
+  EXPECT_EQ(verify::to_json(alone), verify::to_json(many));
 }
 
 TEST(Engine, EndsHoweverSoonItsThreadsDo) {
   // Threads that find themselves stopped end while others are still being started.
   const std::atomic<bool> stop = true;
-  const auto honest = saboteur([](Words, auto, Ending&) {});
+  const auto honest = saboteur([](Words, auto, parties::Ending&) {});
   for (int round = 0; round < 500; ++round) {
     ASSERT_EQ(judge(honest, mul, {.threads = 8, .stop = &stop}).cases(), 0U);
   }
 }
 
 TEST(Engine, KeepsOnlyTheFirstMismatches) {
-  const auto liar = saboteur([](Words, std::span<std::uint32_t> out, Ending&) { ++out[0]; });
-  const std::array<const Party*, 2> both{&liar, &party_named("fast")};
+  const auto liar =
+      saboteur([](Words, std::span<std::uint32_t> out, parties::Ending&) { ++out[0]; });
+  const std::array<const parties::Party*, 2> both{&liar, &parties::party_named("fast")};
   for (const std::size_t most : {0U, 1U, 3U}) {
-    Report report(test::plan_against_fast(mul), Shard{}, most);
-    run(report, both);
+    verify::Report report(test::plan_against_fast(mul), cases::Shard{}, most);
+    verify::run(report, both);
     EXPECT_EQ(report.findings[0].shown.size(), most);
     for (std::size_t i = 0; i < most; ++i) {
       EXPECT_EQ(report.findings[0].shown[i].chunk, 0U);
@@ -187,20 +192,20 @@ TEST(Engine, KeepsOnlyTheFirstMismatches) {
 }
 
 TEST(Engine, WhatAPartyThrowsComesOut) {
-  const auto liar = saboteur([](Words in, auto, Ending&) {
+  const auto liar = saboteur([](Words in, auto, parties::Ending&) {
     if (in[0] == 3) throw std::domain_error("three");
   });
   EXPECT_THROW(judge(liar, mul), std::domain_error);
 }
 
 TEST(Engine, AMissingPartyIsRefused) {
-  const std::array<const Party*, 1> alone{&party_named("fast")};
-  EXPECT_THROW(run(test::plan_against_fast(mul), alone), std::invalid_argument);
+  const std::array<const parties::Party*, 1> alone{&parties::party_named("fast")};
+  EXPECT_THROW(verify::run(test::plan_against_fast(mul), alone), std::invalid_argument);
 }
 
 TEST(Engine, ARowWithOnePartyIsNotRun) {
-  const std::array<const Party*, 1> alone{&party_named("fast")};
-  const Report report = run(Plan(1, 1, {{mul, {"fast"}}, {div, {}}}), alone);
+  const std::array<const parties::Party*, 1> alone{&parties::party_named("fast")};
+  const verify::Report report = verify::run(cases::Plan(1, 1, {{mul, {"fast"}}, {div, {}}}), alone);
   EXPECT_EQ(report.cases(), 0U);
   EXPECT_FALSE(report.plan.rows()[0].compared());
 }

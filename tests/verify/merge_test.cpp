@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/plan.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
 
@@ -18,25 +19,27 @@ namespace {
 using Words = std::span<const std::uint32_t>;
 
 const test::Saboteur& liar() {
-  static const auto one = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
-    if ((in[1] & 0xffU) == 0x7fU) ++out[0];
-  });
+  static const auto one =
+      test::saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending&) {
+        if ((in[1] & 0xffU) == 0x7fU) ++out[0];
+      });
   return one;
 }
 
-void run_rest(Report& report) {
-  run(report, std::array<const Party*, 2>{&liar(), &party_named("fast")});
+void run_rest(verify::Report& report) {
+  verify::run(report, std::array<const parties::Party*, 2>{&liar(), &parties::party_named("fast")});
   report.seconds = 0;
 }
 
-Report shard(Shard which, std::uint64_t seed = 1) {
-  Report report(test::plan_against_fast({.operation = Operation::div}, seed), which, 10);
+verify::Report shard(cases::Shard which, std::uint64_t seed = 1) {
+  verify::Report report(test::plan_against_fast({.operation = cases::Operation::div}, seed), which,
+                        10);
   run_rest(report);
   return report;
 }
 
-std::vector<NamedReport> shards(std::uint64_t count) {
-  std::vector<NamedReport> parts;
+std::vector<verify::NamedReport> shards(std::uint64_t count) {
+  std::vector<verify::NamedReport> parts;
   // The order in which parts are given must not matter.
   for (std::uint64_t i = count; i >= 1; --i) {
     parts.push_back({"part " + std::to_string(i), shard({i, count})});
@@ -45,28 +48,28 @@ std::vector<NamedReport> shards(std::uint64_t count) {
 }
 
 TEST(Merging, TheSumOfAllShardsIsTheWhole) {
-  const std::string whole = to_json(shard({1, 1}));
+  const std::string whole = verify::to_json(shard({1, 1}));
   for (const std::uint64_t count : {1U, 2U, 3U, 5U, 7U, 200U}) {
     const auto parts = shards(count);
-    const Report sum = merged(parts);
-    EXPECT_EQ(to_json(sum), whole) << count;
-    EXPECT_EQ(missing(sum, parts), "");
+    const verify::Report sum = verify::merged(parts);
+    EXPECT_EQ(verify::to_json(sum), whole) << count;
+    EXPECT_EQ(verify::missing(sum, parts), "");
   }
 }
 
 TEST(Merging, APartGivenTwiceIsRefused) {
   auto parts = shards(3);
   parts.push_back(parts[0]);
-  EXPECT_THROW(merged(parts), std::runtime_error);
+  EXPECT_THROW(verify::merged(parts), std::runtime_error);
   // ... and divisions that overlap.
-  const std::vector<NamedReport> mixed{{"a", shard({1, 2})}, {"b", shard({1, 3})}};
-  EXPECT_THROW(merged(mixed), std::runtime_error);
+  const std::vector<verify::NamedReport> mixed{{"a", shard({1, 2})}, {"b", shard({1, 3})}};
+  EXPECT_THROW(verify::merged(mixed), std::runtime_error);
 }
 
 TEST(Merging, PartsOfAnotherVerificationAreRefused) {
-  const std::vector<NamedReport> parts{{"a", shard({1, 2})}, {"b", shard({2, 2}, 9)}};
+  const std::vector<verify::NamedReport> parts{{"a", shard({1, 2})}, {"b", shard({2, 2}, 9)}};
   try {
-    merged(parts);
+    verify::merged(parts);
     FAIL() << "merged";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "b is not of the verification of a: seed 9, not 1");
@@ -76,22 +79,22 @@ TEST(Merging, PartsOfAnotherVerificationAreRefused) {
 TEST(Merging, WhatIsMissingIsNamed) {
   auto parts = shards(3);
   parts.erase(parts.begin() + 1);
-  EXPECT_EQ(missing(merged(parts), parts), "missing: shard 2/3");
+  EXPECT_EQ(verify::missing(verify::merged(parts), parts), "missing: shard 2/3");
 
   // One chunk of a shard alone is done.
   parts.push_back({"stopped", shard({2, 60})});
   parts.erase(parts.begin(), parts.begin() + 2);
-  EXPECT_EQ(missing(merged(parts), parts).substr(0, 43),
+  EXPECT_EQ(verify::missing(verify::merged(parts), parts).substr(0, 43),
             "missing: shard 1/60, shard 3/60, shard 4/60");
 }
 
 TEST(Merging, AnIncompleteSumCanBeFinished) {
   auto parts = shards(4);
   parts.pop_back();
-  Report sum = from_json(to_json(merged(parts)));
+  verify::Report sum = verify::from_json(verify::to_json(verify::merged(parts)));
   EXPECT_FALSE(sum.complete());
   run_rest(sum);
-  EXPECT_EQ(to_json(sum), to_json(shard({1, 1})));
+  EXPECT_EQ(verify::to_json(sum), verify::to_json(shard({1, 1})));
 }
 
 }  // namespace

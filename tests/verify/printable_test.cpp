@@ -1,33 +1,36 @@
 // Names that people choose, on somebody's terminal.
 #include <gtest/gtest.h>
 
-#include "verify/hex.hpp"
+#include "support/plain_text.hpp"
 
 namespace {
 
-using fixproof::printable;
+using fixproof::support::printable;
 
 TEST(Printable, TextStaysAsItIs) {
-  EXPECT_EQ(printable(""), "");
-  EXPECT_EQ(printable("twelve cubes"), "twelve cubes");
-  EXPECT_EQ(printable("zw\xc3\xb6lf W\xc3\xbcrfel \xe2\x80\x9e\xe2\x88\x92\xe2\x80\x9c"),
+  EXPECT_EQ(fixproof::support::printable(""), "");
+  EXPECT_EQ(fixproof::support::printable("twelve cubes"), "twelve cubes");
+  EXPECT_EQ(fixproof::support::printable(
+                "zw\xc3\xb6lf W\xc3\xbcrfel \xe2\x80\x9e\xe2\x88\x92\xe2\x80\x9c"),
             "zw\xc3\xb6lf W\xc3\xbcrfel \xe2\x80\x9e\xe2\x88\x92\xe2\x80\x9c");
 }
 
 TEST(Printable, WhatSteersATerminalIsAQuestionMark) {
-  EXPECT_EQ(printable("a\x1b[31mb\n\x7f"), "a?[31mb??");
-  EXPECT_EQ(printable("a\xc2\x9b"
-                      "31m"),
-            "a?31m");                            // CSI in one character
-  EXPECT_EQ(printable("\xc2\xa0"), "\xc2\xa0");  // the first that is none
+  EXPECT_EQ(fixproof::support::printable("a\x1b[31mb\n\x7f"), "a?[31mb??");
+  EXPECT_EQ(fixproof::support::printable("a\xc2\x9b"
+                                         "31m"),
+            "a?31m");                                               // CSI in one character
+  EXPECT_EQ(fixproof::support::printable("\xc2\xa0"), "\xc2\xa0");  // the first that is none
 }
 
 TEST(Printable, WritingIsNotTurnedRound) {
-  EXPECT_EQ(printable("a\xe2\x80\xae"
-                      "b"),
+  EXPECT_EQ(fixproof::support::printable("a\xe2\x80\xae"
+                                         "b"),
             "a?b");
-  EXPECT_EQ(printable("\xe2\x80\x8e\xe2\x80\x8f\xe2\x80\xaa\xe2\x81\xa6\xe2\x81\xa9"), "?????");
-  EXPECT_EQ(printable("\xe2\x80"), "\xe2\x80");  // cut short
+  EXPECT_EQ(
+      fixproof::support::printable("\xe2\x80\x8e\xe2\x80\x8f\xe2\x80\xaa\xe2\x81\xa6\xe2\x81\xa9"),
+      "?????");
+  EXPECT_EQ(fixproof::support::printable("\xe2\x80"), "\xe2\x80");  // cut short
 }
 
 }  // namespace

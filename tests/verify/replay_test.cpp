@@ -1,4 +1,6 @@
 // The command line that a mismatch prints, given to a shell, asks for that very case.
+#include "verify/replay.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -8,11 +10,10 @@
 #include <filesystem>
 #include <string>
 
+#include "cases/plan.hpp"
+#include "cases/streams.hpp"
+#include "parties/answer.hpp"
 #include "verify/engine.hpp"
-#include "verify/hex.hpp"
-#include "verify/plan.hpp"
-#include "verify/streams.hpp"
-#include "verify/text.hpp"
 
 namespace fixproof {
 namespace {
@@ -39,20 +40,20 @@ Shell shell(const std::string& line) {
 }
 
 TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
-  for (const Variant& listed : all_variants()) {
+  for (const cases::Variant& listed : cases::all_variants()) {
     for (const int bits : {16, 8}) {
-      Variant v = listed;
+      cases::Variant v = listed;
       v.fraction_bits = bits;
-      std::vector<const Party*> able;
-      for (const auto& party : parties()) {
+      std::vector<const parties::Party*> able;
+      for (const auto& party : parties::parties()) {
         if (party->answers(v) && party->name() != "interpreter") able.push_back(party.get());
       }
-      const Row row = row_of(v, able);
+      const cases::Row row = parties::row_of(v, able);
       if (!row.compared()) continue;
-      std::vector<std::uint32_t> words(words_in(v.operation));
-      make_cases(Stream::scaled, v, 1, 3, words);
-      const std::string expected = ask(*able.front(), v, words).text(2 * bits);
-      const std::string line = replay(row, words);
+      std::vector<std::uint32_t> words(cases::words_in(v.operation));
+      cases::make_cases(cases::Stream::scaled, v, 1, 3, words);
+      const std::string expected = parties::ask(*able.front(), v, words).text(2 * bits);
+      const std::string line = verify::replay(row, words);
       const Shell result = shell(line);
       EXPECT_EQ(result.status, 0) << line;
       EXPECT_NE(result.out.find(expected), std::string::npos) << line << '\n' << result.out;
@@ -63,13 +64,14 @@ TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
 }
 
 TEST(Replay, NamesPartiesThatAreNotAskedByDefault) {
-  const Row row{{.operation = Operation::mul, .fraction_bits = 8}, {"interpreter", "model"}};
+  const cases::Row row{{.operation = cases::Operation::mul, .fraction_bits = 8},
+                       {"interpreter", "model"}};
   const std::array<std::uint32_t, 2> words{0x0180, 0xff00};
-  EXPECT_EQ(replay(row, words),
+  EXPECT_EQ(verify::replay(row, words),
             "fixproof verify mul --target i386 --round on --chapter 54 --width half --case '0180 "
             "ff00' --by "
             "interpreter --against model");
-  EXPECT_EQ(shell(replay(row, words)).status, 0);
+  EXPECT_EQ(shell(verify::replay(row, words)).status, 0);
 }
 
 }  // namespace

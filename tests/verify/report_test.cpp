@@ -8,9 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "cases/draw.hpp"
+#include "cases/plan.hpp"
+#include "support/file.hpp"
 #include "tests/verify/saboteur.hpp"
-#include "verify/draw.hpp"
-#include "verify/file.hpp"
 #include "verify/report_file.hpp"
 #include "verify/report_json.hpp"
 
@@ -19,57 +20,61 @@ namespace {
 
 using Words = std::span<const std::uint32_t>;
 
-constexpr Variant mul{.operation = Operation::mul};
-constexpr Variant div{.operation = Operation::div, .target = Target::i8088, .div_round = false};
-constexpr Variant cossin{.operation = Operation::cossin};
+constexpr cases::Variant mul{.operation = cases::Operation::mul};
+constexpr cases::Variant div{
+    .operation = cases::Operation::div, .target = cases::Target::i8088, .div_round = false};
+constexpr cases::Variant cossin{.operation = cases::Operation::cossin};
 
 /// Another party that sets a flag after so many batches.
-class Counting final : public Party {
+class Counting final : public parties::Party {
  public:
-  Counting(const Party& party, std::uint64_t batches, std::atomic<bool>& stop)
+  Counting(const parties::Party& party, std::uint64_t batches, std::atomic<bool>& stop)
       : party_(party), batches_(batches), stop_(stop) {}
   [[nodiscard]] std::string_view name() const override { return party_.name(); }
-  [[nodiscard]] bool answers(const Variant& v) const override { return party_.answers(v); }
-  void answer(const Variant& v, const Batch& batch) const override {
+  [[nodiscard]] bool answers(const cases::Variant& v) const override { return party_.answers(v); }
+  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
     if (batches_-- == 1) stop_ = true;
     party_.answer(v, batch);
   }
 
  private:
-  const Party& party_;
+  const parties::Party& party_;
   mutable std::atomic<std::uint64_t> batches_;
   std::atomic<bool>& stop_;
 };
 
 const test::Saboteur& liar() {
-  static const auto one = test::saboteur([](Words in, std::span<std::uint32_t> out, Ending&) {
-    if ((in[0] & 0x1fU) == 0x15U) out[0] ^= 0x100U;
-  });
+  static const auto one =
+      test::saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending&) {
+        if ((in[0] & 0x1fU) == 0x15U) out[0] ^= 0x100U;
+      });
   return one;
 }
 
-std::array<const Party*, 2> both() { return {&liar(), &party_named("fast")}; }
+std::array<const parties::Party*, 2> both() { return {&liar(), &parties::party_named("fast")}; }
 
 /// Several rows, one of which nobody compares, with a liar in the others.
-Report fresh(Shard shard = {}) {
-  return {Plan(1, 5,
-               {{mul, {"saboteur", "fast"}}, {cossin, {"saboteur"}}, {div, {"saboteur", "fast"}}}),
-          shard, 3};
+verify::Report fresh(cases::Shard shard = {}) {
+  return {
+      cases::Plan(
+          1, 5, {{mul, {"saboteur", "fast"}}, {cossin, {"saboteur"}}, {div, {"saboteur", "fast"}}}),
+      shard, 3};
 }
 
-Report finished(Shard shard = {}) {
-  Report report = fresh(shard);
-  run(report, both());
+verify::Report finished(cases::Shard shard = {}) {
+  verify::Report report = fresh(shard);
+  verify::run(report, both());
   report.seconds = 0;
   return report;
 }
 
 TEST(Reports, AreReadBackAsTheyWere) {
-  for (const Shard shard : {Shard{1, 1}, Shard{2, 3}, Shard{5, 100000}}) {
-    const std::string text = to_json(finished(shard));
-    EXPECT_EQ(to_json(from_json(text)), text);
+  for (const cases::Shard shard :
+       {cases::Shard{1, 1}, cases::Shard{2, 3}, cases::Shard{5, 100000}}) {
+    const std::string text = verify::to_json(finished(shard));
+    EXPECT_EQ(verify::to_json(verify::from_json(text)), text);
   }
-  const Report report = from_json(to_json(finished()));
+  const verify::Report report = verify::from_json(verify::to_json(finished()));
   EXPECT_TRUE(report.complete());
   EXPECT_GT(report.mismatches(), 0U);
   EXPECT_GT(report.findings[2].faults, 0U);
@@ -77,54 +82,55 @@ TEST(Reports, AreReadBackAsTheyWere) {
 }
 
 TEST(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
-  const std::string whole = to_json(finished());
+  const std::string whole = verify::to_json(finished());
   for (std::uint64_t round = 0; round < 20; ++round) {
-    Report report = fresh();
+    verify::Report report = fresh();
     int stops = 0;
     for (; !report.complete(); ++stops) {
       ASSERT_LT(stops, 1000);
       // Stops by itself at some chunk, as Ctrl-C would.
       std::atomic<bool> stop = false;
-      const std::uint64_t batches = 60 + mix(100 * round + static_cast<std::uint64_t>(stops)) % 500;
+      const std::uint64_t batches =
+          60 + cases::mix(100 * round + static_cast<std::uint64_t>(stops)) % 500;
       const Counting counting(liar(), batches, stop);
-      const std::array<const Party*, 2> two{&counting, &party_named("fast")};
-      run(report, two, {.threads = 2, .stop = &stop});
-      report = from_json(to_json(report));
+      const std::array<const parties::Party*, 2> two{&counting, &parties::party_named("fast")};
+      verify::run(report, two, {.threads = 2, .stop = &stop});
+      report = verify::from_json(verify::to_json(report));
     }
     report.seconds = 0;
     EXPECT_GT(stops, 1);
-    EXPECT_EQ(to_json(report), whole);
+    EXPECT_EQ(verify::to_json(report), whole);
   }
 }
 
 TEST(Reports, ObservedStatesAreConsistent) {
-  Report report = fresh();
+  verify::Report report = fresh();
   int seen = 0;
-  run(report, both(),
-      {.observe =
-           [&](const Report& state) {
-             ++seen;
-             EXPECT_NO_THROW(from_json(to_json(state)));
-           },
-       .observe_every = std::chrono::milliseconds(1)});
+  verify::run(report, both(),
+              {.observe =
+                   [&](const verify::Report& state) {
+                     ++seen;
+                     EXPECT_NO_THROW(verify::from_json(verify::to_json(state)));
+                   },
+               .observe_every = std::chrono::milliseconds(1)});
   EXPECT_GT(seen, 0);
 }
 
 TEST(Reports, NoCutTextIsRead) {
-  const std::string text = to_json(finished());
+  const std::string text = verify::to_json(finished());
   for (std::size_t size = 0; size + 2 < text.size(); size += 1 + size / 20) {
-    EXPECT_THROW(from_json(text.substr(0, size)), std::runtime_error) << size;
+    EXPECT_THROW(verify::from_json(text.substr(0, size)), std::runtime_error) << size;
   }
 }
 
 TEST(Reports, DamageIsFound) {
-  const std::string good = to_json(finished());
+  const std::string good = verify::to_json(finished());
   const auto refused = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     const auto place = text.find(from);
     ASSERT_NE(place, std::string::npos) << from;
     text.replace(place, from.size(), to);
-    EXPECT_THROW(from_json(text), std::runtime_error) << from << " -> " << to;
+    EXPECT_THROW(verify::from_json(text), std::runtime_error) << from << " -> " << to;
   };
   refused("fixproof report", "another report");
   refused(R"("version": 2)", R"("version": 1)");
@@ -139,45 +145,46 @@ TEST(Reports, DamageIsFound) {
   refused(R"("complete": true)", R"("complete": false)");
   refused(R"("operation")", R"("operations")");
   for (const char* text : {"[]", "1", "null", "{}", R"({"format": 1})", R"("fixproof report")"}) {
-    EXPECT_THROW(from_json(text), std::runtime_error) << text;
+    EXPECT_THROW(verify::from_json(text), std::runtime_error) << text;
   }
 }
 
 TEST(Reports, ChunksDoneMustFitTheCounts) {
-  Report report = finished();
+  verify::Report report = finished();
   report.done[3] = false;
-  EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
   report = finished();
   ++report.findings[0].cases;
-  EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
   report = finished();
   report.findings[0].shown.pop_back();
-  EXPECT_THROW(from_json(to_json(report)), std::runtime_error);
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
 }
 
 TEST(Reports, DifferencesAreNamed) {
-  const Report report = finished();
-  EXPECT_EQ(difference(report, fresh()), "");
-  const Report other_seed(Plan(1, 6, report.plan.rows()), Shard{}, 3);
-  EXPECT_EQ(difference(report, other_seed), "seed 5, not 6");
-  const Report other_level(Plan(2, 5, report.plan.rows()), Shard{}, 3);
-  EXPECT_EQ(difference(report, other_level), "level 1, not 2");
+  const verify::Report report = finished();
+  EXPECT_EQ(verify::difference(report, fresh()), "");
+  const verify::Report other_seed(cases::Plan(1, 6, report.plan.rows()), cases::Shard{}, 3);
+  EXPECT_EQ(verify::difference(report, other_seed), "seed 5, not 6");
+  const verify::Report other_level(cases::Plan(2, 5, report.plan.rows()), cases::Shard{}, 3);
+  EXPECT_EQ(verify::difference(report, other_level), "level 1, not 2");
   auto rows = report.plan.rows();
   rows[0].parties = {"model", "fast"};
-  EXPECT_EQ(difference(report, Report(Plan(1, 5, rows), Shard{}, 3)),
+  EXPECT_EQ(verify::difference(report, verify::Report(cases::Plan(1, 5, rows), cases::Shard{}, 3)),
             "row 1 compares saboteur fast, not model fast");
   rows = report.plan.rows();
   rows[2].variant.div_round = true;
-  EXPECT_EQ(difference(report, Report(Plan(1, 5, rows), Shard{}, 3)), "another variant in row 3");
+  EXPECT_EQ(verify::difference(report, verify::Report(cases::Plan(1, 5, rows), cases::Shard{}, 3)),
+            "another variant in row 3");
 }
 
 TEST(Reports, WithARowThatNobodyComparesAreNotRead) {
   const std::string file = testing::TempDir() + "fixproof_report_test.json";
   const auto read = [&](std::vector<std::string> parties) {
-    const Plan plan(1, 5, {{mul, {"model", "fast"}}, {cossin, std::move(parties)}});
-    replace_file(file, to_json(Report(plan, Shard{}, 3)));
+    const cases::Plan plan(1, 5, {{mul, {"model", "fast"}}, {cossin, std::move(parties)}});
+    support::replace_file(file, verify::to_json(verify::Report(plan, cases::Shard{}, 3)));
     try {
-      return "read " + std::to_string(read_report(file).plan.rows().size());
+      return "read " + std::to_string(verify::read_report(file).plan.rows().size());
     } catch (const std::runtime_error& error) {
       return std::string(error.what());
     }

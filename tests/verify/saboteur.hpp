@@ -11,30 +11,30 @@
 #include <utility>
 #include <vector>
 
+#include "cases/plan.hpp"
+#include "parties/party.hpp"
 #include "verify/engine.hpp"
-#include "verify/party.hpp"
-#include "verify/plan.hpp"
 
 namespace fixproof::test {
 
 /// Answers as another party does, then spoils each case as it is told.
-class Saboteur final : public Party {
+class Saboteur final : public parties::Party {
  public:
   /// Gets the operands of a case, and its result words and ending to change.
-  using Spoil =
-      std::function<void(std::span<const std::uint32_t>, std::span<std::uint32_t>, Ending&)>;
+  using Spoil = std::function<void(std::span<const std::uint32_t>, std::span<std::uint32_t>,
+                                   parties::Ending&)>;
 
-  Saboteur(std::string name, const Party& honest, Spoil spoil)
+  Saboteur(std::string name, const parties::Party& honest, Spoil spoil)
       : name_(std::move(name)), honest_(honest), spoil_(std::move(spoil)) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
-  [[nodiscard]] bool answers(const Variant& variant) const override {
+  [[nodiscard]] bool answers(const cases::Variant& variant) const override {
     return honest_.answers(variant);
   }
-  void answer(const Variant& variant, const Batch& batch) const override {
+  void answer(const cases::Variant& variant, const parties::Batch& batch) const override {
     honest_.answer(variant, batch);
-    const std::size_t in = words_in(variant.operation);
-    const std::size_t out = words_out(variant.operation);
+    const std::size_t in = cases::words_in(variant.operation);
+    const std::size_t out = cases::words_out(variant.operation);
     for (std::size_t i = 0; i < batch.endings.size(); ++i) {
       spoil_(batch.in.subspan(i * in, in), batch.out.subspan(i * out, out), batch.endings[i]);
     }
@@ -42,24 +42,25 @@ class Saboteur final : public Party {
 
  private:
   std::string name_;
-  const Party& honest_;
+  const parties::Party& honest_;
   Spoil spoil_;
 };
 
 /// The fast oracle under the name `saboteur`, spoilt.
 inline Saboteur saboteur(Saboteur::Spoil spoil) {
-  return {"saboteur", party_named("fast"), std::move(spoil)};
+  return {"saboteur", parties::party_named("fast"), std::move(spoil)};
 }
 
 /// A plan of level 1 of one variant, the saboteur judged against the honest fast oracle.
-inline Plan plan_against_fast(const Variant& variant, std::uint64_t seed = 1) {
+inline cases::Plan plan_against_fast(const cases::Variant& variant, std::uint64_t seed = 1) {
   return {1, seed, {{variant, {"saboteur", "fast"}}}};
 }
 
 /// Runs that plan.
-inline Report judge(const Saboteur& liar, const Variant& variant, const RunOptions& options = {}) {
-  const std::array<const Party*, 2> both{&liar, &party_named("fast")};
-  return run(plan_against_fast(variant), both, options);
+inline verify::Report judge(const Saboteur& liar, const cases::Variant& variant,
+                            const verify::RunOptions& options = {}) {
+  const std::array<const parties::Party*, 2> both{&liar, &parties::party_named("fast")};
+  return verify::run(plan_against_fast(variant), both, options);
 }
 
 }  // namespace fixproof::test

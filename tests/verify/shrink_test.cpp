@@ -13,24 +13,28 @@ using Said = std::pair<std::string, std::string>;
 using View = std::span<const std::uint32_t>;
 
 TEST(Shrink, ComesToZeroWhenEverythingFails) {
-  EXPECT_EQ(shrink({0x12345678, 0xdeadbeef, 1}, 32, [](View) { return true; }), (Words{0, 0, 0}));
+  EXPECT_EQ(verify::shrink({0x12345678, 0xdeadbeef, 1}, 32, [](View) { return true; }),
+            (Words{0, 0, 0}));
 }
 
 TEST(Shrink, KeepsACaseThatNothingSimplerShares) {
   const Words only{0x12345678, 0x9abcdef0};
-  EXPECT_EQ(shrink(only, 32, [&](View w) { return Words(w.begin(), w.end()) == only; }), only);
+  EXPECT_EQ(verify::shrink(only, 32, [&](View w) { return Words(w.begin(), w.end()) == only; }),
+            only);
 }
 
 TEST(Shrink, FindsTheBitsThatMatter) {
-  EXPECT_EQ(shrink({0x7eadbeef, 0x5555}, 32, [](View w) { return (w[0] & 0x20U) != 0; }),
+  EXPECT_EQ(verify::shrink({0x7eadbeef, 0x5555}, 32, [](View w) { return (w[0] & 0x20U) != 0; }),
             (Words{0x20, 0}));
   // A negative word stays negative only if it must.
-  EXPECT_EQ(shrink({0xdeadbeef}, 32, [](View w) { return w[0] >> 31U != 0; }), (Words{0xffffffff}));
-  EXPECT_EQ(shrink({0xdead}, 16, [](View w) { return w[0] >> 15U != 0; }), (Words{0xffff}));
-  EXPECT_EQ(shrink({0xdeadbeef}, 32, [](View w) { return w[0] != 0; }), (Words{1}));
+  EXPECT_EQ(verify::shrink({0xdeadbeef}, 32, [](View w) { return w[0] >> 31U != 0; }),
+            (Words{0xffffffff}));
+  EXPECT_EQ(verify::shrink({0xdead}, 16, [](View w) { return w[0] >> 15U != 0; }), (Words{0xffff}));
+  EXPECT_EQ(verify::shrink({0xdeadbeef}, 32, [](View w) { return w[0] != 0; }), (Words{1}));
   // At least 1.5.
-  EXPECT_EQ(shrink({0x00038765}, 32, [](View w) { return w[0] >= 0x18000 && w[0] >> 31U == 0; }),
-            (Words{0x20000}));
+  EXPECT_EQ(
+      verify::shrink({0x00038765}, 32, [](View w) { return w[0] >= 0x18000 && w[0] >> 31U == 0; }),
+      (Words{0x20000}));
 }
 
 TEST(Shrink, ATieOfFullWidthBecomesTwoPowersOfTwo) {
@@ -41,18 +45,18 @@ TEST(Shrink, ATieOfFullWidthBecomesTwoPowersOfTwo) {
   };
   const Words from{0xfedcba20, 0x12345400};
   ASSERT_TRUE(tie(from));
-  const Words to = shrink(from, 32, tie);
+  const Words to = verify::shrink(from, 32, tie);
   EXPECT_TRUE(tie(to));
   EXPECT_EQ(to, (Words{0xffffffe0, 0x400}));
 }
 
 TEST(Shrink, MismatchesOfARunAreShrunkWithWhatEveryPartySays) {
-  const auto liar = test::saboteur([](View in, std::span<std::uint32_t> out, Ending&) {
+  const auto liar = test::saboteur([](View in, std::span<std::uint32_t> out, parties::Ending&) {
     if (static_cast<std::int32_t>(in[1]) > 0x10000) out[0] = 0x77;
   });
-  const Report report = test::judge(liar, {.operation = Operation::mul});
+  const verify::Report report = test::judge(liar, {.operation = cases::Operation::mul});
   ASSERT_FALSE(report.findings[0].shown.empty());
-  for (const Mismatch& m : report.findings[0].shown) {
+  for (const verify::Mismatch& m : report.findings[0].shown) {
     EXPECT_EQ(m.smallest, (Words{0, 0x20000}));
     ASSERT_EQ(m.said.size(), 2U);
     EXPECT_EQ(m.said[0], (Said{"saboteur", "00000077"}));

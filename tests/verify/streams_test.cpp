@@ -1,5 +1,5 @@
 // Streams are pure, and hold what they promise.
-#include "verify/streams.hpp"
+#include "cases/streams.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "verify/party.hpp"
-#include "verify/plan.hpp"
+#include "cases/plan.hpp"
+#include "parties/party.hpp"
 
 namespace fixproof {
 namespace {
@@ -26,13 +26,14 @@ std::int64_t value_of(std::uint32_t word, int bits) {
 
 using Case = std::vector<std::int64_t>;
 
-std::vector<Case> cases_of(Stream stream, const Variant& variant, std::size_t count = sample) {
-  const std::size_t arity = words_in(variant.operation);
+std::vector<Case> cases_of(cases::Stream stream, const cases::Variant& variant,
+                           std::size_t count = sample) {
+  const std::size_t arity = cases::words_in(variant.operation);
   std::vector<std::uint32_t> words(count * arity);
-  make_cases(stream, variant, seed, 0, words);
+  cases::make_cases(stream, variant, seed, 0, words);
   std::vector<Case> cases(count);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    cases[i / arity].push_back(value_of(words[i], operand_bits(variant)));
+    cases[i / arity].push_back(value_of(words[i], cases::operand_bits(variant)));
   }
   return cases;
 }
@@ -44,17 +45,17 @@ std::size_t count(const std::vector<Case>& cases, Holds holds) {
 
 /// Every stream of every operation, at both widths where there are two.
 struct Use {
-  Stream stream;
-  Variant variant;
+  cases::Stream stream;
+  cases::Variant variant;
 };
 std::vector<Use> all_uses() {
   std::vector<Use> uses;
-  for (const Variant& listed : all_variants()) {
+  for (const cases::Variant& listed : cases::all_variants()) {
     for (const int bits : {16, 8}) {
-      Variant v = listed;
+      cases::Variant v = listed;
       v.fraction_bits = bits;
-      const Plan plan(1, 1, {{v, {"a", "b"}}});
-      for (const Job& job : plan.jobs()) uses.push_back({job.stream, v});
+      const cases::Plan plan(1, 1, {{v, {"a", "b"}}});
+      for (const cases::Job& job : plan.jobs()) uses.push_back({job.stream, v});
     }
   }
   return uses;
@@ -62,59 +63,63 @@ std::vector<Use> all_uses() {
 
 TEST(Streams, AreTheSameMadeInAnyOrderAndAnyPieces) {
   for (const auto& [stream, variant] : all_uses()) {
-    const std::size_t arity = words_in(variant.operation);
+    const std::size_t arity = cases::words_in(variant.operation);
     std::vector<std::uint32_t> whole(100 * arity);
-    make_cases(stream, variant, seed, 5000, whole);
+    cases::make_cases(stream, variant, seed, 5000, whole);
     std::vector<std::uint32_t> again(whole.size());
     for (const std::size_t i : {99U, 0U, 50U, 1U, 98U}) {
       const auto one = std::span(again).subspan(i * arity, arity);
-      make_cases(stream, variant, seed, 5000 + i, one);
+      cases::make_cases(stream, variant, seed, 5000 + i, one);
       EXPECT_TRUE(std::equal(one.begin(), one.end(),
                              whole.begin() + static_cast<std::ptrdiff_t>(i * arity)))
-          << name_of(stream) << " case " << i;
+          << cases::name_of(stream) << " case " << i;
     }
   }
 }
 
 TEST(Streams, FillOnlyTheBitsOfAnOperand) {
   for (const auto& [stream, variant] : all_uses()) {
-    std::vector<std::uint32_t> words(1000 * words_in(variant.operation));
-    make_cases(stream, variant, seed, 0, words);
-    const int bits = operand_bits(variant);
+    std::vector<std::uint32_t> words(1000 * cases::words_in(variant.operation));
+    cases::make_cases(stream, variant, seed, 0, words);
+    const int bits = cases::operand_bits(variant);
     const auto beyond = [&](std::uint32_t word) { return bits < 32 && word >> bits != 0; };
-    EXPECT_TRUE(std::none_of(words.begin(), words.end(), beyond)) << name_of(stream);
+    EXPECT_TRUE(std::none_of(words.begin(), words.end(), beyond)) << cases::name_of(stream);
   }
 }
 
 TEST(Streams, DifferBySeedAndAreNotOneCaseOverAndOver) {
   for (const auto& [stream, variant] : all_uses()) {
-    if (size_of(stream, variant)) continue;
-    const std::size_t arity = words_in(variant.operation);
+    if (cases::size_of(stream, variant)) continue;
+    const std::size_t arity = cases::words_in(variant.operation);
     std::vector<std::uint32_t> one(sample * arity);
     std::vector<std::uint32_t> other(one.size());
-    make_cases(stream, variant, 1, 0, one);
-    make_cases(stream, variant, 2, 0, other);
-    EXPECT_NE(one, other) << name_of(stream);
+    cases::make_cases(stream, variant, 1, 0, one);
+    cases::make_cases(stream, variant, 2, 0, other);
+    EXPECT_NE(one, other) << cases::name_of(stream);
     const auto cases = cases_of(stream, variant);
     const std::set<Case> distinct(cases.begin(), cases.end());
     EXPECT_GT(distinct.size(), variant.fraction_bits == 16 ? sample / 4 : sample / 16)
-        << name_of(stream);
+        << cases::name_of(stream);
   }
 }
 
 TEST(Streams, RefuseOperationsTheyAreNotFor) {
   std::array<std::uint32_t, 2> words{};
-  EXPECT_THROW(make_cases(Stream::quotient_ties, {.operation = Operation::mul}, 1, 0, words),
+  EXPECT_THROW(cases::make_cases(cases::Stream::quotient_ties, {.operation = cases::Operation::mul},
+                                 1, 0, words),
                std::invalid_argument);
-  EXPECT_THROW(make_cases(Stream::product_ties, {.operation = Operation::div}, 1, 0, words),
+  EXPECT_THROW(cases::make_cases(cases::Stream::product_ties, {.operation = cases::Operation::div},
+                                 1, 0, words),
                std::invalid_argument);
-  EXPECT_THROW(size_of(Stream::lattice, {.operation = Operation::concat}), std::invalid_argument);
-  EXPECT_THROW(size_of(Stream::every, {.operation = Operation::mul}), std::invalid_argument);
+  EXPECT_THROW(cases::size_of(cases::Stream::lattice, {.operation = cases::Operation::concat}),
+               std::invalid_argument);
+  EXPECT_THROW(cases::size_of(cases::Stream::every, {.operation = cases::Operation::mul}),
+               std::invalid_argument);
 }
 
 TEST(Lattice, HoldsTheBoundariesInBothSigns) {
   for (const int bits : {32, 16}) {
-    const auto values = boundary_lattice(bits);
+    const auto values = cases::boundary_lattice(bits);
     const std::set<std::uint32_t> set(values.begin(), values.end());
     EXPECT_EQ(set.size(), values.size());
     EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
@@ -134,7 +139,7 @@ TEST(Lattice, HoldsTheBoundariesInBothSigns) {
       EXPECT_TRUE(set.count(value & mask)) << value;
     }
   }
-  const auto values = boundary_lattice(32);
+  const auto values = cases::boundary_lattice(32);
   for (const std::uint32_t value : {0x7fffU, 0x8000U, 0x8001U, 0xffffU, 0x10000U, 0x10001U,
                                     0x7fffffffU, 0x80000000U, 0x80000001U, 0xffffffffU}) {
     EXPECT_TRUE(std::binary_search(values.begin(), values.end(), value)) << std::hex << value;
@@ -142,38 +147,38 @@ TEST(Lattice, HoldsTheBoundariesInBothSigns) {
 }
 
 TEST(Lattice, StreamHoldsAllOrderedPairs) {
-  const Variant mul{.operation = Operation::mul};
-  const auto values = boundary_lattice(32);
-  const auto size = size_of(Stream::lattice, mul);
+  const cases::Variant mul{.operation = cases::Operation::mul};
+  const auto values = cases::boundary_lattice(32);
+  const auto size = cases::size_of(cases::Stream::lattice, mul);
   ASSERT_EQ(size, values.size() * values.size());
-  const auto cases = cases_of(Stream::lattice, mul, *size);
+  const auto cases = cases_of(cases::Stream::lattice, mul, *size);
   EXPECT_EQ(std::set<Case>(cases.begin(), cases.end()).size(), *size);
 }
 
 TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
-  const Variant half{.operation = Operation::mul, .fraction_bits = 8};
-  ASSERT_EQ(size_of(Stream::every, half), 1ULL << 32U);
+  const cases::Variant half{.operation = cases::Operation::mul, .fraction_bits = 8};
+  ASSERT_EQ(cases::size_of(cases::Stream::every, half), 1ULL << 32U);
   std::array<std::uint32_t, 4> words{};
-  make_cases(Stream::every, half, seed, 0x12345678U, words);
+  cases::make_cases(cases::Stream::every, half, seed, 0x12345678U, words);
   EXPECT_EQ(words, (std::array<std::uint32_t, 4>{0x1234, 0x5678, 0x1234, 0x5679}));
-  make_cases(Stream::every, half, seed, 0xfffffffeU, words);
+  cases::make_cases(cases::Stream::every, half, seed, 0xfffffffeU, words);
   EXPECT_EQ(words, (std::array<std::uint32_t, 4>{0xffff, 0xfffe, 0xffff, 0xffff}));
 
-  const Variant cossin{.operation = Operation::cossin};
-  ASSERT_EQ(size_of(Stream::every, cossin), 65536U);
-  const auto angles = cases_of(Stream::every, cossin, 65536);
+  const cases::Variant cossin{.operation = cases::Operation::cossin};
+  ASSERT_EQ(cases::size_of(cases::Stream::every, cossin), 65536U);
+  const auto angles = cases_of(cases::Stream::every, cossin, 65536);
   EXPECT_EQ(std::set<Case>(angles.begin(), angles.end()).size(), 65536U);
 
-  const Variant sqrt{.operation = Operation::sqrt, .target = Target::standard};
-  ASSERT_EQ(size_of(Stream::every, sqrt), 1ULL << 32U);
-  make_cases(Stream::every, sqrt, seed, 0xfffffffcU, words);
+  const cases::Variant sqrt{.operation = cases::Operation::sqrt, .target = cases::Target::standard};
+  ASSERT_EQ(cases::size_of(cases::Stream::every, sqrt), 1ULL << 32U);
+  cases::make_cases(cases::Stream::every, sqrt, seed, 0xfffffffcU, words);
   EXPECT_EQ(words.back(), 0xffffffffU);
 }
 
 /// mul and div, at full and half width: F, and the operand bits.
 class Constructed : public testing::TestWithParam<int> {
  protected:
-  static std::vector<Case> made(Operation operation, Stream stream) {
+  static std::vector<Case> made(cases::Operation operation, cases::Stream stream) {
     return cases_of(stream, {.operation = operation, .fraction_bits = GetParam()});
   }
   /// The part of a number below the unit.
@@ -187,7 +192,7 @@ class Constructed : public testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Widths, Constructed, testing::Values(16, 8));
 
 TEST_P(Constructed, ProductTiesAreTies) {
-  const auto cases = made(Operation::mul, Stream::product_ties);
+  const auto cases = made(cases::Operation::mul, cases::Stream::product_ties);
   const auto tie = [&](const Case& c) { return (c[0] * c[1] & (one() - 1)) == one() / 2; };
   EXPECT_EQ(count(cases, tie), sample);
   const std::size_t negative = count(cases, [](const Case& c) { return c[0] * c[1] < 0; });
@@ -196,7 +201,7 @@ TEST_P(Constructed, ProductTiesAreTies) {
 }
 
 TEST_P(Constructed, NearProductTiesLieOneBeside) {
-  const auto cases = made(Operation::mul, Stream::near_product_ties);
+  const auto cases = made(cases::Operation::mul, cases::Stream::near_product_ties);
   for (const std::int64_t off : {-1, 1}) {
     const auto near =
         count(cases, [&](const Case& c) { return (c[0] * c[1] & (one() - 1)) == one() / 2 + off; });
@@ -209,7 +214,7 @@ TEST_P(Constructed, NearProductTiesLieOneBeside) {
 }
 
 TEST_P(Constructed, QuotientTiesAreTies) {
-  const auto cases = made(Operation::div, Stream::quotient_ties);
+  const auto cases = made(cases::Operation::div, cases::Stream::quotient_ties);
   EXPECT_EQ(count(cases, [&](const Case& c) { return twice_remainder(c) == std::abs(c[1]); }),
             sample);
   // ... none of them a fault of the 386, with both signs.
@@ -220,7 +225,7 @@ TEST_P(Constructed, QuotientTiesAreTies) {
 }
 
 TEST_P(Constructed, NearQuotientTiesLieOneBeside) {
-  const auto cases = made(Operation::div, Stream::near_quotient_ties);
+  const auto cases = made(cases::Operation::div, cases::Stream::near_quotient_ties);
   EXPECT_EQ(
       count(cases,
             [&](const Case& c) { return std::abs(twice_remainder(c) - std::abs(c[1])) == 1; }),
@@ -233,7 +238,7 @@ TEST_P(Constructed, NearQuotientTiesLieOneBeside) {
 }
 
 TEST_P(Constructed, WholeDivisorTiesAreTiesOfThe8088) {
-  const auto cases = made(Operation::div, Stream::whole_divisor_ties);
+  const auto cases = made(cases::Operation::div, cases::Stream::whole_divisor_ties);
   const auto whole = [&](const Case& c) { return std::abs(c[1]) >> GetParam(); };
   const auto beside = [&](const Case& c) { return 2 * (std::abs(c[0]) % whole(c)) - whole(c); };
   EXPECT_EQ(count(cases, [&](const Case& c) { return whole(c) == 0; }), 0U);
@@ -245,7 +250,7 @@ TEST_P(Constructed, WholeDivisorTiesAreTiesOfThe8088) {
 }
 
 TEST_P(Constructed, LargeQuotientsStandOnBothSidesOfBothLimits) {
-  const auto cases = made(Operation::div, Stream::large_quotients);
+  const auto cases = made(cases::Operation::div, cases::Stream::large_quotients);
   for (const std::int64_t edge : {limit(), 2 * limit()}) {
     const auto side = [&](auto compare) {
       return count(cases, [&](const Case& c) {
@@ -259,13 +264,13 @@ TEST_P(Constructed, LargeQuotientsStandOnBothSidesOfBothLimits) {
 }
 
 TEST_P(Constructed, SmallDivisorsAreBelowOne) {
-  const auto cases = made(Operation::div, Stream::small_divisors);
+  const auto cases = made(cases::Operation::div, cases::Stream::small_divisors);
   EXPECT_EQ(count(cases, [&](const Case& c) { return std::abs(c[1]) < one(); }), sample);
   EXPECT_GT(count(cases, [](const Case& c) { return c[1] == 0; }), 0U);
 }
 
 TEST_P(Constructed, FaultEdgeLiesOnBothSidesOfBothRules) {
-  const auto cases = made(Operation::div, Stream::fault_edge);
+  const auto cases = made(cases::Operation::div, cases::Stream::fault_edge);
   for (const std::int64_t off : {-1, 0, 1}) {
     EXPECT_GT(count(cases,
                     [&](const Case& c) {
@@ -280,8 +285,8 @@ TEST_P(Constructed, FaultEdgeLiesOnBothSidesOfBothRules) {
 }
 
 TEST(Streams, RotationsAreOrthonormal) {
-  const Variant xform{.operation = Operation::xformvec};
-  for (const Case& c : cases_of(Stream::rotations, xform)) {
+  const cases::Variant xform{.operation = cases::Operation::xformvec};
+  for (const Case& c : cases_of(cases::Stream::rotations, xform)) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
         double dot = 0;
@@ -295,8 +300,8 @@ TEST(Streams, RotationsAreOrthonormal) {
 }
 
 TEST(Streams, AxesHoldTheIdentityAndItsNegative) {
-  for (const Operation operation : {Operation::xformvec, Operation::concat}) {
-    const auto cases = cases_of(Stream::axes, {.operation = operation});
+  for (const cases::Operation operation : {cases::Operation::xformvec, cases::Operation::concat}) {
+    const auto cases = cases_of(cases::Stream::axes, {.operation = operation});
     for (const std::int64_t sign : {1, -1}) {
       EXPECT_GT(count(cases,
                       [&](const Case& c) {
@@ -313,9 +318,9 @@ TEST(Streams, AxesHoldTheIdentityAndItsNegative) {
 }
 
 TEST(Streams, TransformTiesMakeEveryProductATie) {
-  for (const Operation operation : {Operation::xformvec, Operation::concat}) {
-    const std::size_t columns = operation == Operation::concat ? 4 : 1;
-    for (const Case& c : cases_of(Stream::transform_ties, {.operation = operation})) {
+  for (const cases::Operation operation : {cases::Operation::xformvec, cases::Operation::concat}) {
+    const std::size_t columns = operation == cases::Operation::concat ? 4 : 1;
+    for (const Case& c : cases_of(cases::Stream::transform_ties, {.operation = operation})) {
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
           for (std::size_t column = 0; column < columns; ++column) {
@@ -329,9 +334,9 @@ TEST(Streams, TransformTiesMakeEveryProductATie) {
 
 TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
   for (const int bits : {16, 8}) {
-    const auto cases =
-        cases_of(Stream::quarter_turns,
-                 {.operation = Operation::sin, .target = Target::standard, .fraction_bits = bits});
+    const auto cases = cases_of(cases::Stream::quarter_turns, {.operation = cases::Operation::sin,
+                                                               .target = cases::Target::standard,
+                                                               .fraction_bits = bits});
     const double quarter = std::ldexp(std::acos(0.0), bits);
     std::set<double> seen;
     for (const Case& c : cases) {
@@ -347,9 +352,10 @@ TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
 }
 
 TEST(Streams, HardAnglesAreNearHalfway) {
-  const Variant cosine{.operation = Operation::cos, .target = Target::standard};
-  ASSERT_EQ(size_of(Stream::hard_angles, cosine), 124U);
-  const auto cases = cases_of(Stream::hard_angles, cosine, 124);
+  const cases::Variant cosine{.operation = cases::Operation::cos,
+                              .target = cases::Target::standard};
+  ASSERT_EQ(cases::size_of(cases::Stream::hard_angles, cosine), 124U);
+  const auto cases = cases_of(cases::Stream::hard_angles, cosine, 124);
   const auto from_half = [](long double exact) {
     const long double units = exact * 65536;
     return std::abs(units - std::floor(units) - 0.5L);
@@ -367,35 +373,35 @@ TEST(Streams, HardAnglesAreNearHalfway) {
 // sums in the fourth column many carry and many do not.
 TEST(Streams, SumsOfTransformsCarryAndDoNot) {
   for (const bool round : {true, false}) {
-    const Variant printed{
-        .operation = Operation::concat, .target = Target::i8088, .mul_round = round};
-    Variant repaired = printed;
+    const cases::Variant printed{
+        .operation = cases::Operation::concat, .target = cases::Target::i8088, .mul_round = round};
+    cases::Variant repaired = printed;
     repaired.repaired = true;
-    const Plan plan(1, seed, {{printed, {"a", "b"}}});
+    const cases::Plan plan(1, seed, {{printed, {"a", "b"}}});
     EXPECT_EQ(plan.jobs().size(), 6U);
-    for (const Job& job : plan.jobs()) {
+    for (const cases::Job& job : plan.jobs()) {
       constexpr std::size_t rows = 3 * sample;
-      std::vector<std::uint32_t> in(sample * words_in(Operation::concat));
-      make_cases(job.stream, printed, seed, 0, in);
-      const auto answers = [&](const Variant& v) {
-        std::vector<std::uint32_t> out(sample * words_out(Operation::concat));
-        std::vector<Ending> endings(sample);
-        party_named("fast").answer(v, {in, out, endings});
+      std::vector<std::uint32_t> in(sample * cases::words_in(cases::Operation::concat));
+      cases::make_cases(job.stream, printed, seed, 0, in);
+      const auto answers = [&](const cases::Variant& v) {
+        std::vector<std::uint32_t> out(sample * cases::words_out(cases::Operation::concat));
+        std::vector<parties::Ending> endings(sample);
+        parties::party_named("fast").answer(v, {in, out, endings});
         return out;
       };
       const auto lossy = answers(printed);
       const auto whole = answers(repaired);
       std::size_t carries = 0;
       for (std::size_t i = 0; i < whole.size(); ++i) carries += lossy[i] != whole[i] ? 1U : 0U;
-      EXPECT_GT(carries, rows / 10) << name_of(job.stream);
-      EXPECT_LT(carries, rows * 9 / 10) << name_of(job.stream);
+      EXPECT_GT(carries, rows / 10) << cases::name_of(job.stream);
+      EXPECT_LT(carries, rows * 9 / 10) << cases::name_of(job.stream);
     }
   }
 }
 
 TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
-  const auto cases =
-      cases_of(Stream::root_ties, {.operation = Operation::sqrt, .target = Target::standard});
+  const auto cases = cases_of(cases::Stream::root_ties, {.operation = cases::Operation::sqrt,
+                                                         .target = cases::Target::standard});
   const auto fraction = [](const Case& c) {
     const double root = std::sqrt(static_cast<double>(c[0]) * 65536);
     return root - std::floor(root);

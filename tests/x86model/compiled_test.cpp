@@ -3,18 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include "parties/parties.hpp"
 #include "tests/x86model/cases.hpp"
-#include "verify/parties/parties.hpp"
 
 namespace {
 
 using namespace x86model;
 
 /// Programs are compiled where the party `model` is: to compile them here again takes a minute.
-void expect_agreement(const fixproof::Variant& variant) {
+void expect_agreement(const fixproof::cases::Variant& variant) {
   const auto words = test::cases(static_cast<Routine>(variant.operation));
-  const std::size_t in = fixproof::words_in(variant.operation);
-  const std::size_t out = fixproof::words_out(variant.operation);
+  const std::size_t in = fixproof::cases::words_in(variant.operation);
+  const std::size_t out = fixproof::cases::words_out(variant.operation);
   const std::size_t cases = words.size() / in;
   std::vector<std::uint32_t> operands = words;
   if (variant.fraction_bits == 8) {
@@ -22,32 +22,35 @@ void expect_agreement(const fixproof::Variant& variant) {
   }
   const auto answers = [&](const char* party) {
     std::vector<std::uint32_t> results(cases * out);
-    std::vector<fixproof::Ending> endings(cases);
-    fixproof::party_named(party).answer(variant, {operands, results, endings});
+    std::vector<fixproof::parties::Ending> endings(cases);
+    fixproof::parties::party_named(party).answer(variant, {operands, results, endings});
     return std::pair(results, endings);
   };
   const auto [compiled, compiled_ends] = answers("model");
   const auto [stepwise, stepwise_ends] = answers("interpreter");
   for (std::size_t i = 0; i < cases; ++i) {
-    ASSERT_EQ(compiled_ends[i], stepwise_ends[i]) << name_of(variant.operation) << " case " << i;
-    if (compiled_ends[i] != fixproof::Ending::value) continue;
+    ASSERT_EQ(compiled_ends[i], stepwise_ends[i])
+        << fixproof::cases::name_of(variant.operation) << " case " << i;
+    if (compiled_ends[i] != fixproof::parties::Ending::value) continue;
     for (std::size_t k = 0; k < out; ++k) {
       ASSERT_EQ(compiled[i * out + k], stepwise[i * out + k])
-          << name_of(variant.operation) << " case " << i;
+          << fixproof::cases::name_of(variant.operation) << " case " << i;
     }
   }
 }
 
-static_assert(static_cast<int>(Routine::concat) == static_cast<int>(fixproof::Operation::concat) &&
-                  static_cast<int>(Routine::mul) == static_cast<int>(fixproof::Operation::mul),
+static_assert(static_cast<int>(Routine::concat) ==
+                      static_cast<int>(fixproof::cases::Operation::concat) &&
+                  static_cast<int>(Routine::mul) ==
+                      static_cast<int>(fixproof::cases::Operation::mul),
               "routines are the first operations, in the same order");
 
 TEST(Compiled, AgreesWithTheInterpreter) {
   int programs = 0;
-  for (fixproof::Variant variant : fixproof::all_variants()) {
+  for (fixproof::cases::Variant variant : fixproof::cases::all_variants()) {
     for (const int bits : {16, 8}) {
       variant.fraction_bits = bits;
-      if (!fixproof::has_program(variant)) continue;
+      if (!fixproof::parties::has_program(variant)) continue;
       expect_agreement(variant);
       ++programs;
     }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verify/machine_code/machine_code.hpp"
+#include "machine_code/machine_code.hpp"
 #include "x86model/cosine_table.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"
@@ -14,24 +14,26 @@ using namespace x86model::notation;
 
 /// The programs together hold every form: a byte too many or too few shows in some sum.
 TEST(Encoding, ProgramsAreAsLongAsNasmMakesThem) {
-  for (const fixproof::ProgramKey& key : fixproof::all_programs()) {
-    const auto assembled = fixproof::machine_code(key);
-    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code_absence();
+  for (const fixproof::machine_code::ProgramKey& key : fixproof::machine_code::all_programs()) {
+    const auto assembled = fixproof::machine_code::machine_code(key);
+    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code::machine_code_absence();
     const std::size_t table = key.routine == Routine::cossin ? 4 * cosine_table.size() : 0;
     int bytes = 0;
     const Program program = assemble(listing(key.routine, key.target), key.build);
     for (const Instruction& i : program.instructions()) bytes += encoding_of(i).bytes();
-    EXPECT_EQ(static_cast<std::size_t>(bytes), assembled.size() - table) << name_of(key);
+    EXPECT_EQ(static_cast<std::size_t>(bytes), assembled.size() - table)
+        << fixproof::machine_code::name_of(key);
   }
 }
 
 TEST(Encoding, LoopsAreAsLongAsNasmMakesThem) {
   for (const LoopForm& form : all_loop_forms()) {
-    const auto assembled = fixproof::machine_code(form);
-    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code_absence();
+    const auto assembled = fixproof::machine_code::machine_code(form);
+    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code::machine_code_absence();
     int bytes = 0;
     for (const Instruction& i : code_of(form)) bytes += encoding_of(i).bytes();
-    EXPECT_EQ(static_cast<std::size_t>(bytes), assembled.size()) << fixproof::name_of(form);
+    EXPECT_EQ(static_cast<std::size_t>(bytes), assembled.size())
+        << fixproof::machine_code::name_of(form);
   }
 }
 
@@ -40,9 +42,9 @@ TEST(Encoding, LoopsAreAsLongAsNasmMakesThem) {
 TEST(Encoding, LabelsStandWhereNasmPutsThem) {
   constexpr std::uint8_t short_jump = 0xEB;
   std::size_t jumps = 0;
-  for (const fixproof::ProgramKey& key : fixproof::all_programs()) {
-    const auto assembled = fixproof::machine_code(key);
-    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code_absence();
+  for (const fixproof::machine_code::ProgramKey& key : fixproof::machine_code::all_programs()) {
+    const auto assembled = fixproof::machine_code::machine_code(key);
+    if (assembled.empty()) GTEST_SKIP() << fixproof::machine_code::machine_code_absence();
     const Program program = assemble(listing(key.routine, key.target), key.build);
     const auto code = program.instructions();
     std::vector<std::int32_t> starts{0};
@@ -58,7 +60,7 @@ TEST(Encoding, LabelsStandWhereNasmPutsThem) {
           near ? static_cast<std::int16_t>(assembled[end - 2] | unsigned{assembled[end - 1]} << 8U)
                : static_cast<std::int8_t>(assembled[end - 1]);
       EXPECT_EQ(starts[i + 1] + place, starts[static_cast<std::size_t>(to.value)])
-          << name_of(key) << ' ' << text_of(code[i]);
+          << fixproof::machine_code::name_of(key) << ' ' << text_of(code[i]);
       ++jumps;
     }
   }

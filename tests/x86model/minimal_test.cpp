@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
+#include "parties/party.hpp"
 #include "tests/x86model/cases.hpp"
-#include "verify/party.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"
@@ -68,14 +68,15 @@ std::vector<std::uint32_t> all_cases(Routine routine) {
 /// What the oracle says of every case of one build.
 struct Expected {
   std::vector<std::uint32_t> out;
-  std::vector<fixproof::Ending> endings;
+  std::vector<fixproof::parties::Ending> endings;
 };
 
 template <Routine routine, Target target>
 Expected oracle_of(const Build& build, std::span<const std::uint32_t> words) {
-  const fixproof::Variant variant{
-      .operation = static_cast<fixproof::Operation>(routine),
-      .target = target == Target::i386 ? fixproof::Target::i386 : fixproof::Target::i8088,
+  const fixproof::cases::Variant variant{
+      .operation = static_cast<fixproof::cases::Operation>(routine),
+      .target =
+          target == Target::i386 ? fixproof::cases::Target::i386 : fixproof::cases::Target::i8088,
       .mul_round = build.mul_rounding,
       .div_round = build.div_rounding,
       .chapter_52 = build.chapter_52,
@@ -83,8 +84,8 @@ Expected oracle_of(const Build& build, std::span<const std::uint32_t> words) {
   const std::size_t cases = words.size() / static_cast<std::size_t>(arity(routine).in);
   Expected expected{
       std::vector<std::uint32_t>(cases * static_cast<std::size_t>(arity(routine).out)),
-      std::vector<fixproof::Ending>(cases)};
-  fixproof::party_named("oracle").answer(variant, {words, expected.out, expected.endings});
+      std::vector<fixproof::parties::Ending>(cases)};
+  fixproof::parties::party_named("oracle").answer(variant, {words, expected.out, expected.endings});
   return expected;
 }
 
@@ -107,7 +108,7 @@ std::optional<std::size_t> first_broken(const Program& program,
     enter<routine>(m, words.subspan(i * in, in));
     const auto before = m.registers;
     const Outcome outcome = run(program.instructions(), m).outcome;
-    const bool faults = expected.endings[i] == fixproof::Ending::divide_error;
+    const bool faults = expected.endings[i] == fixproof::parties::Ending::divide_error;
     if (outcome != (faults ? Outcome::divide_error : Outcome::returned)) return i;
     if (faults) continue;
     for (const Register r : {Register::bp, Register::si, Register::di}) {

@@ -1,4 +1,4 @@
-#include "xsharp/files/part_file.hpp"
+#include "support/part_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,13 +10,13 @@
 
 #include "tests/xsharp/raster/scratch_folder.hpp"
 
-namespace xsharp {
+namespace fixproof {
 namespace {
 
 /// The message of the exception that writing to the path ends in.
 std::string refusal(const std::string& path) {
   try {
-    PartFile file(path);
+    support::PartFile file(path);
     file.append("xyz");
     file.finish();
   } catch (const std::runtime_error& error) {
@@ -50,7 +50,7 @@ class LongestFile {
 
 TEST(PartFile, AppearsWhenItIsFinished) {
   const ScratchFolder folder;
-  PartFile file(folder.path("a"));
+  support::PartFile file(folder.path("a"));
   file.append("0123");
   file.append("456");
   file.overwrite(2, "xy");
@@ -64,7 +64,7 @@ TEST(PartFile, LeavesTheOldFileUntilThen) {
   const ScratchFolder folder;
   folder.write("a", "old");
   {
-    PartFile file(folder.path("a"));
+    support::PartFile file(folder.path("a"));
     file.append("new");
     EXPECT_EQ(folder.read("a"), "old");
   }
@@ -76,7 +76,7 @@ TEST(PartFile, ReplacesWhatALinkLeadsTo) {
   const ScratchFolder folder;
   folder.write("a", "old");
   std::filesystem::create_symlink(folder.path("a"), folder.path("link"));
-  PartFile file(folder.path("link"));
+  support::PartFile file(folder.path("link"));
   file.append("new");
   file.finish();
   EXPECT_EQ(folder.read("a"), "new");
@@ -93,7 +93,7 @@ TEST(PartFile, NamesTheFileAndTheReasonOfAFailure) {
 
 TEST(PartFile, LeavesNothingBehindIfItsPlaceIsTaken) {
   const ScratchFolder folder;
-  PartFile file(folder.path("a"));
+  support::PartFile file(folder.path("a"));
   file.append("new");
   std::filesystem::create_directories(folder.path("a/b"));
   EXPECT_THROW(file.finish(), std::runtime_error);
@@ -104,8 +104,8 @@ TEST(PartFile, TouchesNoOtherPartOfTheSameFile) {
   const ScratchFolder folder;
   folder.write("other", "kept");
   std::filesystem::create_symlink(folder.path("other"), folder.path("a.part"));
-  PartFile first(folder.path("a"));
-  PartFile second(folder.path("a"));
+  support::PartFile first(folder.path("a"));
+  support::PartFile second(folder.path("a"));
   first.append("first");
   second.append("second");
   first.finish();
@@ -124,4 +124,4 @@ TEST(PartFile, TooLongForTheDiskIsAFailure) {
 }
 
 }  // namespace
-}  // namespace xsharp
+}  // namespace fixproof

@@ -1,0 +1,230 @@
+#include "cases/streams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+
+#include "cases/draw.hpp"
+#include "cases/stream_makers.hpp"
+
+namespace fixproof::cases {
+
+namespace {
+
+constexpr std::array<std::string_view, 19> stream_names{"uniform",
+                                                        "scaled",
+                                                        "lattice",
+                                                        "every",
+                                                        "product_ties",
+                                                        "near_product_ties",
+                                                        "quotient_ties",
+                                                        "near_quotient_ties",
+                                                        "whole_divisor_ties",
+                                                        "large_quotients",
+                                                        "small_divisors",
+                                                        "fault_edge",
+                                                        "rotations",
+                                                        "axes",
+                                                        "lattice_words",
+                                                        "transform_ties",
+                                                        "root_ties",
+                                                        "quarter_turns",
+                                                        "hard_angles"};
+
+[[noreturn]] void refuse(Stream stream, const Variant& variant) {
+  throw std::invalid_argument(
+      fmt::format("stream {} has no cases of {}", name_of(stream), name_of(variant.operation)));
+}
+
+/// Writes the cases that `make(draw, words of one case)` draws.
+template <class Make>
+void each_case(std::size_t arity, std::uint64_t key, std::uint64_t first,
+               std::span<std::uint32_t> words, Make make) {
+  for (std::size_t i = 0; i * arity < words.size(); ++i) {
+    Draw draw(key, first + i);
+    make(draw, words.subspan(i * arity, arity));
+  }
+}
+
+template <class Make>
+void each_pair(std::uint64_t key, std::uint64_t first, std::span<std::uint32_t> words,
+               const Format& format, Make make) {
+  each_case(2, key, first, words, [&](Draw& draw, std::span<std::uint32_t> one_case) {
+    const Pair pair = make(draw, format);
+    one_case[0] = format.word(pair.first);
+    one_case[1] = format.word(pair.second);
+  });
+}
+
+void count_lattice(std::size_t arity, const Format& format, std::uint64_t first,
+                   std::span<std::uint32_t> words) {
+  const auto values = boundary_lattice(format.word_bits);
+  for (std::size_t i = 0; i * arity < words.size(); ++i) {
+    std::uint64_t left = first + i;
+    for (std::size_t operand = arity; operand-- > 0; left /= values.size()) {
+      words[i * arity + operand] = values[left % values.size()];
+    }
+  }
+}
+
+void count_every(std::size_t arity, const Format& format, std::uint64_t first,
+                 std::span<std::uint32_t> words) {
+  if (arity == 1) {
+    for (std::size_t i = 0; i < words.size(); ++i)
+      words[i] = format.word(static_cast<std::int64_t>(first + i));
+    return;
+  }
+  for (std::size_t i = 0; 2 * i < words.size(); ++i) {
+    const std::uint64_t pair = first + i;
+    words[2 * i] = format.word(static_cast<std::int64_t>(pair >> format.word_bits));
+    words[2 * i + 1] = format.word(static_cast<std::int64_t>(pair));
+  }
+}
+
+/// Each of them, then its negative.
+void count_hard_angles(const Format& format, std::uint64_t first, std::span<std::uint32_t> words) {
+  const auto angles = hard_angles();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::uint64_t number = first + i;
+    const std::int64_t angle = angles[number / 2 % angles.size()];
+    words[i] = format.word(number % 2 == 0 ? angle : -angle);
+  }
+}
+
+bool is_stream_of(Stream stream, Operation operation) {
+  const std::size_t arity = words_in(operation);
+  switch (stream) {
+    case Stream::uniform:
+    case Stream::scaled:
+      return true;
+    case Stream::lattice:
+    case Stream::every:
+      return arity <= 2;
+    case Stream::product_ties:
+    case Stream::near_product_ties:
+      return operation == Operation::mul;
+    case Stream::quotient_ties:
+    case Stream::near_quotient_ties:
+    case Stream::whole_divisor_ties:
+    case Stream::large_quotients:
+    case Stream::small_divisors:
+    case Stream::fault_edge:
+      return operation == Operation::div;
+    case Stream::rotations:
+    case Stream::axes:
+    case Stream::lattice_words:
+    case Stream::transform_ties:
+      return operation == Operation::xformvec || operation == Operation::concat;
+    case Stream::root_ties:
+      return operation == Operation::sqrt;
+    case Stream::quarter_turns:
+    case Stream::hard_angles:
+      break;
+  }
+  return operation == Operation::sin || operation == Operation::cos;
+}
+
+}  // namespace
+
+std::string_view name_of(Stream stream) {
+  return stream_names.at(static_cast<std::size_t>(stream));
+}
+
+std::vector<std::uint32_t> boundary_lattice(int word_bits) {
+  const std::uint32_t all_ones = ~std::uint32_t{0} >> (32 - word_bits);
+  std::set<std::uint32_t> values;
+  const auto add = [&](std::uint32_t value) {
+    values.insert(value & all_ones);
+    values.insert(-value & all_ones);
+  };
+  for (const std::uint32_t small : {0U, 1U, 2U, 3U}) add(small);
+  for (int bit = 0; bit < word_bits; ++bit) {
+    const std::uint32_t power = std::uint32_t{1} << bit;
+    add(power - 1);
+    add(power);
+    add(power + 1);
+  }
+  for (const std::uint32_t pattern : {0x55555555U, 0xaaaaaaaaU, 0x33333333U, 0xccccccccU,
+                                      0x0f0f0f0fU, 0xf0f0f0f0U, 0x00ff00ffU, 0xff00ff00U}) {
+    add(pattern);
+  }
+  return {values.begin(), values.end()};
+}
+
+std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
+  if (stream == Stream::hard_angles) return 2 * hard_angles().size();
+  if (stream != Stream::lattice && stream != Stream::every) return std::nullopt;
+  const std::size_t arity = words_in(variant.operation);
+  const int bits = operand_bits(variant);
+  if (stream == Stream::lattice && arity <= 2) {
+    const std::uint64_t values = boundary_lattice(bits).size();
+    return arity == 1 ? values : values * values;
+  }
+  if (arity * static_cast<std::size_t>(bits) > 32) refuse(stream, variant);
+  return std::uint64_t{1} << (arity * static_cast<std::size_t>(bits));
+}
+
+void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::uint64_t first,
+                std::span<std::uint32_t> words) {
+  const Operation operation = variant.operation;
+  if (!is_stream_of(stream, operation)) refuse(stream, variant);
+  const Format format{variant.fraction_bits, operand_bits(variant)};
+  const std::size_t arity = words_in(operation);
+  // The variant's rules are left out on purpose: all variants of an operation meet the same cases.
+  const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +
+                            static_cast<std::uint64_t>(stream);
+  const auto pairs = [&](auto make) { each_pair(key, first, words, format, make); };
+  const auto cases = [&](auto make) { each_case(arity, key, first, words, make); };
+  switch (stream) {
+    case Stream::uniform:
+      return cases([&](Draw& draw, auto one_case) {
+        for (auto& word : one_case)
+          word = format.word(static_cast<std::int64_t>(draw.bits() >> 1U));
+      });
+    case Stream::scaled:
+      return cases([&](Draw& draw, auto one_case) {
+        for (auto& word : one_case) word = scaled_word(draw, format);
+      });
+    case Stream::lattice:
+      return count_lattice(arity, format, first, words);
+    case Stream::every:
+      return count_every(arity, format, first, words);
+    case Stream::product_ties:
+      return pairs(product_tie);
+    case Stream::near_product_ties:
+      return pairs(near_product_tie);
+    case Stream::quotient_ties:
+      return pairs(quotient_tie);
+    case Stream::near_quotient_ties:
+      return pairs(near_quotient_tie);
+    case Stream::whole_divisor_ties:
+      return pairs(whole_divisor_tie);
+    case Stream::large_quotients:
+      return pairs(large_quotient);
+    case Stream::small_divisors:
+      return pairs(small_divisor);
+    case Stream::fault_edge:
+      return pairs(fault_edge);
+    case Stream::rotations:
+      return cases([&](Draw& draw, auto one_case) { rotation(draw, format, one_case); });
+    case Stream::axes:
+      return cases([&](Draw& draw, auto one_case) { axes(draw, format, one_case); });
+    case Stream::lattice_words:
+      return cases([&, values = boundary_lattice(format.word_bits)](Draw& draw, auto one_case) {
+        for (auto& word : one_case) word = values[draw.below(values.size())];
+      });
+    case Stream::transform_ties:
+      return cases([&](Draw& draw, auto one_case) { transform_tie(draw, format, one_case); });
+    case Stream::root_ties:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = root_tie(draw, format); });
+    case Stream::quarter_turns:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = quarter_turn(draw, format); });
+    case Stream::hard_angles:
+      return count_hard_angles(format, first, words);
+  }
+}
+
+}  // namespace fixproof::cases

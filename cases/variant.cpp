@@ -1,0 +1,97 @@
+#include "cases/variant.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace fixproof::cases {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Operation>, 10> operations{{
+    {"mul", Operation::mul},
+    {"div", Operation::div},
+    {"cossin", Operation::cossin},
+    {"xformvec", Operation::xformvec},
+    {"concat", Operation::concat},
+    {"sqrt", Operation::sqrt},
+    {"sin", Operation::sin},
+    {"cos", Operation::cos},
+    {"decimal", Operation::decimal},
+    {"binary64", Operation::binary64},
+}};
+
+/// The one of that name among `known`.
+Operation named(std::string_view name, std::string_view kind,
+                std::span<const std::pair<std::string_view, Operation>> known) {
+  std::string all;
+  for (const auto& [other, operation] : known) {
+    if (other == name) return operation;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", other);
+  }
+  throw std::invalid_argument(fmt::format("unknown {} '{}'; there are {}", kind, name, all));
+}
+
+}  // namespace
+
+std::string_view name_of(Operation o) { return operations.at(static_cast<std::size_t>(o)).first; }
+
+std::string_view name_of(Target t) {
+  switch (t) {
+    case Target::i386:
+      return "i386";
+    case Target::i8088:
+      return "i8088";
+    case Target::standard:
+      break;
+  }
+  return "standard";
+}
+
+Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
+
+Operation routine_named(std::string_view name) {
+  return named(name, "routine", std::span(operations).first<5>());
+}
+
+std::vector<Variant> all_variants() {
+  std::vector<Variant> all;
+  for (const Operation o : {Operation::mul, Operation::div, Operation::cossin, Operation::xformvec,
+                            Operation::concat}) {
+    for (const Target t : {Target::i386, Target::i8088}) {
+      for (const bool round : {true, false}) {
+        all.push_back({.operation = o, .target = t, .mul_round = round, .div_round = round});
+      }
+    }
+  }
+  for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
+    all.push_back({.operation = o, .target = Target::i386, .chapter_52 = true});
+  }
+  for (const bool round : {true, false}) {
+    all.push_back({.operation = Operation::concat,
+                   .target = Target::i8088,
+                   .mul_round = round,
+                   .div_round = round,
+                   .repaired = true});
+  }
+  for (const Operation o :
+       {Operation::mul, Operation::div, Operation::xformvec, Operation::concat, Operation::sqrt,
+        Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {
+    all.push_back({.operation = o, .target = Target::standard});
+  }
+  return all;
+}
+
+std::string name_of(const Variant& v) {
+  std::string name = fmt::format("{} {}", name_of(v.operation), name_of(v.target));
+  if (v.target != Target::standard) name += fmt::format(" {}", rounds(v) ? "on" : "off");
+  if (v.chapter_52) name += ", chapter 52";
+  if (v.repaired) name += ", repaired";
+  if (v.fraction_bits == 8) name += ", 8.8";
+  return name;
+}
+
+}  // namespace fixproof::cases

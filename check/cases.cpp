@@ -1,0 +1,123 @@
+#include "check/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "cases/plan.hpp"
+#include "cases/words.hpp"
+#include "support/read_line.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::check {
+
+namespace {
+
+/// Cases made at a time.
+constexpr std::uint64_t cases_of_batch = 1024;
+
+/// The rules of the variant have no say in its cases.
+cases::Variant variant_of(cases::Operation operation) {
+  return {.operation = operation, .target = cases::Target::standard};
+}
+
+/// Two parties: a plan has no cases of what is not compared.
+cases::Plan plan_of(cases::Operation operation, const CaseOptions& options) {
+  return {static_cast<int>(options.level), options.seed, {{variant_of(operation), {"a", "b"}}}};
+}
+
+}  // namespace
+
+std::string CaseOptions::command_line(cases::Operation operation) const {
+  std::string text = fmt::format("fixproof gen {} --level {}", cases::name_of(operation), level);
+  if (seed != CaseOptions{}.seed) text += fmt::format(" --seed {}", seed);
+  if (shard != CaseOptions{}.shard) text += fmt::format(" --shard {}", shard);
+  if (cases) text += fmt::format(" --cases {}", *cases);
+  return text;
+}
+
+GeneratedCases::GeneratedCases(cases::Operation operation, const CaseOptions& options)
+    : variant_(variant_of(operation)),
+      plan_(plan_of(operation, options)),
+      shard_(cases::parse_shard(options.shard)),
+      seed_(options.seed),
+      all_(plan_.cases()),
+      wanted_(std::min(options.cases.value_or(all_), all_)),
+      batch_(cases_of_batch * cases::words_in(operation)) {
+  for (const cases::Job& job : plan_.jobs()) count_ += count_of(cases::name_of(job.stream));
+}
+
+std::uint64_t GeneratedCases::cases_before(const cases::Chunk& chunk) const {
+  std::uint64_t before = chunk.first;
+  for (const cases::Job* job = plan_.jobs().data(); job != chunk.job; ++job) before += job->cases;
+  return before;
+}
+
+// Below 2^64: a plan has less than 2^32 cases.
+std::uint64_t GeneratedCases::taken_of(std::uint64_t cases) const { return cases * wanted_ / all_; }
+
+std::uint64_t GeneratedCases::count_of(std::string_view stream) const {
+  std::uint64_t sum = 0;
+  for (std::uint64_t i = 0; i < plan_.chunks(); ++i) {
+    const cases::Chunk chunk = plan_.chunk(i);
+    if (!shard_.has(i) || cases::name_of(chunk.job->stream) != stream) continue;
+    const std::uint64_t before = cases_before(chunk);
+    sum += taken_of(before + chunk.cases) - taken_of(before);
+  }
+  return sum;
+}
+
+bool GeneratedCases::fill() {
+  while (!chunk_ || in_chunk_ == chunk_->cases) {
+    while (next_chunk_ < plan_.chunks() && !shard_.has(next_chunk_)) ++next_chunk_;
+    if (next_chunk_ == plan_.chunks()) return false;
+    chunk_ = plan_.chunk(next_chunk_++);
+    in_chunk_ = 0;
+    place_ = cases_before(*chunk_);
+    origin_ = cases::name_of(chunk_->job->stream);
+  }
+  const std::uint64_t cases = std::min(cases_of_batch, chunk_->cases - in_chunk_);
+  const auto batch = std::span(batch_).first(cases * cases::words_in(variant_.operation));
+  cases::make_cases(chunk_->job->stream, variant_, seed_, chunk_->first + in_chunk_, batch);
+  in_chunk_ += cases;
+  rest_ = batch;
+  return true;
+}
+
+bool GeneratedCases::next(std::span<std::uint32_t> words) {
+  for (;;) {
+    if (rest_.empty() && !fill()) return false;
+    const auto one = rest_.first(words.size());
+    rest_ = rest_.subspan(words.size());
+    ++place_;
+    if (taken_of(place_) == taken_of(place_ - 1)) continue;
+    std::copy(one.begin(), one.end(), words.begin());
+    return true;
+  }
+}
+
+FileCases::FileCases(cases::Operation operation, std::string path)
+    : variant_(variant_of(operation)), path_(std::move(path)), file_(path_) {
+  if (!file_) {
+    throw support::UsageError(
+        fmt::format("cannot read {}: {}", path_, std::generic_category().message(errno)));
+  }
+}
+
+bool FileCases::next(std::span<std::uint32_t> words) {
+  std::string line;
+  try {
+    do {
+      ++line_;
+      if (!support::read_line(file_, line)) return false;
+    } while (support::says_nothing(line));
+    cases::parse_words(line, variant_, words);
+  } catch (const support::UsageError& error) {
+    throw support::UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));
+  }
+  return true;
+}
+
+}  // namespace fixproof::check

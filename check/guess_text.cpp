@@ -1,0 +1,166 @@
+#include "check/guess_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "check/verdict_text.hpp"
+#include "support/plain_text.hpp"
+
+namespace fixproof::check {
+
+namespace {
+
+std::string_view phrase(Overflow rule) {
+  switch (rule) {
+    case Overflow::wrap:
+      return "wraps";
+    case Overflow::saturate:
+      return "saturates to 7fffffff and 80000000";
+    case Overflow::symmetric:
+      return "saturates to 7fffffff and 80000001";
+    case Overflow::maximum:
+      return "gives 7fffffff whatever the sign";
+    case Overflow::minimum:
+      return "gives 80000000 whatever the sign";
+    case Overflow::error:
+      return "says DE";
+    case Overflow::any:
+      break;
+  }
+  return "gives anything";
+}
+
+std::string_view phrase(NoResult rule) {
+  switch (rule) {
+    case NoResult::error:
+      return "says DE";
+    case NoResult::saturate:
+      return "gives 7fffffff or 80000000, by the sign of the dividend";
+    case NoResult::symmetric:
+      return "gives 7fffffff or 80000001, by the sign of the dividend";
+    case NoResult::maximum:
+      return "gives 7fffffff";
+    case NoResult::minimum:
+      return "gives 80000000";
+    case NoResult::zero:
+      return "gives 0";
+    case NoResult::mirror:
+      return "gives minus the root of the magnitude";
+    case NoResult::any:
+      break;
+  }
+  return "gives anything";
+}
+
+constexpr std::string_view mirrored_down =
+    "gives minus the root of the magnitude, rounded down, away from zero";
+constexpr std::string_view mirrored_toward_zero =
+    "gives minus the root of the magnitude, rounded toward zero";
+
+std::string joined(const std::vector<std::string_view>& names, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? last : std::string_view(", ");
+    text += names[i];
+  }
+  return text;
+}
+
+/// How large a part of the cases the exceptions are, and whether all are negative: ` (2.4 %, all of
+/// them negative)`. Nothing of a single one.
+std::string share_of(const RuleScore& score) {
+  const std::uint64_t part = score.exceptions.count();
+  if (part == 1) return "";
+  const double percent = 100 * static_cast<double>(part) / static_cast<double>(score.cases);
+  return fmt::format(" ({}{})",
+                     percent < 0.1 ? "1 in " + support::grouped(score.cases / part)
+                                   : fmt::format("{:.1f} %", percent),
+                     score.negative_exceptions == part ? ", all of them negative" : "");
+}
+
+/// One line of the guess, with the exceptions below it.
+/// @param what of which cases, such as "cases that overflow"
+std::string line_of(std::string_view subject, const BestRules& best,
+                    const std::vector<std::string_view>& names, std::string_view what,
+                    const Rules& shown_under) {
+  const std::string label = fmt::format("  {:<16} ", subject);
+  if (best.first.cases == 0) return fmt::format("{}cannot be told: no {}\n", label, what);
+  const std::uint64_t exceptions = best.first.exceptions.count();
+  if (exceptions == 0) {
+    std::string text = fmt::format("{}{} on all {} {}\n", label, joined(names, " or "),
+                                   support::grouped(best.first.cases), what);
+    if (names.size() > 1) text += "                   (which of these, no case tells)\n";
+    return text;
+  }
+  // A rule that most cases break is no guess.
+  const bool known = 2 * exceptions <= best.first.cases;
+  std::string text = fmt::format(
+      "{}{}, but for {} of {} {}{}:\n", label,
+      known ? joined(names, " or ")
+            : fmt::format("no known rule; nearest: {}", joined(names, ", ")),
+      support::grouped(exceptions), support::grouped(best.first.cases), what, share_of(best.first));
+  for (const JudgedCase& one : best.first.exceptions.shown()) {
+    text += fmt::format("    {}\n", text_of(one, shown_under));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string guess_text(const Judge& judge) {
+  const RuleTrial& trial = judge.trial();
+  const cases::Operation operation = judge.rules().operation;
+  Rules followed{.operation = operation};
+  std::string text = "What the subject does, all rules tried:\n";
+
+  const BestRules rounding = trial.rounding();
+  std::vector<std::string_view> names;
+  for (const std::size_t i : rounding.rules) names.push_back(name_of(roundings()[i]));
+  if (operation == cases::Operation::sqrt && rounding.first.cases > 0) {
+    // A root is never halfway: the rules are only two, to nearest and down.
+    const bool down = roundings()[rounding.rules.front()] == oracle::Rounding::floor;
+    names = {down ? "down" : "to nearest"};
+  }
+  // Of roots the rules that are one in range are two where a negative operand is mirrored.
+  const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&trial](std::size_t r) {
+    return trial.no_result(r).first.exceptions.count();
+  });
+  followed.rounding = roundings()[rule];
+  text += line_of("rounding", rounding, names, "cases in range", followed);
+
+  const BestRules overflow = trial.overflow(rule);
+  names.clear();
+  for (const std::size_t i : overflow.rules) names.push_back(phrase(overflow_rules()[i]));
+  followed.overflow = overflow_rules()[overflow.rules.front()];
+  if (operation != cases::Operation::sqrt) {
+    text += line_of("overflow", overflow, names, "cases that overflow", followed);
+  }
+
+  if (const auto rules = no_result_rules(operation); !rules.empty()) {
+    const BestRules none = trial.no_result(rule);
+    names.clear();
+    for (const std::size_t i : none.rules) names.push_back(phrase(rules[i]));
+    followed.no_result = rules[none.rules.front()];
+    const bool root = operation == cases::Operation::sqrt;
+    if (followed.no_result == NoResult::mirror && names.size() == 1) {
+      if (followed.rounding == oracle::Rounding::floor) names = {mirrored_down};
+      if (followed.rounding == oracle::Rounding::truncate) names = {mirrored_toward_zero};
+    }
+    text += line_of(root ? "negative operand" : "divide by zero", none, names,
+                    root ? "negative operands" : "zero divisors", followed);
+  }
+
+  if (const auto& error = judge.largest_error(); error && error->ulps > 0) {
+    text += fmt::format("  largest error    {:.5f} ulp in range", error->ulps);
+    // Of a subject that keeps its rule the case says nothing.
+    if (rounding.first.exceptions.count() > 0) text += ": " + text_of(error->at, followed);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace fixproof::check

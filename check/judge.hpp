@@ -1,0 +1,57 @@
+/// @file
+/// Holds a subject to its rules, case by case, and counts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "check/exact_place.hpp"
+#include "check/judged_case.hpp"
+#include "check/rules.hpp"
+#include "check/trial.hpp"
+
+namespace fixproof::check {
+
+/// Cases of one kind and sign.
+struct KindTally {
+  std::uint64_t cases = 0;
+  std::uint64_t wrong = 0;
+};
+
+/// The result in range that lies farthest from the exact one.
+struct LargestError {
+  double ulps = 0;
+  JudgedCase at;
+};
+
+class Judge {
+ public:
+  /// `most_shown`: wrong cases that are kept.
+  Judge(const Rules& rules, std::size_t most_shown);
+
+  void add(const JudgedCase& one);
+
+  [[nodiscard]] const Rules& rules() const { return rules_; }
+  [[nodiscard]] std::uint64_t cases() const { return cases_; }
+  /// Of all cases: those accepted whatever was said.
+  [[nodiscard]] std::uint64_t not_judged() const { return not_judged_; }
+  [[nodiscard]] const FirstCases& wrong() const { return wrong_; }
+  /// Of a kind; of those results below 0 alone if `negative`.
+  [[nodiscard]] KindTally tally(CaseKind kind, bool negative_alone) const;
+  /// Nothing where no result in range was given.
+  [[nodiscard]] const std::optional<LargestError>& largest_error() const { return largest_error_; }
+  [[nodiscard]] const RuleTrial& trial() const { return trial_; }
+
+ private:
+  Rules rules_;
+  std::uint64_t cases_ = 0;
+  std::uint64_t not_judged_ = 0;
+  FirstCases wrong_;
+  /// By kind, then by sign.
+  std::array<std::array<KindTally, 2>, case_kinds> tallies_{};
+  std::optional<LargestError> largest_error_;
+  RuleTrial trial_;
+};
+
+}  // namespace fixproof::check

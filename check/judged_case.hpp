@@ -1,0 +1,42 @@
+/// @file
+/// One case with what a subject said of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "check/rules.hpp"
+
+namespace fixproof::check {
+
+/// A case that is kept to be shown.
+struct JudgedCase {
+  std::uint64_t number = 0;  ///< from 1, as results are counted
+  std::string_view origin;   ///< the stream or the file that it is from; must outlive the case
+  std::array<std::uint32_t, 2> words{};
+  Said said;
+};
+
+/// The first cases of some sort, and how many there are.
+class FirstCases {
+ public:
+  FirstCases() = default;
+  explicit FirstCases(std::size_t most) : most_(most) {}
+
+  void add(const JudgedCase& one) {
+    if (count_++ < most_) shown_.push_back(one);
+  }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] const std::vector<JudgedCase>& shown() const { return shown_; }
+
+ private:
+  std::size_t most_ = 3;
+  std::uint64_t count_ = 0;
+  std::vector<JudgedCase> shown_;
+};
+
+}  // namespace fixproof::check

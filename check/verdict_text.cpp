@@ -1,0 +1,89 @@
+#include "check/verdict_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "cases/words.hpp"
+#include "check/guess_text.hpp"
+#include "support/plain_text.hpp"
+
+namespace fixproof::check {
+
+namespace {
+
+std::string text_of_said(Said said) {
+  return said ? cases::hex_words(std::span(&*said, 1), 32) : std::string("DE");
+}
+
+std::string table_line(std::string_view name, KindTally all, KindTally negative) {
+  return fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", name, support::grouped(all.cases),
+                     support::grouped(all.wrong), support::grouped(negative.cases),
+                     support::grouped(negative.wrong));
+}
+
+void add_to(KindTally& sum, KindTally other) {
+  sum.cases += other.cases;
+  sum.wrong += other.wrong;
+}
+
+std::string table_of(const Judge& judge) {
+  std::string text = fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", "exact result", "cases",
+                                 "wrong", "of them < 0", "wrong");
+  KindTally sum;
+  KindTally negative_sum;
+  for (std::size_t i = 0; i < case_kinds; ++i) {
+    const auto kind = static_cast<CaseKind>(i);
+    const KindTally all = judge.tally(kind, false);
+    const KindTally negative = judge.tally(kind, true);
+    add_to(sum, all);
+    add_to(negative_sum, negative);
+    if (all.cases == 0) continue;
+    text += table_line(name_of(kind, judge.rules().operation), all, negative);
+  }
+  return text + table_line("all", sum, negative_sum);
+}
+
+std::string wrong_cases(const Judge& judge) {
+  const FirstCases& wrong = judge.wrong();
+  if (wrong.count() == 0) return "";
+  std::string text = "\n";
+  for (const JudgedCase& one : wrong.shown()) text += text_of(one, judge.rules()) + '\n';
+  if (wrong.shown().size() < wrong.count()) {
+    text += fmt::format("The first {} of {} wrong results (--show N).\n", wrong.shown().size(),
+                        support::grouped(wrong.count()));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const JudgedCase& one, const Rules& rules) {
+  const std::size_t arity = cases::words_in(rules.operation);
+  const auto words = std::span(one.words).first(arity);
+  const cases::Variant variant{.operation = rules.operation, .target = cases::Target::standard};
+  const Expected expected = expected_of(rules, words);
+  const ExactPlace place = exact_place(rules.operation, words);
+  const auto ulps = rounded_result(rules.operation, words, rules.rounding);
+  const CaseKind kind = place.kind(ulps && !fits_word(*ulps));
+  std::string text =
+      fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number), one.origin,
+                  cases::hex_words(words, 32), cases::decimal_words(variant, words));
+  if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said));
+  text += fmt::format("{} said; ", text_of_said(one.said));
+  if (place.has_result) text += fmt::format("exact {} ulp, ", place.text());
+  return text + std::string(name_of(kind, rules.operation));
+}
+
+std::string verdict_text(const Judge& judge) {
+  std::string text = table_of(judge);
+  if (judge.not_judged() > 0) {
+    text += fmt::format("{} cases were not judged: any result is accepted of them.\n",
+                        support::grouped(judge.not_judged()));
+  }
+  return text + wrong_cases(judge) + '\n' + guess_text(judge);
+}
+
+}  // namespace fixproof::check

@@ -1,0 +1,240 @@
+// fixproof check: judges what somebody else's arithmetic said of the cases of fixproof gen.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include "check/cases.hpp"
+#include "check/judge.hpp"
+#include "check/results.hpp"
+#include "check/verdict_text.hpp"
+#include "cli/arguments.hpp"
+#include "cli/case_options.hpp"
+#include "cli/commands.hpp"
+#include "support/file.hpp"
+#include "support/frame_progress.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct CheckOptions {
+  std::string operation;
+  std::string rounding;
+  std::string overflow = "wrap";
+  std::string divide_by_zero = "de";
+  std::string negative_root = "de";
+  std::string results;
+  std::string from;
+  check::CaseOptions cases;
+  std::size_t shown = 10;
+};
+
+/// The rule of that name; `any` where that is one.
+template <class Rule>
+Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
+                std::optional<Rule> any = std::nullopt) {
+  std::string all;
+  for (const Rule rule : rules) {
+    if (check::name_of(rule) == name) return rule;
+    all += fmt::format("{}, ", check::name_of(rule));
+  }
+  if (any && name == "any") return *any;
+  if (any) all += "any, ";
+  all.resize(all.size() - 2);
+  throw support::UsageError(fmt::format("{} {}: there are {}", option, support::quoted(name), all));
+}
+
+check::Rules rules_of(const CheckOptions& options) {
+  check::Rules rules;
+  rules.operation = cases::operation_named(options.operation);
+  if (rules.operation != cases::Operation::mul && rules.operation != cases::Operation::div &&
+      rules.operation != cases::Operation::sqrt) {
+    throw support::UsageError(fmt::format("check {}: there are mul, div, sqrt", options.operation));
+  }
+  rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
+  rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
+                              std::optional(check::Overflow::any));
+  const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
+                               check::no_result_rules(cases::Operation::div),
+                               std::optional(check::NoResult::any));
+  const auto root = rule_named("--negative-root", options.negative_root,
+                               check::no_result_rules(cases::Operation::sqrt),
+                               std::optional(check::NoResult::any));
+  rules.no_result = rules.operation == cases::Operation::sqrt ? root : zero;
+  return rules;
+}
+
+std::string heading(const check::Rules& rules, const std::string& cases) {
+  std::string text =
+      fmt::format("{}: {}", cases::name_of(rules.operation), check::name_of(rules.rounding));
+  if (rules.operation != cases::Operation::sqrt) {
+    text += fmt::format(", overflow {}", check::name_of(rules.overflow));
+  }
+  if (rules.operation == cases::Operation::div) {
+    text += fmt::format(", divide by zero {}", check::name_of(rules.no_result));
+  }
+  if (rules.operation == cases::Operation::sqrt) {
+    text += fmt::format(", negative root {}", check::name_of(rules.no_result));
+  }
+  return text + fmt::format("; cases of {}\n\n", cases);
+}
+
+/// Judges a result for every case. What stops it before the end is thrown, or is an interrupt.
+void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& judge) {
+  const support::Interrupt interrupt;
+  support::FrameProgress progress(cases.count().value_or(1), "cases");
+  const auto arity = cases::words_in(judge.rules().operation);
+  check::JudgedCase one;
+  const auto words = std::span(one.words).first(arity);
+  while (!support::Interrupt::flag() && cases.next(words)) {
+    const auto said = results.next();
+    if (support::Interrupt::flag()) return;
+    if (!said) {
+      throw support::UsageError(
+          fmt::format("{} ends after {} result{}: there are {} cases", results.name(),
+                      support::grouped(judge.cases()), judge.cases() == 1 ? "" : "s",
+                      cases.count() ? support::grouped(*cases.count()) : "more"));
+    }
+    ++one.number;
+    one.origin = cases.origin();
+    one.said = *said;
+    judge.add(one);
+    if (cases.count() && judge.cases() % 4096 == 0) progress.show(judge.cases());
+  }
+  if (!support::Interrupt::flag() && results.next()) {
+    throw support::UsageError(fmt::format("{}, line {}: a result too many: there are {} cases",
+                                          results.name(), results.line(),
+                                          support::grouped(judge.cases())));
+  }
+}
+
+/// An option without a say is a slip of the pen.
+void refuse_idle_options(const CLI::App& command, cases::Operation operation) {
+  const auto refuse = [&command](const char* option, bool has_a_say, std::string_view of) {
+    if (has_a_say || command.count(option) == 0) return;
+    throw support::UsageError(fmt::format("{} is for {}", option, of));
+  };
+  refuse("--overflow", operation != cases::Operation::sqrt, "mul and div");
+  refuse("--divide-by-zero", operation == cases::Operation::div, "div");
+  refuse("--negative-root", operation == cases::Operation::sqrt, "sqrt");
+}
+
+int check(const CheckOptions& options) {
+  const check::Rules rules = rules_of(options);
+  std::unique_ptr<check::CaseSource> cases;
+  if (options.from.empty()) {
+    cases = std::make_unique<check::GeneratedCases>(rules.operation, options.cases);
+  } else {
+    cases = std::make_unique<check::FileCases>(rules.operation, options.from);
+  }
+  std::ifstream file;
+  if (!options.results.empty()) {
+    if (!options.from.empty() && support::same_file(options.from, options.results)) {
+      throw support::UsageError(fmt::format("--from {}: is the file of the results", options.from));
+    }
+    file.open(options.results);
+    if (!file) {
+      throw support::UsageError(fmt::format("cannot read {}: {}", options.results,
+                                            std::generic_category().message(errno)));
+    }
+  }
+  const bool piped = options.results.empty();
+  check::Results results(piped ? std::cin : file, piped ? "standard input" : options.results);
+  check::Judge judge(rules, options.shown);
+  std::string failure;
+  try {
+    judge_all(*cases, results, judge);
+  } catch (const support::UsageError& error) {
+    failure = error.what();
+  }
+  // What has been judged is shown, whatever came then.
+  if (judge.cases() > 0) {
+    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation)
+                                                     : options.from)
+              << check::verdict_text(judge);
+  }
+  if (support::Interrupt::flag()) {
+    std::cout << fmt::format("\nSTOPPED after {}{} cases\n", support::grouped(judge.cases()),
+                             cases->count() ? " of " + support::grouped(*cases->count()) : "");
+    return judge.wrong().count() > 0 ? 1 : support::interrupted_status;
+  }
+  if (!failure.empty()) throw support::UsageError(failure);
+  if (judge.cases() == 0) throw support::UsageError("there are no cases: nothing has been judged");
+  return judge.wrong().count() > 0 ? 1 : 0;
+}
+
+void add_check_options(CLI::App& command, CheckOptions& options) {
+  command.add_option("operation", options.operation, "mul, div or sqrt")->required();
+  command.add_option("results", options.results, "a file of results; by default standard input")
+      ->check(not_empty());
+  command
+      .add_option("--rounding", options.rounding,
+                  "half-up, half-away, half-even, floor or toward-zero")
+      ->required();
+  command
+      .add_option("--overflow", options.overflow,
+                  "wrap, saturate, symmetric, maximum, minimum, de or any")
+      ->capture_default_str();
+  command
+      .add_option("--divide-by-zero", options.divide_by_zero,
+                  "of div: de, saturate, symmetric, maximum, minimum, zero or any")
+      ->capture_default_str();
+  command
+      .add_option("--negative-root", options.negative_root,
+                  "of sqrt: de, maximum, minimum, zero, mirror or any")
+      ->capture_default_str();
+  auto* from = command
+                   .add_option("--from", options.from,
+                               "a file of cases; by default those of fixproof gen are made again")
+                   ->check(not_empty());
+  add_case_options(command, options.cases);
+  for (const char* of_gen : {"--level", "--seed", "--shard", "--cases"}) {
+    from->excludes(command.get_option(of_gen));
+  }
+  command.add_option("--show", options.shown, "wrong results shown")
+      ->transform(whole_number(0, 1'000'000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& status) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "judge another program's answers to the cases of gen, and say what rules it follows");
+  add_check_options(*command, *options);
+  command->footer(
+      "The program that is judged reads the lines of `fixproof gen`, passes over those that start\n"
+      "with #, and writes one result a line: 8 lower-case hex digits (no 0x, no decimal), or DE "
+      "for\n"
+      "a divide error. Give check the options --level, --seed, --shard and --cases that gen was\n"
+      "given: it makes the same cases again. With --from it reads cases of your own.\n\n"
+      "Of a result that does not fit a word, or that is none: wrap is modulo 2^32; saturate gives\n"
+      "7fffffff, or 80000000 if it is negative; symmetric 7fffffff or 80000001; maximum always\n"
+      "7fffffff; minimum always 80000000; mirror -sqrt(-x); any accepts everything, and is "
+      "counted.\n"
+      "A root has no ties: of sqrt the three rules half-... are one, to nearest, and floor and\n"
+      "toward-zero are another, but for mirror: down is away from zero there. 0 / 0 may be 0 too "
+      "where a rule goes by the sign.\n\n"
+      "Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 stopped before the "
+      "end.\n\n"
+      "Examples:\n"
+      "  fixproof gen mul | ./mine | fixproof check mul --rounding half-up\n"
+      "  fixproof gen div --level 2 -o cases && ./mine < cases > results\n"
+      "  fixproof check div results --level 2 --rounding toward-zero --overflow saturate\n"
+      "  ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any");
+  command->callback([options, command, &status] {
+    refuse_idle_options(*command, cases::operation_named(options->operation));
+    status = check(*options);
+  });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,115 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "proof/process.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+void add_all(CLI::App& app, int& status) {
+  app.name("fixproof");
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", std::string(program_version()));
+  add_verify(app, status);
+  add_merge(app, status);
+  add_gen(app, status);
+  add_check(app, status);
+  add_eval(app, status);
+  add_step(app, status);
+  add_trace(app, status);
+  add_list(app, status);
+  add_prove(app, status);
+  add_mutate(app, status);
+  add_dos(app, status);
+  add_render(app, status);
+  add_drift(app, status);
+  add_measure(app, status);
+  add_profile(app, status);
+  add_advise(app, status);
+  add_report(app, status);
+}
+
+/// While it lives, a stream of the library reads from or writes to another buffer.
+class Redirected {
+ public:
+  Redirected(std::ios& stream, std::streambuf* to) : stream_(stream), before_(stream.rdbuf(to)) {}
+  ~Redirected() { stream_.rdbuf(before_); }
+  Redirected(const Redirected&) = delete;
+  Redirected(Redirected&&) = delete;
+  Redirected& operator=(const Redirected&) = delete;
+  Redirected& operator=(Redirected&&) = delete;
+
+ private:
+  std::ios& stream_;
+  std::streambuf* before_;
+};
+
+}  // namespace
+
+int run_command_line(std::vector<std::string> arguments) {
+  CLI::App app{
+      "Bit-exact verification of 16.16 fixed-point arithmetic: a register-level model of the 8088\n"
+      "and 386 sequences of FIXED.ASM, a big-integer oracle and a production C++ type, compared."};
+  int status = 0;
+  add_all(app, status);
+  try {
+    // The library takes them from the back.
+    std::reverse(arguments.begin(), arguments.end());
+    app.parse(std::move(arguments));
+    if (app.get_subcommands().empty())
+      throw support::UsageError("which command? (see fixproof --help)");
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+  } catch (const CLI::ExtrasError&) {
+    const auto extra = app.remaining(true);
+    const char* what = app.get_subcommands().empty() ? "no such command" : "not expected";
+    fmt::print(stderr, "fixproof: {}: {} (see fixproof --help)\n", what,
+               support::printable(extra.front()));
+    return 2;
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "fixproof: {} (see fixproof --help)\n", support::printable(error.what()));
+    return 2;
+  } catch (const proof::Stopped&) {
+    fmt::print(stderr, "fixproof: stopped\n");
+    return support::interrupted_status;
+  } catch (const std::exception& error) {
+    std::cout.flush();
+    fmt::print(stderr, "fixproof: {}\n", support::printable(error.what()));
+    return 2;
+  }
+  // A full disk or a closed pipe shows at the latest here.
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "fixproof: cannot write standard output\n");
+    return 2;
+  }
+  return status;
+}
+
+Captured run_captured(std::vector<std::string> arguments, const std::string& input) {
+  std::istringstream in(input);
+  std::ostringstream out;
+  const Redirected read(std::cin, in.rdbuf());
+  const Redirected written(std::cout, out.rdbuf());
+  Captured captured;
+  captured.status = run_command_line(std::move(arguments));
+  captured.out = out.str();
+  return captured;
+}
+
+std::string_view program_version() { return FIXPROOF_VERSION; }
+
+}  // namespace fixproof::cli

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "cases/words.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/lines.hpp"
+#include "cli/options.hpp"
+#include "parties/party.hpp"
+#include "support/hex.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct EvalOptions {
+  std::string operation;
+  std::string by;
+  VariantOptions variant;
+};
+
+void append_answer(std::string& output, parties::Ending ending,
+                   std::span<const std::uint32_t> words) {
+  if (ending == parties::Ending::divide_error) {
+    output += "DE";
+    return;
+  }
+  if (ending != parties::Ending::value) throw support::UsageError("the party gave no answer");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) output += ' ';
+    support::append_hex(output, words[i], 8);
+  }
+}
+
+cases::Variant chosen(const EvalOptions& options) {
+  const cases::Operation operation = cases::operation_named(options.operation);
+  const VariantOptions& v = options.variant;
+  if (cases::is_routine(operation)) {
+    const cases::Variant variant = v.choose(operation);
+    if (v.as_printed && operation == cases::Operation::cossin &&
+        variant.target == cases::Target::i8088) {
+      throw support::UsageError(no_printed_shift);
+    }
+    return variant;
+  }
+  if (v.repaired) throw support::UsageError(only_repaired);
+  if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
+    throw support::UsageError(fmt::format(
+        "{} is no routine: it has neither target, rounding nor chapter", options.operation));
+  }
+  return {.operation = operation, .target = cases::Target::standard};
+}
+
+int run(const EvalOptions& options) {
+  const cases::Variant variant = chosen(options);
+  const cases::Operation operation = variant.operation;
+  const std::string by = !options.by.empty()            ? options.by
+                         : cases::is_routine(operation) ? "model"
+                                                        : "type";
+  const parties::Party& party = parties::party_named(by);
+  if (!party.answers(variant)) {
+    throw support::UsageError(
+        fmt::format("{} does not answer this variant of {}", by, options.operation));
+  }
+  std::array<std::uint32_t, cases::most_words_in> in{};
+  std::array<std::uint32_t, cases::most_words_out> out{};
+  const auto taken = std::span(in).first(cases::words_in(operation));
+  const auto given = std::span(out).first(cases::words_out(operation));
+  answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
+    cases::parse_words(line, variant, taken);
+    std::array<parties::Ending, 1> ending{};
+    party.answer(variant, {taken, given, ending});
+    append_answer(output, ending[0], given);
+  });
+  return 0;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, int& status) {
+  auto options = std::make_shared<EvalOptions>();
+  CLI::App* command =
+      app.add_subcommand("eval", "answer one case a line, read from standard input");
+  command
+      ->add_option("operation", options->operation,
+                   "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal or binary64")
+      ->required();
+  command
+      ->add_option(
+          "--by", options->by,
+          "model, interpreter, oracle, fast, type, silicon or unicorn; by default model, or "
+          "type for what is no routine")
+      ->check(not_empty());
+  options->variant.add_to(*command);
+  command->footer(
+      "Words are 8 lower-case hex digits of two's complement, single spaces between:\n"
+      "  mul, div   a b                             -> one word, DE for a divide error\n"
+      "  cossin     an angle in tenths, 4 digits    -> cosine and sine\n"
+      "  xformvec   12 words by rows, then x y z    -> 3 words\n"
+      "  concat     12 words, then 12               -> 12 words\n"
+      "  the others a word                          -> one word; sin and cos take radians\n"
+      "Blank lines and lines that start with # are passed over.\n\n"
+      "Examples:\n"
+      "  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000\n"
+      "  echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE\n"
+      "  echo 00010000 | fixproof eval sin                     # of one radian: 0000d76b\n"
+      "  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,135 @@
+// fixproof gen: the cases of a verification, for somebody else's arithmetic.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <memory>
+#include <optional>
+
+#include "check/cases.hpp"
+#include "cli/arguments.hpp"
+#include "cli/case_options.hpp"
+#include "cli/commands.hpp"
+#include "support/frame_progress.hpp"
+#include "support/hex.hpp"
+#include "support/interrupt.hpp"
+#include "support/part_file.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct GenOptions {
+  std::string operation;
+  check::CaseOptions cases;
+  std::string file;
+};
+
+/// Where lines go: a file that is there when it is complete, or standard output.
+class LineOutput {
+ public:
+  explicit LineOutput(const std::string& path) {
+    if (!path.empty()) file_.emplace(path);
+  }
+
+  /// @return false where the reader has gone away: it has what it wanted
+  bool write(std::string_view text) {
+    if (file_) {
+      file_->append(text);
+      return true;
+    }
+    while (!text.empty()) {
+      const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
+      if (written >= 0) {
+        text.remove_prefix(static_cast<std::size_t>(written));
+      } else if (errno == EPIPE) {
+        return false;
+      } else if (errno != EINTR) {
+        throw support::UsageError("cannot write standard output");
+      }
+    }
+    return true;
+  }
+
+  void finish() {
+    if (file_) file_->finish();
+  }
+
+ private:
+  std::optional<support::PartFile> file_;
+};
+
+int generate(const GenOptions& options) {
+  constexpr std::size_t enough = 1U << 16U;
+  const cases::Operation operation = cases::operation_named(options.operation);
+  check::GeneratedCases cases(operation, options.cases);
+  const std::uint64_t all = *cases.count();
+  if (all == 0)
+    throw support::UsageError(fmt::format("--shard {}: has no cases", options.cases.shard));
+  LineOutput output(options.file);
+  const cases::Variant variant{.operation = operation, .target = cases::Target::standard};
+  const auto digits = static_cast<std::size_t>(cases::operand_bits(variant) / 4);
+  std::array<std::uint32_t, cases::most_words_in> room{};
+  const auto words = std::span(room).first(cases::words_in(operation));
+  const support::Interrupt interrupt;
+  support::FrameProgress progress(all, "cases");
+  std::string pending = fmt::format("# {}: {} cases\n", options.cases.command_line(operation), all);
+  std::string_view stream;
+  std::uint64_t done = 0;
+  while (!support::Interrupt::flag() && cases.next(words)) {
+    if (cases.origin() != stream) {
+      stream = cases.origin();
+      pending += fmt::format("# {}: {} cases\n", stream, cases.count_of(stream));
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (i > 0) pending += ' ';
+      support::append_hex(pending, words[i], digits);
+    }
+    pending += '\n';
+    ++done;
+    if (pending.size() < enough) continue;
+    if (!output.write(pending)) return 0;
+    pending.clear();
+    if (!options.file.empty()) progress.show(done);
+  }
+  if (done < all) {
+    fmt::print(stderr, "fixproof: STOPPED after {} of {} cases{}\n", done, all,
+               options.file.empty() ? "" : "; " + options.file + " is not written");
+    return support::interrupted_status;
+  }
+  if (output.write(pending)) output.finish();
+  return 0;
+}
+
+}  // namespace
+
+void add_gen(CLI::App& app, int& status) {
+  auto options = std::make_shared<GenOptions>();
+  CLI::App* command =
+      app.add_subcommand("gen", "write the cases of a verification, for another program to answer");
+  command
+      ->add_option("operation", options->operation,
+                   "mul, div, sqrt, sin, cos, cossin, xformvec, concat, decimal or binary64")
+      ->required();
+  add_case_options(*command, options->cases);
+  command->add_option("-o,--output", options->file, "the file; by default standard output")
+      ->check(not_empty());
+  command->footer(
+      "One case a line, in the format that `fixproof eval` reads: operands as 8 lower-case hex "
+      "digits\n"
+      "of two's complement, single spaces between. They are the cases of `fixproof verify`, stream "
+      "by\n"
+      "stream: words where rules change, random ones, constructed ties and what lies beside them. "
+      "Lines\n"
+      "that start with # say which; a reader passes them over.\n\n"
+      "Exit status: 0 done, 2 bad usage, 130 stopped before the end.\n\n"
+      "Examples:\n"
+      "  fixproof gen mul | ./mine | fixproof check mul --rounding half-up\n"
+      "  fixproof gen div --level 2 --shard 1/4 -o cases.txt\n"
+      "  fixproof gen sqrt --cases 1000          # a thousand, evenly spread");
+  command->callback([options, &status] { status = generate(*options); });
+}
+
+}  // namespace fixproof::cli

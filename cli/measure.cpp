@@ -1,0 +1,83 @@
+// fixproof measure: what accuracy costs.
+#include "trade/measure.hpp"
+
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+
+namespace fixproof::cli {
+
+void add_measure(CLI::App& app, int& status) {
+  struct MeasureOptions {
+    bool accuracy = false;
+    bool clocks = false;
+    bool host = false;
+    bool stepping = false;
+    trade::MeasureRequest request;
+  };
+  auto options = std::make_shared<MeasureOptions>();
+  CLI::App* command = app.add_subcommand("measure", "measure what the arithmetic costs");
+  CLI::Option_group* what = command->add_option_group("what", "one of these");
+  CLI::Option* accuracy =
+      what->add_flag("--accuracy", options->accuracy,
+                     "errors of every operation under every variant, in units of the last place");
+  CLI::Option* clocks = what->add_flag(
+      "--clocks", options->clocks,
+      "clocks of every routine, and a pixel of every inner loop, on 8088, 286, 386, 486");
+  CLI::Option* host = what->add_flag(
+      "--host", options->host,
+      "nanoseconds on this processor, beside float, double and libraries, and their errors");
+  CLI::Option* stepping = what->add_flag(
+      "--stepping", options->stepping,
+      "errors of values stepped across spans, with derived bounds; what is drawn wrong of them; "
+      "clocks and nanoseconds of the loops");
+  what->require_option(1);
+  command
+      ->add_option("scene", options->request.scenes,
+                   "scenes whose operands are recorded, such as scenes/twelve_cubes.json")
+      ->check(not_empty())
+      ->excludes(host)
+      ->excludes(stepping);
+  command
+      ->add_option("--cases", options->request.cases,
+                   "random operands of one kind; spans of one length")
+      ->transform(whole_number(1, 100'000'000));
+  command->add_option("--seed", options->request.seed, "of the random operands")
+      ->transform(whole_number(0, ~std::uint64_t{0}))
+      ->capture_default_str();
+  command
+      ->add_option("--rounds", options->request.rounds,
+                   "of --host, each of about 0.07 s, and --stepping")
+      ->transform(whole_number(1, 100'000))
+      ->capture_default_str()
+      ->excludes(accuracy)
+      ->excludes(clocks);
+  command->add_option("--json", options->request.json, "a file for the same figures, as JSON")
+      ->check(not_empty());
+  command->footer(
+      "--accuracy sets results against exact integers; by default 500,000 operands of one kind.\n"
+      "--clocks counts by Intel's tables, and judges what the chapters say about speed.\n"
+      "--host judges what it times, by default 100,000 results of each, and takes no scene.\n"
+      "--stepping judges spans of 1 to 320 pixels, by default 200 of each length, and takes no\n"
+      "scene.\n\n"
+      "Exit status: 0 done, 1 a number that --host times breaks its own rule, or a stepped value "
+      "is\n"
+      "beyond the bound derived for it, 2 bad usage or a scene that is refused, 130 stopped "
+      "before\n"
+      "the end.\n\n"
+      "Examples:\n"
+      "  fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json\n"
+      "  fixproof measure --clocks scenes/twelve_cubes.json scenes/ball_and_cubes.json \\\n"
+      "    scenes/shaded_ball.json --json clocks.json\n"
+      "  fixproof measure --host --json host.json\n"
+      "  fixproof measure --stepping --json stepping.json");
+  command->callback([options, &status] {
+    status = options->accuracy   ? trade::measure_accuracy(options->request)
+             : options->host     ? trade::measure_host(options->request)
+             : options->stepping ? trade::measure_stepping(options->request)
+                                 : trade::measure_clocks(options->request);
+  });
+}
+
+}  // namespace fixproof::cli

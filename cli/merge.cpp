@@ -1,0 +1,58 @@
+#include "verify/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/table.hpp"
+#include "support/file.hpp"
+#include "verify/report_file.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct MergeOptions {
+  std::vector<std::string> files;
+  std::string report;
+};
+
+int run(const MergeOptions& options) {
+  std::vector<verify::NamedReport> parts;
+  for (const std::string& file : options.files) parts.push_back({file, verify::read_report(file)});
+  const verify::Report sum = verify::merged(parts);
+  if (!options.report.empty()) support::replace_file(options.report, verify::to_json(sum));
+  std::cout << table(sum) << std::flush;
+  const std::string lacking = verify::missing(sum, parts);
+  if (!lacking.empty()) fmt::print(stderr, "fixproof: {}\n", lacking);
+  // What is missing cannot undo a mismatch.
+  if (sum.mismatches() > 0) return 1;
+  return lacking.empty() ? 0 : 2;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, int& status) {
+  auto options = std::make_shared<MergeOptions>();
+  CLI::App* command = app.add_subcommand("merge", "add the reports of shards of one verification");
+  command->add_option("reports", options->files, "files written by verify --report")->required();
+  command->add_option("--report", options->report, "write the sum to this file, as verify does")
+      ->check(not_empty());
+  command->footer(
+      "The parts must be of the same verification (level, seed, rows, parties) and have no chunk "
+      "in\n"
+      "common. If chunks are missing, the table shows what there is, the missing shards are named, "
+      "and\n"
+      "the exit status is 2 (1 if there are mismatches); `verify --resume SUM` can run the "
+      "rest.\n\n"
+      "Example:\n"
+      "  fixproof verify --shard 1/2 --report a.json     # on one machine\n"
+      "  fixproof verify --shard 2/2 --report b.json     # on another\n"
+      "  fixproof merge a.json b.json --report all.json");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace fixproof::cli

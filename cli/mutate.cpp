@@ -1,0 +1,241 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "cases/words.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/selection.hpp"
+#include "cli/solver_options.hpp"
+#include "machine_code/programs.hpp"
+#include "proof/kill.hpp"
+#include "proof/process.hpp"
+#include "support/frame_progress.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct MutateOptions {
+  Selection selection;
+  SolverOptions solver{.seconds = 60};
+  std::uint64_t seed = 1994;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  bool verbose = false;
+};
+
+/// A mutant and what became of it.
+struct Trial {
+  cases::Variant variant{};
+  std::optional<x86model::LoopForm> loop{};  ///< in the place of a variant
+  std::size_t number = 0;                    ///< among the mutants of its variant, from 1
+  x86model::Mutant mutant;
+  proof::Judgement judgement{};
+  bool done = false;
+};
+
+std::vector<Trial> trials_of(const Selection& selection) {
+  std::vector<Trial> trials;
+  const Programs programs = chosen_programs(selection);
+  for (const cases::Variant& v : programs.routines) {
+    std::size_t number = 0;
+    for (x86model::Mutant& mutant : proof::mutants_of(v)) {
+      trials.push_back({.variant = v, .number = ++number, .mutant = std::move(mutant)});
+    }
+  }
+  for (const x86model::LoopForm& form : programs.loops) {
+    std::size_t number = 0;
+    const auto sound = x86model::assemble(x86model::listing(form), {});
+    for (x86model::Mutant& mutant : x86model::mutants(sound)) {
+      trials.push_back({.loop = form, .number = ++number, .mutant = std::move(mutant)});
+    }
+  }
+  return trials;
+}
+
+std::string name_of_trial(const Trial& trial) {
+  return trial.loop ? machine_code::name_of(*trial.loop) : cases::name_of(trial.variant);
+}
+
+void judge_all(std::vector<Trial>& trials, const MutateOptions& options,
+               const proof::Solver& solver) {
+  support::FrameProgress progress(std::max<std::size_t>(1, trials.size()), "mutants");
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < trials.size() && !support::Interrupt::flag(); i = next++) {
+        Trial& trial = trials[i];
+        const auto judged = [&](const auto& subject) {
+          return proof::judge(subject, trial.mutant.program, options.seed, solver,
+                              options.solver.seconds);
+        };
+        trial.judgement = trial.loop ? judged(*trial.loop) : judged(trial.variant);
+        const std::lock_guard lock(mutex);
+        trial.done = true;
+        progress.show(++done);
+      }
+    } catch (const proof::Stopped&) {
+      // Ends the solver, and the threads one after the other: that trial is not judged.
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+      next = trials.size();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+std::string what_became_of(const Trial& trial) {
+  const proof::Judgement& j = trial.judgement;
+  switch (j.fate) {
+    case proof::Fate::killed:
+      return fmt::format("killed by case {}", support::grouped(j.cases));
+    case proof::Fate::equivalent:
+      return "equivalent";
+    case proof::Fate::gap:
+      break;
+  }
+  if (j.proof.standing != proof::Standing::disproven) {
+    return fmt::format("GAP: survives level 1, not decided{}{}", j.failure.empty() ? "" : ": ",
+                       support::printable(j.failure));
+  }
+  if (trial.loop) return "GAP: survives all spans, but its turn is disproven";
+  return fmt::format("GAP: survives level 1, but fails at {}",
+                     cases::hex_words(j.proof.counterexample, cases::operand_bits(trial.variant)));
+}
+
+/// Counts of one variant, or of all.
+struct Score {
+  std::size_t mutants = 0;
+  std::size_t killed = 0;
+  std::size_t equivalent = 0;
+  std::size_t gaps = 0;
+  std::uint64_t slowest = 0;
+
+  void add(const proof::Judgement& j) {
+    ++mutants;
+    ++(j.fate == proof::Fate::killed       ? killed
+       : j.fate == proof::Fate::equivalent ? equivalent
+                                           : gaps);
+    if (j.fate == proof::Fate::killed) slowest = std::max(slowest, j.cases);
+  }
+  [[nodiscard]] std::string line(std::string_view name) const {
+    return fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", name, support::grouped(mutants),
+                       support::grouped(killed), support::grouped(equivalent), gaps,
+                       support::grouped(slowest));
+  }
+};
+
+int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
+  std::string notable;
+  std::string lines;
+  Score all;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < trials.size();) {
+    const std::string name = name_of_trial(trials[i]);
+    Score score;
+    for (; i < trials.size() && name_of_trial(trials[i]) == name; ++i) {
+      const Trial& trial = trials[i];
+      if (!trial.done) {
+        ++left;
+        continue;
+      }
+      score.add(trial.judgement);
+      all.add(trial.judgement);
+      if (verbose || trial.judgement.fate == proof::Fate::gap) {
+        notable += fmt::format("{}, mutant {}: {}: {}\n", name, trial.number, trial.mutant.change,
+                               what_became_of(trial));
+      }
+    }
+    lines += score.line(name);
+  }
+  std::cout << notable << (notable.empty() ? "" : "\n")
+            << fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
+                           "equivalent", "gaps", "slowest kill")
+            << lines << all.line("all");
+  const std::size_t mortal = all.killed + all.gaps;
+  std::cout << fmt::format(
+      "\nScore: {} of {} mutants that are not equivalent are killed by level 1"
+      " ({:.2f} %); {}\n",
+      support::grouped(all.killed), support::grouped(mortal),
+      mortal == 0 ? 100.0 : 100.0 * static_cast<double>(all.killed) / static_cast<double>(mortal),
+      support::duration(seconds));
+  if (left > 0) {
+    std::cout << fmt::format("Stopped. INCOMPLETE: {} mutants are not judged.\n",
+                             support::grouped(left));
+  }
+  if (all.gaps > 0) return 1;
+  return left > 0 ? support::interrupted_status : 0;
+}
+
+int run(const MutateOptions& options) {
+  std::vector<Trial> trials = trials_of(options.selection);
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    // Not longer: a report may wait for its reader, and Ctrl-C must end that.
+    const support::Interrupt interrupt;
+    const proof::Solver solver(options.solver.name);
+    std::cout << fmt::format("{} mutants, seed {}, {}\n\n", support::grouped(trials.size()),
+                             options.seed, solver.version())
+              << std::flush;
+    judge_all(trials, options, solver);
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  return report(trials, options.verbose, passed.count());
+}
+
+}  // namespace
+
+void add_mutate(CLI::App& app, int& status) {
+  auto options = std::make_shared<MutateOptions>();
+  CLI::App* command =
+      app.add_subcommand("mutate", "measure what level 1 would catch, by planting mistakes");
+  command->add_option("operations", options->selection.operations,
+                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
+                      "gouraud-word, depth, texture; none: all");
+  options->selection.variant.add_to(*command);
+  command->add_option("--seed", options->seed, "of the random cases")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  options->solver.add_to(*command);
+  command
+      ->add_option("--threads", options->threads, "of the run; by default one for each processor")
+      ->transform(whole_number(1, 1024));
+  command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
+  command->footer(
+      "Every single instruction of every routine and inner loop is changed in every way that "
+      "x86model/mutants.hpp\n"
+      "names. A mutant is killed by the first case of level 1 on which it differs from the "
+      "oracle,\n"
+      "faults or breaks down where it should not; of the others the solver tells which are the "
+      "same\n"
+      "routine for all operands. What remains is a gap of the verification. A loop is judged by\n"
+      "spans of every length up to 320 pixels.\n\n"
+      "Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 stopped before the end.\n\n"
+      "Examples:\n"
+      "  fixproof mutate mul div\n"
+      "  fixproof mutate div --target i8088 --round on --verbose");
+  command->callback([command, options, &status] {
+    options->selection.chapter_given = command->count("--chapter") > 0;
+    status = run(*options);
+  });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,109 @@
+// fixproof profile: what a scene asks of the arithmetic.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/surface_options.hpp"
+#include "player/canvas.hpp"
+#include "player/outputs.hpp"
+#include "player/players.hpp"
+#include "support/file.hpp"
+#include "support/frame_progress.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "trade/profile/profile_text.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct ProfileOptions {
+  SceneOptions scene;
+  SurfaceOptions surfaces;
+  std::optional<std::uint64_t> frames;
+  std::string json;
+};
+
+int run_profile(const ProfileOptions& options) {
+  xsharp::Scene scene = options.scene.read();
+  options.surfaces.apply(scene);
+  if (!options.json.empty()) {
+    player::refuse_inputs("--json", options.json, scene.files);
+    support::check_replaceable(options.json);
+  }
+  const std::uint64_t frames = options.frames.value_or(
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  std::unique_ptr<xsharp::Player> player;
+  trade::Profiler profiler(scene, scene.arithmetic);
+  const auto canvas = player::canvas_of_surfaces(scene);
+  xsharp::Picture picture;
+  const support::Interrupt interrupt;
+  support::FrameProgress progress(frames);
+  std::uint64_t done = 0;
+  for (; done < frames && !support::Interrupt::flag(); ++done) {
+    player::OperandLog log;
+    {
+      const player::Recording recording(log);
+      if (player) {
+        player->move();
+      } else {
+        // Sines of steps are looked up here: they count for the first frame.
+        player = player::make_player(scene, scene.arithmetic);
+      }
+      player->draw(picture);
+      if (canvas) canvas->show(picture);
+    }
+    profiler.add(log, *player);
+    progress.show(done + 1);
+  }
+  const trade::SceneProfile& profile = profiler.profile();
+  std::cout << fmt::format("{}, {}: {} frames\n\n", support::printable(scene.name),
+                           player::name_of(scene.arithmetic), support::grouped(done))
+            << trade::text_of(profile);
+  if (done < frames) {
+    std::cout << fmt::format("\nSTOPPED after {} of {} frames{}\n", support::grouped(done),
+                             support::grouped(frames),
+                             options.json.empty() ? "" : "; no JSON is written");
+    return support::interrupted_status;
+  }
+  if (!options.json.empty())
+    support::replace_file(options.json, trade::json_of(profile, scene.name));
+  return 0;
+}
+
+}  // namespace
+
+void add_profile(CLI::App& app, int& status) {
+  auto options = std::make_shared<ProfileOptions>();
+  CLI::App* command =
+      app.add_subcommand("profile", "record what a scene asks of the arithmetic while it runs");
+  options->scene.add_to(*command);
+  // Listings alone have instructions to be recorded.
+  command->remove_option(command->get_option("--arith"));
+  options->scene.by = "model";
+  command->get_option("--target")->description("rules of i386 or i8088");
+  options->surfaces.add_to(*command);
+  command->add_option("--frames", options->frames, "how many; by default ten seconds")
+      ->transform(whole_number(1, 100'000'000));
+  command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
+  command->footer(
+      "Runs the scene on the register-level model and reports, routine by routine, how often it "
+      "is\n"
+      "called, the range of its operands and results, how near they came to overflow, to a divide\n"
+      "error and to the near plane, and which instructions the scene never needed.\n\n"
+      "Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.\n\n"
+      "Examples:\n"
+      "  fixproof profile scenes/twelve_cubes.json\n"
+      "  fixproof profile scenes/shaded_ball.json --target i8088 --frames 100 --json ball.json");
+  command->callback([options, &status] { status = run_profile(*options); });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,284 @@
+#include "proof/prove.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include "cases/words.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/selection.hpp"
+#include "cli/solver_options.hpp"
+#include "machine_code/programs.hpp"
+#include "parties/interpreter.hpp"
+#include "proof/kill.hpp"
+#include "proof/lemmas.hpp"
+#include "proof/process.hpp"
+#include "proof/step_proof.hpp"
+#include "support/file.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+#include "verify/replay.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct ProveOptions {
+  Selection selection;
+  SolverOptions solver{.seconds = 60};
+  std::string directory;
+  std::size_t mutant = 0;  ///< 0: none
+};
+
+/// What was asked, by how it stands.
+struct Tally {
+  std::size_t proven = 0;
+  std::size_t disproven = 0;
+  std::size_t open = 0;
+  double seconds = 0;
+
+  [[nodiscard]] std::size_t answered() const { return proven + disproven + open; }
+  void add(proof::Standing standing, double took) {
+    ++(standing == proof::Standing::proven      ? proven
+       : standing == proof::Standing::disproven ? disproven
+                                                : open);
+    seconds += took;
+  }
+};
+
+void print_line(std::string_view name, std::string_view result, double seconds) {
+  std::cout << fmt::format("{:<41}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
+}
+
+std::string_view word_for(proof::Standing standing) {
+  switch (standing) {
+    case proof::Standing::proven:
+      return "proven";
+    case proof::Standing::disproven:
+      return "DISPROVEN";
+    case proof::Standing::open:
+      break;
+  }
+  return "not decided";
+}
+
+x86model::Program sound_program(const x86model::LoopForm& form) {
+  return x86model::assemble(x86model::listing(form), {});
+}
+
+/// What the proofs of the routines rest on; those of the loops rest on nothing.
+std::span<const proof::Lemma> lemmas_for(const Programs& programs) {
+  return programs.routines.empty() ? std::span<const proof::Lemma>{} : proof::lemmas();
+}
+
+/// The roundings for which the proof of the lost carry runs: those of the repaired ConcatXforms
+/// that are chosen.
+std::vector<bool> lost_carries(const ProveOptions& options, const Programs& programs) {
+  std::vector<bool> roundings;
+  for (const cases::Variant& v : programs.routines) {
+    if (v.repaired && options.mutant == 0) roundings.push_back(v.mul_round);
+  }
+  return roundings;
+}
+
+std::string name_of_lost_carry(bool mul_round) {
+  return fmt::format("lost carry, i8088 {}", mul_round ? "on" : "off");
+}
+
+/// `mul i386 on` as `mul-i386-on.smt2`.
+std::string file_name(std::string name) {
+  for (char& c : name) {
+    if (c == ' ') c = '-';
+  }
+  std::erase(name, ',');
+  return name + ".smt2";
+}
+
+void write_scripts(const ProveOptions& options, const Programs& programs) {
+  const std::string& directory = options.directory;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    throw support::UsageError(
+        fmt::format("--write {}: cannot be made a folder: {}", directory, error.message()));
+  }
+  std::size_t written = 0;
+  const auto write = [&](const std::string& name, const std::string& script) {
+    support::replace_file((std::filesystem::path(directory) / file_name(name)).string(), script);
+    ++written;
+  };
+  for (const proof::Lemma& lemma : lemmas_for(programs)) {
+    write(lemma.name, fmt::format("; {}\n{}", lemma.meaning, lemma.smt));
+  }
+  const auto write_all = [&](const std::string& name, const std::vector<std::string>& scripts) {
+    for (std::size_t i = 0; i < scripts.size(); ++i) {
+      write(fmt::format("{} {}", name, i + 1),
+            fmt::format("; question {} of {}: {} does what it should if all are unsatisfiable\n{}",
+                        i + 1, scripts.size(), name, scripts[i]));
+    }
+  };
+  for (const cases::Variant& v : programs.routines) {
+    write_all(cases::name_of(v), proof::questions(v, parties::program_of(v).instructions()));
+  }
+  for (const bool mul_round : lost_carries(options, programs)) {
+    write_all(name_of_lost_carry(mul_round), proof::lost_carry_questions(mul_round));
+  }
+  for (const x86model::LoopForm& form : programs.loops) {
+    write_all(machine_code::name_of(form), proof::step_questions(form, sound_program(form)));
+  }
+  std::cout << fmt::format("{} scripts written to {}; each is to be unsatisfiable\n", written,
+                           directory);
+}
+
+void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,
+                 Tally& tally) {
+  const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
+  const proof::Standing standing =
+      answer.verdict == proof::Verdict::unsatisfiable ? proof::Standing::proven
+      : answer.verdict == proof::Verdict::satisfiable ? proof::Standing::disproven
+                                                      : proof::Standing::open;
+  print_line(fmt::format("lemma {}", lemma.name), word_for(standing), answer.seconds);
+  tally.add(standing, answer.seconds);
+}
+
+std::string with_questions(std::string_view name, const proof::Proof& proof) {
+  return fmt::format("{}, {} question{}", name, proof.questions, proof.questions == 1 ? "" : "s");
+}
+
+void prove_loop(const x86model::LoopForm& form, int seconds, const proof::Solver& solver,
+                Tally& tally) {
+  const proof::Proof proof = proof::prove(form, sound_program(form), solver, seconds);
+  print_line(with_questions(machine_code::name_of(form), proof), word_for(proof.standing),
+             proof.seconds);
+  tally.add(proof.standing, proof.seconds);
+}
+
+void prove_routine(const cases::Variant& v, const ProveOptions& options,
+                   const proof::Solver& solver, Tally& tally) {
+  x86model::Program program = parties::program_of(v);
+  std::string which;
+  if (options.mutant != 0) {
+    const x86model::Mutant mutant = proof::mutant_of(v, options.mutant);
+    std::cout << fmt::format("mutant {}: {}\n", options.mutant, mutant.change);
+    program = mutant.program;
+    which = fmt::format(" --mutant {}", options.mutant);
+  }
+  const proof::Proof proof = proof::prove(v, program, solver, options.solver.seconds);
+  print_line(with_questions(cases::name_of(v), proof), word_for(proof.standing), proof.seconds);
+  tally.add(proof.standing, proof.seconds);
+  if (proof.standing != proof::Standing::disproven) return;
+  const int bits = 2 * v.fraction_bits;
+  std::cout << fmt::format("  {}: the program {}, the oracle {}\n  replay: {}{}\n",
+                           cases::hex_words(proof.counterexample, cases::operand_bits(v)),
+                           proof.given.text(bits), proof.wanted.text(bits),
+                           verify::trace_line(v, proof.counterexample), which);
+}
+
+/// Proves all of it, or as much as there is time for until somebody stops it.
+Tally prove_all(const Programs& programs, const ProveOptions& options) {
+  const support::Interrupt interrupt;
+  const proof::Solver solver(options.solver.name);
+  std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(),
+                           options.solver.seconds)
+            << std::flush;
+  Tally tally;
+  try {
+    for (const proof::Lemma& lemma : lemmas_for(programs)) {
+      prove_lemma(lemma, options.solver.seconds, solver, tally);
+    }
+    for (const cases::Variant& v : programs.routines) prove_routine(v, options, solver, tally);
+    for (const bool mul_round : lost_carries(options, programs)) {
+      const proof::Proof proof = proof::prove_lost_carry(mul_round, solver, options.solver.seconds);
+      print_line(with_questions(name_of_lost_carry(mul_round), proof), word_for(proof.standing),
+                 proof.seconds);
+      tally.add(proof.standing, proof.seconds);
+    }
+    for (const x86model::LoopForm& form : programs.loops) {
+      prove_loop(form, options.solver.seconds, solver, tally);
+    }
+  } catch (const proof::Stopped&) {
+    // What is left has no answer, as the summary says.
+  }
+  return tally;
+}
+
+/// @return the exit status
+int summarize(const Tally& tally, std::size_t goals) {
+  std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
+                           tally.disproven, tally.open, support::duration(tally.seconds));
+  const std::size_t left = goals - tally.answered();
+  if (left > 0) {
+    std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} have no answer.\n", left, goals);
+  }
+  // What is missing cannot undo a counterexample.
+  if (tally.disproven > 0) return 1;
+  if (left > 0) return support::interrupted_status;
+  return tally.open > 0 ? 2 : 0;
+}
+
+int run(const ProveOptions& options) {
+  const Programs programs = chosen_programs(options.selection);
+  if (options.mutant != 0 && !options.directory.empty()) {
+    throw support::UsageError("--mutant excludes --write");
+  }
+  if (options.mutant != 0 && (programs.routines.size() != 1 || !programs.loops.empty())) {
+    throw support::UsageError(
+        "--mutant needs one routine, --target and --round (and --chapter 54)");
+  }
+  if (!options.directory.empty()) {
+    write_scripts(options, programs);
+    return 0;
+  }
+  return summarize(prove_all(programs, options),
+                   lemmas_for(programs).size() + programs.routines.size() +
+                       lost_carries(options, programs).size() + programs.loops.size());
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app, int& status) {
+  auto options = std::make_shared<ProveOptions>();
+  CLI::App* command = app.add_subcommand(
+      "prove", "prove the routines, and a turn of each inner loop, for all operands");
+  command->add_option("operations", options->selection.operations,
+                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
+                      "gouraud-word, depth, texture; none: all");
+  options->selection.variant.add_to(*command);
+  options->solver.add_to(*command);
+  command
+      ->add_option("--write", options->directory,
+                   "ask nothing: write the questions into this folder, for any solver")
+      ->check(not_empty());
+  command
+      ->add_option("--mutant", options->mutant,
+                   "of one routine: with that mistake in it, see mutate")
+      ->transform(whole_number(1, 100'000));
+  command->footer(
+      "Each routine is run symbolically on all its paths: it must return what the specification\n"
+      "says, fault exactly where it says, read no undefined flag, stay in its memory, and keep "
+      "the\n"
+      "registers it has to. Products and quotients stay abstract; the lemmas about integers say "
+      "why\n"
+      "that is enough. For the repaired 8088 concat it also proves where the printed one "
+      "differs\n"
+      "from it. docs/proofs.md tells what is proven and what is not.\n\n"
+      "Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 stopped "
+      "before\n"
+      "the end.\n\n"
+      "Examples:\n"
+      "  fixproof prove\n"
+      "  fixproof prove div --target i8088 --solver cvc5\n"
+      "  fixproof prove div --target i8088 --round on --mutant 3\n"
+      "  fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2");
+  command->callback([command, options, &status] {
+    options->selection.chapter_given = command->count("--chapter") > 0;
+    status = run(*options);
+  });
+}
+
+}  // namespace fixproof::cli

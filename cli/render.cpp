@@ -1,0 +1,283 @@
+// fixproof render: draws a scene into files, or into a window.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/surface_options.hpp"
+#include "player/beside_exact.hpp"
+#include "player/canvas.hpp"
+#include "player/outputs.hpp"
+#include "player/players.hpp"
+#include "player/show.hpp"
+#include "support/frame_progress.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+#include "trade/clocks/frame_clocks.hpp"
+#include "xsharp/validate.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+struct RenderOptions {
+  SceneOptions scene;
+  SurfaceOptions surfaces;
+  std::optional<std::uint64_t> frames;
+  std::uint64_t threads = 1;
+  std::string size;
+  std::vector<std::uint64_t> switched_spots;
+  bool true_color = false;
+  player::OutputNames outputs;
+  bool show = false;
+};
+
+constexpr std::uint64_t most_threads = 256;
+
+void set_size(xsharp::Scene& scene, const std::string& size) {
+  const auto refuse = [&size] {
+    throw support::UsageError(fmt::format("--size {}: want WIDTHxHEIGHT, from {}x1 to {}x{}", size,
+                                          xsharp::narrowest, xsharp::longest_side,
+                                          xsharp::longest_side));
+  };
+  const auto cross = size.find('x');
+  if (cross == std::string::npos) refuse();
+  const auto side = [&](std::string_view text, std::int32_t least) {
+    std::int32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < least ||
+        value > xsharp::longest_side) {
+      refuse();
+    }
+    return value;
+  };
+  scene.width = side(std::string_view(size).substr(0, cross), xsharp::narrowest);
+  scene.height = side(std::string_view(size).substr(cross + 1), 1);
+  try {
+    xsharp::validate(scene);
+  } catch (const xsharp::SceneError& error) {
+    throw support::UsageError(fmt::format("--size {}: {}", size, error.what()));
+  }
+}
+
+/// Spots are counted from 0, as the text of chapter 54 does.
+void switch_spots(xsharp::Scene& scene, const std::vector<std::uint64_t>& spots) {
+  for (const std::uint64_t spot : spots) {
+    if (spot >= scene.lights.spots.size()) {
+      throw support::UsageError(fmt::format("--switch-spot {}: {} has {} spots, counted from 0",
+                                            spot, support::printable(scene.name),
+                                            scene.lights.spots.size()));
+    }
+    scene.lights.spots[spot].on = !scene.lights.spots[spot].on;
+  }
+}
+
+/// Clocks of the listings in a frame, on the processors that people would ask about.
+class ClockMeter {
+ public:
+  ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops)
+      : choice_(choice), has_loops_(has_loops) {
+    if (choice.by != "model") return;
+    if (choice.target == "i8088") totals_.push_back({x86model::Cpu::i8088});
+    totals_.push_back({x86model::Cpu::i386});
+  }
+
+  /// Whether the calls of this frame are to be recorded: counting takes longer than drawing.
+  [[nodiscard]] bool wants(std::uint64_t frame) const {
+    return !totals_.empty() && frame % every == 0;
+  }
+
+  void count(const player::OperandLog& log) {
+    for (Total& total : totals_) {
+      const trade::FrameClocks clocks = trade::clocks_of(log, choice_, total.cpu);
+      total.least += clocks.table.min;
+      total.most += clocks.table.max;
+      total.bus += clocks.bus.clocks();
+    }
+    ++counted_;
+  }
+
+  /// `Listings alone: 123,456 clocks a frame on the 386`; empty where no model ran.
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    if (counted_ == 0) return text;
+    for (const Total& total : totals_) {
+      const std::uint64_t least = total.least / counted_;
+      const std::uint64_t most = total.most / counted_;
+      text += text.empty() ? "Listings alone: " : ", ";
+      text += least == most
+                  ? support::grouped(least)
+                  : fmt::format("{} to {}", support::grouped(least), support::grouped(most));
+      text += fmt::format(" clocks a frame on the {}", x86model::name_of(total.cpu));
+      if (total.cpu == x86model::Cpu::i8088) {
+        text +=
+            fmt::format(" by its table and {} by its bus", support::grouped(total.bus / counted_));
+      }
+    }
+    return text.empty() ? text
+                        : fmt::format("{} (mean of {} frame{}{})\n", text,
+                                      support::grouped(counted_), counted_ == 1 ? "" : "s",
+                                      has_loops_ ? "; routines, without the inner loops" : "");
+  }
+
+ private:
+  struct Total {
+    x86model::Cpu cpu{};
+    std::uint64_t least = 0;
+    std::uint64_t most = 0;
+    std::uint64_t bus = 0;
+  };
+  static constexpr std::uint64_t every = 10;
+
+  xsharp::ArithmeticChoice choice_;
+  bool has_loops_;
+  std::vector<Total> totals_;
+  std::uint64_t counted_ = 0;
+};
+
+int render(const RenderOptions& options) {
+  xsharp::Scene scene = options.scene.read();
+  options.surfaces.apply(scene);
+  if (!options.size.empty()) set_size(scene, options.size);
+  switch_spots(scene, options.switched_spots);
+  const auto threads = static_cast<std::size_t>(options.threads);
+  if (options.show) return player::show_scene(scene, options.true_color, threads);
+
+  const std::uint64_t frames = options.frames.value_or(
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  const auto player = player::make_player(scene, scene.arithmetic, threads);
+  const auto canvas = player::make_canvas(scene, options.true_color);
+  player::Outputs outputs(options.outputs, scene.files, scene.frames_per_second);
+  std::optional<player::BesideExact> beside;
+  if (!options.outputs.beside.empty()) beside.emplace(scene, options.outputs.beside);
+
+  xsharp::Picture picture;
+  xsharp::Tally tally;
+  std::uint64_t done = 0;
+  std::chrono::duration<double> drawing{};
+  const support::Interrupt interrupt;
+  support::FrameProgress progress(frames);
+  ClockMeter meter(scene.arithmetic, xsharp::interpolates(scene));
+  player::OperandLog log;
+  for (; done < frames && !support::Interrupt::flag(); ++done) {
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      std::optional<player::Recording> recording;
+      if (meter.wants(done)) recording.emplace(log);
+      if (done > 0) player->move();
+      tally = tally + player->draw(picture);
+      canvas->show(picture);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));
+    }
+    drawing += std::chrono::steady_clock::now() - begin;
+    if (meter.wants(done)) meter.count(std::exchange(log, {}));
+    outputs.add(*canvas, *player, done);
+    if (beside) beside->show(picture);
+    progress.show(done + 1);
+  }
+  outputs.finish(done);
+  if (beside) beside->finish();
+
+  const xsharp::DrawingCount count = canvas->count();
+  std::cout << fmt::format(
+      "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n",
+      support::printable(scene.name), player::name_of(scene.arithmetic), support::grouped(done),
+      support::grouped(static_cast<std::uint64_t>(count.polygons)),
+      support::grouped(static_cast<std::uint64_t>(count.pixels)), support::grouped(tally.faults),
+      support::grouped(
+          done == 0 ? 0 : static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
+  std::cout << meter.text();
+  if (beside) std::cout << beside->text();
+  if (tally.out_of_reach > 0) {
+    std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
+                             support::grouped(tally.out_of_reach));
+  }
+  if (const std::string older = outputs.older_frame(done); !older.empty()) {
+    std::cout << fmt::format("{} and what follows it are an earlier run's\n", older);
+  }
+  if (done == frames) return 0;
+  std::cout << fmt::format("STOPPED after {} of {} frames; what is written is complete\n",
+                           support::grouped(done), support::grouped(frames));
+  return support::interrupted_status;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, int& status) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "draw a scene");
+  options->scene.add_to(*command);
+  options->surfaces.add_to(*command);
+  command->add_option("--frames", options->frames, "how many; by default ten seconds")
+      ->transform(whole_number(1, 100'000'000));
+  command
+      ->add_option("--threads", options->threads,
+                   "that move, prepare and draw objects; pictures are the same on any number, and "
+                   "small ones no quicker; the model has 1")
+      ->transform(whole_number(1, most_threads))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
+  command
+      ->add_option("--switch-spot", options->switched_spots,
+                   "switches a spot, counted from 0: on if the scene has it off, else off")
+      ->allow_extra_args(false)
+      ->transform(whole_number(0, xsharp::most_spots - 1));
+  CLI::Option* true_color = command->add_flag("--true-color", options->true_color,
+                                              "24 bits a pixel instead of the palette");
+  command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")
+      ->check(not_empty());
+  command
+      ->add_option("--animate", options->outputs.animation, "an animated PNG, as browsers play it")
+      ->check(not_empty());
+  command
+      ->add_option("--dump", options->outputs.dump,
+                   "transforms, vertices and faces as lines of JSON")
+      ->check(not_empty());
+  command
+      ->add_option("--digests", options->outputs.digests,
+                   "a line for every picture that differs from the one before: the first 16 hex "
+                   "digits of the SHA-256 of its palette indices, row by row")
+      ->check(not_empty())
+      ->excludes(true_color);
+  command
+      ->add_option("--beside", options->outputs.beside,
+                   "a PNG of the last frame: as stepped, exact, and where they differ")
+      ->check(not_empty());
+  CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
+  for (const char* written :
+       {"--frames", "--out", "--animate", "--dump", "--digests", "--beside"}) {
+    show->excludes(command->get_option(written));
+  }
+  command->footer(
+      "Keys of the window: space pauses, s or the right arrow steps, 1 (or a) switches the "
+      "ambient\n"
+      "light, 2, 3, 4 the spots, r the rounding, q or Escape ends.\n\n"
+      "Exit status: 0 all frames are drawn, 2 bad usage or a scene that is refused, 130 stopped\n"
+      "before the end.\n\n"
+      "Examples:\n"
+      "  fixproof render scenes/twelve_cubes.json --animate cubes.png\n"
+      "  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color\n"
+      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl\n"
+      "  fixproof render scenes/chapter53.json --frames 62 --digests pictures.txt\n"
+      "  fixproof render scenes/textured.json --texture-every never --frames 40 --beside t.png");
+  command->callback([options, &status] { status = render(*options); });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,128 @@
+#include "cli/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+
+namespace fixproof::cli {
+
+namespace {
+
+void put(std::string& page, std::string_view place, std::string_view contents) {
+  const std::size_t at = page.find(place);
+  if (at == std::string::npos || page.find(place, at + 1) != std::string::npos) {
+    throw std::logic_error(fmt::format("the page does not have {} once", place));
+  }
+  page.replace(at, place.size(), contents);
+}
+
+std::string script(std::string_view code) {
+  for (const std::string_view end : {"</script", "<!--"}) {
+    if (code.find(end) != std::string_view::npos) {
+      throw std::logic_error(fmt::format("a script of the page has {} in it", end));
+    }
+  }
+  return fmt::format("<script>\n{}\n</script>", code);
+}
+
+std::string figure_of(const PagePicture& picture) {
+  return fmt::format(
+      "<figure class=\"scene\"><img width=\"320\" height=\"240\" alt=\"Animation: {0}\" "
+      "src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
+      escaped_html(picture.name), base64(picture.png));
+}
+
+/// In a box of its own, which scrolls: small, single pixels would not be seen.
+std::string beside_of(const PagePicture& picture) {
+  if (picture.beside.empty()) return {};
+  return fmt::format(
+      "<figure class=\"beside\"><div class=\"scroll\" tabindex=\"0\" role=\"group\" "
+      "aria-label=\"{0}: as stepped, exact, and where they differ\"><img alt=\"{0}: as stepped, "
+      "exact, and where they differ\" src=\"data:image/png;base64,{1}\"></div><figcaption>{0}, its "
+      "last frame; in all frames {2}</figcaption></figure>\n",
+      escaped_html(picture.name), base64(picture.beside), escaped_html(picture.beside_text));
+}
+
+}  // namespace
+
+std::string escaped_html(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string script_json(const nlohmann::ordered_json& json) {
+  // Only strings can have it, and they have another way to write it. Bytes that are no UTF-8, as in
+  // the name of a file, are replaced.
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string base64(std::string_view bytes) {
+  static constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t have = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group <<= 8U;
+      if (k < have) group |= static_cast<std::uint8_t>(bytes[i + k]);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += k <= have ? digits[group >> (18 - 6 * k) & 63U] : '=';
+    }
+  }
+  return text;
+}
+
+std::string assemble_page(const PageParts& parts, const nlohmann::ordered_json& report,
+                          const std::vector<PagePicture>& pictures, std::string_view strip) {
+  std::string shown;
+  std::string beside;
+  for (const PagePicture& picture : pictures) {
+    shown += figure_of(picture);
+    beside += beside_of(picture);
+  }
+  std::string page(parts.page);
+  // The texts of the project first: what others have in them is not looked through for places.
+  put(page, "<!--style-->", fmt::format("<style>\n{}</style>", parts.style));
+  put(page, "<!--pictures-->", shown);
+  put(page, "<!--beside-->", beside.empty() ? "<p>None of these scenes is stepped.</p>" : beside);
+  put(page, "<!--strip-->", strip);
+  put(page, "<!--data-->",
+      fmt::format("<script type=\"application/json\" id=\"data\">{}</script>",
+                  script_json(report)));
+  put(page, "<!--charts-->", script(parts.charts));
+  put(page, "<!--libraries-->", script(parts.d3) + '\n' + script(parts.plot));
+  return page;
+}
+
+}  // namespace fixproof::cli

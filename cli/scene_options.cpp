@@ -1,0 +1,92 @@
+#include "cli/scene_options.hpp"
+
+#include <limits>
+#include <map>
+
+#include "cli/arguments.hpp"
+#include "player/players.hpp"
+#include "support/usage_error.hpp"
+#include "xsharp/files/scene_json.hpp"
+
+namespace fixproof::cli {
+
+void SceneOptions::add_to(CLI::App& command) {
+  command.add_option("scene", file, "a scene, such as scenes/twelve_cubes.json")
+      ->required()
+      ->check(not_empty());
+  command.add_option("--arith", by, "what computes: type, model or double")
+      ->check(CLI::IsMember({"type", "model", "double"}));
+  command
+      .add_option("--target", target,
+                  "rules of i386 or i8088; for the type also standard, saturating, trapping")
+      ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
+  const auto on_off = [&command](const char* name, const char* what, auto set) {
+    return command
+        .add_option_function<std::string>(
+            name, [set](const std::string& text) { set(text == "on"); }, what)
+        ->check(CLI::IsMember({"on", "off"}));
+  };
+  on_off("--round", "both roundings: on or off", [this](bool on) { mul_round = div_round = on; })
+      ->excludes(on_off("--mul-round", "rounding of multiplies: on or off",
+                        [this](bool on) { mul_round = on; }))
+      ->excludes(on_off("--div-round", "rounding of divides: on or off",
+                        [this](bool on) { div_round = on; }));
+  command.add_flag("--repaired", repaired,
+                   "the 8088 ConcatXforms with the carry that it loses: see docs/findings.md, 18");
+  command
+      .add_option("--reortho", restore_every,
+                  "restore orthogonality after every so many rotations of an object; 0: never")
+      ->transform(whole_number(0, std::numeric_limits<std::int32_t>::max()));
+  command
+      .add_option("--reortho-rows", restore_rows,
+                  "which rows --reortho restores: all, or one as the cross product of the others")
+      ->check(CLI::IsMember({"all", "one"}));
+  command.add_flag("--from-scratch", from_scratch,
+                   "work every orientation out anew instead of appending rotations");
+}
+
+xsharp::Scene SceneOptions::read() const {
+  xsharp::Scene scene = xsharp::read_scene(file);
+  xsharp::ArithmeticChoice& choice = scene.arithmetic;
+  if (by) choice.by = *by;
+  // The model has no other rules than the listings'.
+  if (by == "model" && !target && !xsharp::is_listing(choice))
+    choice = {"model", "i386", true, true};
+  if (choice.by == "double" && (target || mul_round || div_round)) {
+    throw support::UsageError("double has no --target and no roundings");
+  }
+  if (target) choice.target = *target;
+  if (choice.by != "double" && !xsharp::is_listing(choice)) {
+    if (mul_round || div_round) {
+      throw support::UsageError("--target " + choice.target + " has no roundings to choose");
+    }
+    choice.mul_round = choice.div_round = true;
+  }
+  if (choice.by == "double" || choice.target != "i8088") choice.repaired = false;
+  if (repaired) {
+    if (choice.by == "double" || choice.target != "i8088") {
+      throw support::UsageError(
+          "--repaired is for --target i8088: no other ConcatXforms loses a carry");
+    }
+    choice.repaired = true;
+  }
+  if (mul_round) choice.mul_round = *mul_round;
+  if (div_round) choice.div_round = *div_round;
+  if (restore_every) scene.restore_every = *restore_every;
+  if (restore_rows) {
+    scene.restore_rows =
+        *restore_rows == "one" ? xsharp::RestoredRows::one : xsharp::RestoredRows::all;
+  }
+  if (from_scratch) scene.from_scratch = true;
+  if (from_scratch && !restore_every) scene.restore_every = 0;
+  if (restore_every && !from_scratch) scene.from_scratch = false;
+  if (scene.from_scratch && scene.restore_every > 0) {
+    throw support::UsageError("--from-scratch leaves --reortho nothing to restore");
+  }
+  if (restore_rows && scene.restore_every == 0) {
+    throw support::UsageError("--reortho-rows: nothing is restored, say --reortho and how often");
+  }
+  return scene;
+}
+
+}  // namespace fixproof::cli

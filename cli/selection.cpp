@@ -1,0 +1,182 @@
+#include "cli/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "machine_code/programs.hpp"
+#include "parties/answer.hpp"
+#include "parties/parties.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+/// Whether a rounding that was given fits the variant's. The standard rules have none to choose:
+/// they fit only where none is asked for, or rounding, and nothing of them was printed.
+bool rounding_fits(const VariantOptions& options, const cases::Variant& v) {
+  if (options.as_printed && v.target == cases::Target::standard) return false;
+  if (v.operation == cases::Operation::div) {
+    auto wanted = options.div_round;
+    // As in VariantOptions::choose(): the listings print rounded multiplies and unrounded divides.
+    if (options.as_printed) {
+      wanted = VariantOptions::div_round_as_printed(v.target, wanted.value_or(false));
+    }
+    return !wanted || *wanted == v.div_round;
+  }
+  const auto wanted = options.as_printed ? options.mul_round.value_or(true) : options.mul_round;
+  return !wanted || *wanted == v.mul_round;
+}
+
+/// @throws UsageError for --repaired with an operation or a target that has no repaired routine
+void check_repaired(const Selection& selection) {
+  const VariantOptions& options = selection.variant;
+  if (!options.repaired) return;
+  const bool only_concat = std::all_of(selection.operations.begin(), selection.operations.end(),
+                                       [](const std::string& name) { return name == "concat"; });
+  const bool has_8088 =
+      options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
+                                           cases::Target::i8088) != options.targets.end();
+  if (!only_concat || !has_8088) throw support::UsageError(only_repaired);
+}
+
+bool fits(const Selection& selection, const std::vector<cases::Operation>& operations,
+          const cases::Variant& v) {
+  const VariantOptions& options = selection.variant;
+  return (operations.empty() ||
+          std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
+         (options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
+                                               v.target) != options.targets.end()) &&
+         (!selection.chapter_given || (options.chapter_52 == v.chapter_52 && !v.repaired)) &&
+         (!options.repaired || v.repaired) && !(options.as_printed && v.repaired) &&
+         rounding_fits(options, v);
+}
+
+}  // namespace
+
+std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
+  std::vector<std::string> names{selection.by.empty() ? "model" : selection.by};
+  if (!selection.against.empty()) {
+    names.insert(names.end(), selection.against.begin(), selection.against.end());
+  } else if (selection.level == 3) {
+    names.insert(names.end(), {"model", "fast", "type"});
+  } else {
+    names.insert(names.end(), {"model", "oracle", "fast", "type"});
+  }
+  std::vector<const parties::Party*> chosen;
+  for (const std::string& name : names) {
+    const parties::Party* party = &parties::party_named(name);
+    if (std::find(chosen.begin(), chosen.end(), party) == chosen.end()) chosen.push_back(party);
+  }
+  if (chosen.size() < 2) {
+    throw support::UsageError(
+        fmt::format("'{}' alone cannot be compared: give --against another", names.front()));
+  }
+  return chosen;
+}
+
+std::vector<cases::Variant> chosen_variants(const Selection& selection) {
+  std::vector<cases::Operation> operations;
+  for (const std::string& name : selection.operations)
+    operations.push_back(cases::operation_named(name));
+  check_repaired(selection);
+  std::vector<cases::Variant> variants = cases::all_variants();
+  std::erase_if(variants, [&](const cases::Variant& v) { return !fits(selection, operations, v); });
+  return variants;
+}
+
+std::vector<cases::Variant> chosen_routines(const Selection& selection) {
+  for (const std::string& name : selection.operations)
+    static_cast<void>(cases::routine_named(name));
+  std::vector<cases::Variant> variants = chosen_variants(selection);
+  std::erase_if(variants, [](const cases::Variant& v) {
+    return !parties::has_program(v) || (v.operation == cases::Operation::cossin && !v.mul_round);
+  });
+  if (variants.empty()) throw support::UsageError("no routine has these operations and options");
+  return variants;
+}
+
+Programs chosen_programs(const Selection& selection) {
+  Selection routines = selection;
+  std::vector<x86model::Loop> loops;
+  std::erase_if(routines.operations, [&](const std::string& name) {
+    const auto loop = machine_code::loop_named(name);
+    if (loop) loops.push_back(*loop);
+    return loop.has_value();
+  });
+  const VariantOptions& options = selection.variant;
+  check_repaired(selection);
+  const bool rounds = options.mul_round || options.div_round || options.as_printed ||
+                      options.repaired || selection.chapter_given;
+  if (rounds && !loops.empty()) {
+    throw support::UsageError(fmt::format("{} rounds nothing, and is of no chapter",
+                                          machine_code::name_of_loop(loops[0])));
+  }
+  Programs chosen;
+  if (selection.operations.empty() || !routines.operations.empty()) {
+    chosen.routines = chosen_routines(routines);
+  }
+  const auto asked = [&](const x86model::LoopForm& form) {
+    const auto target =
+        form.target == x86model::Target::i386 ? cases::Target::i386 : cases::Target::i8088;
+    const auto is_among = [](const auto& all, const auto& one) {
+      return std::find(all.begin(), all.end(), one) != all.end();
+    };
+    if (!options.targets.empty() && !is_among(options.targets, target)) return false;
+    return selection.operations.empty() ? !rounds : is_among(loops, form.loop);
+  };
+  for (const x86model::LoopForm& form : x86model::all_loop_forms()) {
+    if (asked(form)) chosen.loops.push_back(form);
+  }
+  if (chosen.routines.empty() && chosen.loops.empty()) {
+    throw support::UsageError("the loop depth is for the 386 alone");  // all others are for both
+  }
+  return chosen;
+}
+
+namespace {
+
+/// A row that is not compared as it was asked for would be taken for one that is equal, were it
+/// passed over.
+[[noreturn]] void refuse(const cases::Row& row, std::string_view reason) {
+  throw support::UsageError(
+      fmt::format("{}: {}; choose rows (--target, the operations) or other parties",
+                  cases::name_of(row.variant), reason));
+}
+
+void refuse_without(const std::string& party, std::span<const cases::Row> rows) {
+  for (const cases::Row& row : rows) {
+    if (std::find(row.parties.begin(), row.parties.end(), party) != row.parties.end()) continue;
+    refuse(row, fmt::format("{} does not answer", party));
+  }
+}
+
+}  // namespace
+
+std::vector<cases::Row> chosen_rows(const Selection& selection,
+                                    std::span<const parties::Party* const> parties) {
+  std::vector<cases::Row> rows;
+  for (const cases::Variant& listed : chosen_variants(selection)) {
+    auto variant = cases::at_level(selection.level, listed);
+    if (!variant) continue;
+    if (selection.half_width) {
+      // The table has no cosines of 8.8, and so nobody has.
+      if (variant->operation == cases::Operation::cossin) continue;
+      variant->fraction_bits = 8;
+    }
+    rows.push_back(parties::row_of(*variant, parties));
+  }
+  if (rows.empty()) {
+    throw support::UsageError(
+        fmt::format("level {} has no row for these operations and options", selection.level));
+  }
+  if (!selection.by.empty()) refuse_without(selection.by, rows);
+  for (const std::string& party : selection.against) refuse_without(party, rows);
+  for (const cases::Row& row : rows) {
+    if (!row.compared()) refuse(row, "nothing to compare, fewer than two of the parties answer");
+  }
+  return rows;
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,242 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/lines.hpp"
+#include "cli/singlestep.hpp"
+#include "singlestep/shown.hpp"
+#include "singlestep/step_clocks.hpp"
+#include "singlestep/step_machine.hpp"
+#include "support/hex.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+#include "x86model/forms.hpp"
+#include "x86model/parse.hpp"
+#include "x86model/run.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+namespace x86 = x86model;
+
+/// Register state as a line writes it.
+struct State {
+  singlestep::StepMachine machine;
+  std::array<bool, singlestep::shown_registers.size()> wide{};  ///< given as eax=…, with 8 digits
+  std::uint32_t other_flags = 0;  ///< bits of fl that are none of the six
+};
+
+/// Fields of a line, NAME=DIGITS with spaces between, by name.
+using Fields = std::map<std::string_view, std::string_view>;
+
+Fields split_fields(std::string_view text) {
+  Fields fields;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    if (text.empty()) return fields;
+    const std::string_view field = text.substr(0, text.find(' '));
+    text.remove_prefix(field.size());
+    const auto equals = field.find('=');
+    if (equals == std::string_view::npos) {
+      throw support::UsageError(fmt::format("{} is not NAME=DIGITS", support::quoted(field)));
+    }
+    const std::string_view name = field.substr(0, equals);
+    if (!fields.emplace(name, field.substr(equals + 1)).second) {
+      throw support::UsageError(fmt::format("{} is given twice", support::quoted(name)));
+    }
+  }
+}
+
+/// Removes the field of that name. @return its digits, or nothing where it is not given
+std::optional<std::string_view> take(Fields& fields, std::string_view name) {
+  const auto node = fields.extract(name);
+  if (node.empty()) return std::nullopt;
+  return node.mapped();
+}
+
+State parse_state(std::string_view text, x86::Target cpu) {
+  State state;
+  Fields fields = split_fields(text);
+  for (std::size_t i = 0; i < singlestep::shown_registers.size(); ++i) {
+    const std::string_view narrow = x86::name_of(singlestep::shown_registers[i], x86::Size::word);
+    const std::string_view wide = x86::name_of(singlestep::shown_registers[i], x86::Size::dword);
+    auto digits = take(fields, narrow);
+    if (cpu == x86::Target::i386 && fields.contains(wide)) {
+      if (digits) throw support::UsageError(fmt::format("both {} and {} are given", narrow, wide));
+      digits = take(fields, wide);
+      state.wide[i] = true;
+    }
+    if (!digits) throw support::UsageError(fmt::format("{} is missing", narrow));
+    state.machine.registers.write(singlestep::shown_registers[i], x86::Size::dword,
+                                  support::parse_hex(*digits, state.wide[i] ? 8 : 4));
+  }
+  const auto fl = take(fields, "fl");
+  if (!fl) throw support::UsageError("fl is missing");
+  const std::uint32_t value = support::parse_hex(*fl, 4);
+  state.machine.flags = {static_cast<std::uint16_t>(value & x86::arithmetic_flags), 0};
+  state.other_flags = value & ~std::uint32_t{x86::arithmetic_flags};
+  if (!fields.empty()) {
+    throw support::UsageError(
+        fmt::format("{} is no register", support::quoted(fields.begin()->first)));
+  }
+  return state;
+}
+
+void append_state(std::string& output, const State& state) {
+  for (std::size_t i = 0; i < singlestep::shown_registers.size(); ++i) {
+    const std::uint32_t value =
+        state.machine.registers.read(singlestep::shown_registers[i], x86::Size::dword);
+    // An upper half that the instruction has filled is shown even where it was not given.
+    const bool wide = state.wide[i] || value > 0xFFFF;
+    output +=
+        x86::name_of(singlestep::shown_registers[i], wide ? x86::Size::dword : x86::Size::word);
+    output += '=';
+    support::append_hex(output, value, wide ? 8 : 4);
+    output += ' ';
+  }
+  output += "fl=";
+  support::append_hex(output, state.other_flags | state.machine.flags.value, 4);
+  output += " undef=";
+  bool any = false;
+  for (const auto& [flag, name] : singlestep::shown_flags) {
+    if ((state.machine.flags.undefined & flag) == 0) continue;
+    if (any) output += ',';
+    output += name;
+    any = true;
+  }
+  if (!any) output += '-';
+}
+
+void append_clocks(std::string& output, const std::optional<x86::Range>& clocks) {
+  output += " clocks=";
+  if (!clocks) {
+    output += '-';
+  } else if (clocks->min == clocks->max) {
+    output += fmt::format("{}", clocks->min);
+  } else {
+    output += fmt::format("{}-{}", clocks->min, clocks->max);
+  }
+}
+
+/// Answers one line; counts it where the instruction is not modelled.
+/// @param timed the processor whose clocks are appended, if any
+void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> timed,
+            std::string& output, std::uint64_t& unmodelled) {
+  const auto bar = line.find('|');
+  if (bar == std::string_view::npos)
+    throw support::UsageError("no '|' between instruction and registers");
+  std::optional<x86::Instruction> instruction;
+  try {
+    instruction = x86::parse(line.substr(0, bar));
+  } catch (const x86::ParseError& error) {
+    throw support::UsageError(error.what());
+  }
+  State state = parse_state(line.substr(bar + 1), cpu);
+  const auto without_answer = [&] {
+    output += "unmodelled";
+    ++unmodelled;
+  };
+  if (!instruction || !x86::is_modelled(*instruction, cpu)) return without_answer();
+  const x86::Mnemonic op = instruction->mnemonic;
+  // CALL and RET need code and a stack; a jump, not taken, changes nothing but the count of LOOP.
+  if (op == x86::Mnemonic::call || op == x86::Mnemonic::ret) return without_answer();
+  std::optional<x86::Range> clocks;
+  if (timed) clocks = singlestep::step_clocks(*timed, *instruction, state.machine);
+  if (op == x86::Mnemonic::loop) x86::count_down(state.machine);
+  if (!x86::is_control_flow(op)) {
+    const x86::Outcome outcome = x86::execute_any(*instruction, state.machine);
+    if (outcome == x86::Outcome::divide_error) {
+      output += "DE";
+      return;
+    }
+    if (outcome != x86::Outcome::proceeds) return without_answer();
+  }
+  append_state(output, state);
+  if (timed) append_clocks(output, clocks);
+}
+
+int run(x86::Target cpu, std::optional<x86::Cpu> timed) {
+  std::uint64_t unmodelled = 0;
+  answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
+    answer(line, cpu, timed, output, unmodelled);
+  });
+  if (unmodelled > 0) {
+    fmt::print(stderr, "fixproof step: {} line{} unmodelled\n", unmodelled,
+               unmodelled > 1 ? "s" : "");
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_step(CLI::App& app, int& status) {
+  static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
+                                                             {"386", x86::Target::i386}};
+  auto cpu = std::make_shared<std::string>("386");
+  static const std::map<std::string, x86::Cpu> timed_processors{{"8088", x86::Cpu::i8088},
+                                                                {"286", x86::Cpu::i286},
+                                                                {"386", x86::Cpu::i386},
+                                                                {"486", x86::Cpu::i486}};
+  auto timed = std::make_shared<std::string>();
+  auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      app.add_subcommand("step", "execute one instruction a line, or judge the model by files");
+  command->add_option("--cpu", *cpu, "8088 or 386")
+      ->check(CLI::IsMember(&processors))
+      ->capture_default_str();
+  CLI::Option* clocks =
+      command
+          ->add_option("--clocks", *timed,
+                       "append what the instruction takes on an 8088, 286, 386 or 486")
+          ->check(CLI::IsMember(&timed_processors));
+  command
+      ->add_option("--singlestep", *files,
+                   "judge cases of these files in place of lines: JSON, plain or gzip")
+      ->check(not_empty())
+      ->excludes(clocks);
+  command->footer(
+      "A line is an instruction and all registers; the answer is the state after it, then the "
+      "flags\n"
+      "it leaves undefined. DE is a divide error; unmodelled is an instruction that no routine "
+      "has, or\n"
+      "one that reads memory. With --cpu 386 a register may be given as eax= with 8 digits and "
+      "comes\n"
+      "back so. Jumps are not taken; LOOP counts.\n\n"
+      "--clocks appends clocks=N, or clocks=MIN-MAX where Intel's tables leave a range, to every\n"
+      "state; clocks=- where that processor does not have the instruction. A jump is not taken, "
+      "but\n"
+      "JMP, whose time depends on what it leads to.\n\n"
+      "Example:\n"
+      "  echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe "
+      "fl=0001' |\n"
+      "    fixproof step --cpu 8088\n\n"
+      "Files of --singlestep are in the JSON format of SingleStepTests: the 8088 set as it is,\n"
+      "the 80386 set once moo2json.py has made JSON of it. A case has registers and memory before\n"
+      "and after one instruction. Those that are modelled, with registers and immediates for\n"
+      "operands, are run; the others are counted by reason. Not judged are the instruction\n"
+      "pointer, undefined flags, and flags after a divide error. For each file the first 20 cases\n"
+      "that differ are shown, then one line counts all. Exit status 1: a case differs. 2: a file\n"
+      "is damaged, or has no case that could be run: what verified nothing is no success.\n\n"
+      "Example:\n"
+      "  fixproof step --cpu 8088 --singlestep v2/01.json.gz v2/F7.6.json.gz");
+  command->callback([cpu, timed, files, &status] {
+    const x86::Target target = processors.at(*cpu);
+    if (!files->empty()) {
+      status = judge_files(*files, target);
+      return;
+    }
+    std::optional<x86::Cpu> timed_cpu;
+    if (!timed->empty()) timed_cpu = timed_processors.at(*timed);
+    status = run(target, timed_cpu);
+  });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,269 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "cases/plan.hpp"
+#include "cases/words.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "cli/selection.hpp"
+#include "cli/table.hpp"
+#include "parties/answer.hpp"
+#include "support/file.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+#include "verify/engine.hpp"
+#include "verify/report_file.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+/// A kill -9 loses little more than this.
+constexpr std::chrono::milliseconds checkpoint_every{500};
+
+struct VerifyOptions {
+  Selection selection;
+  std::uint64_t seed = 1994;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string shard = "1/1";
+  std::string resume;
+  std::string report;
+  std::size_t max_reports = 10;
+  std::string words;
+};
+
+/// Compares one case in every row. @return the exit status
+int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows) {
+  if (options.selection.operations.size() != 1)
+    throw support::UsageError("--case needs one operation");
+  int status = 0;
+  for (const cases::Row& row : rows) {
+    std::vector<std::uint32_t> words(cases::words_in(row.variant.operation));
+    cases::parse_words(options.words, row.variant, words);
+    std::vector<parties::Answer> answers;
+    std::vector<std::pair<std::string, std::string>> said;
+    for (const std::string& name : row.parties) {
+      answers.push_back(parties::ask(parties::party_named(name), row.variant, words));
+      said.emplace_back(name, answers.back().text(2 * row.variant.fraction_bits));
+    }
+    const bool equal = parties::agree(answers);
+    if (!equal) status = 1;
+    std::cout << fmt::format("{}: {} ({}): {}: {}\n", cases::name_of(row.variant), options.words,
+                             cases::decimal_words(row.variant, words), grouped_answers(said),
+                             equal ? "equal" : "DIFFER");
+  }
+  return status;
+}
+
+/// The state to begin with: nothing done, or what the file to resume from holds.
+verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows) {
+  verify::Report fresh(cases::Plan(options.selection.level, options.seed, std::move(rows)),
+                       cases::parse_shard(options.shard), options.max_reports);
+  if (options.resume.empty() || !std::filesystem::exists(options.resume)) return fresh;
+  if (!std::filesystem::is_regular_file(options.resume)) {
+    throw support::UsageError(fmt::format("--resume {}: not a regular file", options.resume));
+  }
+  verify::Report kept = verify::read_report(options.resume);
+  std::string differs = verify::difference(kept, fresh);
+  if (differs.empty() && kept.shard != fresh.shard) {
+    differs = fmt::format("shard {}/{}, not {}", kept.shard.index, kept.shard.count, options.shard);
+  }
+  if (!differs.empty()) {
+    throw support::UsageError(
+        fmt::format("{} is of another verification: {}", options.resume, differs));
+  }
+  return kept;
+}
+
+void print_heading(const VerifyOptions& options, const verify::Report& report) {
+  const auto counted = [](std::size_t count, std::string_view thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+  };
+  std::cout << fmt::format("Level {}, seed {}, {}: {}, {} cases\n", options.selection.level,
+                           options.seed, counted(options.threads, "thread"),
+                           counted(report.plan.rows().size(), "row"),
+                           support::grouped(report.plan.cases()));
+  if (options.selection.level == 3) {
+    std::cout
+        << "Nothing is sampled: all pairs of 8.8 words, all 16.16 words, all angles. Without\n"
+           "--against, fast stands for oracle; levels 1 and 2 compare the two.\n";
+  }
+  if (report.shard.count > 1) {
+    std::cout << fmt::format("Shard {}: {} of {} chunks\n", options.shard,
+                             support::grouped(report.chunks_in_shard()),
+                             support::grouped(report.plan.chunks()));
+  }
+  if (report.chunks_done() > 0) {
+    std::cout << fmt::format("{}: {} of {} chunks are done\n", options.resume,
+                             support::grouped(report.chunks_done()),
+                             support::grouped(report.chunks_in_shard()));
+  }
+  std::cout << std::endl;
+  if (!std::cout) throw support::UsageError("cannot write standard output");
+}
+
+/// Runs what is left, showing progress and keeping the state for --resume.
+void run_rest(const VerifyOptions& options, verify::Report& report) {
+  const auto parties = chosen_parties(options.selection);
+  Progress progress;
+  auto kept = std::chrono::steady_clock::now();
+  const auto observe = [&](const verify::Report& state) {
+    progress.show(state);
+    const auto now = std::chrono::steady_clock::now();
+    if (options.resume.empty() || now - kept < checkpoint_every) return;
+    kept = now;
+    try {
+      support::replace_file(options.resume, verify::to_json(state));
+    } catch (const std::runtime_error&) {
+      // A full disk may have room again at the end, when the file is written once more; that
+      // counts.
+    }
+  };
+  verify::run(
+      report, parties,
+      {.threads = options.threads, .stop = &support::Interrupt::flag(), .observe = observe});
+}
+
+std::string how_to_go_on(const VerifyOptions& options) {
+  if (!options.resume.empty()) {
+    return fmt::format("Stopped. The same command goes on from {}.\n", options.resume);
+  }
+  if (!options.report.empty()) {
+    return fmt::format("Stopped. The same command with --resume {} goes on.\n", options.report);
+  }
+  return "Stopped. Nothing is kept: with --resume FILE a run can be stopped and go on.\n";
+}
+
+int verify(const VerifyOptions& options) {
+  const auto parties = chosen_parties(options.selection);
+  auto rows = chosen_rows(options.selection, parties);
+  if (!options.words.empty()) return compare_case(options, rows);
+
+  verify::Report report = begin(options, std::move(rows));
+  std::vector<std::string> files;
+  for (const std::string& file : {options.resume, options.report}) {
+    if (file.empty()) continue;
+    support::check_replaceable(file);
+    files.push_back(file);
+  }
+  print_heading(options, report);
+
+  {
+    // Not longer: a report that goes into a pipe may wait for its reader, and Ctrl-C must end that.
+    const support::Interrupt interrupt;
+    run_rest(options, report);
+  }
+
+  // What was found is shown even if it cannot be kept.
+  std::string failure;
+  for (const std::string& file : files) {
+    try {
+      support::replace_file(file, verify::to_json(report));
+    } catch (const std::runtime_error& error) {
+      failure = error.what();
+    }
+  }
+  std::cout << table(report);
+  if (!report.complete()) std::cout << how_to_go_on(options);
+  std::cout.flush();
+  if (!failure.empty()) throw std::runtime_error(failure);
+  // What is missing cannot undo a mismatch.
+  if (report.mismatches() > 0) return 1;
+  return report.complete() ? 0 : support::interrupted_status;
+}
+
+void add_options(CLI::App& command, VerifyOptions& options) {
+  Selection& selection = options.selection;
+  command.add_option("operations", selection.operations,
+                     "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64 (all)");
+  command
+      .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
+      ->transform(whole_number(1, 3))
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "of the random cases")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  selection.variant.add_to(command, true);
+  command
+      .add_option_function<std::string>(
+          "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
+          "full: 16.16; half: 8.8, without cossin; the routines run on 8-bit registers")
+      ->check(CLI::IsMember({"full", "half"}));
+  command
+      .add_option("--by", selection.by,
+                  "the party that is judged, of those named below; by default model")
+      ->check(not_empty());
+  command
+      .add_option("--against", selection.against,
+                  "the parties it is judged against; by default oracle,fast,type")
+      ->delimiter(',')
+      ->check(not_empty());
+  command.add_option("--threads", options.threads, "of the run; by default one for each processor")
+      ->transform(whole_number(1, 1024))
+      ->capture_default_str();
+  auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
+  auto* resume = command
+                     .add_option("--resume", options.resume,
+                                 "keep the state in this file; if it is there, go on from it")
+                     ->check(not_empty());
+  auto* report = command.add_option("--report", options.report, "write what was found as JSON")
+                     ->check(not_empty());
+  command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
+      ->transform(whole_number(0, 1000))
+      ->capture_default_str();
+  command.add_option("--case", options.words, "compare only this case: its words in hex")
+      ->check(not_empty())
+      ->excludes(shard)
+      ->excludes(resume)
+      ->excludes(report);
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& status) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command =
+      app.add_subcommand("verify", "compare the parties with one another, case by case");
+  add_options(*command, *options);
+  command->footer(
+      "Parties: model (the listings, compiled), interpreter (the listings, step by step), oracle\n"
+      "(big integers), fast (the same answers from 64-bit integers), type (fixed::number), "
+      "silicon\n"
+      "(the listings, assembled, on this processor), unicorn (the same code on an emulator), "
+      "batch\n"
+      "(fixed/batch.hpp and batch_radian.hpp on the quickest path; mul, div, xformvec, sqrt, sin\n"
+      "and cos), batch-portable, batch-neon, batch-avx2, batch-avx512 (their paths).\n"
+      "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
+      "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
+      "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
+      "Options that name a rule leave out the rows that follow another. A party that is named\n"
+      "has to be there and to answer every row, or nothing is run: what is not compared as asked "
+      "is no\n"
+      "success.\n\n"
+      "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
+      "end.\n\n"
+      "Examples:\n"
+      "  fixproof verify                                   # every row, in seconds\n"
+      "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
+      "  fixproof verify --target both --against silicon   # every routine, on this processor\n"
+      "  fixproof verify mul div --by oracle --against batch  # the batch operations\n"
+      "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
+      "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
+      "  fixproof verify div --case '00010000 00000003'    # who says what of one case");
+  command->callback([command, options, &status] {
+    options->selection.chapter_given = command->count("--chapter") > 0;
+    if (options->selection.level == 3 && command->count("--width") > 0) {
+      throw support::UsageError("--width: level 3 has its own widths");
+    }
+    status = verify(*options);
+  });
+}
+
+}  // namespace fixproof::cli

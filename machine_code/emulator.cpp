@@ -1,0 +1,231 @@
+#include "machine_code/emulator.hpp"
+
+#include <fmt/format.h>
+#include <unicorn/unicorn.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace fixproof::machine_code {
+
+namespace {
+
+using x86model::Register;
+using x86model::Size;
+
+/// In the order of x86model::Register, then the flags.
+constexpr std::array register_numbers{UC_X86_REG_EAX, UC_X86_REG_ECX, UC_X86_REG_EDX,
+                                      UC_X86_REG_EBX, UC_X86_REG_ESP, UC_X86_REG_EBP,
+                                      UC_X86_REG_ESI, UC_X86_REG_EDI, UC_X86_REG_EFLAGS};
+
+void check(uc_err error, const char* what) {
+  if (error == UC_ERR_OK) return;
+  throw std::runtime_error(fmt::format("unicorn: {}: {}", what, uc_strerror(error)));
+}
+
+struct alignas(page_size) Segment {
+  std::array<std::uint8_t, segment_size> bytes{};
+};
+
+/// The caller: CALL NEAR of the routine, a NOP to stop at, and back.
+constexpr std::array<std::uint8_t, 6> caller{
+    0xE8,
+    static_cast<std::uint8_t>((code_origin - caller_origin - 3) & 0xFF),
+    static_cast<std::uint8_t>((code_origin - caller_origin - 3) >> 8),
+    0x90,
+    0xEB,
+    0xFA};
+constexpr std::uint16_t after_call = caller_origin + 3;
+
+/// No address of the segment: runs end only where a hook ends them.
+constexpr std::uint64_t nowhere = 0xFFFFFFFF;
+
+}  // namespace
+
+struct Emulator::Parts {
+  std::unique_ptr<Segment> segment = std::make_unique<Segment>();
+  SegmentMachine machine{segment->bytes.data()};
+  uc_engine* engine = nullptr;
+  /// The state before anything ran.
+  uc_context* fresh = nullptr;
+  uc_hook at_return = 0;
+  uc_hook at_interrupt = 0;
+  const Calls* calls = nullptr;
+  std::size_t call = 0;
+  bool interrupted = false;
+  std::uint32_t interrupt = 0;
+  /// What was thrown in a hook: it may not pass through Unicorn.
+  std::exception_ptr thrown;
+
+  Parts() = default;
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+  Parts(Parts&&) = delete;
+  Parts& operator=(Parts&&) = delete;
+  ~Parts() {
+    if (fresh != nullptr) uc_context_free(fresh);
+    if (engine != nullptr) uc_close(engine);
+  }
+
+  void read_registers() {
+    std::array<std::uint32_t, register_numbers.size()> values{};
+    transfer(values, [this](int* numbers, void** places, int count) {
+      return uc_reg_read_batch(engine, numbers, places, count);
+    });
+    for (std::size_t r = 0; r < x86model::register_count; ++r) {
+      machine.registers.write(static_cast<Register>(r), Size::dword, values[r]);
+    }
+    machine.flags = {static_cast<std::uint16_t>(values.back() & x86model::arithmetic_flags), 0};
+  }
+
+  void write_registers() {
+    std::array<std::uint32_t, register_numbers.size()> values{};
+    for (std::size_t r = 0; r < x86model::register_count; ++r) {
+      values[r] = machine.registers.read(static_cast<Register>(r), Size::dword);
+    }
+    // Bit 1 of the flags is always set.
+    values.back() = 2U | (machine.flags.value & x86model::arithmetic_flags);
+    transfer(values, [this](int* numbers, void** places, int count) {
+      return uc_reg_write_batch(engine, numbers, places, count);
+    });
+  }
+
+  /// Sets up the call that is next. The caller's CALL pushes the return address itself, where
+  /// enter() has put one.
+  void enter() {
+    calls->enter(call, machine);
+    auto& registers = machine.registers;
+    registers.write(Register::sp, Size::word, registers.read(Register::sp, Size::word) + 2);
+    write_registers();
+  }
+
+  void leave(CallEnding ending) {
+    read_registers();
+    calls->leave(call++, machine, ending);
+  }
+
+  /// Runs until a hook stops it. @return whether it came so far
+  bool start(std::uint16_t from) {
+    interrupted = false;
+    const uc_err error = uc_emu_start(engine, from, nowhere, 0, 0);
+    if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+    return error == UC_ERR_OK;
+  }
+
+  /// What has ended a run before its end. Unicorn leaves a fault as being served, and one more
+  /// would be a double fault: only a context from before it makes it forgotten.
+  [[nodiscard]] CallEnding fault() const {
+    check(uc_context_restore(engine, fresh), "context");
+    return interrupted && interrupt == 0 ? CallEnding::divide_error : CallEnding::fault;
+  }
+
+ private:
+  template <class Values, class Transfer>
+  static void transfer(Values& values, Transfer&& with) {
+    std::array<int, register_numbers.size()> numbers{};
+    std::array<void*, register_numbers.size()> places{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      numbers[i] = register_numbers[i];
+      places[i] = &values[i];
+    }
+    check(with(numbers.data(), places.data(), static_cast<int>(values.size())), "registers");
+  }
+};
+
+namespace {
+
+/// Unicorn takes all hooks as void*, which C++ makes of functions only so.
+template <class Function>
+void* hook_of(Function* function) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): see above
+  return reinterpret_cast<void*>(function);
+}
+
+}  // namespace
+
+std::string Emulator::absence() { return {}; }
+
+Emulator::Emulator(std::span<const std::uint8_t> code) : parts_(std::make_unique<Parts>()) {
+  Parts& p = *parts_;
+  auto& bytes = p.segment->bytes;
+  if (code.size() > segment_size - code_origin) throw std::length_error("code for a segment");
+  std::copy(caller.begin(), caller.end(), bytes.begin() + caller_origin);
+  std::copy(code.begin(), code.end(), bytes.begin() + code_origin);
+  check(uc_open(UC_ARCH_X86, UC_MODE_16, &p.engine), "open");
+  check(uc_mem_map_ptr(p.engine, 0, segment_size, UC_PROT_ALL, bytes.data()), "memory");
+
+  check(uc_context_alloc(p.engine, &p.fresh), "context");
+  check(uc_context_save(p.engine, p.fresh), "context");
+
+  const auto on_return = [](uc_engine* engine, std::uint64_t, std::uint32_t, void* data) {
+    auto& parts = *static_cast<Parts*>(data);
+    try {
+      parts.leave(CallEnding::returned);
+      if (parts.call < parts.calls->count) return parts.enter();
+    } catch (...) {
+      parts.thrown = std::current_exception();
+    }
+    uc_emu_stop(engine);
+  };
+  const auto on_interrupt = [](uc_engine* engine, std::uint32_t number, void* data) {
+    auto& parts = *static_cast<Parts*>(data);
+    parts.interrupted = true;
+    parts.interrupt = number;
+    uc_emu_stop(engine);
+  };
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): the only function there is
+  check(uc_hook_add(p.engine, &p.at_return, UC_HOOK_CODE,
+                    hook_of<void(uc_engine*, std::uint64_t, std::uint32_t, void*)>(on_return), &p,
+                    after_call, after_call),
+        "hook");
+  check(uc_hook_add(p.engine, &p.at_interrupt, UC_HOOK_INTR,
+                    hook_of<void(uc_engine*, std::uint32_t, void*)>(on_interrupt), &p, 1, 0),
+        "hook");
+  // NOLINTEND(cppcoreguidelines-pro-type-vararg)
+}
+
+Emulator::~Emulator() = default;
+
+std::uint8_t* Emulator::memory() const { return parts_->segment->bytes.data(); }
+
+void Emulator::run(const Calls& calls) {
+  Parts& p = *parts_;
+  p.calls = &calls;
+  p.call = 0;
+  while (p.call < calls.count) {
+    p.enter();
+    const bool stopped = p.start(caller_origin);
+    if (!stopped || p.interrupted) p.leave(p.fault());
+  }
+  p.calls = nullptr;
+}
+
+CallEnding Emulator::trace(SegmentMachine& m, const Step& step, std::size_t limit) {
+  Parts& p = *parts_;
+  p.machine.registers = m.registers;
+  p.machine.flags = m.flags;
+  p.machine.memory.write(m.registers.read(Register::sp, Size::word), after_call);
+  std::uint64_t next = code_origin;
+  for (std::size_t steps = 0; steps < limit; ++steps) {
+    step(p.machine, static_cast<std::uint16_t>(next));
+    p.write_registers();
+    p.interrupted = false;
+    // One at a time: within a block of translated code flags that are written do not count.
+    const uc_err error = uc_emu_start(p.engine, next, nowhere, 0, 1);
+    p.read_registers();
+    m.registers = p.machine.registers;
+    m.flags = p.machine.flags;
+    if (error != UC_ERR_OK || p.interrupted) return p.fault();
+    check(uc_reg_read(p.engine, UC_X86_REG_IP, &next), "registers");
+    if (next == after_call) {
+      step(p.machine, after_call);
+      return CallEnding::returned;
+    }
+  }
+  return CallEnding::fault;
+}
+
+}  // namespace fixproof::machine_code

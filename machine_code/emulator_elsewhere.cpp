@@ -1,0 +1,21 @@
+// In the place of emulator.cpp where Unicorn is not installed.
+#include <stdexcept>
+
+#include "machine_code/emulator.hpp"
+
+namespace fixproof::machine_code {
+
+struct Emulator::Parts {};
+
+std::string Emulator::absence() { return "this fixproof was built without Unicorn 2"; }
+
+// Nobody asks an absent emulator.
+Emulator::Emulator(std::span<const std::uint8_t> /*code*/) { throw std::logic_error(absence()); }
+Emulator::~Emulator() = default;
+std::uint8_t* Emulator::memory() const { return nullptr; }
+void Emulator::run(const Calls& /*calls*/) {}
+CallEnding Emulator::trace(SegmentMachine& /*m*/, const Step& /*step*/, std::size_t /*limit*/) {
+  return CallEnding::fault;
+}
+
+}  // namespace fixproof::machine_code

@@ -1,0 +1,98 @@
+#include "machine_code/enter_segment.hpp"
+
+#if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
+
+// What crosses over and what must not be lost:
+// - the mode switch may lose r8 to r15 and the upper halves of the others, so all that the ABI
+// wants
+//   kept goes onto the 64-bit stack, whose RSP waits in the Landing;
+// - DS, ES and SS are loaded with the segment and restored, though 64-bit code does not look at DS
+//   and ES; FS and GS are never touched: thread-local storage hangs on them;
+// - of the flags only the six arithmetic ones are set on entry (the caller sees to that), and the
+//   direction flag is clear again afterwards, as the ABI wants;
+// - nothing touches the x87, SSE or AVX state, and being a function of its own this code has no red
+//   zone of a caller below it.
+asm(R"(
+        .pushsection .text
+        .p2align 4
+        .globl fixproof_enter_segment
+        .hidden fixproof_enter_segment
+        .type fixproof_enter_segment, @function
+fixproof_enter_segment:
+        pushq %rbx
+        pushq %rbp
+        pushq %r12
+        pushq %r13
+        pushq %r14
+        pushq %r15
+        pushq %rdi
+        movl %ds, %eax
+        pushq %rax
+        movl %es, %eax
+        pushq %rax
+        movl %ss, %eax
+        pushq %rax
+        movq 48(%rdi), %r9
+        leaq fixproof_leave_segment(%rip), %rax
+        movq %rax, 8(%r9)
+        movq %rsp, (%r9)
+        movq %rdi, %r8
+        movl 32(%r8), %eax
+        pushq %rax
+        popfq
+        movw 42(%r8), %ds
+        movw 42(%r8), %es
+        movl 0(%r8), %eax
+        movl 4(%r8), %ecx
+        movl 8(%r8), %edx
+        movl 12(%r8), %ebx
+        movl 20(%r8), %ebp
+        movl 24(%r8), %esi
+        movl 28(%r8), %edi
+        movw 42(%r8), %ss
+        movl 16(%r8), %esp
+        ljmpl *36(%r8)
+
+        .globl fixproof_leave_segment
+        .hidden fixproof_leave_segment
+fixproof_leave_segment:
+        popq %r8
+        movw %r8w, %ss
+        popq %r8
+        movw %r8w, %es
+        popq %r8
+        movw %r8w, %ds
+        popq %r8
+        movl %eax, 0(%r8)
+        movl %ecx, 4(%r8)
+        movl %edx, 8(%r8)
+        movl %ebx, 12(%r8)
+        movl %r10d, 16(%r8)
+        movl %ebp, 20(%r8)
+        movl %esi, 24(%r8)
+        movl %edi, 28(%r8)
+        cld
+        popq %r15
+        popq %r14
+        popq %r13
+        popq %r12
+        popq %rbp
+        popq %rbx
+        retq
+        .size fixproof_enter_segment, . - fixproof_enter_segment
+
+        # Copied to low memory. Both addresses are relative to the instruction pointer and lead to
+        # the Landing behind the copy.
+        .globl fixproof_landing
+        .hidden fixproof_landing
+fixproof_landing:
+        movl %esp, %r10d
+        movq fixproof_landing + 0x1000(%rip), %rsp
+        jmpq *fixproof_landing + 0x1008(%rip)
+        .globl fixproof_landing_end
+        .hidden fixproof_landing_end
+fixproof_landing_end:
+        .popsection
+)");
+
+#endif

@@ -1,0 +1,51 @@
+#include "machine_code/machine_code.hpp"
+
+#include <algorithm>
+
+#include "machine_code/table.hpp"
+
+namespace fixproof::machine_code {
+
+namespace {
+
+const Assembled* find(const std::string& name) {
+  const auto all = assembled_programs();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Assembled& a) { return a.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::span<const std::uint8_t> machine_code(const ProgramKey& key) {
+  const Assembled* found = find(name_of(key));
+  return found == nullptr ? std::span<const std::uint8_t>{} : found->code;
+}
+
+std::span<const std::uint8_t> machine_code(const x86model::LoopForm& form) {
+  const Assembled* found = find(name_of(form));
+  return found == nullptr ? std::span<const std::uint8_t>{} : found->code;
+}
+
+std::span<const std::uint8_t> dos_command(const ProgramKey& key) {
+  const Assembled* found = find(name_of(key));
+  return found == nullptr ? std::span<const std::uint8_t>{} : found->command;
+}
+
+std::string machine_code_absence() {
+  return assembled_programs().empty() ? "this fixproof was built without NASM" : "";
+}
+
+ProgramKey key_of(const cases::Variant& variant) {
+  // The model's routines and the first operations are the same five, in the same order.
+  static_assert(static_cast<int>(cases::Operation::concat) ==
+                static_cast<int>(x86model::Routine::concat));
+  return {static_cast<x86model::Routine>(variant.operation),
+          variant.target == cases::Target::i386 ? x86model::Target::i386 : x86model::Target::i8088,
+          {.mul_rounding = variant.mul_round,
+           .div_rounding = variant.div_round,
+           .chapter_52 = variant.chapter_52,
+           .repaired = variant.repaired}};
+}
+
+}  // namespace fixproof::machine_code

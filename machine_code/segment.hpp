@@ -1,0 +1,54 @@
+/// @file
+/// The 64 KiB in which machine code runs: a machine that x86model/call.hpp can set up and read out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "machine_code/programs.hpp"
+#include "x86model/flags.hpp"
+#include "x86model/machine.hpp"
+
+namespace fixproof::machine_code {
+
+inline constexpr std::size_t segment_size = 0x10000;
+/// The unit in which memory is protected, and in which emulators keep translated code.
+inline constexpr std::size_t page_size = 0x1000;
+
+/// Where the routine's caller stands: a page of its own below the routine.
+inline constexpr std::uint16_t caller_origin = code_origin - page_size;
+
+/// Memory of 16-bit words, low byte first, that somebody else owns.
+class SegmentMemory {
+ public:
+  explicit SegmentMemory(std::uint8_t* first) : first_(first) {}
+
+  /// @return false where a word would not end inside the segment.
+  bool read(std::uint32_t address, std::uint32_t& value) const {
+    if (address > segment_size - 2) return false;
+    value = static_cast<std::uint32_t>(first_[address] | first_[address + 1] << 8);
+    return true;
+  }
+  bool write(std::uint32_t address, std::uint32_t value) {
+    if (address > segment_size - 2) return false;
+    first_[address] = static_cast<std::uint8_t>(value);
+    first_[address + 1] = static_cast<std::uint8_t>(value >> 8U);
+    return true;
+  }
+
+ private:
+  std::uint8_t* first_;
+};
+
+/// What enter() and leave() of x86model/call.hpp work on: registers, flags and that memory.
+struct SegmentMachine {
+  static constexpr int word_bits = 16;
+
+  explicit SegmentMachine(std::uint8_t* first) : memory(first) {}
+
+  x86model::Registers<16> registers;
+  x86model::Flags flags = x86model::all_undefined;
+  SegmentMemory memory;
+};
+
+}  // namespace fixproof::machine_code

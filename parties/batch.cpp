@@ -1,0 +1,164 @@
+// The batch operations, on each of their paths: a whole chunk of cases at a time, with what their
+// reports say held against what they mark.
+#include "fixed/batch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fixed/batch_radian.hpp"
+#include "parties/answer.hpp"
+#include "parties/parties.hpp"
+#include "parties/with_number.hpp"
+
+namespace fixproof::parties {
+
+namespace {
+
+/// Elements that a batch marks.
+class Marks {
+ public:
+  explicit Marks(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {}
+
+  [[nodiscard]] std::span<bool> all() const { return {marks_.get(), size_}; }
+
+  /// Whether the report counts what is marked, and knows the first.
+  [[nodiscard]] bool agree(const fixed::batch::report& report) const {
+    const auto first = std::find(all().begin(), all().end(), true);
+    const bool none = first == all().end();
+    return report.divide_errors + report.overflows + report.domain_errors ==
+               static_cast<std::size_t>(std::count(all().begin(), all().end(), true)) &&
+           report.first == (none ? fixed::batch::report::nowhere
+                                 : static_cast<std::size_t>(first - all().begin()));
+  }
+
+ private:
+  std::size_t size_;
+  std::unique_ptr<bool[]> marks_;
+};
+
+/// Operand `which` of every case.
+template <class Number>
+std::vector<Number> column(const Batch& batch, std::size_t words, std::size_t which) {
+  std::vector<Number> numbers(batch.endings.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = number_of<Number>(batch.in[i * words + which]);
+  }
+  return numbers;
+}
+
+/// One batch of all cases. Where its report does not agree with its marks, it breaks down.
+template <class Number>
+void answer_column(cases::Operation operation, fixed::batch::path path, const Batch& batch) {
+  const std::size_t words = cases::words_in(operation);
+  const auto a = column<Number>(batch, words, 0);
+  std::vector<Number> results(a.size());
+  const Marks marks(a.size());
+  const fixed::batch::options how{path, marks.all()};
+  fixed::batch::report report;
+  if (operation == cases::Operation::mul) {
+    report = fixed::batch::multiply(a, column<Number>(batch, words, 1), results, how);
+  } else if (operation == cases::Operation::div) {
+    report = fixed::batch::divide(a, column<Number>(batch, words, 1), results, how);
+  } else if (operation == cases::Operation::sqrt) {
+    report = fixed::batch::sqrt(a, results, how);
+  } else if (operation == cases::Operation::sin) {
+    fixed::batch::sin(a, results, path);
+  } else {
+    fixed::batch::cos(a, results, path);
+  }
+  const bool sound = marks.agree(report);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    batch.out[i] = word_of(results[i]);
+    const bool fault = operation == cases::Operation::div && marks.all()[i];
+    batch.endings[i] = !sound ? Ending::broken : fault ? Ending::divide_error : Ending::value;
+  }
+}
+
+/// Each case has a transform of its own, so it is the one of a block of vertices: those of the
+/// cases after it, in turn at each place, and in turn interleaved and in arrays of their own. Where
+/// anything is reported or marked, it breaks down: rules that wrap have nothing to report.
+template <class Number>
+void answer_transforms(fixed::batch::path path, const Batch& batch) {
+  constexpr std::size_t block = 16;  // as many as the widest registers have
+  constexpr std::size_t words = 15;
+  const std::size_t cases = batch.endings.size();
+  std::array<std::array<Number, 3>, block> in;
+  std::array<std::array<Number, block>, 3> columns;
+  const Marks marks(block);
+  for (std::size_t i = 0; i < cases; ++i) {
+    std::array<std::array<Number, 4>, 3> rows;
+    for (std::size_t k = 0; k < 12; ++k) {
+      rows[k / 4][k % 4] = number_of<Number>(batch.in[i * words + k]);
+    }
+    const std::size_t place = i % block;
+    for (std::size_t k = 0; k < block; ++k) {
+      const std::size_t other = (i + k) % cases;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto x = number_of<Number>(batch.in[other * words + 12 + c]);
+        in[(place + k) % block][c] = x;
+        columns[c][(place + k) % block] = x;
+      }
+    }
+    const bool interleaved = i / block % 2 == 0;
+    const fixed::batch::options how{path, marks.all()};
+    fixed::batch::report report;
+    if (interleaved) {
+      report = fixed::batch::transform(rows, in, in, how);
+    } else {
+      auto& [x, y, z] = columns;
+      report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      batch.out[3 * i + c] = word_of(interleaved ? in[place][c] : columns[c][place]);
+    }
+    const bool sound = report.clean() && marks.agree(report);
+    batch.endings[i] = sound ? Ending::value : Ending::broken;
+  }
+}
+
+class BatchParty final : public Party {
+ public:
+  BatchParty(std::string name, fixed::batch::path path) : name_(std::move(name)), path_(path) {}
+
+  [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] std::string absence() const override {
+    return fixed::batch::has(path_) ? "" : "this processor or this build does not have it";
+  }
+  [[nodiscard]] bool answers(const cases::Variant& v) const override {
+    using enum cases::Operation;
+    return absence().empty() &&
+           (v.operation == mul || v.operation == div || v.operation == sqrt || v.operation == sin ||
+            v.operation == cos || v.operation == xformvec);
+  }
+  void answer(const cases::Variant& v, const Batch& batch) const override {
+    with_number(v, [&]<class Number>(std::type_identity<Number> /*type*/) {
+      if (v.operation == cases::Operation::xformvec) {
+        answer_transforms<Number>(path_, batch);
+      } else {
+        answer_column<Number>(v.operation, path_, batch);
+      }
+    });
+  }
+
+ private:
+  std::string name_;
+  fixed::batch::path path_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Party>> make_batch_parties() {
+  using enum fixed::batch::path;
+  std::vector<std::unique_ptr<Party>> made;
+  made.push_back(std::make_unique<BatchParty>("batch", fixed::batch::best()));
+  made.push_back(std::make_unique<BatchParty>("batch-portable", portable));
+  made.push_back(std::make_unique<BatchParty>("batch-neon", neon));
+  made.push_back(std::make_unique<BatchParty>("batch-avx2", avx2));
+  made.push_back(std::make_unique<BatchParty>("batch-avx512", avx512));
+  return made;
+}
+
+}  // namespace fixproof::parties

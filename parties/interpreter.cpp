@@ -1,0 +1,102 @@
+#include "parties/interpreter.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "machine_code/machine_code.hpp"
+#include "parties/not_kept.hpp"
+#include "parties/outcome.hpp"
+#include "parties/parties.hpp"
+#include "x86model/call.hpp"
+
+namespace fixproof::parties {
+
+namespace {
+
+namespace x86 = x86model;
+
+template <x86::Routine routine, int word_bits>
+Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, word_bits>& m,
+              std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
+  x86::leave_junk<routine>(m, in);
+  x86::enter<routine>(m, in);
+  const auto entered = m.registers;
+  const Ending ending = ending_of(x86::run(code, m).outcome);
+  x86::leave<routine>(m, out);
+  if (ending != Ending::value) return ending;
+  return not_kept<routine>(entered, m, in).empty() ? Ending::value : Ending::broken;
+}
+
+template <x86::Routine routine, int word_bits>
+void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
+  constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
+  constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
+  x86::CallMachine<routine, word_bits> fresh;
+  // The stack holds what earlier calls have left there.
+  for (std::int32_t at = 0; at < x86::detail::stack_top; at += x86::detail::bytes_of_value) {
+    x86::detail::store(fresh, at, 0x6D2B79F5U * static_cast<std::uint32_t>(at + 1));
+  }
+  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+    // Nothing is left over from one case to the next, whatever a broken program has written.
+    auto machine = fresh;
+    batch.endings[i] = answer<routine, word_bits>(code, machine, batch.in.subspan(i * in, in),
+                                                  batch.out.subspan(i * out, out));
+  }
+}
+
+void answer(const cases::Variant& v, std::span<const x86::Instruction> code, const Batch& batch) {
+  using enum x86::Routine;
+  const bool half = v.fraction_bits == 8;
+  switch (machine_code::key_of(v).routine) {
+    case mul:
+      return half ? answer_all<mul, 8>(code, batch) : answer_all<mul, 16>(code, batch);
+    case div:
+      return half ? answer_all<div, 8>(code, batch) : answer_all<div, 16>(code, batch);
+    case cossin:
+      return answer_all<cossin, 16>(code, batch);
+    case xformvec:
+      return answer_all<xformvec, 16>(code, batch);
+    case concat:
+      return answer_all<concat, 16>(code, batch);
+  }
+}
+
+class Interpreter final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "interpreter"; }
+  [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
+  void answer(const cases::Variant& v, const Batch& batch) const override {
+    parties::answer(v, program_of(v).instructions(), batch);
+  }
+};
+
+class InterpreterOf final : public Party {
+ public:
+  InterpreterOf(std::string name, const x86::Program& program)
+      : name_(std::move(name)), program_(program) {}
+  [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
+  void answer(const cases::Variant& v, const Batch& batch) const override {
+    parties::answer(v, program_.instructions(), batch);
+  }
+
+ private:
+  std::string name_;
+  x86::Program program_;
+};
+
+}  // namespace
+
+x86::Program program_of(const cases::Variant& v) {
+  if (!is_routine(v)) throw std::invalid_argument("no routine of FIXED.ASM");
+  const machine_code::ProgramKey key = machine_code::key_of(v);
+  return x86::assemble(x86::listing(key.routine, key.target), key.build);
+}
+
+std::unique_ptr<Party> make_interpreter() { return std::make_unique<Interpreter>(); }
+
+std::unique_ptr<Party> make_interpreter_of(std::string name, const x86::Program& program) {
+  return std::make_unique<InterpreterOf>(std::move(name), program);
+}
+
+}  // namespace fixproof::parties

@@ -1,0 +1,46 @@
+/// @file
+/// Surfaces by stepping beside the same pictures drawn exactly.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "xsharp/picture.hpp"
+#include "xsharp/raster/exact_filler.hpp"
+#include "xsharp/raster/page.hpp"
+#include "xsharp/scene.hpp"
+
+namespace fixproof::player {
+
+/// Draws every picture twice, in the scene's arithmetic and exactly from the same corners, and
+/// counts what differs.
+class BesideExact {
+ public:
+  /// @param file for a PNG of the last picture: as stepped, exact, and where they differ
+  /// @throws UsageError for a scene where nothing is interpolated, or is not stepped
+  /// @throws std::runtime_error naming the file, if it cannot be written
+  BesideExact(const xsharp::Scene& scene, std::string file);
+
+  void show(const xsharp::Picture& picture);
+  /// Writes the file; nothing without pictures.
+  void finish() const;
+  /// `Beside exact: …`, a line; empty without pictures.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  [[nodiscard]] std::string png() const;
+
+  xsharp::PaletteKind palette_;
+  std::string file_;
+  std::unique_ptr<xsharp::SurfaceFiller> stepper_;
+  xsharp::ExactFiller exact_filler_;
+  std::uint8_t background_;
+  xsharp::Page<std::uint8_t> stepped_;
+  xsharp::Page<std::uint8_t> exact_;
+  std::uint64_t pictures_ = 0;
+  std::uint64_t differing_ = 0;
+  int most_ = 0;
+};
+
+}  // namespace fixproof::player

@@ -1,0 +1,120 @@
+/// @file
+/// A number whose multiplies, divides, sines and transforms are runs of the listings:
+/// register-level X-Sharp.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+
+#include "cases/variant.hpp"
+#include "player/model_call.hpp"
+#include "xsharp/arithmetic.hpp"
+
+namespace fixproof::player {
+
+/// 16.16. What C does itself on these numbers (sums, differences, comparisons) wraps as on the
+/// processors.
+template <cases::Target target, bool mul_round, bool div_round>
+class ModelNumber {
+ public:
+  constexpr ModelNumber() = default;
+
+  static constexpr ModelNumber from_word(std::uint32_t word) {
+    ModelNumber result;
+    result.word_ = word;
+    return result;
+  }
+  [[nodiscard]] constexpr std::uint32_t word() const { return word_; }
+  [[nodiscard]] constexpr std::int32_t raw() const { return static_cast<std::int32_t>(word_); }
+
+  static constexpr cases::Variant variant(cases::Operation operation) {
+    return {
+        .operation = operation, .target = target, .mul_round = mul_round, .div_round = div_round};
+  }
+
+  friend constexpr ModelNumber operator+(ModelNumber a, ModelNumber b) {
+    return from_word(a.word_ + b.word_);
+  }
+  friend constexpr ModelNumber operator-(ModelNumber a, ModelNumber b) {
+    return from_word(a.word_ - b.word_);
+  }
+  constexpr ModelNumber operator-() const { return from_word(0U - word_); }
+  friend ModelNumber operator*(ModelNumber a, ModelNumber b) {
+    const std::array in{a.word_, b.word_};
+    std::array<std::uint32_t, 1> out{};
+    call_model(variant(cases::Operation::mul), in, out);
+    return from_word(out[0]);
+  }
+  friend constexpr bool operator==(ModelNumber, ModelNumber) = default;
+  friend constexpr auto operator<=>(ModelNumber a, ModelNumber b) { return a.raw() <=> b.raw(); }
+  explicit constexpr operator double() const { return raw() / 65536.0; }
+
+ private:
+  std::uint32_t word_ = 0;
+};
+
+}  // namespace fixproof::player
+
+namespace xsharp {
+
+template <fixproof::cases::Target target, bool mul_round, bool div_round>
+struct Arithmetic<fixproof::player::ModelNumber<target, mul_round, div_round>> {
+  using N = fixproof::player::ModelNumber<target, mul_round, div_round>;
+  using Operation = fixproof::cases::Operation;
+
+  static std::int32_t raw(N x) { return x.raw(); }
+  static N from_raw(std::int32_t raw) { return N::from_word(static_cast<std::uint32_t>(raw)); }
+  static N constant(double value, Conversion conversion) {
+    return from_raw(raw_constant(value, conversion));
+  }
+  static std::optional<N> divide(N n, N d) {
+    const std::array in{n.word(), d.word()};
+    std::array<std::uint32_t, 1> out{};
+    if (!fixproof::player::call_model(N::variant(Operation::div), in, out)) return std::nullopt;
+    return N::from_word(out[0]);
+  }
+  static constexpr bool divides_by_whole_part = target == fixproof::cases::Target::i8088;
+  static Turn<N> turn(std::int32_t tenths) {
+    const std::array in{static_cast<std::uint32_t>(tenths) & 0xFFFFU};
+    std::array<std::uint32_t, 2> out{};
+    fixproof::player::call_model(N::variant(Operation::cossin), in, out);
+    return {N::from_word(out[0]), N::from_word(out[1])};
+  }
+  static N midpoint(N a, N b) { return from_raw(std::midpoint(a.raw(), b.raw())); }
+
+  static Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v) {
+    std::array<std::uint32_t, 15> in{};
+    put(t, in.data());
+    in[12] = v.x.word();
+    in[13] = v.y.word();
+    in[14] = v.z.word();
+    std::array<std::uint32_t, 3> out{};
+    fixproof::player::call_model(N::variant(Operation::xformvec), in, out);
+    return {N::from_word(out[0]), N::from_word(out[1]), N::from_word(out[2])};
+  }
+
+  static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second,
+                                  Concatenation how) {
+    std::array<std::uint32_t, 24> in{};
+    put(first, in.data());
+    put(second, in.data() + 12);
+    std::array<std::uint32_t, 12> out{};
+    fixproof::cases::Variant variant = N::variant(Operation::concat);
+    variant.repaired = target == fixproof::cases::Target::i8088 && how == Concatenation::repaired;
+    fixproof::player::call_model(variant, in, out);
+    Transform<N> result;
+    for (std::size_t i = 0; i < 12; ++i) result.rows[i / 4][i % 4] = N::from_word(out[i]);
+    return result;
+  }
+
+ private:
+  /// Twelve words, row by row.
+  static void put(const Transform<N>& t, std::uint32_t* words) {
+    for (std::size_t i = 0; i < 12; ++i) words[i] = t.rows[i / 4][i % 4].word();
+  }
+};
+
+}  // namespace xsharp

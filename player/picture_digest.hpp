@@ -1,0 +1,25 @@
+/// @file
+/// Digests of pictures, for comparison with recordings of the original programs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace fixproof::player {
+
+/// The first 16 hex digits of the SHA-256 of a picture's indices, row by row.
+std::string picture_digest(std::span<const std::uint8_t> pixels);
+
+/// Digests of a sequence of pictures. Equal pictures in a row give one digest, because a viewer
+/// sees no change.
+class DigestLines {
+ public:
+  /// The picture's digest and an end of line; empty if the picture before had the same digest.
+  std::string line_of(std::span<const std::uint8_t> pixels);
+
+ private:
+  std::string last_;
+};
+
+}  // namespace fixproof::player

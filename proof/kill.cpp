@@ -1,0 +1,157 @@
+#include "proof/kill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "cases/plan.hpp"
+#include "parties/interpreter.hpp"
+#include "proof/process.hpp"
+#include "proof/span_cases.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::proof {
+
+namespace {
+
+namespace x86 = x86model;
+
+/// The buffers of a batch of one variant. Small, because most mutants are killed at once, and one
+/// that never ends takes its time for each case.
+class Duel {
+ public:
+  Duel(const cases::Variant& v, const parties::Party& judged, const parties::Party& reference)
+      : v_(v),
+        judged_(judged),
+        reference_(reference),
+        in_(most * cases::words_in(v.operation)),
+        out_(most * cases::words_out(v.operation)),
+        expected_(out_.size()) {}
+
+  /// How many of these cases pass before one does not; `count` where all do.
+  std::uint64_t passed(const cases::Job& job, std::uint64_t seed, std::uint64_t first,
+                       std::uint64_t count) {
+    const std::size_t taken = cases::words_in(v_.operation);
+    const std::size_t given = cases::words_out(v_.operation);
+    for (std::uint64_t done = 0; done < count; done += most) {
+      const auto cases = static_cast<std::size_t>(std::min<std::uint64_t>(most, count - done));
+      const auto in = std::span(in_).first(cases * taken);
+      cases::make_cases(job.stream, v_, seed, first + done, in);
+      judged_.answer(v_, {in, std::span(out_).first(cases * given), std::span(ends_).first(cases)});
+      reference_.answer(v_, {in, std::span(expected_).first(cases * given),
+                             std::span(ends_wanted_).first(cases)});
+      for (std::size_t i = 0; i < cases; ++i) {
+        const auto at = static_cast<std::ptrdiff_t>(i * given);
+        const bool same =
+            ends_.at(i) == ends_wanted_.at(i) &&
+            (ends_.at(i) != parties::Ending::value ||
+             std::equal(out_.begin() + at, out_.begin() + at + static_cast<std::ptrdiff_t>(given),
+                        expected_.begin() + at));
+        if (!same) return done + i;
+      }
+    }
+    return count;
+  }
+
+ private:
+  static constexpr std::size_t most = 64;
+  const cases::Variant& v_;
+  const parties::Party& judged_;
+  const parties::Party& reference_;
+  std::vector<std::uint32_t> in_, out_, expected_;
+  std::array<parties::Ending, most> ends_{}, ends_wanted_{};
+};
+
+/// What has survived is equivalent where the solver says so.
+template <class Subject>
+void try_to_prove(Judgement& judgement, const Subject& subject, const x86::Program& program,
+                  const Solver& solver, int most_seconds) {
+  try {
+    judgement.proof = prove(subject, program, solver, most_seconds);
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::exception& error) {
+    judgement.failure = error.what();
+  }
+  if (judgement.proof.standing == Standing::proven) judgement.fate = Fate::equivalent;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+std::vector<x86::Mutant> mutants_of(const cases::Variant& v) {
+  const x86::Program sound = parties::program_of(v);
+  auto all = x86::mutants(sound);
+  std::size_t own = 1;
+  while (own < sound.size && !sound.code.at(own).is_procedure) ++own;
+  std::erase_if(all, [&](const x86::Mutant& m) { return m.position >= own; });
+  return all;
+}
+
+x86::Mutant mutant_of(const cases::Variant& v, std::size_t number) {
+  const auto all = mutants_of(v);
+  if (number < 1 || number > all.size()) {
+    throw support::UsageError(
+        fmt::format("--mutant {}: {} has mutants 1 to {}", number, cases::name_of(v), all.size()));
+  }
+  return all[number - 1];
+}
+
+std::optional<std::uint64_t> cases_to_kill(const cases::Variant& v, const parties::Party& judged,
+                                           std::uint64_t seed) {
+  const parties::Party& oracle =
+      parties::party_named(v.operation == cases::Operation::cossin ? "oracle" : "fast");
+  const cases::Plan plan(1, seed,
+                         {cases::Row{v, {std::string(judged.name()), std::string(oracle.name())}}});
+  Duel duel(v, judged, oracle);
+  std::uint64_t cases = 0;
+  // A few cases of every stream first: most mutants need no more.
+  constexpr std::uint64_t few = 256;
+  for (const bool first_ones : {true, false}) {
+    for (const cases::Job& job : plan.jobs()) {
+      const std::uint64_t begin = first_ones ? 0 : std::min(few, job.cases);
+      const std::uint64_t end = first_ones ? std::min(few, job.cases) : job.cases;
+      const std::uint64_t passed = duel.passed(job, seed, begin, end - begin);
+      cases += passed;
+      if (passed < end - begin) return cases + 1;
+    }
+  }
+  return std::nullopt;
+}
+
+Judgement judge(const cases::Variant& v, const x86::Program& program, std::uint64_t seed,
+                const Solver& solver, int most_seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  Judgement judgement;
+  if (const auto cases = cases_to_kill(v, *parties::make_interpreter_of("mutant", program), seed)) {
+    judgement.fate = Fate::killed;
+    judgement.cases = *cases;
+  } else if (has_same_terms(v, program.instructions())) {
+    judgement.fate = Fate::equivalent;
+  } else {
+    try_to_prove(judgement, v, program, solver, most_seconds);
+  }
+  judgement.seconds = seconds_since(begin);
+  return judgement;
+}
+
+Judgement judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
+                const Solver& solver, int most_seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  Judgement judgement;
+  if (const auto spans = spans_to_kill(form, program, seed)) {
+    judgement.fate = Fate::killed;
+    judgement.cases = *spans;
+  } else {
+    try_to_prove(judgement, form, program, solver, most_seconds);
+  }
+  judgement.seconds = seconds_since(begin);
+  return judgement;
+}
+
+}  // namespace fixproof::proof

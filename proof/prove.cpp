@@ -1,0 +1,77 @@
+#include "proof/prove.hpp"
+
+#include "parties/answer.hpp"
+#include "parties/interpreter.hpp"
+#include "proof/lost_carry.hpp"
+#include "proof/step_proof.hpp"
+
+namespace fixproof::proof {
+
+namespace {
+
+/// Asks one question after the other until one is not answered as it should be.
+SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver,
+                     int most_seconds, double& seconds) {
+  SolverAnswer answer{.verdict = Verdict::unsatisfiable};
+  for (const std::string& script : scripts) {
+    answer = solver.ask(script, most_seconds);
+    seconds += answer.seconds;
+    if (answer.verdict != Verdict::unsatisfiable) break;
+  }
+  return answer;
+}
+
+/// Where nothing that matters is abstract: a counterexample is one.
+Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, int most_seconds) {
+  Proof proof;
+  proof.questions = scripts.size();
+  const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
+  if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
+  if (answer.verdict == Verdict::satisfiable) proof.standing = Standing::disproven;
+  return proof;
+}
+
+}  // namespace
+
+Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
+            int most_seconds) {
+  return prove_all(step_questions(form, program), solver, most_seconds);
+}
+
+std::vector<std::string> lost_carry_questions(bool mul_round) {
+  const auto program = [mul_round](bool repaired) {
+    return parties::program_of({.operation = cases::Operation::concat,
+                                .target = cases::Target::i8088,
+                                .mul_round = mul_round,
+                                .repaired = repaired});
+  };
+  return lost_carry_questions(program(false), program(true));
+}
+
+Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds) {
+  return prove_all(lost_carry_questions(mul_round), solver, most_seconds);
+}
+
+Proof prove(const cases::Variant& v, const x86model::Program& program, const Solver& solver,
+            int most_seconds) {
+  const auto party = parties::make_interpreter_of("program", program);
+  Proof proof;
+  for (const Arithmetic arithmetic : {Arithmetic::abstract, Arithmetic::exact}) {
+    const auto scripts = questions(v, program.instructions(), arithmetic);
+    proof.questions += scripts.size();
+    const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
+    if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
+    if (answer.verdict != Verdict::satisfiable) return proof;
+    const auto operands = operands_in(v, answer.text);
+    proof.given = parties::ask(*party, v, operands);
+    proof.wanted = parties::ask(parties::party_named("oracle"), v, operands);
+    if (proof.given != proof.wanted) {
+      proof.standing = Standing::disproven;
+      proof.counterexample = operands;
+      return proof;
+    }
+  }
+  return proof;
+}
+
+}  // namespace fixproof::proof

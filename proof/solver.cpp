@@ -1,0 +1,85 @@
+#include "proof/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "proof/process.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::proof {
+
+namespace {
+
+using std::chrono::seconds;
+
+/// To say what it is takes no solver longer.
+constexpr seconds patience_for_a_name{10};
+/// A solver keeps to its time by itself; one that does not is ended so much later.
+constexpr seconds grace{2};
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// What it has to say, be it an answer or a complaint.
+std::string remark(const Printed& printed) {
+  return first_line(printed.out.empty() ? printed.err : printed.out);
+}
+
+/// The command that answers a script on standard input, with the model of what is satisfiable.
+std::vector<std::string> command_of(const std::string& solver, int most_seconds) {
+  if (solver == "z3") {
+    return {solver, "-smt2", "-in", "dump_models=true", fmt::format("-T:{}", most_seconds)};
+  }
+  return {solver, "--lang=smt2", "--dump-models", fmt::format("--tlimit={}", 1000 * most_seconds)};
+}
+
+}  // namespace
+
+Solver::Solver(const std::string& name) : name_(name) {
+  if (name != "z3" && name != "cvc5") {
+    throw support::UsageError(fmt::format("unknown solver '{}'; there are z3, cvc5", name));
+  }
+  Printed printed;
+  try {
+    printed = run_program({name, "--version"}, "", patience_for_a_name);
+  } catch (const std::system_error& error) {
+    throw support::UsageError(fmt::format("{} cannot be run: {}; Debian's package {} has it", name,
+                                          error.code().message(), name));
+  }
+  if (!printed.in_time)
+    throw support::UsageError(fmt::format("{} --version comes to no end", name));
+  if (printed.status != 0 || printed.out.empty()) {
+    throw support::UsageError(fmt::format("{} --version fails with status {}: {}", name,
+                                          printed.status,
+                                          fixproof::support::quoted(remark(printed))));
+  }
+  version_ = support::printable(first_line(printed.out));
+}
+
+SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
+  const auto begin = std::chrono::steady_clock::now();
+  const Printed printed =
+      run_program(command_of(name_, most_seconds), script, seconds(most_seconds) + grace);
+  SolverAnswer answer;
+  answer.text = printed.out;
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (!printed.in_time) return answer;
+  const std::string said = remark(printed);
+  if (said == "unknown" || said.find("timeout") != std::string::npos) return answer;
+  // An answer counts only from a solver that has nothing to complain of.
+  if (printed.status != 0) {
+    throw std::runtime_error(fmt::format("{} fails with status {}: {}", name_, printed.status,
+                                         fixproof::support::quoted(said)));
+  }
+  if ((said != "unsat" && said != "sat") || printed.out.find("(error") != std::string::npos) {
+    throw std::runtime_error(fmt::format("{} says: {}", name_, fixproof::support::quoted(said)));
+  }
+  answer.verdict = said == "sat" ? Verdict::satisfiable : Verdict::unsatisfiable;
+  return answer;
+}
+
+}  // namespace fixproof::proof

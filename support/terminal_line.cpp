@@ -1,0 +1,34 @@
+#include "support/terminal_line.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace fixproof::support {
+
+namespace {
+
+/// What fits beside the cursor: a line that wraps could not be drawn over.
+std::string_view cut_to_window(std::string_view text) {
+  winsize window{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) return text;
+  return text.substr(0, window.ws_col - 1U);
+}
+
+}  // namespace
+
+TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+TerminalLine::~TerminalLine() {
+  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void TerminalLine::show(std::string_view text) {
+  if (!terminal_) return;
+  fmt::print(stderr, "\r{}\x1b[K", cut_to_window(text));
+  drawn_ = true;
+}
+
+}  // namespace fixproof::support

@@ -1,0 +1,60 @@
+#include "trade/advice/advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fixproof::trade {
+
+namespace {
+
+/// Of those places, the first and all that cost the same.
+std::vector<std::size_t> as_cheap_as_the_first(std::span<const Tried> tried,
+                                               const std::vector<std::size_t>& places) {
+  std::vector<std::size_t> same;
+  for (const std::size_t i : places) {
+    if (costs_the_same(tried[places.front()].cost, tried[i].cost)) same.push_back(i);
+  }
+  return same;
+}
+
+/// The one that is least far off; of two alike, the cheaper.
+std::size_t nearest_of(std::span<const Tried> tried, const std::vector<std::size_t>& places) {
+  return *std::ranges::min_element(places, {},
+                                   [&](std::size_t i) { return tried[i].error.pixels; });
+}
+
+}  // namespace
+
+bool costs_the_same(const Cost& a, const Cost& b) {
+  return std::abs(a.ranked - b.ranked) <= std::min(a.spread, b.spread);
+}
+
+void sort_by_cost(std::vector<Tried>& tried) {
+  std::ranges::stable_sort(tried, [](const Tried& a, const Tried& b) {
+    const double difference = a.cost.ranked - b.cost.ranked;
+    return difference < 0 || (difference == 0 && a.error.pixels < b.error.pixels);
+  });
+}
+
+Advice advise(std::span<const Tried> tried, double budget) {
+  Advice advice;
+  std::vector<std::size_t> fit;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (tried[i].error.pixels < tried[advice.nearest].error.pixels) advice.nearest = i;
+    if (tried[i].error.pixels <= budget) fit.push_back(i);
+  }
+  if (fit.empty()) return advice;
+  const auto as_cheap = as_cheap_as_the_first(tried, fit);
+  advice.as_cheap = as_cheap.size() - 1;
+  advice.take = nearest_of(tried, as_cheap);
+  std::erase(fit, *advice.take);
+  if (!fit.empty()) advice.runner_up = nearest_of(tried, as_cheap_as_the_first(tried, fit));
+  const Cost& taken = tried[*advice.take].cost;
+  for (std::size_t i = 0; i < *advice.take; ++i) {
+    const bool fits = tried[i].error.pixels <= budget;
+    if (!fits && !costs_the_same(tried[i].cost, taken)) advice.next_cheaper = i;
+  }
+  return advice;
+}
+
+}  // namespace fixproof::trade

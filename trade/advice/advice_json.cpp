@@ -1,0 +1,63 @@
+#include <nlohmann/json.hpp>
+
+#include "support/json_text.hpp"
+#include "trade/advice/advice_text.hpp"
+#include "trade/host/provenance.hpp"
+
+namespace fixproof::trade {
+
+namespace {
+
+using AdviceJson = nlohmann::ordered_json;
+
+AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
+  const Choice& choice = tried.choice;
+  AdviceJson json;
+  json["name"] = name_of(choice);
+  json["target"] = cases::name_of(choice.target);
+  json["mul_round"] = choice.mul_round;
+  json["div_round"] = choice.div_round;
+  json["from_scratch"] = choice.turning.from_scratch;
+  json["restore_every"] = choice.turning.restore_every;
+  json["cost_least"] = tried.cost.least;
+  json["cost_most"] = tried.cost.most;
+  json["cost_ranked"] = tried.cost.ranked;
+  json["cost_spread"] = tried.cost.spread;
+  json["cost_bus"] = tried.cost.bus ? AdviceJson(*tried.cost.bus) : AdviceJson();
+  json["worst_pixels"] = tried.error.pixels;
+  json["worst_frame"] = tried.error.frame;
+  json["worst_object"] = tried.error.object;
+  json["first_frame_over"] = nullptr;
+  if (tried.error.over) json["first_frame_over"] = *tried.error.over;
+  json["within_budget"] = tried.error.pixels <= report.budget;
+  return json;
+}
+
+AdviceJson place(const std::optional<std::size_t>& index) {
+  return index ? AdviceJson(*index) : AdviceJson();
+}
+
+}  // namespace
+
+std::string json_of(const AdviceReport& report) {
+  const Advice advice = advise(report.tried, report.budget);
+  AdviceJson json;
+  json["made"] = made_by_json("advise");
+  json["made"]["processor"] = report.cpu ? AdviceJson() : AdviceJson(processor_name());
+  json["scene"] = report.scene;
+  json["frames"] = report.frames;
+  json["frames_per_second"] = advised_rate;
+  json["budget_pixels"] = report.budget;
+  json["cpu"] = report.cpu ? AdviceJson(x86model::name_of(*report.cpu)) : AdviceJson();
+  json["repaired"] = report.repaired;
+  json["cost_unit"] = report.cpu ? "clocks a frame" : "ns a frame";
+  json["variants"] = AdviceJson::array();
+  for (const Tried& tried : report.tried) json["variants"].push_back(json_of(tried, report));
+  json["take"] = place(advice.take);
+  json["runner_up"] = place(advice.runner_up);
+  json["next_cheaper"] = place(advice.next_cheaper);
+  json["drift_pixels"] = report.drift_pixels ? AdviceJson(*report.drift_pixels) : AdviceJson();
+  return support::json_text(json);
+}
+
+}  // namespace fixproof::trade

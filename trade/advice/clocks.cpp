@@ -1,0 +1,155 @@
+// Clocks a frame, from the calls of the model.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "player/canvas.hpp"
+#include "player/model_number.hpp"
+#include "player/players.hpp"
+#include "trade/advice/cost.hpp"
+#include "trade/clocks/frame_clocks.hpp"
+#include "xsharp/motion.hpp"
+#include "xsharp/rotation.hpp"
+
+namespace fixproof::trade {
+
+namespace {
+
+/// What FIXED.ASM would be called for, were orientations made from angles.
+class FromAngles {
+ public:
+  explicit FromAngles(const xsharp::Scene& scene) {
+    for (xsharp::ObjectDescription object : scene.objects) {
+      // Then advance() tells rotations alone.
+      object.drift.reset();
+      object.orbit.reset();
+      objects_.push_back({object.spin.tenths, xsharp::Motion<double>(object, {})});
+    }
+  }
+
+  void advance(bool counts) {
+    for (Turned& object : objects_) {
+      if (!object.motion.advance()) continue;
+      ++object.rotations;
+      if (counts) make_matrix(object);
+    }
+  }
+
+ private:
+  struct Turned {
+    std::array<std::int32_t, 3> tenths{};
+    xsharp::Motion<double> motion;
+    std::int64_t rotations = 0;
+  };
+
+  /// Operands of builds differ by units: one build stands for all.
+  static void make_matrix(const Turned& object) {
+    using N = player::ModelNumber<cases::Target::i386, true, true>;
+    auto matrix = xsharp::identity<N>();
+    for (const xsharp::Axis axis : {xsharp::Axis::x, xsharp::Axis::y, xsharp::Axis::z}) {
+      const std::int32_t step = object.tenths.at(static_cast<std::size_t>(axis));
+      if (step == 0) continue;
+      const auto angle = static_cast<std::int32_t>(step * object.rotations % 3600);
+      xsharp::append_rotation(matrix, axis, xsharp::Arithmetic<N>::turn(angle));
+    }
+  }
+
+  std::vector<Turned> objects_;
+};
+
+/// Of a frame on average, by Intel's tables and on the bus of an 8088.
+struct Counted {
+  double least = 0;
+  double most = 0;
+  double bus = 0;
+};
+
+Cost cost_of(const Counted& c, x86model::Cpu cpu) {
+  const double least = std::max(c.least, c.bus);
+  const double most = std::max(c.most, c.bus);
+  Cost cost{least, most, (least + most) / 2};
+  if (cpu == x86model::Cpu::i8088) cost.bus = c.bus;
+  return cost;
+}
+
+/// The clocks of the sampled frames, as counted.
+Counted sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
+  const auto player = player::make_player(scene, scene.arithmetic);
+  const auto canvas = player::canvas_of_surfaces(scene);
+  std::optional<FromAngles> angles;
+  if (scene.from_scratch) angles.emplace(scene);
+  xsharp::Picture picture;
+  FrameClocks sum;
+  for (std::uint64_t place = 0; place < ClockSample::places; ++place) {
+    // Afterwards nothing is left to prepare but what moves.
+    player->draw(picture);
+    for (std::uint64_t i = 0; i < ClockSample::apart; ++i) {
+      const bool counts = i < ClockSample::in_a_row;
+      player::OperandLog log;
+      {
+        std::optional<player::Recording> recording;
+        if (counts) recording.emplace(log);
+        player->move();
+        if (angles) angles->advance(counts);
+        if (counts) player->draw(picture);
+        if (counts && canvas) canvas->show(picture);
+      }
+      if (counts) sum += clocks_of(log, scene.arithmetic, cpu);
+    }
+  }
+  constexpr double frames = ClockSample::places * ClockSample::in_a_row;
+  return {static_cast<double>(sum.table.min) / frames, static_cast<double>(sum.table.max) / frames,
+          static_cast<double>(sum.bus.clocks()) / frames};
+}
+
+/// Of the motions between always and never restoring.
+Counted shared_out(const Counted& never, const Counted& always, double rotations) {
+  return {never.least + (always.least - never.least) / rotations,
+          never.most + (always.most - never.most) / rotations,
+          never.bus + (always.bus - never.bus) / rotations};
+}
+
+/// Counts each scene once.
+class ClockMemory {
+ public:
+  ClockMemory(const xsharp::Scene& scene, x86model::Cpu cpu) : scene_(scene), cpu_(cpu) {}
+
+  Cost of(Choice choice) {
+    const std::int32_t every = choice.turning.restore_every;
+    if (every <= 1) return cost_of(counted(choice), cpu_);
+    choice.turning.restore_every = 0;
+    const Counted never = counted(choice);
+    choice.turning.restore_every = 1;
+    return cost_of(shared_out(never, counted(choice), every), cpu_);
+  }
+
+ private:
+  Counted counted(const Choice& choice) {
+    for (const auto& [known, clocks] : counted_) {
+      if (known == choice) return clocks;
+    }
+    counted_.emplace_back(choice, sampled_clocks(scene_with(scene_, choice, "model"), cpu_));
+    return counted_.back().second;
+  }
+
+  const xsharp::Scene& scene_;
+  x86model::Cpu cpu_;
+  std::vector<std::pair<Choice, Counted>> counted_;
+};
+
+}  // namespace
+
+std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                 x86model::Cpu cpu, const std::atomic<bool>& stop,
+                                 const std::function<void(std::uint64_t)>& counted) {
+  ClockMemory memory(scene, cpu);
+  std::vector<Cost> costs;
+  for (const Choice& choice : choices) {
+    if (stop) break;
+    costs.push_back(memory.of(choice));
+    counted(costs.size());
+  }
+  return costs;
+}
+
+}  // namespace fixproof::trade

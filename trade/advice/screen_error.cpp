@@ -1,0 +1,195 @@
+#include "trade/advice/screen_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "fixed/fixed.hpp"
+#include "trade/advice/screen_corners.hpp"
+
+namespace fixproof::trade {
+
+namespace {
+
+using xsharp::RotationStyle;
+using xsharp::Scene;
+
+/// The corners of one object where they should be; nothing where clipped, empty out of reach.
+using ExactPlaces = std::vector<std::optional<ScreenPlace>>;
+
+/// Squares of the worst distances, under the divide that rounds and under the one that does not.
+using OfBothDivides = std::array<double, 2>;
+
+/// A multiply and a way of turning: divides follow when the motion is done, so that one motion
+/// serves both.
+class ScreenRun {
+ public:
+  ScreenRun() = default;
+  ScreenRun(const ScreenRun&) = delete;
+  ScreenRun& operator=(const ScreenRun&) = delete;
+  ScreenRun(ScreenRun&&) = delete;
+  ScreenRun& operator=(ScreenRun&&) = delete;
+  virtual ~ScreenRun() = default;
+  virtual void advance(std::size_t object) = 0;
+  virtual OfBothDivides worst(std::size_t object, const ExactPlaces& exact) = 0;
+};
+
+void add_error(double& worst, const std::optional<ScreenPlace>& is, const ScreenPlace& should_be) {
+  // A divide error leaves no place at all.
+  const double x = is ? (*is)[0] - should_be[0] : std::numeric_limits<double>::infinity();
+  const double y = is ? (*is)[1] - should_be[1] : 0;
+  worst = std::max(worst, x * x + y * y);
+}
+
+/// @tparam N, Truncating the type with this multiply and either divide
+template <class N, class Truncating>
+class ScreenRunOf final : public ScreenRun {
+ public:
+  ScreenRunOf(const Scene& scene, const RotationStyle& style)
+      : view_(xsharp::view_of<N>(scene, xsharp::concatenation_of(scene.arithmetic))),
+        truncating_(xsharp::projection_of<Truncating>(scene)) {
+    for (const auto& object : scene.objects) objects_.emplace_back(object, style);
+  }
+
+  void advance(std::size_t object) override { objects_[object].advance(); }
+
+  OfBothDivides worst(std::size_t object, const ExactPlaces& exact) override {
+    OfBothDivides worst{};
+    if (exact.empty()) return worst;
+    const auto& corners = objects_[object].view(view_);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (!exact[i] || !xsharp::inside(corners[i], view_.projection.slope)) continue;
+      add_error(worst[0], screen_place(corners[i], view_.projection), *exact[i]);
+      const auto same = [](N x) { return Truncating::from_raw(x.raw()); };
+      const xsharp::Vec3<Truncating> corner{same(corners[i].x), same(corners[i].y),
+                                            same(corners[i].z)};
+      add_error(worst[1], screen_place(corner, truncating_), *exact[i]);
+    }
+    return worst;
+  }
+
+ private:
+  xsharp::View<N> view_;
+  xsharp::Projection<Truncating> truncating_;
+  std::vector<ScreenCorners<N>> objects_;
+};
+
+std::unique_ptr<ScreenRun> screen_run(const Scene& scene, const Choice& choice) {
+  using namespace fixed;
+  const RotationStyle style{scene.trigonometry, scene.conversion, choice.turning.from_scratch,
+                            choice.turning.restore_every, scene.restore_rows};
+  const auto make = [&]<class N, class Truncating>() -> std::unique_ptr<ScreenRun> {
+    return std::make_unique<ScreenRunOf<N, Truncating>>(scene, style);
+  };
+  if (choice.target == cases::Target::i386) {
+    return choice.mul_round
+               ? make.template operator()<q16_16_i386, q16_16_i386_mul_rounded>()
+               : make.template operator()<q16_16_i386_div_rounded, q16_16_i386_unrounded>();
+  }
+  return choice.mul_round
+             ? make.template operator()<q16_16_i8088, q16_16_i8088_mul_rounded>()
+             : make.template operator()<q16_16_i8088_div_rounded, q16_16_i8088_unrounded>();
+}
+
+/// Where the corners should be.
+class ExactRun {
+ public:
+  explicit ExactRun(const Scene& scene) : view_(xsharp::view_of<double>(scene)) {
+    const RotationStyle style{scene.trigonometry, scene.conversion, true, 0};
+    for (const auto& object : scene.objects) objects_.emplace_back(object, style);
+  }
+
+  bool advance(std::size_t object) { return objects_[object].advance(); }
+
+  const ExactPlaces& places(std::size_t object) {
+    places_.clear();
+    for (const auto& corner : objects_[object].view(view_)) {
+      const bool kept = xsharp::inside(corner, view_.projection.slope);
+      places_.push_back(kept ? screen_place(corner, view_.projection) : std::nullopt);
+    }
+    return places_;
+  }
+
+ private:
+  xsharp::View<double> view_;
+  std::vector<ScreenCorners<double>> objects_;
+  ExactPlaces places_;
+};
+
+/// The run of a choice, and which of its divides.
+struct Part {
+  std::size_t run = 0;
+  std::size_t divide = 0;
+};
+
+/// One run for all choices that differ in their divide alone.
+struct SharedRuns {
+  std::vector<std::unique_ptr<ScreenRun>> runs;
+  std::vector<Part> parts;  ///< of each choice
+};
+
+SharedRuns shared_runs(const Scene& scene, std::span<const Choice> choices) {
+  SharedRuns shared;
+  std::vector<Choice> motions;
+  for (const Choice& choice : choices) {
+    Choice motion = choice;
+    motion.div_round = true;
+    const auto known = std::ranges::find(motions, motion);
+    shared.parts.push_back(
+        {static_cast<std::size_t>(known - motions.begin()), choice.div_round ? 0U : 1U});
+    if (known != motions.end()) continue;
+    motions.push_back(motion);
+    shared.runs.push_back(screen_run(scene, motion));
+  }
+  return shared;
+}
+
+void note_error(ScreenError& error, double pixels, std::uint64_t frame, std::size_t object,
+                double budget) {
+  if (pixels > error.pixels) {
+    error.pixels = pixels;
+    error.frame = frame;
+    error.object = object;
+  }
+  if (!error.over && pixels > budget) error.over = frame;
+}
+
+}  // namespace
+
+std::vector<ScreenError> screen_errors(const Scene& scene, std::span<const Choice> choices,
+                                       double budget, std::uint64_t& frames,
+                                       const std::atomic<bool>& stop,
+                                       const std::function<void(std::uint64_t)>& frame_done) {
+  const SharedRuns shared = shared_runs(scene, choices);
+  const auto& runs = shared.runs;
+  const auto& parts = shared.parts;
+  ExactRun exact(scene);
+  std::vector<ScreenError> errors(choices.size());
+  std::vector<OfBothDivides> worst(runs.size());
+  const auto compare = [&](std::uint64_t frame, std::size_t object) {
+    const ExactPlaces& places = exact.places(object);
+    for (std::size_t i = 0; i < worst.size(); ++i) worst[i] = runs[i]->worst(object, places);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      note_error(errors[i], std::sqrt(worst[parts[i].run][parts[i].divide]), frame, object, budget);
+    }
+  };
+  for (std::uint64_t frame = 0; frame < frames; ++frame) {
+    if (stop) {
+      frames = frame;
+      break;
+    }
+    for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+      if (frame > 0) {
+        for (const auto& run : runs) run->advance(object);
+      }
+      // What stands still is as wrong as it was.
+      if (frame == 0 || exact.advance(object)) compare(frame, object);
+    }
+    frame_done(frame + 1);
+  }
+  return errors;
+}
+
+}  // namespace fixproof::trade

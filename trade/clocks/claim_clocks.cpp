@@ -1,0 +1,35 @@
+#include "trade/clocks/claim_clocks.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "trade/clocks/frame_clocks.hpp"
+
+namespace fixproof::trade {
+
+const SceneOperands& operands_of(const RecordedScene& scene, RecordedBuild build) {
+  return scene.builds.at(static_cast<std::size_t>(build));
+}
+
+Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model::Cpu cpu,
+                      Fetching fetching) {
+  const SceneOperands& operands = operands_of(scene, build);
+  const FrameClocks clocks = clocks_of(operands.log, operands.choice, cpu);
+  x86model::Range all = clocks.at_least();
+  if (fetching == Fetching::waiting) {
+    const std::uint64_t code = x86model::bus_clocks_a_byte * clocks.bus.code;
+    all = {clocks.table.min + code, clocks.table.max + code};
+  }
+  const auto frames = static_cast<double>(operands.frames);
+  return {static_cast<double>(all.min) / frames, static_cast<double>(all.max) / frames};
+}
+
+Bounds ratio(const Bounds& a, const Bounds& b) { return {a.min / b.max, a.max / b.min}; }
+
+void add_figure(Claim& claim, std::string where, const Bounds& measured, Evidence evidence) {
+  // A scene that never calls a routine has no figure for it.
+  if (!std::isfinite(measured.min) || !std::isfinite(measured.max)) return;
+  claim.figures.push_back({std::move(where), measured, judge(measured, claim.allowed, evidence)});
+}
+
+}  // namespace fixproof::trade

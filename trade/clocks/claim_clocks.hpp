@@ -1,0 +1,49 @@
+/// @file
+/// The clocks and figures by which the claims are judged.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/variant.hpp"
+#include "trade/clocks/claims.hpp"
+
+namespace fixproof::trade {
+
+/// The places of RecordedScene::builds.
+enum class RecordedBuild : std::size_t { i386_on, i386_off, i8088_on, i8088_off, i386_printed };
+/// The 8088 build that the printed switches select: it rounds both.
+inline constexpr RecordedBuild i8088_printed = RecordedBuild::i8088_on;
+
+/// Up to a fifth less or a quarter more.
+constexpr Bounds about(double figure) { return {figure / 1.25, figure * 1.25}; }
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// Scenes whose frames a second are published.
+inline constexpr std::string_view cubes_scene = "twelve cubes";
+inline constexpr std::string_view ball_scene = "shaded ball";
+
+/// Whether an 8088 fetches code while it executes.
+enum class Fetching {
+  meanwhile,  ///< the least time: the larger of table and bus time
+  waiting,    ///< it waits for every byte of code: table time plus the code's bus time
+};
+
+const SceneOperands& operands_of(const RecordedScene& scene, RecordedBuild build);
+
+/// Clocks of the listings in a frame of a scene. Only an 8088 fetches.
+Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model::Cpu cpu,
+                      Fetching fetching = Fetching::meanwhile);
+
+Bounds ratio(const Bounds& a, const Bounds& b);
+
+/// Adds a figure with its verdict, unless there is nothing to compare.
+void add_figure(Claim& claim, std::string where, const Bounds& measured,
+                Evidence evidence = Evidence::decides);
+
+/// The claims of chapters 52 and 53, which are about the 386 alone.
+std::vector<Claim> judge_claims_of_the_386(const std::vector<RecordedScene>& scenes);
+
+}  // namespace fixproof::trade

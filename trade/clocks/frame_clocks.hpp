@@ -1,0 +1,36 @@
+/// @file
+/// What the listings would cost on the processors of their time.
+#pragma once
+
+#include <algorithm>
+
+#include "player/model_call.hpp"
+#include "x86model/bus.hpp"
+#include "x86model/clocks.hpp"
+#include "xsharp/scene.hpp"
+
+namespace fixproof::trade {
+
+/// The clocks of calls: of the listings alone, without the C around them.
+struct FrameClocks {
+  x86model::Range table;   ///< by Intel's tables, which have ranges in places
+  x86model::BusBytes bus;  ///< on an 8088; see x86model/bus.hpp
+
+  /// The larger of table and bus time: the two units of an 8088 work at the same time.
+  [[nodiscard]] x86model::Range at_least() const {
+    return {std::max(table.min, bus.clocks()), std::max(table.max, bus.clocks())};
+  }
+  FrameClocks& operator+=(const FrameClocks& other) {
+    table += other.table;
+    bus += other.bus;
+    return *this;
+  }
+};
+
+/// The clocks of the calls in a log.
+/// @param choice the arithmetic that made the calls, of the model
+/// @throws std::invalid_argument where `cpu` cannot run the listings
+FrameClocks clocks_of(const player::OperandLog& log, const xsharp::ArithmeticChoice& choice,
+                      x86model::Cpu cpu);
+
+}  // namespace fixproof::trade

@@ -1,0 +1,179 @@
+#include "trade/drift/run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "fixed/fixed.hpp"
+#include "trade/drift/sources.hpp"
+#include "xsharp/motion.hpp"
+#include "xsharp/view.hpp"
+
+namespace fixproof::trade {
+
+namespace {
+
+using xsharp::ObjectDescription;
+using xsharp::RotationStyle;
+
+/// The motions of all objects, whatever the number type.
+class Motions {
+ public:
+  Motions() = default;
+  Motions(const Motions&) = delete;
+  Motions& operator=(const Motions&) = delete;
+  Motions(Motions&&) = delete;
+  Motions& operator=(Motions&&) = delete;
+  virtual ~Motions() = default;
+  virtual void advance() = 0;
+  [[nodiscard]] virtual Placement placement(std::size_t object) const = 0;
+};
+
+template <class N>
+class MotionsOf final : public Motions {
+ public:
+  MotionsOf(const xsharp::Scene& scene, const RotationStyle& style) {
+    for (const ObjectDescription& object : scene.objects) motions_.emplace_back(object, style);
+  }
+  void advance() override {
+    for (auto& motion : motions_) motion.advance();
+  }
+  [[nodiscard]] Placement placement(std::size_t object) const override {
+    Placement p;
+    const auto& motion = motions_[object];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        p.at(i).at(j) = static_cast<double>(motion.to_world().rows[i][j]);
+      }
+      p.at(i)[3] += static_cast<double>(motion.page()[i]) * xsharp::page_size;
+    }
+    return p;
+  }
+
+ private:
+  std::vector<xsharp::Motion<N>> motions_;
+};
+
+template <class Number, fixed::rounding rounding>
+std::unique_ptr<Motions> motions_with(const xsharp::Scene& scene, const RotationStyle& style,
+                                      Without without) {
+  switch (without) {
+    case Without::nothing:
+    case Without::offset:
+      break;
+    case Without::step:
+      return std::make_unique<MotionsOf<Partly<ExactSteps<rounding>>>>(scene, style);
+    case Without::products:
+      return std::make_unique<MotionsOf<Partly<ExactProducts>>>(scene, style);
+    case Without::all:
+      return std::make_unique<MotionsOf<double>>(scene, style);
+  }
+  return std::make_unique<MotionsOf<Number>>(scene, style);
+}
+
+std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase& c) {
+  using enum fixed::rounding;
+  const auto conversion =
+      c.without == Without::offset ? xsharp::Conversion::nearest : scene.conversion;
+  const RotationStyle style{scene.trigonometry, conversion, c.from_scratch, c.restore_every,
+                            c.restore_rows};
+  switch (c.multiply) {
+    case Multiply::i386_on:
+      return motions_with<fixed::q16_16_i386, half_up>(scene, style, c.without);
+    case Multiply::i386_off:
+      return motions_with<fixed::q16_16_i386_unrounded, floor>(scene, style, c.without);
+    case Multiply::i8088_on:
+      return motions_with<fixed::q16_16_i8088, half_away>(scene, style, c.without);
+    case Multiply::i8088_off:
+      break;
+  }
+  return motions_with<fixed::q16_16_i8088_unrounded, truncate>(scene, style, c.without);
+}
+
+/// As the camera has it: pixels are counted where they are seen.
+Placement seen(const Placement& to_world, const xsharp::Camera& camera,
+               const std::array<std::array<double, 3>, 3>& turn) {
+  Placement from_camera = to_world;
+  for (std::size_t i = 0; i < 3; ++i) {
+    from_camera.at(i)[3] -=
+        camera.page.at(i) * static_cast<double>(xsharp::page_size) + camera.position.at(i);
+  }
+  Placement view{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = 0; k < 3; ++k)
+        view.at(i).at(j) += turn.at(i).at(k) * from_camera.at(k).at(j);
+    }
+  }
+  return view;
+}
+
+/// @param point which of the series the frame is part of
+void note(DriftResult& result, const Distortion& d, std::uint64_t frame, std::size_t point) {
+  result.worst.add(d);
+  if (result.series.size() <= point) result.series.resize(point + 1);
+  result.series[point].add(d);
+  if (!result.pixel && d.pixels >= Thresholds::pixels) result.pixel = frame;
+  if (!result.some && d.length >= Thresholds::some) result.some = frame;
+  if (!result.much && d.length >= Thresholds::much) result.much = frame;
+}
+
+}  // namespace
+
+std::string name_of(Multiply multiply) {
+  static constexpr std::array names{"386 on", "386 off", "8088 on", "8088 off"};
+  return names.at(static_cast<std::size_t>(multiply));
+}
+
+std::string name_of(Without without) {
+  static constexpr std::array names{"nothing", "offset", "step", "products", "all"};
+  return names.at(static_cast<std::size_t>(without));
+}
+
+std::string name_of(const DriftCase& c) {
+  std::string name = name_of(c.multiply);
+  if (c.without != Without::nothing) name += ", without " + name_of(c.without);
+  if (c.restore_every > 0) {
+    const bool one = c.restore_rows == xsharp::RestoredRows::one;
+    name += fmt::format(", {} every {}", one ? "one row" : "restored", c.restore_every);
+  }
+  if (c.from_scratch) name += ", from scratch";
+  return name;
+}
+
+std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector<DriftCase>& cases,
+                                   std::uint64_t& frames, const std::atomic<bool>& stop,
+                                   const std::function<void(std::uint64_t)>& frame_done) {
+  std::vector<std::unique_ptr<Motions>> runs;
+  for (const DriftCase& c : cases) runs.push_back(motions_of(scene, c));
+  const RotationStyle exact{scene.trigonometry, scene.conversion, true, 0};
+  MotionsOf<double> reference(scene, exact);
+
+  const auto turn = xsharp::turn_to_view(scene.camera);
+  std::vector<DriftResult> results(cases.size());
+  const std::uint64_t of_a_point = frames_a_point(frames);
+  for (std::uint64_t frame = 0; frame < frames; ++frame) {
+    if (stop) {
+      frames = frame;
+      break;
+    }
+    if (frame > 0) {
+      reference.advance();
+      for (const auto& run : runs) run->advance();
+    }
+    for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+      const Placement should_be = seen(reference.placement(object), scene.camera, turn);
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        note(results[i],
+             distortion(seen(runs[i]->placement(object), scene.camera, turn), should_be,
+                        scene.objects[object].mesh, scene),
+             frame, frame / of_a_point);
+      }
+    }
+    frame_done(frame + 1);
+  }
+  return results;
+}
+
+}  // namespace fixproof::trade

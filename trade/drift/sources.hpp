@@ -1,0 +1,82 @@
+/// @file
+/// Numbers that leave out one source of error each, to tell the sources apart.
+///
+/// A rotation that is appended step by step goes wrong in three ways: its sine and cosine are
+/// rounded to 16.16, so that it stretches or shrinks a little, always the same way; every product
+/// is rounded; and the published conversion makes nearly every negative constant one unit too large
+/// (leave that out with Conversion::nearest).
+#pragma once
+
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+
+#include "fixed/policy.hpp"
+#include "xsharp/arithmetic.hpp"
+
+namespace fixproof::trade {
+
+/// Double, whose products `Rule` rounds.
+template <class Rule>
+struct Partly {
+  double value = 0;
+
+  friend constexpr Partly operator+(Partly a, Partly b) { return {a.value + b.value}; }
+  friend constexpr Partly operator-(Partly a, Partly b) { return {a.value - b.value}; }
+  constexpr Partly operator-() const { return {-value}; }
+  friend Partly operator*(Partly a, Partly b) { return {Rule::product(a.value * b.value)}; }
+  friend constexpr bool operator==(Partly, Partly) = default;
+  friend constexpr auto operator<=>(Partly, Partly) = default;
+  explicit constexpr operator double() const { return value; }
+};
+
+/// Rounded sines and cosines, exact products.
+struct ExactProducts {
+  static double product(double exact) { return exact; }
+  static double constant(double value, xsharp::Conversion conversion) {
+    return xsharp::raw_constant(value, conversion) / 65536.0;
+  }
+};
+
+/// Exact sines and cosines, every product rounded as by a listing.
+template <fixed::rounding rounding>
+struct ExactSteps {
+  static double product(double exact) {
+    const double units = exact * 65536.0;
+    switch (rounding) {
+      case fixed::rounding::half_up:
+        return std::floor(units + 0.5) / 65536.0;
+      case fixed::rounding::half_away:
+        return std::copysign(std::floor(std::fabs(units) + 0.5), units) / 65536.0;
+      case fixed::rounding::floor:
+        return std::floor(units) / 65536.0;
+      case fixed::rounding::truncate:
+        return std::trunc(units) / 65536.0;
+    }
+    return exact;
+  }
+  static double constant(double value, xsharp::Conversion /*conversion*/) { return value; }
+};
+
+}  // namespace fixproof::trade
+
+namespace xsharp {
+
+template <class Rule>
+struct Arithmetic<fixproof::trade::Partly<Rule>> {
+  using N = fixproof::trade::Partly<Rule>;
+
+  static N from_raw(std::int32_t raw) { return {raw / 65536.0}; }
+  static N constant(double value, Conversion conversion) {
+    return {Rule::constant(value, conversion)};
+  }
+  static Turn<N> turn(std::int32_t tenths) {
+    // The table holds the nearest values.
+    return {constant(std::cos(radians(tenths)), Conversion::nearest),
+            constant(std::sin(radians(tenths)), Conversion::nearest)};
+  }
+};
+
+}  // namespace xsharp

@@ -1,0 +1,55 @@
+#include "trade/host/provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <fstream>
+
+#include "support/plain_text.hpp"
+
+namespace fixproof::trade {
+
+std::string compiler_name() {
+#if defined(__clang__)
+  return fmt::format("clang++ {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#else
+  return "an unknown compiler";
+#endif
+}
+
+std::string compiler_flags() { return FIXPROOF_COMPILER_FLAGS; }
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return support::printable(line.substr(colon + 2));
+    }
+  }
+  return "unknown";
+}
+
+std::string date_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+std::string made_by(std::uint64_t seed) {
+  return fmt::format("seed {}, {}", seed, compiler_name());
+}
+
+nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& command) {
+  return {
+      {"command", command}, {"seed", seed}, {"compiler", compiler_name()}, {"date", date_now()}};
+}
+
+nlohmann::ordered_json made_by_json(const std::string& command) {
+  nlohmann::ordered_json made = made_by_json(0, command);
+  made.erase("seed");
+  return made;
+}
+
+}  // namespace fixproof::trade

@@ -1,0 +1,32 @@
+/// @file
+/// What made a measurement.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace fixproof::trade {
+
+/// `g++ 12.2.0`: what this program was compiled with.
+std::string compiler_name();
+
+/// `-O3 -DNDEBUG`: the options it was given for speed; empty where they are not known.
+std::string compiler_flags();
+
+/// As the system calls this processor; `unknown` where it does not say.
+std::string processor_name();
+
+/// Now, in UTC, as ISO 8601 writes it.
+std::string date_now();
+
+/// `seed 1994, g++ 12.2.0`: the first line of what is printed.
+std::string made_by(std::uint64_t seed);
+
+/// The same as JSON, with the command, and the date in UTC as ISO 8601 writes it.
+nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& command);
+
+/// Where nothing is drawn at random.
+nlohmann::ordered_json made_by_json(const std::string& command);
+
+}  // namespace fixproof::trade

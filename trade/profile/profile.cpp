@@ -1,0 +1,162 @@
+#include "trade/profile/profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "parties/interpreter.hpp"
+#include "trade/profile/places.hpp"
+#include "trade/profile/wraps.hpp"
+#include "x86model/call.hpp"
+#include "x86model/forms.hpp"
+
+namespace fixproof::trade {
+
+namespace {
+
+cases::Target target_of(const xsharp::ArithmeticChoice& choice) {
+  return choice.target == "i8088" ? cases::Target::i8088 : cases::Target::i386;
+}
+
+/// Angles have 16 bits, all other words 32.
+std::int64_t value_in(cases::Operation operation, std::uint32_t word) {
+  if (operation == cases::Operation::cossin) return static_cast<std::int16_t>(word);
+  return static_cast<std::int32_t>(word);
+}
+
+/// Runs one call again and notes all that can be seen of it.
+template <x86model::Routine routine>
+void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
+  const cases::Operation operation = profile.variant.operation;
+  std::array<std::uint32_t, static_cast<std::size_t>(x86model::arity(routine).out)> out{};
+  const auto ending = x86model::call<routine, 16>(
+      profile.program.instructions(), in, out,
+      [&](std::size_t at, const auto&) { profile.executed[at] = true; });
+  profile.instructions += ending.steps;
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    profile.operands[operand_place(operation, i)].add(value_in(operation, in[i]));
+  }
+  if (ending.outcome == x86model::Outcome::divide_error) {
+    ++profile.faults;
+    return;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    profile.results[result_place(operation, i)].add(static_cast<std::int32_t>(out[i]));
+  }
+  if (wraps(profile.variant, in)) ++profile.wrapped;
+}
+
+void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
+  using enum x86model::Routine;
+  switch (profile.variant.operation) {
+    case cases::Operation::mul:
+      return run_again<mul>(profile, in);
+    case cases::Operation::div:
+      return run_again<div>(profile, in);
+    case cases::Operation::cossin:
+      return run_again<cossin>(profile, in);
+    case cases::Operation::xformvec:
+      return run_again<xformvec>(profile, in);
+    default:
+      return run_again<concat>(profile, in);
+  }
+}
+
+std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
+
+void note_divide(DivideProfile& divides, const RoutineProfile& div,
+                 std::span<const std::uint32_t> words) {
+  for (std::size_t i = 1; i < words.size(); i += 2) {
+    const std::int64_t divisor = magnitude(static_cast<std::int32_t>(words[i]));
+    divides.least_divisor = std::min(divides.least_divisor.value_or(divisor), divisor);
+  }
+  const ValueRange& quotients = div.results.front();
+  if (quotients.empty()) return;
+  divides.greatest_quotient =
+      std::max(magnitude(quotients.least()), magnitude(quotients.greatest()));
+}
+
+}  // namespace
+
+Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
+    : scene_(scene) {
+  profile_.arithmetic = choice;
+  for (int i = 0; i < x86model::routine_count; ++i) {
+    RoutineProfile routine;
+    // Operations begin with the routines.
+    routine.variant = {.operation = static_cast<cases::Operation>(i),
+                       .target = target_of(choice),
+                       .mul_round = choice.mul_round,
+                       .div_round = choice.div_round};
+    routine.variant.repaired =
+        choice.repaired && routine.variant.operation == cases::Operation::concat;
+    routine.program = parties::program_of(routine.variant);
+    routine.executed.resize(routine.program.size);
+    routine.operands.resize(operand_names(routine.variant.operation).size());
+    routine.results.resize(result_names(routine.variant.operation).size());
+    profile_.routines.push_back(routine);
+  }
+}
+
+void Profiler::add(const player::OperandLog& log, const xsharp::Player& player) {
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    RoutineProfile& routine = profile_.routines.at(i);
+    const std::size_t words = cases::words_in(routine.variant.operation);
+    const std::span<const std::uint32_t> all = log.at(i);
+    const std::uint64_t calls = all.size() / words;
+    for (std::size_t call = 0; call < calls; ++call) {
+      run_again(routine, all.subspan(call * words, words));
+    }
+    routine.calls += calls;
+    routine.least_in_frame = profile_.frames == 0 ? calls : std::min(routine.least_in_frame, calls);
+    routine.most_in_frame = std::max(routine.most_in_frame, calls);
+    if (routine.variant.operation == cases::Operation::div) {
+      note_divide(profile_.divides, routine, all);
+    }
+  }
+  add_view(player);
+  ++profile_.frames;
+}
+
+void Profiler::add_view(const xsharp::Player& player) {
+  ViewProfile& view = profile_.view;
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
+    const xsharp::ObjectState state = player.state(object);
+    if (state.view.empty()) {
+      ++view.out_of_reach;
+      continue;
+    }
+    for (const xsharp::Face& face : scene_.objects[object].mesh.faces) {
+      bool clipped = false;
+      for (const std::size_t v : face.vertices) {
+        if (!state.screen[v]) {
+          clipped = true;
+        } else {
+          view.nearest = std::max(view.nearest.value_or(state.view[v][2]), state.view[v][2]);
+        }
+      }
+      ++view.faces;
+      if (clipped) ++view.clipped_faces;
+    }
+  }
+}
+
+FormUse forms_of(const SceneProfile& profile) {
+  std::set<std::string> executed;
+  for (const RoutineProfile& routine : profile.routines) {
+    for (std::size_t at = 0; at < routine.program.size; ++at) {
+      if (routine.executed[at]) executed.insert(x86model::form_text(routine.program.code.at(at)));
+    }
+  }
+  FormUse use;
+  use.executed = {executed.begin(), executed.end()};
+  const auto target = target_of(profile.arithmetic) == cases::Target::i8088
+                          ? x86model::Target::i8088
+                          : x86model::Target::i386;
+  for (const std::string& form : x86model::form_texts(target)) {
+    if (!executed.contains(form)) use.never.push_back(form);
+  }
+  return use;
+}
+
+}  // namespace fixproof::trade

@@ -1,0 +1,84 @@
+#include <nlohmann/json.hpp>
+
+#include "support/json_text.hpp"
+#include "trade/host/provenance.hpp"
+#include "trade/profile/places.hpp"
+#include "trade/profile/profile_text.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof::trade {
+
+namespace {
+
+using ProfileJson = nlohmann::ordered_json;
+
+ProfileJson json_of(std::string_view name, const ValueRange& range) {
+  ProfileJson json;
+  json["name"] = name;
+  if (range.empty()) return json;
+  json["least"] = range.least();
+  json["greatest"] = range.greatest();
+  json["bits"] = range.bits();
+  return json;
+}
+
+ProfileJson json_of(std::span<const std::string_view> names,
+                    const std::vector<ValueRange>& ranges) {
+  ProfileJson json = ProfileJson::array();
+  for (std::size_t i = 0; i < names.size(); ++i) json.push_back(json_of(names[i], ranges[i]));
+  return json;
+}
+
+ProfileJson json_of(const RoutineProfile& routine) {
+  const cases::Operation operation = routine.variant.operation;
+  ProfileJson json;
+  json["operation"] = cases::name_of(operation);
+  json["calls"] = routine.calls;
+  json["least_in_frame"] = routine.least_in_frame;
+  json["most_in_frame"] = routine.most_in_frame;
+  json["faults"] = routine.faults;
+  json["wrapped"] = routine.wrapped;
+  json["instructions_executed"] = routine.instructions;
+  json["operands"] = json_of(operand_names(operation), routine.operands);
+  json["results"] = json_of(result_names(operation), routine.results);
+  json["never_executed"] = ProfileJson::array();
+  for (std::size_t at = 0; at < routine.program.size; ++at) {
+    if (routine.executed[at]) continue;
+    json["never_executed"].push_back(
+        {{"position", at}, {"instruction", x86model::text_of(routine.program.code.at(at))}});
+  }
+  return json;
+}
+
+template <class Number>
+ProfileJson number(const std::optional<Number>& value) {
+  return value ? ProfileJson(*value) : ProfileJson();
+}
+
+}  // namespace
+
+std::string json_of(const SceneProfile& profile, const std::string& scene) {
+  ProfileJson json;
+  json["made"] = made_by_json("profile");
+  json["scene"] = scene;
+  json["target"] = profile.arithmetic.target;
+  json["mul_round"] = profile.arithmetic.mul_round;
+  json["div_round"] = profile.arithmetic.div_round;
+  json["repaired"] = profile.arithmetic.repaired;
+  json["frames"] = profile.frames;
+  json["unit"] = "2^-16; angles: tenths of a degree";
+  json["routines"] = ProfileJson::array();
+  for (const RoutineProfile& r : profile.routines) json["routines"].push_back(json_of(r));
+  json["least_divisor"] = number(profile.divides.least_divisor);
+  json["greatest_quotient"] = number(profile.divides.greatest_quotient);
+  json["nearest_view_z"] = number(profile.view.nearest);
+  json["faces"] = profile.view.faces;
+  json["clipped_faces"] = profile.view.clipped_faces;
+  json["out_of_reach"] = profile.view.out_of_reach;
+  const FormUse forms = forms_of(profile);
+  json["forms_executed"] = forms.executed;
+  json["forms_never_executed"] = forms.never;
+  return support::json_text(json);
+}
+
+}  // namespace fixproof::trade

@@ -1,0 +1,40 @@
+/// @file
+/// What range of values has been met.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace fixproof::trade {
+
+/// Bits of two's complement that hold a value, its sign among them: 1 for 0 and -1.
+constexpr int signed_bits(std::int64_t value) {
+  return 1 +
+         static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value)));
+}
+
+/// Least and greatest.
+class ValueRange {
+ public:
+  constexpr void add(std::int64_t value) {
+    least_ = std::min(least_, value);
+    greatest_ = std::max(greatest_, value);
+  }
+
+  /// Whether nothing has been added.
+  [[nodiscard]] constexpr bool empty() const { return least_ > greatest_; }
+  [[nodiscard]] constexpr std::int64_t least() const { return least_; }
+  [[nodiscard]] constexpr std::int64_t greatest() const { return greatest_; }
+  /// That hold every value; 0 where there is none.
+  [[nodiscard]] constexpr int bits() const {
+    return empty() ? 0 : std::max(signed_bits(least_), signed_bits(greatest_));
+  }
+
+ private:
+  std::int64_t least_ = std::numeric_limits<std::int64_t>::max();
+  std::int64_t greatest_ = std::numeric_limits<std::int64_t>::min();
+};
+
+}  // namespace fixproof::trade

@@ -1,0 +1,77 @@
+#include "trade/profile/wraps.hpp"
+
+#include <cstddef>
+#include <limits>
+
+namespace fixproof::trade {
+
+namespace {
+
+std::int64_t value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
+
+bool fits(std::int64_t value) {
+  return value >= std::numeric_limits<std::int32_t>::min() &&
+         value <= std::numeric_limits<std::int32_t>::max();
+}
+
+/// Rounded as the listings round it. |a b| <= 2^62, so that nothing wraps here.
+std::int64_t exact_product(const cases::Variant& variant, std::uint32_t a, std::uint32_t b) {
+  const std::int64_t exact = value_of(a) * value_of(b);
+  const std::int64_t half = variant.mul_round ? 0x8000 : 0;
+  if (variant.target == cases::Target::i386) return (exact + half) >> 16;
+  return exact < 0 ? -((half - exact) >> 16) : (exact + half) >> 16;
+}
+
+/// Truncated: no quotient of two words is so near the ends of the range that rounding decides.
+bool quotient_wraps(const cases::Variant& variant, std::uint32_t n, std::uint32_t d) {
+  // The 8088 listing has the whole part of the divisor's magnitude.
+  const std::int64_t unit = variant.target == cases::Target::i8088 ? std::int64_t{1} << 16 : 1;
+  const std::int64_t divisor = value_of(d) / unit * unit;
+  return !fits(value_of(n) * 65536 / divisor);
+}
+
+/// Row `i` of a transform times a column.
+std::int64_t row_times(const cases::Variant& variant, std::span<const std::uint32_t> row,
+                       std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return exact_product(variant, row[0], x) + exact_product(variant, row[1], y) +
+         exact_product(variant, row[2], z);
+}
+
+/// What the printed 8088 ConcatXforms leaves out of sum + moved: 1.0, or nothing.
+std::int64_t lost_carry(const cases::Variant& variant, std::int64_t sum, std::int64_t moved) {
+  constexpr std::int64_t one = 0x10000;
+  const auto fraction = [](std::int64_t value) { return value & (one - 1); };
+  return cases::loses_carry(variant) && fraction(sum) + fraction(moved) >= one ? one : 0;
+}
+
+}  // namespace
+
+bool wraps(const cases::Variant& variant, std::span<const std::uint32_t> in) {
+  switch (variant.operation) {
+    case cases::Operation::mul:
+      return !fits(exact_product(variant, in[0], in[1]));
+    case cases::Operation::div:
+      return quotient_wraps(variant, in[0], in[1]);
+    case cases::Operation::xformvec:
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = in.subspan(4 * i, 4);
+        if (!fits(row_times(variant, row, in[12], in[13], in[14]) + value_of(row[3]))) return true;
+      }
+      return false;
+    case cases::Operation::concat:
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = in.subspan(4 * i, 4);
+        for (std::size_t j = 0; j < 4; ++j) {
+          const std::int64_t sum = row_times(variant, row, in[12 + j], in[16 + j], in[20 + j]);
+          const std::int64_t moved = j == 3 ? value_of(row[3]) : 0;
+          const std::int64_t lost = j == 3 ? lost_carry(variant, sum, moved) : 0;
+          if (!fits(sum + moved - lost)) return true;
+        }
+      }
+      return false;
+    default:
+      return false;
+  }
+}
+
+}  // namespace fixproof::trade
