@@ -39,7 +39,7 @@ Drawn draw_all(Operation operation, const CaseOptions& options) {
 }
 
 TEST(CheckCases, AreTheStreamsOfLevelOne) {
-  // README.md: 1,039,204 cases of a multiply.
+  // docs/verify.md: 1,039,204 cases of a multiply.
   const Drawn drawn = draw_all(Operation::mul, {});
   EXPECT_EQ(drawn.cases.size(), 1'039'204U);
   EXPECT_EQ(drawn.of_stream.at("lattice"), 39'204U);
