@@ -29,12 +29,12 @@ using fixed::batch::path;
 /// Makes operands anew, to judge by.
 template <class T>
 Words words_for(const Operands<T>& x) {
-  return {x.a.size(), 16, Draw::in_range};
+  return Words(x.a.size());
 }
 
 template <class T>
 std::shared_ptr<Operands<T>> operands(std::size_t count) {
-  return std::make_shared<Operands<T>>(Words(count, 16, Draw::in_range));
+  return std::make_shared<Operands<T>>(Words(count));
 }
 
 /// \param far also of a size that no cache holds

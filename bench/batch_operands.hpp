@@ -30,46 +30,35 @@ T of_raw(std::int32_t raw) {
   }
 }
 
-enum class Draw {
-  /// Nothing overflows or faults under any preset: within +-128 in 16.16 and +-8 in 8.8, divisors
-  /// from 1, radicands from zero.
-  in_range,
-  /// Words of the type of all sizes.
-  any,
-};
-
-/// Stored integers, drawn anew but the same each time.
+/// Random stored integers of 16.16, the same for each object. No operation overflows or faults:
+/// they are within +-128, divisors are 1 or more, radicands are not negative.
 struct Words {
   std::vector<std::int32_t> a, b, c;
-  /// Within +-1/2 where they are in range, so that products of a thousand can be summed.
+  /// Within +-1/2, so that a thousand products can be summed.
   std::vector<std::int32_t> small;
   std::array<std::array<std::int32_t, 4>, 3> rows{};
   std::int32_t constant;
 
-  /// \param bits after the point, and before it
-  Words(std::size_t count, int bits, Draw draw) : constant(-(bits == 16 ? 100 : 10) * (1 << bits)) {
+  explicit Words(std::size_t count) : constant(-100 * one) {
     std::mt19937 random(54);
     const auto below = [&random](int n) {
       return static_cast<int>(random() % static_cast<unsigned>(n));
     };
-    const bool any = draw == Draw::any;
-    const auto word = [&](int in_range_bits) {
-      const int width = any ? 1 + below(2 * bits) : in_range_bits;
+    const auto word = [&](int width) {
       const std::int32_t x = static_cast<std::int32_t>(random()) >> (32 - width);
-      // Some end in zeros: their products and quotients fall half way between two numbers.
-      return below(2) == 0 ? x : x & -(1 << below(bits));
+      // Half of them end in zeros: their products and quotients can be ties.
+      return below(2) == 0 ? x : x & -(1 << below(16));
     };
-    const auto wide = [&] { return word(bits + bits / 2); };
-    const std::int32_t one = 1 << bits;
-    const auto divisor = [&](std::int32_t x) {
-      return any ? x : x < 0 ? std::min(x, -one) : std::max(x, one);
+    const auto wide = [&] { return word(24); };
+    const auto divisor = [](std::int32_t x) {
+      return x < 0 ? std::min(x, -one) : std::max(x, one);
     };
-    const auto radicand = [&](std::int32_t x) { return any || x >= 0 ? x : ~x; };
+    const auto radicand = [](std::int32_t x) { return x >= 0 ? x : ~x; };
     a = filled(count, wide);
     b = filled(count, [&] { return divisor(wide()); });
     c = filled(count, [&] { return radicand(wide()); });
-    small = filled(count, [&] { return word(bits); });
-    for (auto& row : rows) std::ranges::generate(row, [&] { return word(bits + 2); });
+    small = filled(count, [&] { return word(16); });
+    for (auto& row : rows) std::ranges::generate(row, [&] { return word(18); });
   }
 
   [[nodiscard]] std::array<std::int32_t, 3> vertex(std::size_t i) const {
@@ -77,7 +66,9 @@ struct Words {
   }
 
  private:
-  /// A hundred thousand are drawn, then they begin again, to be quick.
+  static constexpr std::int32_t one = 1 << 16;
+
+  /// Draws a hundred thousand and repeats these, to save time.
   static std::vector<std::int32_t> filled(std::size_t count, const auto& draw) {
     constexpr std::size_t drawn = 100'000;
     std::vector<std::int32_t> words(count);
