@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # usage: parallel.sh SHARDS FOLDER [OPTION OF fixproof verify]...      (without options: --level 3)
-# A verification in SHARDS parts under GNU parallel, one processor a part, and the sum in FOLDER/sum.json.
-# Each part keeps its state in FOLDER, half a second old at most: whatever was killed, the same command goes on.
-# PARALLEL='--sshloginfile machines --workdir .' takes other machines; FOLDER is one they share.
-# FIXPROOF is the command where it is not in the PATH.
-# Exit status: that of `fixproof merge`: 0 all equal, 1 a mismatch, 2 bad usage or a part that did not end;
-# 130 stopped.
+# Runs a verification in SHARDS shards under GNU parallel, one per processor; the merged report is FOLDER/sum.json.
+# Each shard saves its state in FOLDER every half second, so the same command resumes after a kill.
+# With PARALLEL='--sshloginfile machines --workdir .' it runs on other machines, which must share FOLDER.
+# Set FIXPROOF to the path of the command if it is not in PATH.
+# Exit status: 130 if stopped, else that of `fixproof merge`: 0 all equal, 1 a mismatch, 2 wrong usage or an
+# incomplete shard.
 set -uo pipefail
 
 [[ ${1:-} =~ ^[1-9][0-9]{0,5}$ && ${2:-} ]] || { sed -n '2,8s/^# //p' "$0" >&2; exit 2; }
@@ -15,12 +15,12 @@ shift 2
 fixproof=${FIXPROOF:-fixproof}
 command -v parallel >/dev/null || { echo "parallel.sh: GNU parallel is not installed" >&2; exit 2; }
 mkdir -p "$folder" || exit 2
-# A part without a chunk: what is wrong with the options is said once and not by every part.
+# This shard is empty. It reports wrong options once; otherwise every shard would.
 "$fixproof" verify "$@" --shard 999999999/999999999 >/dev/null || exit 2
 
-# A mismatch (1) and a wrong option (2) are no reason to try again; merge says so.
-# In the background, since bash would hear of a signal only after the last part. SIGTERM twice is how GNU
-# parallel is stopped at once.
+# A mismatch (1) or an error (2) is not retried; merge reports it.
+# In the background, since bash handles a signal only after a foreground command ends. GNU parallel stops at once
+# on the second SIGTERM.
 parallel --retries 5 --termseq INT,3000,KILL,100 --joblog "$folder/log" \
   "$(printf '%q ' "$fixproof" verify "$@" --threads 1)" \
   --shard "{}/$shards" --resume "$(printf '%q' "$folder")/{}.json" '>/dev/null || [ $? -le 2 ]' \
@@ -35,7 +35,7 @@ if ((stopped)); then
   exit 130
 fi
 
-# A part that wrote nothing is missing; merge says so of the others.
+# merge names a shard without a file as missing.
 parts=()
 for ((i = 1; i <= shards; i++)); do [[ ! -e $folder/$i.json ]] || parts+=("$folder/$i.json"); done
 ((${#parts[@]})) || { echo "parallel.sh: no part wrote anything" >&2; exit 2; }

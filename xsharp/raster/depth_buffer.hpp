@@ -23,10 +23,10 @@ namespace xsharp {
 /// Without clearing it is 0 to 8191, and each of seven pictures begins 9216 above the one before:
 /// whatever a picture left is farther than all of the next. That is right for any picture, also
 /// where it leaves pixels alone, as long as no stepped depth is more than 512 out of its 8192;
-/// those of vertices are in it, and 320 steps err by less than 3 (docs/stepping.md). The price is
-/// two bits of depth, and a clearing after seven pictures: then the range is used up. Alternating
-/// between two halves of the range, with the test turned round each time, needs no clearing at all,
-/// but is right only where every picture sets every pixel.
+/// those of vertices are in it, and 320 steps err by less than 3 (docs/interpolation.md). The price
+/// is two bits of depth, and a clearing after seven pictures: then the range is used up.
+/// Alternating between two halves of the range, with the test turned round each time, needs no
+/// clearing at all, but is right only where every picture sets every pixel.
 class DepthBuffer {
  public:
   explicit DepthBuffer(DepthBuffering mode) : mode_(mode) {}
