@@ -23,7 +23,7 @@ const std::vector<Seat>& seats_of(WordTarget target);
 /// Bytes of a whole input.
 std::size_t input_size(WordTarget target);
 
-/// Makes a new case of an old one: a fresh one from the generators of verify/streams.hpp, or one of
+/// Makes a new case of an old one: a fresh one from the generators of cases/streams.hpp, or one of
 /// its words moved to where rules change, or by a step. For a divide also: the dividend at which
 /// the divisor that is there gives an exact tie, or a quotient of 0, 1, 2^31 or 2^32 units, or the
 /// one beside it.

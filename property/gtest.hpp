@@ -47,7 +47,7 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): names of functions become names of tests
 
-/// Rules by their names alone, as enumerators of verify/check/rules.hpp.
+/// Rules by their names alone, as enumerators of check/rules.hpp.
 #define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result)           \
   ::fixproof::property::subject(                                                       \
       #function,                                                                       \
