@@ -49,6 +49,24 @@ inline constexpr auto can_be_skipped = [] {
   return skippable;
 }();
 
+/// `instruction` as a template argument: its names are string literals, which cannot be part of
+/// one.
+constexpr Instruction without_names(Instruction instruction) {
+  instruction.label = nullptr;
+  for (Operand& operand : instruction.operands) operand.name = nullptr;
+  return instruction;
+}
+
+/// One instruction in a function of its own, which all long programs share.
+template <Instruction instruction, class M>
+[[gnu::noinline]] Outcome execute_shared(M& m) {
+  return execute<instruction.mnemonic>(instruction, m);
+}
+
+/// The longest program whose instructions are inlined. Inlined, a transform of 450 instructions
+/// takes a compiler seconds; called, it is still fast enough for sweeps.
+inline constexpr std::size_t max_inlined = 70;
+
 template <const Program& program, std::size_t entry, class M>
 Outcome run_routine(M& m);
 
@@ -86,6 +104,9 @@ template <const Program& program, std::size_t entry, std::size_t position, class
     // Backwards: skip all that is left, and let the next pass start there.
     if (taken) target = to > position ? to : program.size + to;
     return outcome == Outcome::proceeds;
+  } else if constexpr (program.size > max_inlined) {
+    outcome = execute_shared<without_names(instruction)>(m);
+    return outcome == Outcome::proceeds;
   } else {
     outcome = execute<op>(instruction, m);
     return outcome == Outcome::proceeds;
@@ -98,21 +119,19 @@ template <const Program& program, std::size_t entry, std::size_t first, class M,
   return (pass_over<program, entry, first + I>(m, target, outcome) && ...);
 }
 
-/// A block in a function of its own. Inlined into one another, the blocks of a long program would
-/// take compilers minutes.
+/// A block in a function of its own: compilers limit how long a fold may be.
 template <const Program& program, std::size_t entry, std::size_t first, std::size_t count, class M>
 [[gnu::noinline]] bool pass_over_long_block(M& m, std::size_t& target, Outcome& outcome) {
   return pass_over_block<program, entry, first>(m, target, outcome,
                                                 std::make_index_sequence<count>{});
 }
 
-/// One pass from `first` to the routine's end, in blocks: compilers limit how long a fold may be.
+/// One pass from `first` to the routine's end, in blocks where the routine is long.
 template <const Program& program, std::size_t entry, std::size_t first, class M>
 [[gnu::always_inline]] inline bool pass(M& m, std::size_t& target, Outcome& outcome) {
   constexpr std::size_t end = end_of_routine(program, entry);
-  constexpr std::size_t whole = 128;
   constexpr std::size_t block = 32;
-  if constexpr (end - entry <= whole) {
+  if constexpr (program.size <= max_inlined) {
     return pass_over_block<program, entry, first>(m, target, outcome,
                                                   std::make_index_sequence<end - first>{});
   } else if constexpr (first < end) {
