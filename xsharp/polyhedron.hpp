@@ -1,5 +1,5 @@
 /// @file
-/// The convex polyhedron: the one kind of object that scenes describe.
+/// The convex polyhedron: the only kind of object that scenes describe.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace xsharp {
 
-/// Whether a convex polygon of the screen shows its front: the cross product of the edges at its
-/// first corner, to the next one and to the last, is positive (y grows downward).
+/// Whether a convex screen polygon shows its front: the cross product of the edges from its first
+/// corner to the next and to the last is positive (y grows downward).
 inline bool faces_viewer(const ScreenPoint& corner, const ScreenPoint& next,
                          const ScreenPoint& last) {
   const auto x = [&corner](const ScreenPoint& to) { return std::int64_t{to.x} - corner.x; };
@@ -27,8 +27,8 @@ inline bool faces_viewer(const ScreenPoint& corner, const ScreenPoint& next,
   return x(next) * y(last) - y(next) * x(last) > 0;
 }
 
-/// The same for a polygon that clipping has given new corners, whose first and last edges may have
-/// no length to speak of: by twice its area.
+/// The same for a polygon with corners from clipping, whose first and last edges may have almost no
+/// length: uses twice its area.
 inline bool shows_front_area(std::span<const ScreenPoint> polygon) {
   std::int64_t area = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -42,7 +42,7 @@ inline bool shows_front_area(std::span<const ScreenPoint> polygon) {
 template <Scalar N>
 class Polyhedron final : public Object<N> {
  public:
-  /// @param index which object of the scene it is
+  /// @param index of the object in the scene
   Polyhedron(const ObjectDescription& object, std::uint32_t index, const RotationStyle& style)
       : index_(index),
         shadings_(object.shadings),
@@ -70,7 +70,7 @@ class Polyhedron final : public Object<N> {
   void prepare(const View<N>& view, Tally& tally) override {
     if (!prepared_) {
       look(view);
-      // Not before: what has thrown is to throw again, not to leave out the object.
+      // Set last, so that an object that has thrown throws again instead of disappearing.
       prepared_ = true;
     }
     tally = tally + tally_;
@@ -94,7 +94,7 @@ class Polyhedron final : public Object<N> {
       Paint paint = paints_[seen.face];
       const Shading shading = shadings_.empty() ? Shading{} : shadings_[seen.face];
       if (shading.ambient || shading.diffuse) {
-        // A face that answers to ambient light alone has no normal.
+        // A face with only ambient light has no normal.
         const Vec3<N> normal =
             shading.diffuse ? view_[faces_[seen.face].normal_end] - view_[vertices[0]] : Vec3<N>{};
         paint = {false, 0, shade(normal, paint.color, shading, lighting)};
@@ -128,7 +128,7 @@ class Polyhedron final : public Object<N> {
           {Arithmetic<N>::raw(v.x), Arithmetic<N>::raw(v.y), Arithmetic<N>::raw(v.z)});
     }
     state.screen = screen_;
-    // Drawing does not project the ends of normals; the state has every vertex.
+    // Drawing does not project the ends of normals, but the state has every vertex.
     for (std::size_t v = projected_; v < view_.size(); ++v) {
       const bool is_seen = inside(view_[v], projection_.slope);
       state.screen.push_back(is_seen ? project(view_[v], projection_) : std::nullopt);
@@ -138,14 +138,15 @@ class Polyhedron final : public Object<N> {
   }
 
  private:
-  /// A face among face_vertices_. In 32 bits: a mesh has fewer, and scenes may have millions.
+  /// A face as a range of face_vertices_. Uses 32 bits: a mesh has fewer, and scenes may have
+  /// millions.
   struct Corners {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     std::uint32_t normal_end = 0;  ///< Face::normal_end; 0 without one
   };
 
-  /// A face that shows. Its polygon has the corners of the face, or so many of corners_.
+  /// A visible face. Its polygon has the corners of the face, or a number of entries of corners_.
   struct Seen {
     std::uint32_t face = 0;
     std::uint32_t clipped_corners = 0;
@@ -155,7 +156,7 @@ class Polyhedron final : public Object<N> {
     return std::span(face_vertices_).subspan(faces_[face].first, faces_[face].count);
   }
 
-  /// All of prepare() that depends on where the object is.
+  /// The part of prepare() that depends on the position.
   void look(const View<N>& view) {
     tally_ = {};
     visible_.clear();
@@ -204,7 +205,7 @@ class Polyhedron final : public Object<N> {
                                [this](std::uint32_t v) { return screen_[v].has_value(); });
   }
 
-  /// Keeps a face that shows. @pre is_on_screen(f)
+  /// Keeps a face that shows its front. @pre is_on_screen(f)
   void hide_or_keep(std::uint32_t f) {
     const auto v = vertices_of(f);
     if (v.size() < 3 || !faces_viewer(*screen_[v[0]], *screen_[v[1]], *screen_[v.back()])) return;
@@ -213,7 +214,7 @@ class Polyhedron final : public Object<N> {
     for (std::size_t i = 0; i < v.size(); ++i) carried_.push_back(corner_of(f, i));
   }
 
-  /// Keeps what shows of any other face.
+  /// Clips any other face and keeps what is visible of it.
   void clip_or_hide(std::uint32_t f, const Projection<N>& projection) {
     const std::size_t first = corners_.size();
     const std::size_t first_carried = carried_.size();
@@ -234,7 +235,7 @@ class Polyhedron final : public Object<N> {
     }
   }
 
-  /// Corner `i` of a face, with what its surface needs.
+  /// Corner `i` of a face, with the values that its surface needs.
   [[nodiscard]] Corner<N> corner_of(std::uint32_t f, std::size_t i) const {
     const auto corners = vertices_of(f);
     const std::size_t v = corners[i];
@@ -248,8 +249,8 @@ class Polyhedron final : public Object<N> {
              Arithmetic<N>::constant(place[1], Conversion::nearest), from_whole<N>(0)}};
   }
 
-  /// Of the points that draw() has added, if there are any; those of objects before that have none
-  /// get zeros.
+  /// Adds the values for the points that draw() has added, if the object has any, and zeros for
+  /// previous objects without values.
   void add_values(const Lighting<N>& lighting, Picture& picture) const {
     if (carried_.empty()) return;
     const Vec3<N> light = light_vector(lighting);
@@ -269,11 +270,11 @@ class Polyhedron final : public Object<N> {
   Motion<N> motion_;
   double radius_ = 0;
   std::vector<Vec3<N>> vertices_;
-  /// The number of vertices up to the last corner of a face. The rest are ends of normals.
+  /// The number of vertices up to the last corner of a face; the rest are ends of normals.
   std::size_t projected_ = 0;
 
   bool prepared_ = false;
-  /// As it was last prepared.
+  /// The tally of the last prepare().
   Tally tally_{};
   bool in_reach_ = true;
   Transform<N> to_view_{};
@@ -282,9 +283,9 @@ class Polyhedron final : public Object<N> {
   std::vector<Vec3<N>> view_;
   std::vector<std::optional<ScreenPoint>> screen_;
   std::vector<Seen> visible_;
-  /// Of the polygons that were clipped, in the order of visible_.
+  /// The corners of the clipped polygons, in the order of visible_.
   std::vector<ScreenPoint> corners_;
-  /// Whether faces have values at their corners; then these are those of all that show.
+  /// Whether faces have values at their corners; if so, for all visible faces.
   bool has_values_ = false;
   N near_{};
   DepthMeasure depth_measure_ = DepthMeasure::inverse;

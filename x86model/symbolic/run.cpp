@@ -17,15 +17,15 @@ namespace {
 
 using Word = Machine<16, WordMemory<16, 0>>;
 
-/// A path that is still under way.
+/// A path in progress.
 struct Thread {
   State state;
   Term condition;
   Term in_table;
   std::size_t position = 0;
-  std::map<std::size_t, int> jumps;   ///< by position, how often one was met
-  std::vector<std::uint64_t> values;  ///< of the enumerated operand, that come this way
-  bool has_begun = false;             ///< whether it has executed anything
+  std::map<std::size_t, int> jumps;   ///< number of jumps by position
+  std::vector<std::uint64_t> values;  ///< of the enumerated operand that take this path
+  bool has_begun = false;             ///< whether it has executed an instruction
 };
 
 class Runner {
@@ -49,7 +49,7 @@ class Runner {
   }
 
  private:
-  /// Follows one thread to its end, setting aside those that branch off.
+  /// Follows one thread to its end; branches become new threads.
   void follow(Thread thread) {
     while (true) {
       if (thread.position >= code_.size()) return end(thread, Outcome::bad_address);
@@ -84,7 +84,7 @@ class Runner {
         {thread.condition, thread.in_table, outcome, thread.position, std::move(thread.state)});
   }
 
-  /// Splits a thread at a jump, to follow either side that some operand takes.
+  /// Splits a thread at a jump and keeps the sides that some operand takes.
   void branch(Thread thread, Term condition, std::size_t to) {
     if (paths_.size() + threads_.size() > options_.most_paths) {
       return end(thread, Outcome::step_limit);
@@ -115,9 +115,9 @@ class Runner {
     follow_later(thread);
   }
 
-  /// @return false where the thread has ended, or was split
+  /// @return false if the thread has ended or was split
   bool jump(Thread& thread, const Instruction& i) {
-    // To a computed place: where that is depends on lengths in bytes, which are not followed here.
+    // The target of a computed jump depends on instruction lengths, which are not modelled here.
     if (i.operands[0].kind == Operand::Kind::reg) return end(thread, Outcome::bad_address), false;
     const auto to = static_cast<std::size_t>(i.operands[0].value);
     const auto condition = i.mnemonic == Mnemonic::loop ? std::optional(count_down(thread))
@@ -134,14 +134,14 @@ class Runner {
     return true;
   }
 
-  /// LOOP: CX less one. @return whether it is not 0 then
+  /// LOOP: decrements CX. @return whether it is not 0 afterwards
   Term count_down(Thread& thread) {
     const Term count = t_.sub(thread.state.read(t_, Register::cx, Size::word), t_.constant(1, 16));
     thread.state.write(t_, Register::cx, Size::word, count);
     return t_.negation(t_.equal(count, t_.constant(0, 16)));
   }
 
-  /// Where a memory operand is: `origin` is the address of its named place, or 0 for an offset in
+  /// The address of a memory operand: `origin` is that of its named place, or 0 for an offset in
   /// that place.
   Term address(const Thread& thread, const Operand& o, std::int32_t origin) {
     return t_.add(thread.state.read(t_, o.reg, Size::word),
@@ -177,7 +177,7 @@ class Runner {
     }
     if (options_.memory_is_open) return open_memory::read(t_, thread.state, o, size);
     if (size == Size::byte) return std::nullopt;
-    // The cosine table is all that is read with the code.
+    // The cosine table is the only data in the code segment.
     const bool in_table = o.segment == SegmentOverride::cs && o.symbol == Symbol::cos_table;
     const Term where = address(thread, o, in_table ? 0 : address_of(o.symbol));
     const auto word = [&](Term at) {
@@ -220,7 +220,7 @@ class Runner {
     return value;
   }
 
-  /// What a call of FixedMul leaves, its arguments being on the stack.
+  /// The effect of a call of FixedMul, with its arguments on the stack.
   bool fixed_mul(Thread& thread) {
     State& s = thread.state;
     const Term top = s.read(t_, Register::sp, Size::word);
@@ -237,7 +237,7 @@ class Runner {
     s.write(t_, Register::dx, Size::word, t_.extract(product, 16, 16));
     for (const Register r : {Register::bx, Register::cx}) s.write(t_, r, Size::word, unknown());
     s.flags = {};
-    // The stack below is FixedMul's own.
+    // FixedMul may overwrite the stack below.
     for (auto& [at, word] : s.memory) {
       if (at < t_.value(top)) word = unknown();
     }
@@ -275,7 +275,7 @@ class Runner {
 
   static Outcome done(bool well) { return well ? Outcome::proceeds : Outcome::bad_address; }
 
-  /// The instructions that replace their first operand.
+  /// Executes the instructions that replace their first operand.
   Outcome computed(Thread& thread, const Instruction& i) {
     using namespace x86model::detail;
     const Mnemonic op = i.mnemonic;

@@ -1,5 +1,5 @@
 /// @file
-/// Surfaces by stepping, in a scene's arithmetic and with the inner loops of one party.
+/// Fills surfaces by stepping, in a scene's arithmetic and with the inner loops of one party.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class StepFiller final : public SurfaceFiller {
  private:
   using Steps = std::array<Step<N>, 4>;
 
-  /// Where an edge crosses a row, in 2^-16 pixels, and the values there.
+  /// The crossing of an edge with a row, in 2^-16 pixels, and the values there.
   struct Crossing {
     std::int64_t units = 0;
     std::array<N, 4> values{};
@@ -83,7 +83,7 @@ class StepFiller final : public SurfaceFiller {
     return rows_;
   }
 
-  /// Which of a point's four values are stepped.
+  /// Selects which of a point's four values are stepped.
   void choose_slots(const Surface& surface) {
     first_slot_ = buffered() || in_perspective(surface) ? 0 : 1;
     end_slot_ = surface.kind == SurfaceKind::flat    ? 1
@@ -92,7 +92,8 @@ class StepFiller final : public SurfaceFiller {
                                                      : 2;
   }
 
-  /// Places in a bitmap are not linear on the screen; times depth they are, as depth is.
+  /// The stepped values of a corner. In perspective, bitmap coordinates are multiplied by depth,
+  /// which makes them linear on the screen.
   static std::array<N, 4> corner(const PointValues& values, const Surface& surface) {
     std::array<N, 4> numbers{number(values[0]), number(values[1]), number(values[2]),
                              number(values[3])};
@@ -107,7 +108,7 @@ class StepFiller final : public SurfaceFiller {
     return (crossing.units + 65535) >> 16;
   }
 
-  /// Takes an edge's crossings for one end of the rows that it yields.
+  /// Stores an edge's crossings as one end of the rows that it yields.
   void cross(std::span<const ScreenPoint> points, const ChainEdge& edge, Crossing Ends::*end) {
     const ScreenPoint& upper = points[edge.upper];
     const ScreenPoint& lower = points[edge.lower];
@@ -159,7 +160,7 @@ class StepFiller final : public SurfaceFiller {
         depth_row(piece, depths, std::span(line_).subspan(from, count), words, depths_.reversed());
       }
     });
-    // What is written differs from what was there.
+    // Compares the depths before and after to find the pixels that were set.
     for (std::size_t x = 0; x < out.size(); ++x) set[x] = before_[x] == buffer[x] ? 0 : 1;
   }
 
@@ -241,7 +242,7 @@ class StepFiller final : public SurfaceFiller {
   DepthBuffer depths_;
   Vec3<N> light_{};
 
-  // of the polygon that is filled
+  // of the current polygon
   std::size_t first_slot_ = 0;
   std::size_t end_slot_ = 0;
   std::int32_t top_ = 0;
