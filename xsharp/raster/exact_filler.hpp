@@ -57,9 +57,9 @@ class ExactFiller final : public SurfaceFiller {
     return result;
   }
 
-  std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
-                                 const Surface& surface, std::int32_t width,
-                                 std::int32_t height) override {
+  std::span<const PixelRow> find_rows(const Picture& picture, const Polygon& polygon,
+                                      const Surface& surface, std::int32_t width,
+                                      std::int32_t height) override {
     rows_.clear();
     spans_.clear();
     const auto points = picture.points_of(polygon);
@@ -92,8 +92,8 @@ class ExactFiller final : public SurfaceFiller {
       return static_cast<std::int32_t>(std::clamp(std::ceil(x), 0.0, double{1} * width));
     };
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-      const Row row{top + static_cast<std::int32_t>(i), pixel(spans_[i].left.x),
-                    pixel(spans_[i].right.x)};
+      const PixelRow row{top + static_cast<std::int32_t>(i), pixel(spans_[i].left.x),
+                         pixel(spans_[i].right.x)};
       if (row.left >= row.right) continue;
       spans_[rows_.size()] = spans_[i];
       rows_.push_back(row);
@@ -115,7 +115,7 @@ class ExactFiller final : public SurfaceFiller {
 
   void draw(std::size_t index, const Surface& surface, std::span<std::uint8_t> out,
             std::uint8_t pixel, std::span<std::uint8_t> set) override {
-    const Row& row = rows_[index];
+    const PixelRow& row = rows_[index];
     const Span& span = spans_[index];
     for (std::size_t i = 0; i < out.size(); ++i) {
       const double x = static_cast<double>(row.left) + static_cast<double>(i);
@@ -164,7 +164,7 @@ class ExactFiller final : public SurfaceFiller {
 
   // of the current polygon
   std::vector<PointValues> corners_{};
-  std::vector<Row> rows_{};
+  std::vector<PixelRow> rows_{};
   std::vector<Span> spans_{};
 };
 

@@ -12,6 +12,7 @@
 #include "xsharp/raster/bitmap.hpp"
 #include "xsharp/raster/page.hpp"
 #include "xsharp/raster/palette.hpp"
+#include "xsharp/raster/pixel_row.hpp"
 #include "xsharp/scene.hpp"
 
 namespace xsharp {
@@ -56,7 +57,7 @@ class SurfaceFiller {
     object_ = polygon.object;
     const auto rows = find_rows(picture, polygon, surface, page.width(), page.height());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Row& row = rows[i];
+      const PixelRow& row = rows[i];
       const auto count = static_cast<std::size_t>(row.right - row.left);
       const auto out = page.row(row.y).subspan(static_cast<std::size_t>(row.left), count);
       set_.assign(buffered_ ? count : 0, 0);
@@ -77,22 +78,15 @@ class SurfaceFiller {
   }
 
  protected:
-  /// A row of the page: pixels left to right - 1, with left < right.
-  struct Row {
-    std::int32_t y = 0;
-    std::int32_t left = 0;
-    std::int32_t right = 0;
-  };
-
   [[nodiscard]] bool buffered() const { return buffered_; }
 
   /// The bitmap of the current polygon. @pre its surface has one
   [[nodiscard]] std::span<const std::uint8_t> bitmap() const { return bitmaps_[object_]; }
 
   /// The polygon's rows on the page. draw() takes an index into them, until the next call.
-  virtual std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
-                                         const Surface& surface, std::int32_t width,
-                                         std::int32_t height) = 0;
+  virtual std::span<const PixelRow> find_rows(const Picture& picture, const Polygon& polygon,
+                                              const Surface& surface, std::int32_t width,
+                                              std::int32_t height) = 0;
   /// Sets the pixels of a row where nothing is nearer.
   /// @param set empty, or under a depth buffer as long as `out`: becomes 1 for each pixel set
   virtual void draw(std::size_t row, const Surface& surface, std::span<std::uint8_t> out,
