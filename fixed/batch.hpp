@@ -80,6 +80,20 @@ raw_transform<F> raws_of(const std::array<std::array<number<F, P>, 4>, 3>& rows)
   return raws;
 }
 
+/// Runs a batch: whole blocks on the path of `how`, then the remaining elements one by one.
+/// \param blocks    (loops, fault_recorder&) -> number of elements done
+/// \param element   (index) -> outcome
+/// \param store     (index, raw)
+/// \param operation the name in the text of an error
+template <policy P, class Blocks, class Element, class Store>
+batch::report run_batch(const char* operation, const batch::options& how, std::size_t count,
+                        const Blocks& blocks, const Element& element, const Store& store) {
+  fault_recorder found(batch_marks(how, count));
+  const std::size_t done = on_path(how.use, [&](auto loops) { return blocks(loops, found); });
+  each_element(done, count, found, element, store);
+  return found.template finish<P>(operation);
+}
+
 /// Returns a function that stores a raw integer as element i of `to`.
 template <class N>
 auto store_at(N* to) noexcept {
@@ -109,14 +123,13 @@ report multiply(const A& a, const B& b, Out&& out,
   const N* const y = std::data(b);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template multiply<F, P>(x, y, to, count, found); });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "multiply", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template multiply<F, P>(x, y, to, count, found);
+      },
       [=](std::size_t i) { return detail::multiplied<F, P>(x[i].raw(), y[i].raw()); },
       detail::store_at(to));
-  return found.template finish<P>("multiply");
 }
 
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
@@ -132,16 +145,15 @@ report mul_add(const A& a, const B& b, const C& c, Out&& out,
   const N* const z = std::data(c);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, c, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template mul_add<F, P>(x, y, z, to, count, found); });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "mul_add", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template mul_add<F, P>(x, y, z, to, count, found);
+      },
       [=](std::size_t i) {
         return detail::multiplied_and_added<F, P>(x[i].raw(), y[i].raw(), z[i].raw());
       },
       detail::store_at(to));
-  return found.template finish<P>("mul_add");
 }
 
 /// out[i] = n[i] / d[i]. Counts every element for which try_divide returns nothing, even if
@@ -177,13 +189,12 @@ report sqrt(const X& x, Out&& out,
   const N* const from = std::data(x);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template sqrt<F>(from, to, count, found); });
-  detail::each_element(
-      done, count, found, [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); },
-      detail::store_at(to));
-  return found.template finish<N::rules>("sqrt");
+  return detail::run_batch<N::rules>(
+      "sqrt", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template sqrt<F>(from, to, count, found);
+      },
+      [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); }, detail::store_at(to));
 }
 
 /// fixed::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum can
@@ -230,16 +241,15 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const I
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template transform<F, P>(by, from, to, count, found); });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "transform", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template transform<F, P>(by, from, to, count, found);
+      },
       [=](std::size_t i) {
         return detail::transformed_vertex<F, P>(by, detail::load_tuple<F, 3>(from, i));
       },
       [=](std::size_t i, const auto& v) { detail::store_tuple<F, 3>(to, i, v); });
-  return found.template finish<P>("transform");
 }
 
 /// The same, with each coordinate in its own span.
@@ -254,20 +264,19 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y, to_z);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(how.use, [&](auto on) {
-    return on.template transform<F, P>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
-                                       std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
-  });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "transform", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template transform<F, P>(by,
+                                           std::array<const void*, 3>{from[0], from[1], from[2]},
+                                           std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
+      },
       [=](std::size_t i) {
         return detail::transformed_vertex<F, P>(by, detail::tuple_at(from, i));
       },
       [=](std::size_t i, const auto& v) {
         for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
       });
-  return found.template finish<P>("transform");
 }
 
 /// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
@@ -279,17 +288,15 @@ report project(const In& in, number<F, P> constant, Out&& out,
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(how.use, [&](auto on) {
-    return on.template project<F, P>(constant.raw(), from, to, count, found);
-  });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "project", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template project<F, P>(constant.raw(), from, to, count, found);
+      },
       [=](std::size_t i) {
         return detail::projected_point<F, P>(constant.raw(), detail::load_tuple<F, 3>(from, i));
       },
       [=](std::size_t i, const auto& point) { detail::store_tuple<F, 2>(to, i, point); });
-  return found.template finish<P>("project");
 }
 
 /// The same, with each coordinate in its own span.
@@ -302,21 +309,19 @@ report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& 
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(how.use, [&](auto on) {
-    return on.template project<F, P>(constant.raw(),
-                                     std::array<const void*, 3>{from[0], from[1], from[2]},
-                                     std::array<void*, 2>{to[0], to[1]}, count, found);
-  });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "project", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template project<F, P>(constant.raw(),
+                                         std::array<const void*, 3>{from[0], from[1], from[2]},
+                                         std::array<void*, 2>{to[0], to[1]}, count, found);
+      },
       [=](std::size_t i) {
         return detail::projected_point<F, P>(constant.raw(), detail::tuple_at(from, i));
       },
       [=](std::size_t i, const auto& point) {
         for (std::size_t k = 0; k < 2; ++k) to[k][i] = N::from_raw(point[k]);
       });
-  return found.template finish<P>("project");
 }
 
 }  // namespace fixed::batch
