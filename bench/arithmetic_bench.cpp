@@ -1,7 +1,6 @@
-// The contenders of `fixproof measure --host`: the type, the plain idiom, libraries where they are
-// installed, float and double, at one operation each, over arrays in the first-level cache, and in
-// chains where each result is an operand of the next. Every result is held to the rounding that is
-// stated of its maker before any is timed.
+// The contenders of `fixproof measure --host`: the type, the plain idiom, libraries if installed,
+// float and double. Times one operation each, over arrays in the first-level cache and in
+// dependency chains. Before timing, checks every result against its contender's stated rounding.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -35,7 +34,7 @@ void time_loop(benchmark::State& state, const trade::HostOperation& operation,
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(operations));
 }
 
-/// Named as `mul/q16_16` and `mul/q16_16/chain`.
+/// Names are `mul/q16_16` and `mul/q16_16/chain`.
 void register_all(const std::vector<trade::HostOperation>& operations) {
   for (const trade::HostOperation& o : operations) {
     for (const trade::HostContender& contender : o.contenders) {

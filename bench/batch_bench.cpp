@@ -1,8 +1,7 @@
-// The batch operations on each of their paths, beside the type in a loop, the plain idiom, float
-// and double, and beside copying what they read. Named operation/contender/elements: 1024 of them
-// stay in the first caches, a million do not, and ten million vertices stay in no cache. Every
-// result is first held against what integers of 128 bits make of the operands; floating point
-// within what it resolves.
+// The batch operations on each path, beside a loop over the type, the plain idiom, float and
+// double, and a copy of the operands. Names are operation/contender/elements: 1024 elements fit the
+// first-level caches, a million do not, and ten million vertices fit no cache. Checks every result
+// first against 128-bit integers, floating point within its resolution.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -26,7 +25,7 @@ using namespace batch_bench;
 using fixed::q16_16;
 using fixed::batch::path;
 
-/// Makes operands anew, to judge by.
+/// Recreates the operands for checking.
 template <class T>
 Words words_for(const Operands<T>& x) {
   return Words(x.a.size());
@@ -37,7 +36,7 @@ std::shared_ptr<Operands<T>> operands(std::size_t count) {
   return std::make_shared<Operands<T>>(Words(count));
 }
 
-/// \param far also of a size that no cache holds
+/// \param far also times a size that no cache holds
 void add(const std::string& name, const std::function<Loop(std::size_t)>& make, bool far = false) {
   std::vector<std::int64_t> sizes{1024, 1'000'000};
   if (far) sizes.push_back(10'000'000);

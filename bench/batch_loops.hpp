@@ -1,6 +1,6 @@
 /// \file
-/// The operations for one element, as each kind of number has them, and the loops that batches are
-/// set beside; and what is right: by integers of 128 bits, and nothing of the type but its policy.
+/// Each operation on one element for each kind of number, the loops that batches are compared with,
+/// and the expected results from 128-bit integers, which use nothing of the type but its policy.
 #pragma once
 
 #include <array>
@@ -37,16 +37,16 @@ constexpr Wide rounded(Wide n, Wide d, fixed::rounding by) {
   return n / d;
 }
 
-/// What results are held against.
+/// The rules for expected results.
 struct Rules {
   fixed::policy by;
-  int bits = 16;  ///< after the point, and before it
+  int bits = 16;  ///< before and after the point
 
   [[nodiscard]] constexpr Wide one() const { return Wide{1} << bits; }
   [[nodiscard]] constexpr Wide lowest() const { return -(one() * one() / 2); }
   [[nodiscard]] constexpr Wide highest() const { return -lowest() - 1; }
 
-  /// By the rule of overflow. Where that throws there is no right result out of range.
+  /// Applies the overflow rule. Not used for results out of range if the rule throws.
   [[nodiscard]] constexpr Wide narrowed(Wide x) const {
     if (by.range == fixed::overflow::wrap) {
       const Wide range = one() * one();
@@ -62,8 +62,8 @@ struct Rules {
   }
 };
 
-/// Those of the type; of the plain idiom, whose products are rounded half up and whose quotients
-/// are the processor's; and what float and double are held against.
+/// The rules of the type; of the plain idiom, which rounds products half up and truncates quotients
+/// like the processor; and for float and double.
 template <class T>
 inline constexpr Rules rules_of{
     {.divide = std::is_integral_v<T> ? fixed::rounding::truncate : fixed::rounding::half_up}, 16};
@@ -165,7 +165,7 @@ template <class T>
   }
 }
 
-/// Whether x is the number whose stored integer is `right`; float within what it resolves.
+/// Whether x is the number with stored integer `right`; for float within its resolution.
 template <class T>
 bool same(T x, Wide right) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -188,7 +188,7 @@ bool right_elements(const Words& words, const Array<T>& out) {
   return true;
 }
 
-/// Each product rounded, then summed from the left; the rule of overflow holds at each step.
+/// Each product is rounded, then summed from the left, with the overflow rule at each step.
 template <class T>
 bool right_vertices(const Words& words, const Array<std::array<T, 3>>& out) {
   constexpr const Rules& rules = rules_of<T>;
@@ -218,7 +218,7 @@ bool right_points(const Words& words, const Array<std::array<T, 2>>& out) {
   return true;
 }
 
-/// Of `a` and `small`.
+/// Checks the dot product of `a` and `small`.
 template <class T>
 bool right_dot(const Words& words, T x) {
   Wide sum = 0;

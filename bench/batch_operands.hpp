@@ -1,5 +1,5 @@
 /// \file
-/// What the benchmarks of batches work on, and how one is timed.
+/// The operands and the timing of the batch benchmarks.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -31,7 +31,7 @@ T of_raw(std::int32_t raw) {
 }
 
 /// Random stored integers of 16.16, the same for each object. No operation overflows or faults:
-/// they are within +-128, divisors are 1 or more, radicands are not negative.
+/// values are within +-128, divisors are at least 1, and radicands are not negative.
 struct Words {
   std::vector<std::int32_t> a, b, c;
   /// Within +-1/2, so that a thousand products can be summed.
@@ -46,7 +46,7 @@ struct Words {
     };
     const auto word = [&](int width) {
       const std::int32_t x = static_cast<std::int32_t>(random()) >> (32 - width);
-      // Half of them end in zeros: their products and quotients can be ties.
+      // Half of them end in zeros, so that products and quotients can be ties.
       return below(2) == 0 ? x : x & -(1 << below(16));
     };
     const auto wide = [&] { return word(24); };
@@ -68,7 +68,7 @@ struct Words {
  private:
   static constexpr std::int32_t one = 1 << 16;
 
-  /// Draws a hundred thousand and repeats these, to save time.
+  /// Draws a hundred thousand values and repeats them, to save time.
   static std::vector<std::int32_t> filled(std::size_t count, const auto& draw) {
     constexpr std::size_t drawn = 100'000;
     std::vector<std::int32_t> words(count);
@@ -78,7 +78,7 @@ struct Words {
   }
 };
 
-/// Begins at a line of the cache, as arrays that are to be quick do.
+/// Aligns arrays to cache lines, as fast arrays are.
 template <class T>
 struct LineAllocator {
   using value_type = T;
@@ -97,7 +97,7 @@ struct LineAllocator {
 template <class T>
 using Array = std::vector<T, LineAllocator<T>>;
 
-/// The same as numbers, and room for results.
+/// The same as numbers, and space for results.
 template <class T>
 struct Operands {
   Array<T> a, b, c, small, out, out_y, out_z;
@@ -132,13 +132,13 @@ struct Operands {
   }
 };
 
-/// One loop: what is timed, and whether the results of the last run are right.
+/// A timed loop, and a check of the results of its last run.
 struct Loop {
   std::function<void()> run;
   std::function<bool()> right;
 };
 
-/// Times what `make` makes for each size. Judged before it is timed, but once: a benchmark is
+/// Times the loop from `make` for each size. Checks it once before timing, because a benchmark is
 /// called again for every repetition.
 inline void add_loop(const std::string& name, const std::vector<std::int64_t>& sizes,
                      const std::function<Loop(std::size_t)>& make) {

@@ -1,4 +1,4 @@
-// Has every program of this folder say in its output what it was built with.
+// Adds the compiler and its flags to the output of every benchmark.
 #include <benchmark/benchmark.h>
 
 namespace {

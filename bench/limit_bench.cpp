@@ -1,7 +1,7 @@
-// What this processor can do at most: multiplies, divides and roots by each kind of instruction
-// that the type's operations are made of, the bytes it can load and store in the first cache, and
-// those it can copy. No result is an operand of anything, so that none is waited for. Times are for
-// one result or byte, so that they stand beside those of the other benchmarks. Nothing is checked.
+// The limits of this processor: multiplies, divides and roots with each kind of instruction that
+// the type's operations use, bytes loaded and stored in the first-level cache, and bytes copied.
+// Operations are independent, so this measures throughput. Times are per result or byte, comparable
+// to the other benchmarks. Checks no results.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -15,12 +15,12 @@
 
 namespace {
 
-/// Steps without a branch, so that the loop is not what is timed.
+/// Steps without a branch, so that the loop overhead is not timed.
 constexpr int unrolled = 16;
 constexpr int rounds = 100;
 
-/// Makes the compiler keep the value in a register and know nothing of it. benchmark::DoNotOptimize
-/// lets it choose memory, and clang does: what is timed then is how a store reaches the next load.
+/// Keeps the value in a register and hides it from the compiler. benchmark::DoNotOptimize also
+/// allows memory, which clang chooses: that would time store-to-load forwarding.
 template <class Value>
 void hide(Value& value) {
 #if defined(__x86_64__)
@@ -34,7 +34,7 @@ void hide(Value& value) {
 #endif
 }
 
-/// Times `step` of the value, over and over.
+/// Times repeated calls of `step` on the value.
 template <class Value, class Step>
 void throughput(benchmark::State& state, Value value, Step step) {
   for ([[maybe_unused]] auto _ : state) {
@@ -49,8 +49,7 @@ void throughput(benchmark::State& state, Value value, Step step) {
   state.SetItemsProcessed(state.iterations() * rounds * unrolled);
 }
 
-// The operand is hidden from the compiler, which could do without a multiply or divide by a
-// constant.
+// Hides the operand from the compiler, which could replace a multiply or divide by a constant.
 void multiply_scalar(benchmark::State& state) {
   std::uint64_t factor = 0x12345;
   hide(factor);
@@ -59,7 +58,7 @@ void multiply_scalar(benchmark::State& state) {
 BENCHMARK(multiply_scalar);
 
 void divide_64_by_64(benchmark::State& state) {
-  // As large as a shifted 16.16 numerator, and a quotient of 32 bits.
+  // As large as a shifted 16.16 numerator, with a 32-bit quotient.
   std::int64_t divisor = 0x12345;
   hide(divisor);
   throughput(state, std::int64_t{0x712345678123},
@@ -76,13 +75,13 @@ BENCHMARK(divide_double);
 
 #if defined(__x86_64__)
 
-// A lambda does not take part in its function's target, so these loops are written out. The asm
-// is what hide() is.
+// A lambda does not inherit its function's target attribute, so these loops are macros. The asm
+// does the same as hide().
 
-// std::array of vectors drops their attributes, GCC says.
+// GCC says that std::array of vectors drops their attributes.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses,*-avoid-c-arrays)
 
-/// `step` is made of `value` and `other`.
+/// `step` uses `value` and `other`.
 #define VECTOR_LIMIT(name, instructions, Value, start, operand, step)             \
   __attribute__((target(instructions))) void name(benchmark::State& state) {      \
     Value value = start;                                                          \
@@ -100,7 +99,7 @@ BENCHMARK(divide_double);
     state.SetItemsProcessed(state.iterations() * rounds * unrolled * int{lanes}); \
   }
 
-/// `step` moves from `at[i]` to `value` or the other way.
+/// `step` loads `value` from `at[i]` or stores it there.
 #define MEMORY_LIMIT(name, instructions, Value, step)                                     \
   __attribute__((target(instructions))) void name(benchmark::State& state) {              \
     Value block[unrolled] = {};                                                           \
@@ -126,7 +125,7 @@ VECTOR_LIMIT(root_double_avx2, "avx2", __m256d, _mm256_set1_pd(3.7), value, _mm2
 MEMORY_LIMIT(load_avx2, "avx2", __m256i, value = at[i])
 MEMORY_LIMIT(store_avx2, "avx2", __m256i, at[i] = value)
 
-// GCC 12 warns of the undefined lanes of the forms without a mask.
+// GCC 12 warns of uninitialised lanes in the forms without a mask.
 VECTOR_LIMIT(multiply_avx512, "avx512f", __m512i, _mm512_set1_epi64(0x1234567),
              _mm512_set1_epi64(0x12345), _mm512_maskz_mul_epi32(0xFF, value, other))
 VECTOR_LIMIT(divide_double_avx512, "avx512f", __m512d, _mm512_set1_pd(3.7),
@@ -160,7 +159,7 @@ MEMORY_LIMIT(store_avx512, "avx512f", __m512i, at[i] = value)
 
 #endif
 
-/// So many bytes read and as many written: in the caches, then in memory.
+/// Copies this many bytes, in the caches and in memory.
 void copy(benchmark::State& state) {
   const std::vector<unsigned char> from(static_cast<std::size_t>(state.range(0)), 7);
   std::vector<unsigned char> to(from.size());

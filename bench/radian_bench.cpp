@@ -1,7 +1,6 @@
-// Sine and cosine in radians: the type one by one and in batches, beside libfixmath, float and
-// double, over angles within +-8 and over all of 16.16. Every result is first held to what its
-// maker reaches: none of the type may be wrong, the others may be off by as much as is stated here.
-// The counter `off` is the largest error found, in units of the last place.
+// Sine and cosine in radians: the type, scalar and in batches, beside libfixmath, float and double,
+// over angles within +-8 and over all of 16.16. Checks every result first: the type must be exact,
+// the others within the errors stated here. The counter `off` is the largest error found, in ulp.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ namespace {
 
 using fixed::q16_16;
 
-/// More than fits the table in which libfixmath keeps results.
+/// More than libfixmath's result cache holds.
 constexpr std::size_t count = 16384;
 
 struct Arrays {
@@ -37,7 +36,7 @@ struct Contender {
   std::string name;
   std::function<void(Arrays&)> run;
   bool has_cosines;
-  /// Units that a result may be off, for angles within +-8 and for all.
+  /// Allowed errors in ulp, for angles within +-8 and for all.
   std::int64_t near_error;
   std::int64_t far_error;
 };

@@ -1,9 +1,8 @@
-// Scenes of 10 to 100,000 balls, each of 114 vertices and 128 faces: what a frame costs before it
-// is filled, on one thread and on two, and what the objects take in memory; sorting alone; copying,
-// for the bandwidth of the memory. The pictures of each size are checked once: every vertex is
-// within a pixel of where double has it, and on two threads points and polygons are those of one.
-// Frames, and the copying beside them, are timed by the clock on the wall: each thread has
-// processor time of its own.
+// Scenes of 10 to 100,000 balls of 114 vertices and 128 faces each: the time per frame before
+// filling, on one thread and on two; the memory of the objects; sorting alone; and copying, for the
+// memory bandwidth. Checks the pictures of each size once: every vertex is within a pixel of its
+// position in double, and two threads give the same points and polygons as one. Frames and copies
+// are timed by wall clock, because each thread has its own processor time.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
@@ -29,7 +28,7 @@ using Type = fixed::q16_16_i386;
 
 constexpr std::int64_t vertices = 114;
 
-/// Balls in a cloud, each turning in its own way, all in sight. The last one is kept.
+/// A cloud of balls, each with its own rotation, all in view. Caches the last one.
 const xsharp::Scene& cloud(std::int64_t balls) {
   static xsharp::Scene scene;
   if (static_cast<std::int64_t>(scene.objects.size()) == balls) return scene;
@@ -67,7 +66,7 @@ bool is_near(const std::optional<xsharp::ScreenPoint>& a,
   return a && b && std::abs(a->x - b->x) <= 1 && std::abs(a->y - b->y) <= 1;
 }
 
-/// Whether its second frame is seen where double has it.
+/// Whether vertices of the second frame are where double puts them.
 bool is_near_double(const xsharp::Scene& scene, const xsharp::Player& player) {
   xsharp::Animation<double> exact(scene);
   second_frame(exact);
@@ -87,7 +86,7 @@ bool is_right(const xsharp::Scene& scene) {
          std::ranges::equal(picture.polygons, other.polygons, is_same);
 }
 
-/// Worked out once for each size: a benchmark is called again for every repetition.
+/// Cached per size, because a benchmark is called again for every repetition.
 bool is_known_right(const xsharp::Scene& scene) {
   static std::map<std::size_t, bool> known;
   const auto found = known.find(scene.objects.size());
@@ -118,7 +117,7 @@ void frame(benchmark::State& state) {
       static_cast<double>(after - before) / static_cast<double>(state.range(0) * vertices);
 }
 
-/// The order that depths[i] = i is to be sorted from; sorted again and again, a copy each time.
+/// Sorts depths[i] = i from a given order, copied for each run.
 void sort_from(benchmark::State& state, const std::vector<std::size_t>& order) {
   std::vector<std::int32_t> depths(order.size());
   std::iota(depths.begin(), depths.end(), 0);
@@ -140,7 +139,7 @@ std::vector<std::size_t> in_order(std::int64_t objects) {
   return order;
 }
 
-/// Every tenth has changed places with one at most eight behind it.
+/// One in ten is swapped with one at most eight places later.
 void sort_little(benchmark::State& state) {
   std::mt19937 random(1994);
   std::vector<std::size_t> order = in_order(state.range(0));
@@ -150,14 +149,14 @@ void sort_little(benchmark::State& state) {
   sort_from(state, order);
 }
 
-/// The worst for insertion: all turned about.
+/// The worst case for insertion sort: the reverse order.
 void sort_reversed(benchmark::State& state) {
   std::vector<std::size_t> order = in_order(state.range(0));
   std::reverse(order.begin(), order.end());
   sort_from(state, order);
 }
 
-/// As many bytes as the coordinates of a frame: 12 in and 12 out for each vertex.
+/// Copies as many bytes as the coordinates of a frame: 12 in and 12 out per vertex.
 void copy(benchmark::State& state) {
   const std::vector<std::int32_t> from(static_cast<std::size_t>(state.range(0) * vertices * 3), 7);
   std::vector<std::int32_t> to(from.size());

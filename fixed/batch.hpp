@@ -1,36 +1,34 @@
 /// \file
-/// The operations of numbers over whole spans, as quick as the processor allows, to the same bits.
+/// Number operations over whole spans, vectorised and bit-identical to the scalar operations.
 ///
 /// Not part of fixed/fixed.hpp, and not for -ffreestanding.
 ///
 ///     #include "fixed/batch.hpp"
 ///
-///     std::vector<fixed::q16_16> a, b, quotients;                // as long as one another
+///     std::vector<fixed::q16_16> a, b, quotients;                // of equal length
 ///     const auto report = fixed::batch::divide(a, b, quotients);
 ///     if (!report.clean()) std::cout << report.divide_errors << " zero divisors\n";
 ///
-/// **Results** are those of the number type under its policy, element by element. Where the number
-/// type throws, a batch is finished first; the elements concerned get what overflow::wrap and
-/// divide_fault::none would give, and are counted. Then the error of the first of them is thrown,
-/// with its index in the text. Whoever passes `options::marks` gets marks instead of an exception.
+/// **Results** are those of the number type under its policy, element by element. If elements have
+/// an error that the number type throws, the batch still completes: those elements get the result
+/// of overflow::wrap and divide_fault::none and are counted. Then the first error is thrown, with
+/// its index in the text. With `options::marks`, the batch marks these elements and does not throw.
 ///
-/// **Reports** count elements, see batch::report. They are complete: nothing is lost where several
-/// elements have faults.
+/// **Reports** count every element that has a fault; see batch::report.
 ///
-/// **Spans** are vectors, arrays, std::span and what else has std::data and std::size. The shortest
-/// of those that a function is given, marks too, is the length of the batch; nothing beyond it is
-/// read or written. An output may be an input itself: the elements are then replaced. Where it
-/// overlaps an input otherwise, results are unspecified. No alignment is asked for.
+/// **Spans** are vectors, arrays, std::span and anything else with std::data and std::size. The
+/// shortest argument, marks included, sets the length of the batch; nothing beyond it is read or
+/// written. An output may be the same span as an input. If it overlaps an input in any other way,
+/// the results are unspecified. No alignment is required.
 ///
-/// **Vertices** are three numbers x, y, z, points two: std::array of numbers, or a struct of
-/// nothing but them.
+/// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
+/// struct that contains only them.
 ///
-/// **Paths**: the functions are there for AVX2 and for AVX-512, whatever the program is compiled
-/// for, and the processor is asked once which it has; with NEON where that is compiled for; and as
-/// a plain loop. All have the same results and reports. Under -ffast-math and the like, where
-/// doubles are not exact, divide, sqrt and project take the plain loop. All files of a program that
-/// include this are to be compiled for the same processor (-m, -march): of several copies of a
-/// function the linker keeps one.
+/// **Paths**: AVX2 and AVX-512 code is always compiled in, and the processor is queried once. NEON
+/// is used if the program is compiled for it. Otherwise a plain loop runs. All paths give the same
+/// results and reports. Under -ffast-math and similar flags, where doubles are not exact, divide,
+/// sqrt and project use the plain loop. Compile all files of a program that include this header for
+/// the same processor (-m, -march), because the linker keeps only one copy of each function.
 #pragma once
 
 #include <algorithm>
@@ -51,12 +49,11 @@
 
 namespace fixed::batch {
 
-/// What may be asked of a batch beside its results.
+/// Options of a batch operation.
 struct options {
-  /// Where it is computed. What the processor does not have is replaced by path::portable.
+  /// The path to use; path::portable replaces one that the processor lacks.
   path use = best();
-  /// If not empty: set to whether the report counts the element, for each of them, and nothing is
-  /// thrown.
+  /// If not empty, entry i is set to whether element i has a fault, and nothing is thrown.
   std::span<bool> marks = {};
 };
 
@@ -83,13 +80,27 @@ raw_transform<F> raws_of(const std::array<std::array<number<F, P>, 4>, 3>& rows)
   return raws;
 }
 
-/// Writes stored integers as numbers.
+/// Runs a batch: whole blocks on the path of `how`, then the remaining elements one by one.
+/// \param blocks    (loops, fault_recorder&) -> number of elements done
+/// \param element   (index) -> outcome
+/// \param store     (index, raw)
+/// \param operation the name in the text of an error
+template <policy P, class Blocks, class Element, class Store>
+batch::report run_batch(const char* operation, const batch::options& how, std::size_t count,
+                        const Blocks& blocks, const Element& element, const Store& store) {
+  fault_recorder found(batch_marks(how, count));
+  const std::size_t done = on_path(how.use, [&](auto loops) { return blocks(loops, found); });
+  each_element(done, count, found, element, store);
+  return found.template finish<P>(operation);
+}
+
+/// Returns a function that stores a raw integer as element i of `to`.
 template <class N>
 auto store_at(N* to) noexcept {
   return [to](std::size_t i, typename N::raw_type raw) { to[i] = N::from_raw(raw); };
 }
 
-/// The stored integers at one place of three arrays.
+/// The stored integers at index i of three arrays.
 template <class N>
 std::array<typename N::raw_type, 3> tuple_at(const std::array<const N*, 3>& from,
                                              std::size_t i) noexcept {
@@ -112,14 +123,13 @@ report multiply(const A& a, const B& b, Out&& out,
   const N* const y = std::data(b);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template multiply<F, P>(x, y, to, count, found); });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "multiply", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template multiply<F, P>(x, y, to, count, found);
+      },
       [=](std::size_t i) { return detail::multiplied<F, P>(x[i].raw(), y[i].raw()); },
       detail::store_at(to));
-  return found.template finish<P>("multiply");
 }
 
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
@@ -135,20 +145,19 @@ report mul_add(const A& a, const B& b, const C& c, Out&& out,
   const N* const z = std::data(c);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, c, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template mul_add<F, P>(x, y, z, to, count, found); });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "mul_add", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template mul_add<F, P>(x, y, z, to, count, found);
+      },
       [=](std::size_t i) {
         return detail::multiplied_and_added<F, P>(x[i].raw(), y[i].raw(), z[i].raw());
       },
       detail::store_at(to));
-  return found.template finish<P>("mul_add");
 }
 
-/// out[i] = n[i] / d[i]. What try_divide would not return is counted, also where operator/ returns
-/// something for it.
+/// out[i] = n[i] / d[i]. Counts every element for which try_divide returns nothing, even if
+/// operator/ returns a value for it.
 template <detail::number_range Numerators, detail::input_of<detail::element_t<Numerators>> Divisors,
           detail::output_of<detail::element_t<Numerators>> Out>
 report divide(const Numerators& n, const Divisors& d, Out&& out, const options& how = {}) noexcept(
@@ -171,7 +180,7 @@ report divide(const Numerators& n, const Divisors& d, Out&& out, const options& 
   return found.template finish<P>("divide");
 }
 
-/// out[i] = sqrt(x[i]). Negative numbers are counted, under every policy.
+/// out[i] = sqrt(x[i]). Counts negative operands under every policy.
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 report sqrt(const X& x, Out&& out,
             const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
@@ -180,24 +189,23 @@ report sqrt(const X& x, Out&& out,
   const N* const from = std::data(x);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template sqrt<F>(from, to, count, found); });
-  detail::each_element(
-      done, count, found, [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); },
-      detail::store_at(to));
-  return found.template finish<N::rules>("sqrt");
+  return detail::run_batch<N::rules>(
+      "sqrt", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template sqrt<F>(from, to, count, found);
+      },
+      [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); }, detail::store_at(to));
 }
 
-/// fixed::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Out of range, in the
-/// end only, by the policy; throws as fixed::dot does.
+/// fixed::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum can
+/// be out of range; the policy decides the result. Throws as fixed::dot does.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
 detail::element_t<A> dot(const A& a, const B& b,
                          path use = best()) noexcept(detail::element_t<A>::never_throws) {
   using N = detail::element_t<A>;
   constexpr int F = N::fraction_bits;
   constexpr policy P = N::rules;
-  constexpr std::size_t at_once = std::size_t{1} << 30;  // what loops::dot() has room for
+  constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
   const N* const x = std::data(a);
   const N* const y = std::data(b);
   const std::size_t count = detail::shortest(a, b);
@@ -222,9 +230,9 @@ detail::element_t<A> dot(const A& a, const B& b,
   }
 }
 
-/// out[i] = the vertex in[i] by the rows of a transform: each product rounded, then
-/// row[0] x + row[1] y + row[2] z + row[3] summed from the left, as XformVec does. On AVX2 and
-/// AVX-512, eight megabytes of 16.16 results and more are written past the caches.
+/// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
+/// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
+/// of 16.16 results bypass the caches.
 template <int F, policy P, detail::tuples_of<number<F, P>, 3> In,
           detail::output_tuples_of<number<F, P>, 3> Out>
 report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const In& in, Out&& out,
@@ -233,19 +241,18 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const I
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template transform<F, P>(by, from, to, count, found); });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "transform", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template transform<F, P>(by, from, to, count, found);
+      },
       [=](std::size_t i) {
         return detail::transformed_vertex<F, P>(by, detail::load_tuple<F, 3>(from, i));
       },
       [=](std::size_t i, const auto& v) { detail::store_tuple<F, 3>(to, i, v); });
-  return found.template finish<P>("transform");
 }
 
-/// The same with each coordinate in a span of its own.
+/// The same, with each coordinate in its own span.
 template <int F, policy P, detail::input_of<number<F, P>> X, detail::input_of<number<F, P>> Y,
           detail::input_of<number<F, P>> Z, detail::output_of<number<F, P>> ToX,
           detail::output_of<number<F, P>> ToY, detail::output_of<number<F, P>> ToZ>
@@ -257,24 +264,23 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y, to_z);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(how.use, [&](auto on) {
-    return on.template transform<F, P>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
-                                       std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
-  });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "transform", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template transform<F, P>(by,
+                                           std::array<const void*, 3>{from[0], from[1], from[2]},
+                                           std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
+      },
       [=](std::size_t i) {
         return detail::transformed_vertex<F, P>(by, detail::tuple_at(from, i));
       },
       [=](std::size_t i, const auto& v) {
         for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
       });
-  return found.template finish<P>("transform");
 }
 
-/// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]: a quotient and a
-/// product, each by the policy. An element has a divide error if one of its quotients has.
+/// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
+/// both the quotient and the product. An element has a divide error if either quotient has one.
 template <int F, policy P, detail::tuples_of<number<F, P>, 3> In,
           detail::output_tuples_of<number<F, P>, 2> Out>
 report project(const In& in, number<F, P> constant, Out&& out,
@@ -282,20 +288,18 @@ report project(const In& in, number<F, P> constant, Out&& out,
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(how.use, [&](auto on) {
-    return on.template project<F, P>(constant.raw(), from, to, count, found);
-  });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "project", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template project<F, P>(constant.raw(), from, to, count, found);
+      },
       [=](std::size_t i) {
         return detail::projected_point<F, P>(constant.raw(), detail::load_tuple<F, 3>(from, i));
       },
       [=](std::size_t i, const auto& point) { detail::store_tuple<F, 2>(to, i, point); });
-  return found.template finish<P>("project");
 }
 
-/// The same with each coordinate in a span of its own.
+/// The same, with each coordinate in its own span.
 template <int F, policy P, detail::input_of<number<F, P>> X, detail::input_of<number<F, P>> Y,
           detail::input_of<number<F, P>> Z, detail::output_of<number<F, P>> ToX,
           detail::output_of<number<F, P>> ToY>
@@ -305,21 +309,19 @@ report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& 
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  const std::size_t done = detail::on_path(how.use, [&](auto on) {
-    return on.template project<F, P>(constant.raw(),
-                                     std::array<const void*, 3>{from[0], from[1], from[2]},
-                                     std::array<void*, 2>{to[0], to[1]}, count, found);
-  });
-  detail::each_element(
-      done, count, found,
+  return detail::run_batch<P>(
+      "project", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template project<F, P>(constant.raw(),
+                                         std::array<const void*, 3>{from[0], from[1], from[2]},
+                                         std::array<void*, 2>{to[0], to[1]}, count, found);
+      },
       [=](std::size_t i) {
         return detail::projected_point<F, P>(constant.raw(), detail::tuple_at(from, i));
       },
       [=](std::size_t i, const auto& point) {
         for (std::size_t k = 0; k < 2; ++k) to[k][i] = N::from_raw(point[k]);
       });
-  return found.template finish<P>("project");
 }
 
 }  // namespace fixed::batch

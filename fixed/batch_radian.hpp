@@ -1,6 +1,6 @@
 /// \file
-/// Sines and cosines of many angles in radians: the results of fixed/trig.hpp, to the bit, several
-/// times as fast where the processor has AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
+/// Sines and cosines of many angles in radians, bit-identical to fixed/trig.hpp and several times
+/// as fast with AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
 ///
 /// Spans and paths are those of fixed/batch.hpp.
 #pragma once
@@ -17,7 +17,7 @@
 
 namespace fixed::detail {
 
-/// The sines of `count` numbers, `ahead` / 2^64 turns on.
+/// The sines of `count` angles, each advanced by `ahead` / 2^64 turns.
 template <class N>
 void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64_t ahead) noexcept {
   constexpr int F = N::fraction_bits;
@@ -30,11 +30,11 @@ void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64
 
 }  // namespace fixed::detail
 
-/// Functions of many numbers at once.
+/// Functions over many numbers.
 namespace fixed::batch {
 
-/// results[i] = fixed::sin(angles[i]), for arrays, vectors, spans and the like of numbers of one
-/// type. As many as the shorter has; both may be the same, but not overlap otherwise.
+/// results[i] = fixed::sin(angles[i]), up to the length of the shorter span. The spans may be the
+/// same, but must not overlap otherwise.
 ///
 ///     std::vector<fixed::q16_16> angles(1000), sines(1000);
 ///     fixed::batch::sin(angles, sines);
@@ -44,15 +44,15 @@ void sin(const Angles& angles, Results&& results, path use = best()) noexcept {
   detail::sines(use, std::data(angles), std::data(results), count, 0);
 }
 
-/// As sin(), with fixed::cos.
+/// results[i] = fixed::cos(angles[i]); see sin().
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
   const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
 
-/// cosines[i] and sines[i] = fixed::sin_cos(angles[i]), as sin() otherwise. The angles may be where
-/// one of the results is to be.
+/// cosines[i] and sines[i] = fixed::sin_cos(angles[i]); see sin(). One result may overwrite the
+/// angles.
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Cosines,
           detail::output_of<detail::element_t<Angles>> Sines>
 void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = best()) noexcept {

@@ -1,5 +1,5 @@
 /// \file
-/// The exceptions of policies that throw. The text names the operation and its operands.
+/// The exceptions that policies throw. The text names the operation and its operands.
 #pragma once
 
 #include <stdexcept>
@@ -11,12 +11,12 @@ class overflow_error : public std::overflow_error {
   using std::overflow_error::overflow_error;
 };
 
-/// Division by zero, or a divide that the processor of a FIXED.ASM preset answers with #DE.
+/// A division by zero, or a divide that raises #DE under a FIXED.ASM policy.
 class divide_error : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
-/// The operation has no result for this operand: sqrt of a negative number, a number made of NaN.
+/// The operation is not defined for its operand: sqrt of a negative number, or conversion of NaN.
 class domain_error : public std::domain_error {
   using std::domain_error::domain_error;
 };

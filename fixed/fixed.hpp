@@ -1,5 +1,5 @@
 /// \file
-/// Everything of namespace fixed, but for fixed/batch.hpp, fixed/batch_radian.hpp and
+/// All of namespace fixed except fixed/batch.hpp, fixed/batch_radian.hpp and
 /// property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
@@ -14,18 +14,17 @@
 ///     fixed::q16_16_saturating far(1e9);               // 32767.9999847412109375
 ///     if (auto q = fixed::try_divide(x, q16_16())) {}  // no quotient by zero
 ///
-/// Policies other than the default are in fixed/policy.hpp, their types at the end of
-/// fixed/number.hpp.
+/// fixed/policy.hpp has the other policies; the end of fixed/number.hpp has their types.
 ///
-/// Under -ffreestanding this is the part that needs no library at run time: all but text and
-/// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). Of
-/// the standard library it then includes `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`,
-/// `<cstddef>`, `<cstdint>`, `<limits>`, `<optional>`, `<type_traits>` and `<utility>`. What would
-/// throw executes a trap instruction, and integers do all the work: no floating-point register is
-/// touched, unless a number is made of float or double or becomes one.
+/// Under -ffreestanding this header omits everything that needs a run-time library: text and
+/// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). It
+/// then includes only `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`, `<cstddef>`,
+/// `<cstdint>`, `<limits>`, `<optional>`, `<type_traits>` and `<utility>`. An operation that would
+/// throw executes a trap instruction. All arithmetic is integer; only conversions from and to float
+/// or double use floating-point registers.
 ///
-/// Translation units of one program may differ in optimisation and in floating-point flags, but not
-/// in whether there are exceptions: the inline functions that throw would then be two.
+/// Translation units of one program may differ in optimisation and floating-point flags, but not in
+/// whether exceptions are enabled: the inline functions that throw would have two definitions.
 #pragma once
 
 #include "fixed/limits.hpp"

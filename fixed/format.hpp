@@ -1,11 +1,12 @@
 /// \file
-/// `{}` of std::format, where the library has it, and of fmt, where fmt is included before this.
+/// `{}` for std::format, if the library has it, and for fmt, if fmt is included before this header.
 ///
-/// The format of a field is `[[fill]align][width]` with align one of `<`, `>` (the default) and
-/// `^`, and fill one char: the exact value, as to_chars() writes it, in a field at least that wide.
+/// The format specification is `[[fill]align][width]`. `align` is `<`, `>` (the default) or `^`,
+/// and `fill` is one char. The output is the exact value, as to_chars() writes it, padded to the
+/// width.
 ///
-/// Where fmt comes later than fixed/fixed.hpp, include this once more after it; hence no #pragma
-/// once.
+/// To add the fmt formatter after fixed/fixed.hpp was included, include fmt and then this header
+/// again; hence no #pragma once.
 #ifndef FIXED_FORMAT_HPP
 #define FIXED_FORMAT_HPP
 
@@ -24,7 +25,7 @@
 
 namespace fixed::detail {
 
-/// What the formatters of both libraries do; Error is the library's format_error.
+/// The common part of both formatters; Error is the library's format_error.
 template <int FractionBits, policy P, class Error>
 class text_formatter {
  public:

@@ -9,8 +9,8 @@
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 
-/// Fixed-point numbers in the terms of the standard: `min` is the smallest positive number, as for
-/// floating point, and `epsilon` the step to the next.
+/// The limits of a number type. `min` is the smallest positive number, as for floating point, and
+/// `epsilon` is the step to the next number.
 template <int FractionBits, fixed::policy P>
 class std::numeric_limits<fixed::number<FractionBits, P>> {
   using number = fixed::number<FractionBits, P>;
@@ -28,10 +28,10 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   }
 
  public:
-  /// \name What kind of number it is
+  /// \name Properties of the type
   /// \{
 
-  /// As the standard names it.
+  /// Members as the standard names them.
   static constexpr bool is_specialized = true;
   static constexpr bool is_signed = true;
   static constexpr bool is_integer = false;
@@ -40,7 +40,7 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   static constexpr bool is_iec559 = false;
   /// Whether sums and products wrap.
   static constexpr bool is_modulo = P.range == fixed::overflow::wrap;
-  /// Whether some operation throws.
+  /// Whether any operation throws.
   static constexpr bool traps = !number::divide_never_throws;
   static constexpr bool tinyness_before = false;
 
@@ -51,51 +51,52 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   static constexpr bool has_denorm_loss = false;
   /// \}
 
-  /// Of products and quotients; round_indeterminate if they are rounded in different directions.
+  /// The rounding of products and quotients; round_indeterminate if they differ.
   static constexpr std::float_round_style round_style = style();
 
-  /// Of the stored integer.
+  /// The base of the stored integer.
   static constexpr int radix = 2;
   /// Binary digits without the sign: 31 in 16.16, 15 in 8.8.
   static constexpr int digits = raw_limits::digits;
-  /// 4 decimal digits before the point and 4 after it survive in 16.16; 2 and 2 in 8.8.
+  /// Decimal digits that survive a round trip: 4 before the point and 4 after it in 16.16; 2 and 2
+  /// in 8.8.
   static constexpr int digits10 = FractionBits == 16 ? 4 + 4 : 2 + 2;
-  /// 5 decimal digits before the point and 5 after it tell all numbers apart in 16.16; 3 and 3 in
-  /// 8.8.
+  /// Decimal digits that identify every number: 5 before the point and 5 after it in 16.16; 3 and 3
+  /// in 8.8.
   static constexpr int max_digits10 = FractionBits == 16 ? 5 + 5 : 3 + 3;
-  /// 2^(min_exponent - 1) is the least power of two that is a number.
+  /// 2^(min_exponent - 1) is the smallest power of two in range.
   static constexpr int min_exponent = 1 - FractionBits;
-  /// 2^(max_exponent - 1) is the greatest power of two that is a number.
+  /// 2^(max_exponent - 1) is the largest power of two in range.
   static constexpr int max_exponent = FractionBits - 1;
-  /// 10^min_exponent10 is the least power of ten in range: 0.0001 in 16.16, 0.01 in 8.8.
+  /// 10^min_exponent10 is the smallest power of ten in range: 0.0001 in 16.16, 0.01 in 8.8.
   static constexpr int min_exponent10 = FractionBits == 16 ? -4 : -2;
-  /// 10^max_exponent10 is the greatest power of ten in range: 10000 in 16.16, 100 in 8.8.
+  /// 10^max_exponent10 is the largest power of ten in range: 10000 in 16.16, 100 in 8.8.
   static constexpr int max_exponent10 = FractionBits == 16 ? 4 : 2;
 
-  /// The smallest positive number, one unit of the last place.
+  /// The smallest positive number, one ulp.
   static constexpr number min() noexcept { return number::from_raw(1); }
   /// The highest number: 32767 + 65535/65536 in 16.16.
   static constexpr number max() noexcept { return number::from_raw(raw_limits::max()); }
   /// The lowest number: -32768 in 16.16.
   static constexpr number lowest() noexcept { return number::from_raw(raw_limits::min()); }
-  /// The step to the next number, one unit of the last place.
+  /// The step to the next number, one ulp.
   static constexpr number epsilon() noexcept { return number::from_raw(1); }
-  /// In units of the last place: 1/2 if everything is rounded to nearest, else 1.
+  /// The rounding error in ulp: 1/2 if every operation rounds to nearest, else 1.
   static constexpr number round_error() noexcept {
     return number::from_raw(
         1 << (style() == std::round_to_nearest ? FractionBits - 1 : FractionBits));
   }
-  /// There are no denormal numbers: min().
+  /// Equal to min(): there are no denormal numbers.
   static constexpr number denorm_min() noexcept { return min(); }
-  /// There is none: 0.
+  /// Always 0: there is no infinity.
   static constexpr number infinity() noexcept { return number(); }
-  /// There is none: 0.
+  /// Always 0: there is no NaN.
   static constexpr number quiet_NaN() noexcept { return number(); }
-  /// There is none: 0.
+  /// Always 0: there is no NaN.
   static constexpr number signaling_NaN() noexcept { return number(); }
 };
 
-/// Equal numbers have equal hashes: that of the stored integer.
+/// The hash of the stored integer, so that equal numbers have equal hashes.
 template <int FractionBits, fixed::policy P>
 struct std::hash<fixed::number<FractionBits, P>> {
   /// The hash of x.raw().

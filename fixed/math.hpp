@@ -1,6 +1,6 @@
 /// \file
-/// Functions of numbers: whole parts, absolute value, square root, and sums of products that are
-/// rounded once.
+/// Mathematical functions: whole parts, absolute value, square root, and sums of products with one
+/// rounding.
 #pragma once
 
 #include <array>  // std::data, std::size
@@ -18,7 +18,7 @@
 
 namespace fixed {
 
-/// x rounded to an integer by rule R. Never out of range.
+/// x rounded to an integer by rule R. Always in range.
 ///
 ///     static_assert(to_integer<rounding::half_up>(q16_16(-1.5)) == -1);
 ///     static_assert(to_integer<rounding::half_away>(q16_16(-1.5)) == -2);
@@ -29,7 +29,7 @@ constexpr std::int32_t to_integer(number<F, P> x) noexcept {
 
 namespace detail {
 
-/// x rounded to a whole number by rule R; out of range by the policy.
+/// x rounded to a whole number by rule R. The policy handles overflow.
 template <rounding R, int F, policy P>
 constexpr number<F, P> whole(number<F, P> x,
                              const char* operation) noexcept(number<F, P>::never_throws) {
@@ -46,7 +46,8 @@ constexpr number<F, P> floor(number<F, P> x) noexcept(number<F, P>::never_throws
   return detail::whole<rounding::floor>(x, "floor");
 }
 
-/// The least whole number not below x; out of range, above the highest one, by the policy.
+/// The least whole number not below x. The policy handles overflow, which occurs above the highest
+/// whole number.
 template <int F, policy P>
 constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws) {
   const bool whole = floor(x) == x;
@@ -56,8 +57,9 @@ constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws)
       units, [&] { detail::raise_overflow<F>("ceil", x.raw()); }));
 }
 
-/// The nearest whole number, out of range above the highest one, by the policy; halves go away from
-/// zero if the policy's products do, up otherwise.
+/// The nearest whole number. Ties go away from zero if the policy rounds products half away from
+/// zero, and up otherwise. The policy handles overflow, which occurs above the highest whole
+/// number.
 template <int F, policy P>
 constexpr number<F, P> round(number<F, P> x) noexcept(number<F, P>::never_throws) {
   constexpr rounding rule =
@@ -65,13 +67,13 @@ constexpr number<F, P> round(number<F, P> x) noexcept(number<F, P>::never_throws
   return detail::whole<rule>(x, "round");
 }
 
-/// The whole part: x toward zero.
+/// x truncated toward zero.
 template <int F, policy P>
 constexpr number<F, P> trunc(number<F, P> x) noexcept(number<F, P>::never_throws) {
   return detail::whole<rounding::truncate>(x, "trunc");
 }
 
-/// The magnitude; that of the lowest number is out of range, by the policy.
+/// The absolute value. That of the lowest number overflows; the policy handles it.
 template <int F, policy P>
 constexpr number<F, P> abs(number<F, P> x) noexcept(number<F, P>::never_throws) {
   const std::int64_t raw = x.raw();
@@ -79,13 +81,13 @@ constexpr number<F, P> abs(number<F, P> x) noexcept(number<F, P>::never_throws) 
       raw < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
 }
 
-/// The lesser.
+/// The smaller of a and b.
 template <int F, policy P>
 constexpr number<F, P> min(number<F, P> a, number<F, P> b) noexcept {
   return b < a ? b : a;
 }
 
-/// The greater.
+/// The larger of a and b.
 template <int F, policy P>
 constexpr number<F, P> max(number<F, P> a, number<F, P> b) noexcept {
   return a < b ? b : a;
@@ -107,7 +109,7 @@ constexpr number<F, P> sqrt(number<F, P> x) noexcept(number<F, P>::never_throws)
       detail::nearest_sqrt(std::int64_t{x.raw()} * (std::int64_t{1} << F))));
 }
 
-/// a * b + c, rounded once, as a product; out of range by the policy.
+/// a * b + c, rounded once by policy::multiply. The policy handles overflow.
 ///
 ///     static_assert(mul_add(q16_16(200), q16_16(200), q16_16(-30000)) == q16_16(10000));
 template <int F, policy P>
@@ -120,15 +122,15 @@ constexpr number<F, P> mul_add(number<F, P> a, number<F, P> b,
       [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));
 }
 
-/// a + (b - a) * t, rounded once, as a product: a at t = 0, b at t = 1, and beyond them outside;
-/// out of range by the policy.
+/// a + (b - a) * t, rounded once by policy::multiply: a at t = 0, b at t = 1, and extrapolated for
+/// other t. The policy handles overflow.
 ///
 ///     static_assert(lerp(q16_16(-32768), q16_16(32767), q16_16(0.5)) == q16_16(-0.5));
 template <int F, policy P>
 constexpr number<F, P> lerp(number<F, P> a, number<F, P> b,
                             number<F, P> t) noexcept(number<F, P>::never_throws) {
-  // The product has 63 bits and a sign. Adding `a` to it would overflow; adding `a` afterwards is
-  // the same, as long as the rounding knows the sign of the sum.
+  // The product has 63 bits and a sign, so adding `a` could overflow. Adding `a` after rounding is
+  // equivalent if the rounding uses the sign of the sum.
   const std::int64_t product = (std::int64_t{b.raw()} - a.raw()) * t.raw();
   const bool negative = a.raw() + (product >> F) < 0;
   const std::int64_t rounded =
@@ -144,22 +146,22 @@ inline constexpr bool is_number = false;
 template <int F, policy P>
 inline constexpr bool is_number<number<F, P>> = true;
 
-/// The element of what has std::data().
+/// The element type of a range with std::data().
 template <class Range>
 using element_t = std::remove_cvref_t<decltype(*std::data(std::declval<const Range&>()))>;
 
-/// An array, vector, span or the like of numbers. Not in the terms of <ranges>, which takes long to
-/// read and is not there in every freestanding library.
+/// An array, vector, span or similar range of numbers. Does not use <ranges>, which compiles slowly
+/// and is missing from some freestanding libraries.
 template <class Range>
 concept number_range = is_number<element_t<Range>> && requires(const Range& range) {
   std::size(range);
 };
 
-/// Whether neither the wrap nor the rounding asks for the upper bits of a sum of products.
+/// Whether the result depends only on the lower 64 bits of a sum of products.
 template <policy P>
 inline constexpr bool rounds_modulo = P.range == overflow::wrap&& rounds_by_floor<P.multiply>;
 
-/// What a sum of products, known modulo 2^64, becomes under such a policy.
+/// Rounds a sum of products that is known modulo 2^64.
 template <int F, policy P>
 requires rounds_modulo<P>
 constexpr number<F, P> rounded_sum(std::uint64_t sum) noexcept {
@@ -167,7 +169,7 @@ constexpr number<F, P> rounded_sum(std::uint64_t sum) noexcept {
   return number<F, P>::from_raw(static_cast<raw_t<F>>((sum + half) >> F));
 }
 
-/// What a sum of products becomes, rounded once. \param terms how many, for the text of an error
+/// Rounds a sum of products once. \param terms the number of terms, for the text of an error
 template <int F, policy P>
 constexpr number<F, P> rounded_sum(wide_sum sum,
                                    std::size_t terms) noexcept(number<F, P>::never_throws) {
@@ -183,8 +185,8 @@ constexpr number<F, P> rounded_sum(wide_sum sum,
 
 }  // namespace detail
 
-/// The sum of a[i] * b[i], exact until it is rounded once, as a product. Where one is longer, its
-/// rest does not count. An empty sum is 0. Out of range, in the end only, by the policy.
+/// The sum of a[i] * b[i], exact until it is rounded once by policy::multiply. The shorter range
+/// sets the length. An empty sum is 0. Only the final sum can overflow; the policy handles it.
 ///
 ///     constexpr q16_16 a[]{q16_16(300), q16_16(300)};
 ///     constexpr q16_16 b[]{q16_16(300), q16_16(-299)};

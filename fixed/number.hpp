@@ -22,10 +22,10 @@ namespace fixed {
 /// A two's complement number with FractionBits bits before and after the binary point.
 ///
 /// 16.16 covers -32768 to 32767 + 65535/65536 in steps of 2^-16 and takes four bytes; 8.8 covers
-/// -128 to 127 + 255/256 in steps of 2^-8 and takes two. What inexact and out-of-range results
-/// become is the policy's; no operation is undefined for any operand. Nothing throws unless the
-/// policy says so: overflow::trap throws overflow_error, and a divide that its policy calls an
-/// error throws divide_error.
+/// -128 to 127 + 255/256 in steps of 2^-8 and takes two. The policy decides how inexact results are
+/// rounded and how out-of-range results are handled. No operand causes undefined behaviour.
+/// Operations throw only if the policy says so: overflow::trap throws overflow_error, and a divide
+/// that policy::fault treats as an error throws divide_error.
 ///
 ///     static_assert(q16_16(1.5).raw() == 0x18000 && q16_16::from_raw(-1) < q16_16());
 ///     static_assert(q16_16(7) / q16_16(-2) == q16_16(-3.5));
@@ -34,20 +34,20 @@ namespace fixed {
 ///                   std::numeric_limits<q16_16_saturating>::max());
 ///
 /// \tparam FractionBits 16 or 8
-/// \tparam P            the rules of rounding, overflow and division
+/// \tparam P            the rules for rounding, overflow and division
 template <int FractionBits, policy P = policies::wrapping>
 class number {
  public:
   /// The stored integer: std::int32_t for 16.16, std::int16_t for 8.8.
   using raw_type = detail::raw_t<FractionBits>;
 
-  /// Binary digits after the point, and before it with the sign.
+  /// Binary digits after the point, and before it including the sign.
   static constexpr int fraction_bits = FractionBits;
   /// The policy.
   static constexpr policy rules = P;
-  /// Whether every operation but division returns.
+  /// Whether no operation except division throws.
   static constexpr bool never_throws = P.range != overflow::trap;
-  /// Whether division returns for every divisor.
+  /// Whether division never throws.
   static constexpr bool divide_never_throws = never_throws && P.fault == divide_fault::none;
 
   /// Zero.
@@ -63,7 +63,7 @@ class number {
   /// The stored integer: the value times 2^FractionBits.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
-  /// An integer, exact; out of range by the policy.
+  /// Converts an integer exactly. The policy handles overflow.
   ///
   ///     static_assert(q16_16(40000) == q16_16(40000 - 65536));
   ///     static_assert(q16_16_saturating(40000).raw() == 0x7fffffff);
@@ -78,10 +78,11 @@ class number {
     }
   }
 
-  /// A float or double, rounded as products are and out of range by the policy; wrapping keeps the
-  /// rounded value modulo the range, however large. NaN becomes 0 and an infinity the end of the
-  /// range on its side; under overflow::trap NaN throws domain_error and infinities overflow_error.
-  /// Decoded with integers: the same bits whatever the compiler's floating-point flags.
+  /// Converts a float or double, rounded by policy::multiply. The policy handles overflow; wrapping
+  /// keeps the rounded value modulo the range, however large. NaN becomes 0 and an infinity becomes
+  /// the end of the range on its side; under overflow::trap, NaN throws domain_error and an
+  /// infinity throws overflow_error. The conversion uses integers only, so floating-point flags do
+  /// not change the result.
   ///
   ///     static_assert(q16_16(0.1).raw() == 6554);  // 0.1 is 6553.6 units
   ///     static_assert(q16_16_i386_unrounded(0.1).raw() == 6553);
@@ -103,8 +104,8 @@ class number {
     }
   }
 
-  /// A number of another width or policy: fraction bits that have no place are rounded as products
-  /// are, out of range by the policy of the result.
+  /// Converts a number of another width or policy. The policy of the result rounds excess fraction
+  /// bits (policy::multiply) and handles overflow.
   ///
   ///     static_assert(q8_8(q16_16(1.5)) == q8_8(1.5));
   ///     static_assert(q8_8(q16_16::from_raw(128)) == q8_8::from_raw(1));  // a half goes up
@@ -126,13 +127,13 @@ class number {
     return static_cast<double>(raw_) / static_cast<double>(std::int32_t{1} << FractionBits);
   }
 
-  /// The nearest float, halves to even, whatever the rounding mode of the processor.
+  /// The nearest float, ties to even, in every rounding mode of the processor.
   explicit constexpr operator float() const noexcept {
     return detail::to_float(raw_, FractionBits);
   }
 
-  /// The whole part, toward zero as from double; where Int is too small for it, modulo 2^bits.
-  /// See to_integer() for other roundings.
+  /// The whole part, truncated toward zero, as from double. If Int is too small, the result is
+  /// modulo 2^bits. See to_integer() for other roundings.
   ///
   ///     static_assert(static_cast<int>(q16_16(-1.5)) == -1);
   template <std::integral Int>
@@ -141,30 +142,30 @@ class number {
         detail::shift_right<rounding::truncate>(std::int64_t{raw_}, FractionBits));
   }
 
-  /// Whether the values are equal. Numbers of different types do not compare.
+  /// Compares values for equality. Numbers of different types do not compare.
   friend constexpr bool operator==(number, number) noexcept = default;
-  /// The order of the values.
+  /// Orders by value.
   friend constexpr auto operator<=>(number, number) noexcept = default;
 
   /// The number itself.
   constexpr number operator+() const noexcept { return *this; }
 
-  /// The negative, exact; that of the lowest number is out of range, by the policy.
+  /// The negative, exact. That of the lowest number overflows; the policy handles it.
   constexpr number operator-() const noexcept(never_throws) {
     return narrowed(-wide{raw_}, "operator-", *this);
   }
 
-  /// The sum, exact; out of range by the policy.
+  /// The sum, exact. The policy handles overflow.
   friend constexpr number operator+(number a, number b) noexcept(never_throws) {
     return narrowed(wide{a.raw_} + wide{b.raw_}, "operator+", a, b);
   }
 
-  /// The difference, exact; out of range by the policy.
+  /// The difference, exact. The policy handles overflow.
   friend constexpr number operator-(number a, number b) noexcept(never_throws) {
     return narrowed(wide{a.raw_} - wide{b.raw_}, "operator-", a, b);
   }
 
-  /// The product, rounded once by policy::multiply; out of range by the policy.
+  /// The product, rounded once by policy::multiply. The policy handles overflow.
   ///
   ///     constexpr auto unit = q16_16::from_raw(1);
   ///     static_assert(unit * q16_16(0.5) == unit && -unit * q16_16(0.5) == q16_16());
@@ -173,9 +174,9 @@ class number {
     return narrowed(detail::shift_right<P.multiply>(product, FractionBits), "operator*", a, b);
   }
 
-  /// The quotient, rounded once by policy::divide; out of range by the policy. Division by zero,
-  /// where the policy does not throw, gives the end of the range on the numerator's side, and 0 / 0
-  /// is 0. Where it throws, divide_error is what a processor calls #DE; see policy::fault.
+  /// The quotient, rounded once by policy::divide. The policy handles overflow. If division by zero
+  /// does not throw, it returns the end of the range with the numerator's sign; 0 / 0 is 0.
+  /// divide_error corresponds to the processor's #DE; see policy::fault.
   ///
   ///     static_assert((q16_16(-2) / q16_16(3)).raw() == -43691);  // -43690.67
   ///     static_assert(q16_16(-1) / q16_16() == std::numeric_limits<q16_16>::lowest());
@@ -192,13 +193,13 @@ class number {
     return from_raw(detail::total_divide<FractionBits, P>(n.raw_, d.raw_));
   }
 
-  /// As operator+; the number stays as it was if that throws.
+  /// Adds b. The number is unchanged if operator+ throws.
   constexpr number& operator+=(number b) noexcept(never_throws) { return *this = *this + b; }
-  /// As operator-; the number stays as it was if that throws.
+  /// Subtracts b. The number is unchanged if operator- throws.
   constexpr number& operator-=(number b) noexcept(never_throws) { return *this = *this - b; }
-  /// As operator*; the number stays as it was if that throws.
+  /// Multiplies by b. The number is unchanged if operator* throws.
   constexpr number& operator*=(number b) noexcept(never_throws) { return *this = *this * b; }
-  /// As operator/; the number stays as it was if that throws.
+  /// Divides by b. The number is unchanged if operator/ throws.
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
 
  private:
@@ -218,8 +219,7 @@ class number {
   raw_type raw_ = 0;
 };
 
-/// n / d, or nothing where there is no quotient to return: where operator/ throws, and for a zero
-/// divisor.
+/// n / d, or nothing if operator/ would throw or the divisor is zero.
 ///
 ///     static_assert(try_divide(q16_16(1), q16_16(2)) == q16_16(0.5));
 ///     static_assert(!try_divide(q16_16(1), q16_16(0)));
@@ -233,12 +233,12 @@ constexpr std::optional<number<FractionBits, P>> try_divide(number<FractionBits,
   return number<FractionBits, P>::from_raw(detail::total_divide<FractionBits, P>(n.raw(), d.raw()));
 }
 
-/// 16.16: every operation to nearest, halves up; wraps.
+/// 16.16: every operation rounds to nearest, ties up; overflow wraps.
 using q16_16 = number<16>;
-/// \name 16.16 by other rules: those that fixed::policies has by the same name
+/// \name 16.16 under the other policies of fixed::policies
 /// \{
 
-/// 16.16 by the policy of that name; i386 and i8088 alone stand for i386_rounded, i8088_rounded.
+/// 16.16 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
 using q16_16_saturating = number<16, policies::saturating>;
 using q16_16_trapping = number<16, policies::trapping>;
 using q16_16_i386 = number<16, policies::i386_rounded>;
@@ -251,12 +251,12 @@ using q16_16_i8088_div_rounded = number<16, policies::i8088_div_rounded>;
 using q16_16_i8088_unrounded = number<16, policies::i8088_unrounded>;
 /// \}
 
-/// 8.8 by the rules of q16_16.
+/// 8.8 under the policy of q16_16.
 using q8_8 = number<8>;
-/// \name 8.8 by other rules: those that fixed::policies has by the same name
+/// \name 8.8 under the other policies of fixed::policies
 /// \{
 
-/// 8.8 by the policy of that name; i386 and i8088 alone stand for i386_rounded, i8088_rounded.
+/// 8.8 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
 using q8_8_saturating = number<8, policies::saturating>;
 using q8_8_trapping = number<8, policies::trapping>;
 using q8_8_i386 = number<8, policies::i386_rounded>;

@@ -1,5 +1,5 @@
 /// \file
-/// Exact decimal text, in the manner of `<charconv>`, and streams.
+/// Exact decimal text, with the interface of `<charconv>`, and stream operators.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,13 @@
 
 namespace fixed {
 
-/// Room enough for to_chars() of any number of the type.
+/// A buffer size that is enough for to_chars() of any number of the type.
 template <class Number>
 inline constexpr std::size_t max_chars = detail::max_decimal_chars<Number::fraction_bits>;
 
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
-/// \return the end of the text; or {last, errc::value_too_large}, with nothing written, if it does
-///         not fit
+/// \return the end of the text, or {last, errc::value_too_large} with nothing written if it does
+/// not fit
 ///
 ///     std::array<char, max_chars<q16_16>> text{};
 ///     const auto written = to_chars(text.data(), text.data() + text.size(), q16_16(-0.5));
@@ -38,11 +38,11 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> va
   return {std::copy(begin, end, first), std::errc{}};
 }
 
-/// Reads the longest prefix that is `[sign]digits[.digits]`, of any length, and rounds it once, as
-/// a product.
-/// \return the end of that prefix. errc::invalid_argument, with `first`, if there is none;
-///         errc::result_out_of_range if the rounded value is out of range, whatever the policy. The
-///         value then stays as it was.
+/// Reads the longest prefix of the form `[sign]digits[.digits]`, of any length, and rounds it once
+/// by policy::multiply.
+/// \return the end of the prefix; errc::invalid_argument, with `first`, if there is none;
+/// errc::result_out_of_range if the rounded value is out of range, under every policy. On an error
+/// the value is unchanged.
 ///
 ///     static_assert([] {
 ///       constexpr std::string_view text = "0.1 and more";
@@ -71,7 +71,7 @@ std::string to_string(number<F, P> value) {
   return {text.data(), detail::write_decimal<F>(text.data(), value.raw())};
 }
 
-/// Writes the exact value; of the stream's flags, width, fill and left or right count.
+/// Writes the exact value. Only width, fill, left and right affect the output.
 template <class Traits, int F, policy P>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
                                              number<F, P> value) {
@@ -81,8 +81,8 @@ std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& o
                                                      static_cast<std::size_t>(end - text.data()));
 }
 
-/// Reads what from_chars() reads, after white space, and sets failbit for what it refuses, leaving
-/// the value as it was. A point must have a digit after it: "1." fails.
+/// Skips white space and reads what from_chars() reads. On an error it sets failbit and leaves the
+/// value unchanged. A point must be followed by a digit: "1." fails.
 template <class Traits, int F, policy P>
 std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
                                              number<F, P>& value) {

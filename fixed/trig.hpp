@@ -1,6 +1,6 @@
 /// \file
-/// Sine and cosine: of a number, which is in radians as elsewhere, and of an integer, which counts
-/// tenths of a degree as CosSin of FIXED.ASM does and names the type of the result.
+/// Sine and cosine. The overloads for numbers take radians. The overloads for integers take tenths
+/// of a degree, as CosSin of FIXED.ASM does, and name the type of the result.
 #pragma once
 
 #include <concepts>
@@ -13,21 +13,21 @@
 
 namespace fixed {
 
-/// What sin_cos() returns.
+/// The result of sin_cos().
 template <class Number>
 struct cos_sin {
   Number cos;  ///< The cosine.
   Number sin;  ///< The sine.
 
-  /// Whether both are equal.
+  /// Whether both members are equal.
   friend constexpr bool operator==(const cos_sin&, const cos_sin&) = default;
 };
 
-/// The cosine and the sine, each the nearest number, of an angle in tenths of a degree. Any angle
-/// of any integer type: whole turns (3600) do not count. The same under every policy.
+/// The cosine and the sine of an angle in tenths of a degree, each rounded to nearest. Accepts any
+/// value of any integer type; the period is 3600. The same under every policy.
 ///
 ///     const auto [cos, sin] = fixed::sin_cos<fixed::q16_16>(450);
-///     static_assert(sin_cos<q16_16>(-3300) == sin_cos<q16_16>(300));  // whole turns do not count
+///     static_assert(sin_cos<q16_16>(-3300) == sin_cos<q16_16>(300));  // the period is 3600
 ///     static_assert(fixed::sin<q16_16>(300) == q16_16(0.5));
 template <class Number>
 constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
@@ -54,13 +54,13 @@ constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
   }
 }
 
-/// The cosine alone; see sin_cos().
+/// The cosine of an angle in tenths of a degree; see sin_cos().
 template <class Number>
 constexpr Number cos(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).cos;
 }
 
-/// The sine alone; see sin_cos().
+/// The sine of an angle in tenths of a degree; see sin_cos().
 template <class Number>
 constexpr Number sin(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).sin;

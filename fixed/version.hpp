@@ -1,12 +1,12 @@
 /// \file
-/// The version of this library: the one place where it is written; CMake reads it here.
+/// The version of this library, stated only here; CMake reads it from this file.
 ///
-/// Semantic versioning, with the bits of every result as part of the interface: docs/import.md.
+/// Semantic versioning; the bits of every result are part of the interface (docs/import.md).
 #pragma once
 
-// Macros, so that #if can ask for a version.
+// Macros, so that #if can test the version.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
-#define FIXED_VERSION_MAJOR 0  ///< Incompatible changes; those of results, to the bit, among them.
+#define FIXED_VERSION_MAJOR 0  ///< Incompatible changes, including any change of a result.
 #define FIXED_VERSION_MINOR 1  ///< Additions; while the major version is 0, incompatible changes.
-#define FIXED_VERSION_PATCH 0  ///< Mends that change no result.
+#define FIXED_VERSION_PATCH 0  ///< Fixes that change no result.
 // NOLINTEND(cppcoreguidelines-macro-usage)

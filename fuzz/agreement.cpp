@@ -1,5 +1,5 @@
-// Target `agreement`: a byte that chooses the variant, then its words: every party that is quick,
-// the processor itself where it can run among them. The type's other operations on the first words.
+// Target `agreement`: a byte that chooses the variant, then its operands. Asks every fast party,
+// including the processor itself if it can run, and the type's other operations on the first words.
 #include <array>
 #include <cstddef>
 #include <cstdint>

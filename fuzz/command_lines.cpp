@@ -1,7 +1,6 @@
-// Target `command_lines`: the first byte chooses a command, the rest is what it reads. Bad lines
-// are refused with a UsageError and nothing else. Answers are judged too: eval by model and by
-// oracle say the same; what step answers for an 8088 it answers for a 386; check passes what the
-// oracle passes.
+// Target `command_lines`: the first byte chooses a command, the rest is its input. Bad lines must
+// raise a UsageError and nothing else. Answers are judged too: eval by model and by oracle agree;
+// step answers the same for an 8088 and a 386; check passes what the oracle passes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +29,7 @@ using namespace fixproof;
 
 namespace {
 
-/// What a command wrote, its status, and what it refused, if anything.
+/// The output of a command, its status, and its error, if any.
 struct Said {
   std::string out;
   int status = 0;
@@ -39,7 +38,7 @@ struct Said {
   friend bool operator==(const Said&, const Said&) = default;
 };
 
-/// One command of `fixproof`, alone: the whole command line would take most of the time.
+/// One command of `fixproof`. Parsing the whole command line would take most of the time.
 class Command {
  public:
   explicit Command(void (*add)(CLI::App&, int&)) { add(app_, status_); }
@@ -111,7 +110,7 @@ void step(const std::string& input) {
   }
 }
 
-/// What is right of a case: halves up, wrapped, DE for a zero divisor and a negative radicand.
+/// The correct result of a case: half up, wrapped, DE for a zero divisor and a negative radicand.
 std::optional<std::uint32_t> right(cases::Operation operation,
                                    std::span<const std::uint32_t> words) {
   constexpr auto rule = oracle::Rounding::half_up;
@@ -120,7 +119,7 @@ std::optional<std::uint32_t> right(cases::Operation operation,
   return oracle::sqrt(words[0], 16);
 }
 
-/// Whether every result is right; nothing where a line is refused or one of the two ends early.
+/// Whether every result is correct; nothing if a line is invalid or one input ends early.
 std::optional<bool> all_right(cases::Operation operation, const std::string& cases,
                               const std::string& results) {
   const fuzz::MemoryFile file(cases);
@@ -173,7 +172,7 @@ void single_steps(x86model::Target cpu, const std::string& input) {
     singlestep::read_cases(file.path(), cpu,
                            [cpu](const singlestep::Case& c) { singlestep::judge(c, cpu); });
   } catch (const support::UsageError&) {
-    // Refused, as it may be.
+    // An error is allowed.
   } catch (const std::exception& error) {
     fuzz::report_finding(fmt::format("--singlestep: not a UsageError: {}", error.what()));
   }
@@ -205,7 +204,7 @@ const std::vector<Try>& tries() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  // A letter, a for the first.
+  // Commands are numbered by letters, from `a`.
   const std::size_t chosen = (data[0] - std::size_t{'a'}) % tries().size();
   tries()[chosen](std::string(data + 1, data + size));
   return 0;

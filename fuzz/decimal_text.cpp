@@ -1,5 +1,5 @@
-// Target `decimal_text`: the input as text read into numbers, and its first four bytes as a word
-// written out, in every way the type has, against the oracle's decimal.
+// Target `decimal_text`: reads the input as text in every way the type offers, and writes its first
+// four bytes as a word, and compares both with the oracle's decimal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ Word word_of(Number x) {
   return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
 }
 
-/// The word that the text stands for, if it is a number in range.
+/// The word for the text, if it is a number in range.
 template <class Number>
 std::optional<Word> expected_word(std::string_view number) {
   constexpr int bits = 2 * Number::fraction_bits;
@@ -87,7 +87,8 @@ void read_text(std::string_view text) {
   }
 }
 
-/// What `>>` takes: from_chars() after white space, but for a point without a digit after it.
+/// Expectations for `>>`: from_chars() after white space, except for a point without a digit after
+/// it.
 template <class Number>
 void read_stream(std::string_view text) {
   std::istringstream in{std::string(text)};
@@ -143,7 +144,7 @@ void write_word(Word word) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // The oracle's time grows with the square of the digits.
+  // The oracle's time is quadratic in the number of digits.
   const std::string text(data, data + std::min(size, longest_text));
   read_text<fixed::q16_16>(text);
   read_text<fixed::q16_16_saturating>(text);

@@ -1,5 +1,5 @@
-// Target `divide`: two words, n / d under every build of FIXED.ASM, under the type's standard
-// rules, at half width too; then the type under other policies. The oracle is the judge.
+// Target `divide`: two words, n / d under every build of FIXED.ASM and under the type's standard
+// rules, also at half width; then the type under other policies. The oracle judges.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// @file
-/// How a target says what it has found.
+/// Reports a finding of a target.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace fixproof::fuzz {
 
-/// Writes `text` to standard error and aborts, which every fuzzer takes for a crash and keeps the
-/// input of.
+/// Writes `text` to standard error and aborts, so that the fuzzer records a crash and keeps the
+/// input.
 [[noreturn]] void report_finding(const std::string& text);
 
-/// Reports what there is to report.
+/// Reports the finding, if there is one.
 inline void demand_none(const std::optional<std::string>& finding) {
   if (finding) report_finding(*finding);
 }

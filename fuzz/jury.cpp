@@ -23,8 +23,8 @@ std::vector<parties::Answer> answers_of(const Seat& seat, std::span<const std::u
   return answers;
 }
 
-/// Whether all give one answer, a value or #DE; agree() without memory of its own, for it is asked
-/// of every input.
+/// Whether all parties give the same answer, a value or #DE. Like agree(), but without allocation,
+/// because it runs for every input.
 bool all_agree(const Seat& seat, std::span<const std::uint32_t> words) {
   using Out = std::array<std::uint32_t, cases::most_words_out>;
   Out expected{};
@@ -58,7 +58,7 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string name(seat.parties[i]->name());
     text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
-    // The party that is to be asked again comes first.
+    // The party for the rerun command comes first.
     const bool first_liar = answers[i] != answers.front() && row.parties.front() == "oracle";
     row.parties.insert(first_liar ? row.parties.begin() : row.parties.end(), name);
   }

@@ -1,5 +1,5 @@
 /// @file
-/// The parties of verify/ over one case: the oracle is the judge.
+/// The parties on one case, judged by the oracle.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,20 @@
 
 namespace fixproof::fuzz {
 
-/// Who answers one variant; the oracle comes first.
+/// The parties for one variant; the oracle comes first.
 struct Seat {
   cases::Variant variant;
   std::vector<const parties::Party*> parties;
 };
 
-/// A seat for every variant of these operations, multiply and divide at half width too. Parties
-/// that are absent from this build, or do not answer a variant, have no place.
+/// One seat per variant of these operations, for multiply and divide also at half width. Omits
+/// parties that this build lacks or that do not answer a variant.
 std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
                            std::span<const std::string_view> parties);
 
-/// What there is to say where the parties do not all give the oracle's answer: the smallest case
-/// that shows it, every answer, and the command that asks for it again. Of `words` the first
-/// ones, as many as the operation takes and as low as its operands are wide, are the case.
+/// Describes a disagreement with the oracle's answer: the smallest case that shows it, every
+/// answer, and the command that reproduces it. The case is the first of `words`, as many as the
+/// operation takes, reduced to the width of its operands.
 std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words);
 
 /// The first disagreement of all seats.

@@ -1,4 +1,4 @@
-// Target `matrix`: 24 words, two transforms and their product under every build that has a
+// Target `matrix`: 24 words, two transforms and their product under every build with a
 // ConcatXforms; the first 15 are a transform and a point for every XformVec.
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Target `multiply`: two words, their product under every build of FIXED.ASM, under the type's
-// standard rules, at half width too.
+// Target `multiply`: two words, their product under every build of FIXED.ASM and under the type's
+// standard rules, also at half width.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,5 @@
 /// @file
-/// The type's rounding rules in the oracle's words: the parties share no header, so that somebody
-/// has to translate.
+/// Translates the type's rounding rules to the oracle's, because the parties share no header.
 #pragma once
 
 #include "fixed/policy.hpp"

@@ -1,5 +1,5 @@
-// The driver without a fuzzer: gives a target every file that is named, and those of every folder.
-// Exit status 0: it took them all. 2: a file cannot be read, or there was none.
+// Runs a target without a fuzzer on the named files and on all files in the named folders. Exits
+// with status 0 if all pass, and with status 2 if a file cannot be read or there is none.
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Target `scene_file`: the input as the JSON of a scene. It is refused with a SceneError, or
-// accepted: then it keeps every limit, and frames of it can be drawn.
+// Target `scene_file`: the input as the JSON of a scene. It either raises a SceneError or gives a
+// scene that keeps every limit and whose frames can be drawn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace {
 
-/// Frames are drawn where that is quick.
+/// Draws frames only if that is fast.
 constexpr std::size_t most_faces_drawn = 200;
 constexpr std::int32_t longest_side_drawn = 400;
 
@@ -31,7 +31,7 @@ std::optional<xsharp::Scene> scene_of(const std::string& text) {
   try {
     return xsharp::parse_scene(text, "fuzz", FIXPROOF_SCENES);
   } catch (const xsharp::SceneError&) {
-    // Refused, as it may be.
+    // An error is allowed.
   } catch (const std::exception& error) {
     fixproof::fuzz::report_finding(fmt::format("not a SceneError: {}", error.what()));
   }

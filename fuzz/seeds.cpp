@@ -1,5 +1,5 @@
-// Writes the first inputs of every target: the cases of the generators in verify/, as the target
-// reads them. usage: fuzz_seeds FOLDER SCENES VECTORS; one folder in FOLDER for each target.
+// Writes the initial inputs of every target: cases of the generators in verify/, in the target's
+// format. usage: fuzz_seeds FOLDER SCENES VECTORS; one folder in FOLDER per target.
 #include <fmt/format.h>
 
 #include <array>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::uint64_t seed = 1994;
 
-/// The folder of one target's inputs; files are numbered.
+/// The folder of a target's inputs; files are numbered.
 class Corpus {
  public:
   Corpus(const fs::path& root, std::string_view target) : folder_(root / target) {
@@ -44,7 +44,7 @@ class Corpus {
   }
   void add(std::span<const std::uint8_t> bytes) { add(std::string(bytes.begin(), bytes.end())); }
 
-  /// The text of a file, with `before` in front of it.
+  /// Adds the text of a file, prefixed with `before`.
   void add_file(const fs::path& path, std::string_view before = "") {
     add(std::string(before) + support::read_file(path));
   }
@@ -54,8 +54,7 @@ class Corpus {
   int files_ = 0;
 };
 
-/// `each(words)` for some cases of every stream that a verification has for the variant, evenly
-/// spread.
+/// Calls `each(words)` for evenly spread cases of every stream of the variant.
 template <class Each>
 void some_cases(const cases::Variant& variant, std::uint64_t of_each_stream, Each each) {
   const cases::Plan plan(1, seed, {{variant, {"a", "b"}}});
@@ -74,7 +73,8 @@ void write_words_of(const fs::path& root, std::string_view name, fuzz::WordTarge
   const auto& seats = fuzz::seats_of(target);
   const bool chosen = target == fuzz::WordTarget::agreement;
   for (std::size_t i = 0; i < seats.size(); ++i) {
-    // All variants of an operation have the same cases; without a choice every one is asked.
+    // All variants of an operation have the same cases; without a choice byte, each input goes to
+    // all.
     if (!chosen && i > 0 && seats[i].variant.operation == seats[i - 1].variant.operation) continue;
     some_cases(seats[i].variant, chosen || target == fuzz::WordTarget::matrix ? 4 : 16,
                [&](std::span<const std::uint32_t> words) {
@@ -104,7 +104,7 @@ void write_decimals(const fs::path& root) {
              [&](std::span<const std::uint32_t> words) {
                const std::string text = oracle::to_decimal(words[0], 16);
                corpus.add(text);
-               // Half a unit beyond it, exactly and a little more.
+               // Half an ulp above it, exactly and slightly more.
                const std::string whole = text.find('.') == std::string::npos ? text + ".0" : text;
                corpus.add(whole + "00000762939453125");
                corpus.add(whole + "000007629394531250000000001");
@@ -115,7 +115,7 @@ void write_decimals(const fs::path& root) {
   }
 }
 
-/// A letter and lines: see command_lines.cpp.
+/// A letter and lines; see command_lines.cpp.
 void write_lines(const fs::path& root, const fs::path& vectors) {
   Corpus corpus(root, "command_lines");
   const std::array<cases::Operation, 8> evaluated{
@@ -134,7 +134,7 @@ void write_lines(const fs::path& root, const fs::path& vectors) {
     fuzz::StepCase step;
     if (i % 2 == 1) step.cpu = x86model::Target::i8088;
     fuzz::mutate_step_case(step, i);
-    // The line of the command, between the quotation marks.
+    // The input line of the command, between the quotation marks.
     const std::string command = step.replay(step.decoded()->instruction);
     const auto begin = command.find('\'') + 1;
     corpus.add(letter + command.substr(begin, command.find('\'', begin) - begin) + "\n");

@@ -1,6 +1,6 @@
-// Target `step`: one instruction on registers and flags, by the model and by Unicorn. Judged are
-// the divide error, all registers, every flag that the model calls defined, and the instruction's
-// length; and that the instruction is read back from its text.
+// Target `step`: runs one instruction on registers and flags in the model and in Unicorn. Compares
+// the divide error, all registers, every flag that the model defines, and the instruction's length;
+// also parses the instruction's text back.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,23 +27,23 @@ namespace x86 = x86model;
 using x86::Register;
 using x86::Size;
 
-/// Where the instruction ended, and what it left.
+/// The end of an instruction, and the state after it.
 struct Left {
   bool divide_error = false;
-  std::optional<std::size_t> length;  ///< nothing where it did not come to its end
+  std::optional<std::size_t> length;  ///< empty if it did not complete
   x86::Registers<16> registers;
   x86::Flags flags;
 };
 
-/// Unicorn, one instruction at a time. An emulator keeps what it has translated, so that every
-/// instruction has a place of its own; when all places are used there is a new emulator.
+/// Runs Unicorn one instruction at a time. An emulator caches translations, so every instruction
+/// gets its own address; when all are used, a new emulator starts.
 class Executor {
  public:
-  /// @param length bytes of the instruction; what is drawn behind it Unicorn may not be able to
-  /// translate
+  /// @param length of the instruction in bytes; Unicorn may not be able to translate the random
+  /// bytes after it
   Left execute(const fuzz::StepCase& step, std::size_t length) {
     Left left = execute_once(step, length);
-    // An emulator that has run thousands of instructions may refuse one that a new one executes.
+    // An emulator that has run thousands of instructions may reject one that a new emulator runs.
     if (!left.length && !left.divide_error) {
       renew();
       left = execute_once(step, length);
@@ -124,8 +124,8 @@ std::optional<std::string> difference(const Left& model, const Left& unicorn) {
                      unicorn.length.value_or(0));
 }
 
-/// Whether the emulator would end the whole process: Unicorn 2.0.1 divides -2^63 by -1 with the
-/// host's own IDIV. What is right is #DE, as for every quotient that does not fit.
+/// Whether the emulator would crash the process: Unicorn 2.0.1 divides -2^63 by -1 with the host's
+/// IDIV. The correct result is #DE, as for every quotient that does not fit.
 bool ends_unicorn(const x86::Instruction& instruction, const singlestep::StepMachine& m) {
   const auto& divisor = instruction.operands[0];
   return instruction.mnemonic == x86::Mnemonic::idiv && divisor.size == Size::dword &&

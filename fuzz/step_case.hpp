@@ -1,5 +1,6 @@
 /// @file
-/// One instruction as an input: the processor, eight bytes of code, the flags and the registers.
+/// One instruction as a fuzz input: the processor, eight bytes of code, the flags and the
+/// registers.
 #pragma once
 
 #include <array>
@@ -15,9 +16,9 @@
 
 namespace fixproof::fuzz {
 
-/// No instruction that the model has is longer.
+/// The maximum length of a modelled instruction.
 inline constexpr std::size_t longest_code = 8;
-/// A byte for the processor, the code, two bytes of flags, four of each register.
+/// A byte for the processor, the code, two bytes of flags, and four per register.
 inline constexpr std::size_t step_input_size = 1 + longest_code + 2 + 4 * x86model::register_count;
 
 struct StepCase {
@@ -26,17 +27,17 @@ struct StepCase {
   /// Every flag is defined. On an 8088 the upper halves of the registers are 0.
   singlestep::StepMachine machine;
 
-  /// The instruction; nothing where the bytes are none, or one that is not modelled.
+  /// The instruction; nothing if the bytes are not an instruction or it is not modelled.
   [[nodiscard]] std::optional<singlestep::Decoded> decoded() const;
-  /// The command line of `fixproof step` that executes `instruction` on this machine.
+  /// The `fixproof step` command line that executes `instruction` on this machine.
   [[nodiscard]] std::string replay(const x86model::Instruction& instruction) const;
 };
 
-/// Bytes that are missing are 0.
+/// Missing bytes are 0.
 StepCase read_step_case(std::span<const std::uint8_t> bytes);
 void write_step_case(const StepCase& step, std::span<std::uint8_t, step_input_size> bytes);
 
-/// Another instruction that is modelled, other registers at or near where rules change, or both.
+/// Replaces the instruction by another modelled one, sets registers to or near edge cases, or both.
 void mutate_step_case(StepCase& step, std::uint32_t seed);
 
 }  // namespace fixproof::fuzz

@@ -22,11 +22,11 @@ using fixed::overflow;
 using fixed::policy;
 using oracle::Integer;
 using oracle::Word;
-/// A word, or nothing where there is an exception.
+/// A word, or nothing for an exception.
 using Said = std::optional<Word>;
 using Words = std::span<const std::uint32_t, 3>;
 
-/// What is asked of a, b and c, in the order of the answers below.
+/// The operations on a, b and c, in the order of the answers below.
 constexpr auto questions = std::to_array<std::string_view>({
     "a / b",
     "try_divide(a, b)",
@@ -67,7 +67,7 @@ double exact_double(Word word, int bits) {
   return std::ldexp(oracle::ulps(word, bits).convert_to<double>(), -bits);
 }
 
-/// What the type says.
+/// The answers of the type.
 template <int F, policy P>
 class TypeAnswers {
  public:
@@ -140,7 +140,7 @@ class TypeAnswers {
   }
 };
 
-/// What is right.
+/// The expected answers.
 class OracleAnswers {
  public:
   OracleAnswers(int fraction_bits, const policy& rules, Words words)
@@ -217,7 +217,7 @@ class OracleAnswers {
     return oracle::wrap(exact, bits());
   }
 
-  /// The end of the range that stands for what has no value.
+  /// The end of the range, for results that have no value.
   [[nodiscard]] Said end(bool negative) const {
     if (traps()) return std::nullopt;
     const Integer far = Integer(1) << bits();
@@ -263,7 +263,8 @@ std::optional<std::string> difference_of(Words words, bool quotients_only) {
   return difference(F, P, words, TypeAnswers<F, P>::all(words), oracle.all());
 }
 
-/// Of quotients under every width and policy, of all operations under the one that c chooses.
+/// Compares quotients under every width and policy, and all operations under the policy that c
+/// chooses.
 std::optional<std::string> first_difference(Words words, bool quotients_only) {
   using fixed::rounding;
   using namespace fixed::policies;

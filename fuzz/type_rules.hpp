@@ -1,6 +1,6 @@
 /// @file
-/// What the type does beyond the parties: every operation under policies that no target of
-/// FIXED.ASM names, saturating and trapping among them, judged by the oracle.
+/// Rules of the type that the parties do not cover: every operation under other policies than the
+/// FIXED.ASM builds, including saturating and trapping, judged by the oracle.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace fixproof::fuzz {
 
-/// The first operation on a, b and c that is not what the oracle says, in 16.16 or, of the low
-/// halves, in 8.8, under one policy, which c chooses.
+/// The first operation on a, b and c that differs from the oracle, in 16.16 or, with the low
+/// halves, in 8.8, under one policy that c chooses.
 std::optional<std::string> type_difference(std::span<const std::uint32_t, 3> words);
 
-/// The same of n / d alone, under every policy.
+/// The same for n / d, under every policy.
 std::optional<std::string> quotient_difference(std::uint32_t n, std::uint32_t d);
 
 }  // namespace fixproof::fuzz

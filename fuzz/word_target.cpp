@@ -17,7 +17,7 @@ namespace fixproof::fuzz {
 
 namespace {
 
-/// A case of one of the streams that a verification has for the variant.
+/// Draws a case from one of the streams of the variant.
 void draw_fresh(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
   static std::map<std::pair<cases::Operation, int>, cases::Plan> plans;
   const auto key = std::pair(variant.operation, variant.fraction_bits);
@@ -27,26 +27,27 @@ void draw_fresh(const cases::Variant& variant, std::span<std::uint32_t> words, c
   cases::make_cases(job.stream, variant, draw.bits(), draw.below(job.cases), words);
 }
 
-/// A word in units of the last place.
+/// The value of a word in ulps.
 std::int64_t units(std::uint32_t word, const cases::Format& format) {
   const auto raw = static_cast<std::int64_t>(word);
   return raw < format.limit() ? raw : raw - 2 * format.limit();
 }
 
-/// The dividend at an edge of the divisor: of its whole part, as the 8088 divides, or of all of it.
+/// Moves the dividend to an edge for the divisor, or for its whole part, as the 8088 divides.
 void aim_quotient(const cases::Format& format, std::span<std::uint32_t> words, cases::Draw& draw) {
   const std::array<std::int64_t, 4> edges{0, 1, format.limit(), 2 * format.limit()};
   const std::int64_t quotient =
       draw.coin() ? draw.magnitude(format.word_bits - 1) : edges[draw.below(edges.size())];
   const bool whole = draw.coin();
-  // Only below 1/2 do quotients of twice the range have a dividend.
+  // Only a divisor below 1/2 has a dividend for quotients of twice the range.
   if (!whole && quotient >= format.limit()) {
     words[1] = format.word(draw.either_sign(draw.magnitude(format.fraction_bits - 1)));
   }
   const std::int64_t d = units(words[1], format);
   const std::int64_t divisor = whole ? d / format.one() : d;
   const int scale = whole ? 0 : format.fraction_bits;
-  // Twice the quotient, so that a half is a whole number. Far beyond it the dividend is no word.
+  // Twice the quotient, so that a half is a whole number. Skips a dividend that does not fit a
+  // word.
   const std::int64_t twice = 2 * quotient + static_cast<std::int64_t>(draw.below(3)) - 1;
   if (divisor == 0 || std::abs(twice) > (std::int64_t{1} << 62) / std::abs(divisor)) return;
   const std::int64_t n =
@@ -76,7 +77,7 @@ void step_word(const cases::Format& format, std::uint32_t& word, cases::Draw& dr
   }
 }
 
-/// Every operation by every party but Unicorn; whatever is added to either is heard too.
+/// Every operation and every party except Unicorn, including parties added later.
 std::vector<Seat> all_seats() {
   std::vector<cases::Operation> operations;
   for (const cases::Variant& variant : cases::all_variants())

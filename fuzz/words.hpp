@@ -1,6 +1,6 @@
 /// @file
-/// Words as inputs: four bytes each, the highest first, so that a dump of an input (`xxd -c 8`)
-/// shows them as `fixproof eval` reads them.
+/// Words as inputs: four bytes each, big-endian, so that a dump of an input (`xxd -c 8`) shows them
+/// as `fixproof eval` reads them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace fixproof::fuzz {
 
 inline constexpr std::size_t bytes_of_word = 4;
 
-/// Fills `words`. Bytes that are missing are 0, those that are left over do not count.
+/// Fills `words`. Missing bytes are 0; excess bytes are ignored.
 inline void read_words(std::span<const std::uint8_t> bytes, std::span<std::uint32_t> words) {
   for (std::size_t i = 0; i < words.size() * bytes_of_word; ++i) {
     std::uint32_t& word = words[i / bytes_of_word];
@@ -19,7 +19,7 @@ inline void read_words(std::span<const std::uint8_t> bytes, std::span<std::uint3
   }
 }
 
-/// Writes as many words as `bytes` has room for.
+/// Writes as many words as fit in `bytes`.
 inline void write_words(std::span<const std::uint32_t> words, std::span<std::uint8_t> bytes) {
   for (std::size_t i = 0; i < words.size() * bytes_of_word && i < bytes.size(); ++i) {
     bytes[i] =

@@ -13,9 +13,9 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 constexpr std::size_t kTurn = 3600;  // in tenths of a degree
 constexpr std::size_t kThreeQuarters = 2700;
 
-/// cos(step / steps_per_degree degrees), rounded to the nearest ulp. By Niven's theorem the cosine
-/// of a rational number of degrees is 0, +-1/2, +-1 or irrational: the former are whole ulps, and
-/// the latter never a tie, so 50 digits settle the rounding.
+/// cos(step / steps_per_degree degrees), rounded to nearest. By Niven's theorem the cosine of a
+/// rational number of degrees is 0, +-1/2, +-1 or irrational: the former are whole ulps, and the
+/// latter never a tie, so 50 digits suffice for the rounding.
 Word nearest_cosine(std::size_t step, int steps_per_degree, int fraction_bits) {
   static const Real pi = acos(Real(-1));
   const Real cosine = cos(pi * step / (Real(180) * steps_per_degree));

@@ -7,8 +7,8 @@
 namespace oracle {
 namespace {
 
-/// The 386 divides the magnitudes as unsigned integers and lets the sign fall where it may, so only
-/// a quotient too wide for an unsigned word faults, and it does so before it is rounded.
+/// The 386 divides the magnitudes as unsigned integers and ignores the sign bit, so only a quotient
+/// too wide for an unsigned word faults, before rounding.
 std::optional<Word> i386_rounded(Word n, Word d, int fraction_bits) {
   const auto truncated = exact_quotient(n, d, Rounding::truncate, fraction_bits);
   if (!truncated || abs(*truncated) >= Integer(1) << word_bits(fraction_bits)) return std::nullopt;
@@ -21,8 +21,8 @@ std::optional<Word> i386_unrounded(Word n, Word d, int fraction_bits) {
   return wrap(*truncated, word_bits(fraction_bits));
 }
 
-/// The 8088 divides by the divisor's magnitude in whole units, so the scale of n is that of the
-/// quotient.
+/// The 8088 divides by the whole part of the divisor's magnitude, so the quotient has the scale of
+/// n.
 std::optional<Word> i8088(Word n, Word d, Rounding rule, int fraction_bits) {
   const Integer units = rounded(ulps(d, fraction_bits), one(fraction_bits), Rounding::truncate);
   if (units == 0) return std::nullopt;

@@ -9,16 +9,16 @@
 
 #include "oracle/rule.hpp"
 
-/// The answers of exact.hpp and unbounded.hpp again, for sweeps: floor division in 64-bit integers
-/// with the remainder deciding the rounding. Nothing can overflow: a product of two words is below
-/// 2^63 in magnitude, a dividend scaled by 2^16 below 2^48. Every function that takes
-/// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16. Calls are qualified because
-/// the rules, being of namespace oracle, would bring in its functions of the same names.
+/// A faster implementation of exact.hpp and unbounded.hpp for sweeps: floor division in 64-bit
+/// integers, where the remainder decides the rounding. Nothing overflows: a product of two words is
+/// below 2^63 in magnitude, a dividend scaled by 2^16 below 2^48. Every function that takes
+/// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16. Calls are qualified, because
+/// argument-dependent lookup on the rules would find the functions of namespace oracle.
 namespace oracle::fast {
 
 namespace detail {
 
-/// The bits of a 32-bit word that this format leaves unused.
+/// The bits of a 32-bit word that the format does not use.
 [[nodiscard]] constexpr int unused_bits(int fraction_bits) {
   if (fraction_bits < 2 || fraction_bits > 16) {
     throw std::invalid_argument("fraction_bits must be 2 ... 16");
@@ -26,7 +26,7 @@ namespace detail {
   return 32 - 2 * fraction_bits;
 }
 
-/// The operand in ulps, by shifting its sign bit to the top of the word and back.
+/// The operand in ulps; sign-extends by shifting to the top of the word and back.
 [[nodiscard]] constexpr std::int64_t ulps(Word word, int fraction_bits) {
   const int unused = unused_bits(fraction_bits);
   return static_cast<std::int32_t>(word << unused) >> unused;
@@ -36,8 +36,7 @@ namespace detail {
   return value < 0 ? -value : value;
 }
 
-/// Whether the rule takes the integer above the floor, for a value that lies `remainder` /
-/// `divisor` above it.
+/// Whether the rule rounds a value that lies `remainder` / `divisor` above the floor up.
 [[nodiscard]] constexpr bool rounds_up(std::int64_t floor, std::int64_t remainder,
                                        std::int64_t divisor, bool negative, Rounding rule) {
   switch (rule) {
@@ -78,7 +77,7 @@ namespace detail {
   return static_cast<Word>(value) & (~Word{0} >> detail::unused_bits(fraction_bits));
 }
 
-/// a * b in ulps, before it is brought into a word.
+/// a * b in ulps, before reduction to a word.
 [[nodiscard]] constexpr std::int64_t exact_product(Word a, Word b, Rounding rule,
                                                    int fraction_bits) {
   const std::int64_t product = detail::ulps(a, fraction_bits) * detail::ulps(b, fraction_bits);
@@ -88,7 +87,7 @@ namespace detail {
   return floor + (up ? 1 : 0);
 }
 
-/// n / d in ulps, before it is brought into a word; empty exactly when d is 0.
+/// n / d in ulps, before reduction to a word; empty if and only if d is 0.
 [[nodiscard]] constexpr std::optional<std::int64_t> exact_quotient(Word n, Word d, Rounding rule,
                                                                    int fraction_bits) {
   const std::int64_t divisor = detail::ulps(d, fraction_bits);
@@ -102,7 +101,7 @@ namespace detail {
   return wrap(fast::exact_product(a, b, rule, fraction_bits), fraction_bits);
 }
 
-/// n / d as mathematics gives it; empty exactly when d is 0.
+/// n / d as in mathematics; empty if and only if d is 0.
 [[nodiscard]] constexpr std::optional<Word> quotient(Word n, Word d, Rounding rule,
                                                      int fraction_bits) {
   const auto exact = fast::exact_quotient(n, d, rule, fraction_bits);
@@ -110,8 +109,8 @@ namespace detail {
   return wrap(*exact, fraction_bits);
 }
 
-/// n / d as a divide of FIXED.ASM gives it; empty for #DE. The faults are stated on the operands,
-/// not on the quotient.
+/// n / d as a divide of FIXED.ASM; empty for #DE. The fault conditions use the operands, not the
+/// quotient.
 [[nodiscard]] constexpr std::optional<Word> div(Word n, Word d, DivideRule rule,
                                                 int fraction_bits) {
   const std::int64_t dividend = detail::ulps(n, fraction_bits);
@@ -122,7 +121,7 @@ namespace detail {
       if (size <= detail::magnitude(dividend) >> fraction_bits) return std::nullopt;
       return fast::quotient(n, d, Rounding::half_away, fraction_bits);
     case DivideRule::i386_unrounded: {
-      // The magnitude that no longer fits: 2^(2F-1), or one more for a negative quotient.
+      // The first magnitude that does not fit: 2^(2F-1), or one more for a negative quotient.
       const bool negative = (dividend < 0) != (divisor < 0);
       const std::int64_t limit = (std::int64_t{1} << (2 * fraction_bits - 1)) + (negative ? 1 : 0);
       const std::int64_t scaled = detail::magnitude(dividend) << fraction_bits;
@@ -141,12 +140,12 @@ namespace detail {
   throw std::invalid_argument("no such divide rule");
 }
 
-/// The square root in ulps; empty for a negative operand. It is below 2^24.
+/// The square root in ulps, below 2^24; empty for a negative operand.
 [[nodiscard]] constexpr std::optional<std::int64_t> exact_root(Word x, Rounding rule,
                                                                int fraction_bits) {
   const std::int64_t value = detail::ulps(x, fraction_bits);
   if (value < 0) return std::nullopt;
-  // One binary digit of the root at a time: the rest is the radicand less the root squared.
+  // Computes the root one bit at a time; `rest` is the radicand minus the square of the root.
   std::int64_t rest = value << fraction_bits;
   std::int64_t root = 0;
   for (std::int64_t digit = std::int64_t{1} << 24; digit != 0; digit >>= 1) {
@@ -157,7 +156,7 @@ namespace detail {
     }
   }
   if (rule == Rounding::floor || rule == Rounding::truncate) return root;
-  // The radicand passes (root + 1/2)^2 when the rest passes root + 1/4.
+  // The radicand exceeds (root + 1/2)^2 when the rest exceeds root + 1/4.
   return root + (rest > root ? 1 : 0);
 }
 
@@ -168,7 +167,7 @@ namespace detail {
   return wrap(*root, fraction_bits);
 }
 
-/// A point moved by a 3x4 transform, as oracle::xform_vec.
+/// A transformed point, as oracle::xform_vec.
 [[nodiscard]] constexpr std::array<Word, 3> xform_vec(std::span<const Word, 12> m,
                                                       std::span<const Word, 3> v, Rounding rule,
                                                       int fraction_bits) {

@@ -13,8 +13,8 @@ namespace oracle::fast {
 namespace {
 
 constexpr int kFraction = 62;
-/// No component of four_bytes() is farther off, in units of 2^-62: as vectors, entries of the table
-/// are off by less than 0.71 each, and each of three products adds less than 4.48.
+/// The error bound of every component of four_bytes(), in units of 2^-62: as vectors, entries of
+/// the table are off by less than 0.71 each, and each of three products adds less than 4.48.
 constexpr std::int64_t kError = 17;
 
 /// The cosine and the sine of an angle in units of 2^-62.
@@ -31,7 +31,7 @@ std::int64_t to_fraction(const Integer& scaled) {
 
 using Table = std::array<std::array<Turned, 256>, 4>;
 
-/// Entry [k][byte] is of byte * 2^(8k) ulps; the uppermost byte has a sign.
+/// Entry [k][byte] is for byte * 2^(8k) ulps; the uppermost byte is signed.
 Table make_table() {
   Table table{};
   for (Word place = 0; place < 4; ++place) {
@@ -44,7 +44,7 @@ Table make_table() {
   return table;
 }
 
-/// a * b in units of 2^-62, for magnitudes of up to 1; less than 2 units too low.
+/// a * b in units of 2^-62, for magnitudes up to 1; less than 2 units too low.
 std::int64_t product(std::int64_t a, std::int64_t b) {
   constexpr std::int64_t kLow = (std::int64_t{1} << 31) - 1;
   const std::int64_t a1 = a >> 31;
@@ -52,7 +52,7 @@ std::int64_t product(std::int64_t a, std::int64_t b) {
   return a1 * b1 + ((a1 * (b & kLow) + (a & kLow) * b1) >> 31);
 }
 
-/// Turned by both angles.
+/// The rotation by the sum of both angles.
 Turned product(Turned a, Turned b) {
   return {product(a.cos, b.cos) - product(a.sin, b.sin),
           product(a.sin, b.cos) + product(a.cos, b.sin)};
@@ -71,7 +71,7 @@ Word angle_in_16_16(Word angle, int fraction_bits) {
                            (std::int64_t{1} << (16 - fraction_bits)));
 }
 
-/// Whether two values as far below and above as the error allows are rounded alike.
+/// Whether both ends of the error interval round to the same value.
 bool settled(std::int64_t value, int dropped) {
   const std::int64_t half = std::int64_t{1} << (dropped - 1);
   return (value - kError + half) >> dropped == (value + kError + half) >> dropped;

@@ -1,8 +1,8 @@
 #pragma once
 
-// GCC 12 reports two faults that are not there wherever the library is inlined: it follows the
-// branch for allocated digits into objects that keep theirs in place, and takes the length of a
-// string before an insertion for anything at all (GCC bug 105651).
+// GCC 12 gives two false warnings wherever the library is inlined: it follows the branch for
+// allocated digits into objects that store theirs in place, and assumes any length for a string
+// before an insertion (GCC bug 105651).
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -15,7 +15,7 @@
 
 namespace oracle {
 
-/// An integer of any size. Expression templates are off so that `auto` never holds a reference to
+/// An integer of any size. Expression templates are off, so that `auto` never holds a reference to
 /// a temporary.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                               boost::multiprecision::et_off>;

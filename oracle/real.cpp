@@ -8,7 +8,7 @@
 namespace oracle {
 namespace {
 
-/// 166 bits: 16 of the fraction, 60 digits and 15 whole bits of an angle leave more than enough.
+/// 166 bits: more than enough for 16 fraction bits, 60 digits and 15 whole bits of an angle.
 using Decimal50 = boost::multiprecision::cpp_bin_float_50;
 
 void require_digits(int digits) {
@@ -32,7 +32,7 @@ Integer scaled_sqrt(Word x, int digits) {
 
 Integer scaled_cos(std::int32_t angle_tenths, int digits) {
   require_digits(digits);
-  // The five whole and half cosines (Niven) come out of the series a little off: they are known.
+  // The series is slightly off for the five rational cosines (Niven), whose exact values are known.
   const int turned = (angle_tenths % 3600 + 3600) % 3600;
   const Integer unit = Integer(1) << (16 + digits);
   switch (turned) {

@@ -5,12 +5,11 @@
 #include "oracle/integer.hpp"
 #include "oracle/rule.hpp"
 
-/// Results that are no ratios, to as many binary digits as are asked: with them errors far below
-/// one ulp can be told. Each is in ulps of 16.16 times 2^digits, rounded down; `digits` is 0
-/// ... 60.
+/// Irrational results to any number of binary digits, for measuring errors far below one ulp. Each
+/// is in ulps of 16.16 times 2^digits, rounded down; `digits` is 0 ... 60.
 namespace oracle {
 
-/// The square root of a word that is not negative; std::domain_error for another.
+/// The square root of a non-negative word; throws std::domain_error for any other.
 [[nodiscard]] Integer scaled_sqrt(Word x, int digits);
 
 /// The cosine of an angle in tenths of a degree.

@@ -5,14 +5,14 @@
 namespace oracle {
 namespace {
 
-/// Far more than the 33 that tell the nearest of 2^32 results from halfway.
+/// Far more than the 33 that separate all 2^32 results from ties.
 constexpr int kDigits = 60;
 
 Word angle_in_16_16(Word angle, int fraction_bits) {
   return wrap(ulps(angle, fraction_bits) * one(16) / one(fraction_bits), 32);
 }
 
-/// To nearest of a result in ulps of 16.16 times 2^kDigits.
+/// Rounds a result in ulps of 16.16 times 2^kDigits to nearest.
 Word nearest(const Integer& scaled, int fraction_bits) {
   const Integer ulp = Integer(1) << (16 - fraction_bits + kDigits);
   return wrap(rounded(scaled, ulp, Rounding::half_up), word_bits(fraction_bits));

@@ -14,7 +14,7 @@ Integer whole(const Integer& value, int fraction_bits) {
   return rounded(value, unit, Rounding::floor) * unit;
 }
 
-/// TranslationRule::fourth_in_parts, before it is brought into a word.
+/// TranslationRule::fourth_in_parts, before reduction to a word.
 Integer sum_in_parts(const Integer& x, const Integer& t, int fraction_bits) {
   const Integer sum = x + t;
   return whole(x, fraction_bits) + whole(t, fraction_bits) + sum - whole(sum, fraction_bits);

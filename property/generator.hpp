@@ -1,5 +1,5 @@
 /// \file
-/// RapidCheck generators of numbers, for programs that test with RapidCheck.
+/// RapidCheck generators for numbers.
 #pragma once
 
 #include <rapidcheck.h>
@@ -15,8 +15,8 @@
 
 namespace fixed::detail {
 
-/// Where fixed-point arithmetic goes wrong: 0, the ends, one, a half, the carry out of the
-/// fraction, each with its neighbours and both signs.
+/// Raw values where fixed-point arithmetic tends to fail: 0, the ends of the range, one, a half,
+/// and the carry out of the fraction, each with its neighbours and both signs.
 template <class Raw>
 rc::Gen<Raw> edge_raw() {
   constexpr int fraction_bits = std::numeric_limits<Raw>::digits / 2 + 1;
@@ -30,7 +30,7 @@ rc::Gen<Raw> edge_raw() {
       rc::gen::elementOf(edges), rc::gen::inRange(-1, 2), rc::gen::arbitrary<bool>());
 }
 
-/// A power of two or a neighbour of one, of either sign.
+/// A power of two or a neighbour of one, with either sign.
 template <class Raw>
 rc::Gen<Raw> power_raw() {
   return rc::gen::apply(
@@ -42,7 +42,7 @@ rc::Gen<Raw> power_raw() {
       rc::gen::arbitrary<bool>());
 }
 
-/// Any bits, and of them a random number kept: uniform, and uniform in magnitude.
+/// Random bits, of which a random number is kept: uniform in value and in magnitude.
 template <class Raw>
 rc::Gen<Raw> uniform_raw(int least_dropped, int most_dropped) {
   constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
@@ -55,8 +55,8 @@ rc::Gen<Raw> uniform_raw(int least_dropped, int most_dropped) {
 
 }  // namespace fixed::detail
 
-/// Numbers, a good part of them at edges. They shrink toward zero: to simpler whole numbers first,
-/// then in raw units.
+/// Generates numbers, many of them edge cases. They shrink toward zero: first to simpler whole
+/// numbers, then in raw units.
 template <int FractionBits, fixed::policy P>
 struct rc::Arbitrary<fixed::number<FractionBits, P>> {
   static Gen<fixed::number<FractionBits, P>> arbitrary() {
@@ -82,7 +82,7 @@ struct rc::Arbitrary<fixed::number<FractionBits, P>> {
 
 namespace fixed {
 
-/// How RapidCheck prints a counterexample: the value and the stored integer.
+/// Prints a counterexample: the value and the stored integer.
 template <int FractionBits, policy P>
 void showValue(number<FractionBits, P> value, std::ostream& out) {
   out << value << " (raw " << value.raw() << ')';

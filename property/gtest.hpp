@@ -1,5 +1,5 @@
 /// @file
-/// GoogleTest cases for a function: one for each stream of cases.
+/// GoogleTest cases for a function, one per stream of cases.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace fixproof::property {
 
-/// A test whose body is a function; it fails with what that returns, unless it is empty.
+/// A test that calls a function and fails with the text it returns, if any.
 class CalledTest : public testing::Test {
  public:
   explicit CalledTest(std::function<std::string()> body) : body_(std::move(body)) {}
@@ -33,7 +33,7 @@ inline bool register_test(const std::string& name, const std::string& test, cons
   return true;
 }
 
-/// Registers a test for each stream of cases.
+/// Registers one test per stream of cases.
 inline bool register_streams(const Subject& subject, const char* file, int line) {
   for (const auto& [stream, cases] : streams_of(subject.rules.operation)) {
     register_test(
@@ -45,9 +45,9 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 
 }  // namespace fixproof::property
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): names of functions become names of tests
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): function names become test names
 
-/// Rules by their names alone, as enumerators of check/rules.hpp.
+/// Takes rules by their names, as enumerators of check/rules.hpp.
 #define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result)           \
   ::fixproof::property::subject(                                                       \
       #function,                                                                       \
@@ -55,7 +55,7 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
        ::fixproof::check::Overflow::overflow, ::fixproof::check::NoResult::no_result}, \
       [](auto... operands) -> decltype(function(operands...)) { return function(operands...); })
 
-/// Tests of the namespace that they stand in. Semicolons are not needed, and do no harm.
+/// Registers tests in the current namespace. A trailing semicolon is optional.
 #define FIXPROOF_CHECK(function, operation, rounding, overflow, no_result)                \
   [[maybe_unused]] static const bool fixproof_check_##operation##_##function =            \
       ::fixproof::property::register_streams(                                             \

@@ -1,6 +1,6 @@
 /// @file
-/// A RapidCheck property for a function: operands drawn by the generator of property/generator.hpp,
-/// which shrinks those that fail.
+/// A RapidCheck property for a function, with operands from property/generator.hpp, which shrinks
+/// failing ones.
 #pragma once
 
 #include <rapidcheck.h>
@@ -16,8 +16,7 @@
 
 namespace fixproof::property {
 
-/// Whether the function keeps its rules, for operands that RapidCheck draws; prints the least that
-/// it does not.
+/// Whether the function satisfies its rules for random operands; prints the smallest failing ones.
 inline bool property_holds(const Subject& subject) {
   using Number = fixed::q16_16;
   const auto check = [&](std::span<const std::uint32_t> words) {
@@ -42,7 +41,7 @@ inline bool register_property(const Subject& subject, const char* file, int line
 
 }  // namespace fixproof::property
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): names of functions become names of tests
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): function names become test names
 #define FIXPROOF_PROPERTY(function, operation, rounding, overflow, no_result)             \
   [[maybe_unused]] static const bool fixproof_property_##operation##_##function =         \
       ::fixproof::property::register_property(                                            \

@@ -1,5 +1,5 @@
 /// @file
-/// A function that is put to the test, and the rules it is held to.
+/// A function under test, and the rules that it must satisfy.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace fixproof::property {
 
-/// A function under test, as a function of words.
+/// A function under test, on words.
 struct Subject {
   std::string name;
   check::Rules rules;
@@ -43,8 +43,8 @@ inline std::int32_t operand(std::uint32_t word) { return static_cast<std::int32_
 
 }  // namespace detail
 
-/// A function of one or two std::int32_t that returns one, or an optional one, empty for a divide
-/// error. It need not be a function: what can be called so will do.
+/// Wraps any callable that takes one or two std::int32_t and returns one, or an optional one that
+/// is empty for a divide error.
 template <class Function>
 Subject subject(std::string name, const check::Rules& rules, Function function) {
   using detail::operand;
@@ -61,24 +61,25 @@ Subject subject(std::string name, const check::Rules& rules, Function function) 
   return one;
 }
 
-/// Whether the case is kept. One for which the rules accept anything is not even asked.
+/// Whether the function satisfies the rules for the case. Does not call it if the rules accept any
+/// result.
 inline bool holds(const Subject& subject, std::span<const std::uint32_t> words) {
   return !check::expected_of(subject.rules, words).judged ||
          check::keeps(subject.rules, words, subject.ask(words));
 }
 
-/// The streams of cases that a verification has of the operation at level 1, and how many cases of
-/// each.
+/// The level 1 streams of the operation, and the number of cases in each.
 inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Operation operation) {
   const cases::Variant variant{.operation = operation, .target = cases::Target::standard};
-  // Two parties: a plan has no cases of what is not compared.
+  // Two parties, because a plan has no cases if there is nothing to compare.
   const cases::Plan plan(1, 1994, {{variant, {"a", "b"}}});
   std::vector<std::pair<cases::Stream, std::uint64_t>> streams;
   for (const cases::Job& job : plan.jobs()) streams.emplace_back(job.stream, job.cases);
   return streams;
 }
 
-/// What is wrong over a stream of cases, the first of them in lines of text; empty where all holds.
+/// Describes the failures in a stream of cases, listing only the first ones; empty if there are
+/// none.
 inline std::string wrong_over(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
   const cases::Variant variant{.operation = subject.rules.operation,
                                .target = cases::Target::standard};

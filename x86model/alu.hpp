@@ -1,9 +1,9 @@
 /// @file
-/// Results and flags of the arithmetic instructions, as Intel's Software Developer's Manual (volume
-/// 2) defines them for the 386; the 8088 agrees on every form that an 8088 listing uses.
+/// Results and flags of the arithmetic instructions, from Intel's Software Developer's Manual
+/// (volume 2) for the 386. The 8088 agrees on every form that an 8088 listing uses.
 ///
-/// Operands are `bits` wide (at most 32) and zero-extended. A flag that the manual leaves undefined
-/// is marked so; a flag that an instruction leaves alone is the caller's to keep.
+/// Operands are `bits` wide (at most 32) and zero-extended. Flags that the manual leaves undefined
+/// are marked so. The caller preserves flags that an instruction does not change.
 #pragma once
 
 #include <bit>
@@ -30,12 +30,12 @@ X86MODEL_INLINE std::int64_t as_signed(std::uint64_t value, int bits) {
   return static_cast<std::int64_t>(value << (64 - bits)) >> (64 - bits);
 }
 
-/// `flag` where `set`, else nothing: for building a flags word.
+/// `flag` if `set`, else 0: for building a flags word.
 X86MODEL_INLINE std::uint16_t when(bool set, Flag flag) {
   return static_cast<std::uint16_t>(set ? flag : 0);
 }
 
-/// SF, ZF and PF, which depend on the result alone. PF looks at the low 8 bits only.
+/// SF, ZF and PF, which depend only on the result. PF depends on its low 8 bits.
 X86MODEL_INLINE std::uint16_t result_flags(std::uint32_t value, int bits) {
   return static_cast<std::uint16_t>(when(sign(value, bits), SF) | when(value == 0, ZF) |
                                     when((std::popcount(value & 0xFFU) & 1) == 0, PF));
@@ -64,7 +64,7 @@ X86MODEL_INLINE Result logic(std::uint32_t value, int bits) {
   return {value, {result_flags(value, bits), AF}};
 }
 
-/// Flags of a shift by `count` > 0: AF undefined, OF defined for a shift by one only.
+/// Flags of a shift by `count` > 0: AF is undefined; OF is defined only for a shift by one.
 X86MODEL_INLINE Flags shift_flags(std::uint32_t value, int bits, int count, bool carry,
                                   bool overflow) {
   const auto flags = static_cast<std::uint16_t>(result_flags(value, bits) | when(carry, CF) |
@@ -72,7 +72,7 @@ X86MODEL_INLINE Flags shift_flags(std::uint32_t value, int bits, int count, bool
   return {flags, static_cast<std::uint16_t>(AF | when(count != 1, OF))};
 }
 
-/// SHL, 0 < count < 32. CF is undefined where count >= bits.
+/// SHL, 0 < count < 32. CF is undefined if count >= bits.
 X86MODEL_INLINE Result shl(std::uint32_t a, int count, int bits) {
   const std::uint64_t wide = std::uint64_t{a} << count;
   const auto value = static_cast<std::uint32_t>(wide) & mask(bits);
@@ -82,7 +82,7 @@ X86MODEL_INLINE Result shl(std::uint32_t a, int count, int bits) {
   return {value, flags};
 }
 
-/// SHR, 0 < count < 32. CF is undefined where count >= bits.
+/// SHR, 0 < count < 32. CF is undefined if count >= bits.
 X86MODEL_INLINE Result shr(std::uint32_t a, int count, int bits) {
   const std::uint32_t value = a >> count;
   const bool carry = count < bits && ((a >> (count - 1)) & 1U) != 0;
@@ -91,7 +91,7 @@ X86MODEL_INLINE Result shr(std::uint32_t a, int count, int bits) {
   return {value, flags};
 }
 
-/// SAR, 0 < count < 32: the sign fills from the left, CF takes it too when count >= bits.
+/// SAR, 0 < count < 32. If count >= bits, CF is the sign.
 X86MODEL_INLINE Result sar(std::uint32_t a, int count, int bits) {
   const std::int64_t wide = as_signed(a, bits);
   const auto value = static_cast<std::uint32_t>(wide >> count) & mask(bits);
@@ -99,7 +99,7 @@ X86MODEL_INLINE Result sar(std::uint32_t a, int count, int bits) {
   return {value, shift_flags(value, bits, count, carry, false)};
 }
 
-/// ROL, 0 < count < 32: only CF and OF are the result's; the caller keeps the others.
+/// ROL, 0 < count < 32. Sets only CF and OF; the caller preserves the other flags.
 X86MODEL_INLINE Result rol(std::uint32_t a, int count, int bits) {
   const int turn = count % bits;
   const auto value =
@@ -111,7 +111,7 @@ X86MODEL_INLINE Result rol(std::uint32_t a, int count, int bits) {
   return {value, {flags, when(count != 1, OF)}};
 }
 
-/// SHLD, 0 < count < bits: `a` shifted left, filled from the top of `fill`.
+/// SHLD, 0 < count < bits: shifts `a` left and fills from the top of `fill`.
 X86MODEL_INLINE Result shld(std::uint32_t a, std::uint32_t fill, int count, int bits) {
   const std::uint64_t wide = (std::uint64_t{a} << bits | fill) << count;
   const auto value = static_cast<std::uint32_t>(wide >> bits) & mask(bits);
@@ -119,7 +119,7 @@ X86MODEL_INLINE Result shld(std::uint32_t a, std::uint32_t fill, int count, int 
   return {value, shift_flags(value, bits, count, carry, sign(a ^ value, bits))};
 }
 
-/// SHRD, 0 < count < bits: `a` shifted right, filled from the bottom of `fill`.
+/// SHRD, 0 < count < bits: shifts `a` right and fills from the bottom of `fill`.
 X86MODEL_INLINE Result shrd(std::uint32_t a, std::uint32_t fill, int count, int bits) {
   const std::uint64_t wide = (std::uint64_t{fill} << bits | a) >> count;
   const auto value = static_cast<std::uint32_t>(wide) & mask(bits);
@@ -133,7 +133,8 @@ struct Product {
   Flags flags;
 };
 
-/// What MUL and IMUL leave: CF and OF say whether the high half matters, the rest is undefined.
+/// The result of MUL and IMUL: CF and OF tell whether the high half is significant; other flags are
+/// undefined.
 X86MODEL_INLINE Product product(std::uint64_t wide, bool high_matters, int bits) {
   return {static_cast<std::uint32_t>(wide) & mask(bits),
           static_cast<std::uint32_t>(wide >> bits) & mask(bits),
@@ -157,25 +158,25 @@ struct Quotient {
   std::uint32_t remainder;
 };
 
-/// DIV of high:low. Nothing (#DE) for a zero divisor and for a quotient that does not fit. All six
-/// flags are undefined afterwards.
+/// DIV of high:low. Returns nothing (#DE) if the divisor is zero or the quotient does not fit.
+/// Leaves all six flags undefined.
 X86MODEL_INLINE std::optional<Quotient> div(std::uint32_t high, std::uint32_t low,
                                             std::uint32_t divisor, int bits) {
-  // The quotient fits exactly where the high half is below the divisor.
+  // The quotient fits if and only if the high half is below the divisor.
   if (high >= divisor) return std::nullopt;
   const std::uint64_t dividend = (std::uint64_t{high} << bits) | low;
   return Quotient{static_cast<std::uint32_t>(dividend / divisor),
                   static_cast<std::uint32_t>(dividend % divisor)};
 }
 
-/// IDIV of high:low, truncating; the remainder has the dividend's sign. Nothing (#DE) for a zero
-/// divisor and for a quotient outside the signed range.
+/// IDIV of high:low, truncating; the remainder has the sign of the dividend. Returns nothing (#DE)
+/// if the divisor is zero or the quotient is outside the signed range.
 X86MODEL_INLINE std::optional<Quotient> idiv(std::uint32_t high, std::uint32_t low,
                                              std::uint32_t divisor, int bits) {
   const std::int64_t d = as_signed(divisor, bits);
   const std::int64_t n = as_signed((std::uint64_t{high} << bits) | low, 2 * bits);
   if (d == 0) return std::nullopt;
-  // The one 64-bit quotient that no 64-bit integer holds: -2^63 / -1.
+  // -2^63 / -1 is the only quotient that does not fit in 64 bits.
   if (d == -1 && n == INT64_MIN) return std::nullopt;
   const std::int64_t q = n / d;
   const std::int64_t limit = std::int64_t{1} << (bits - 1);

@@ -1,5 +1,5 @@
 /// @file
-/// Listings, and the assembly that settles their conditional rows and labels.
+/// Listings and their assembly, which resolves conditional rows and labels.
 #pragma once
 
 #include <array>
@@ -35,28 +35,28 @@ struct Listing {
 /// The processor that a listing is for.
 enum class Target : std::uint8_t { i386, i8088 };
 
-/// The switches of the conditional assembly: each says what the code does.
+/// The switches of the conditional assembly. Each states what the code does.
 struct Build {
   bool mul_rounding = true;
   bool div_rounding = true;
-  /// The routine as chapter 52 has it: always rounded; the divide ends in MOV and SHR.
-  /// ConcatXforms, which is C there, is the later assembly with the C's result: it adds the
-  /// translation in all four columns. 386 only.
+  /// The routine of chapter 52: always rounded; the divide ends in MOV and SHR. ConcatXforms is C
+  /// in that chapter; here it is the later assembly changed to give the C result, with the
+  /// translation added in all four columns. 386 only.
   bool chapter_52 = false;
-  /// The 8088 divide with its last ADC after the endif, as a scan of chapter 54 has it: without
-  /// rounding it adds a carry that DIV leaves undefined. The author's file has the ADC before the
-  /// endif, so this is only an example of an undefined flag that is caught.
+  /// The 8088 divide with its last ADC after the endif, as in a scan of chapter 54. Without
+  /// rounding, that ADC adds a carry that DIV leaves undefined. The author's file has the ADC
+  /// before the endif, so this serves only as an example of a detected undefined flag.
   bool endif_as_scanned = false;
-  /// The 8088 ConcatXforms with the carry that its listing loses. 8088 only.
+  /// The 8088 ConcatXforms with the carry that the listing loses. 8088 only.
   bool repaired = false;
-  /// The 8088 CosSin with SHL BX,2, as printed, which an 8088 does not have. 8088 only; without it
-  /// the routine shifts twice by one.
+  /// The 8088 CosSin with SHL BX,2 as printed, which the 8088 cannot execute; otherwise two shifts
+  /// by one. 8088 only.
   bool shl_as_printed = false;
 
   friend constexpr bool operator==(const Build&, const Build&) = default;
 };
 
-/// A routine ready to run: every row an instruction, every label operand a position.
+/// An assembled routine: every row is an instruction and every label operand a position.
 struct Program {
   std::array<Instruction, 600> code{};
   std::size_t size = 0;
@@ -98,10 +98,10 @@ constexpr std::size_t position_of(std::string_view label, const Program& program
 
 }  // namespace detail
 
-/// Assembles a listing for one setting of its switches.
+/// Assembles a listing under one setting of its switches.
 ///
-/// @throws std::logic_error where the listing is malformed: in a constant expression the program
-/// then does not compile.
+/// @throws std::logic_error if the listing is malformed; in a constant expression this is a compile
+/// error
 constexpr Program assemble(const Listing& listing, const Build& build) {
   Program program;
   std::array<bool, 4> kept{true};

@@ -29,7 +29,7 @@ std::uint64_t operand_bytes(const Instruction& i) {
   return bytes;
 }
 
-/// The bytes that no operand names: those of the stack, and those that STOS stores.
+/// The bytes of implicit operands: the stack, and the destination of STOS.
 std::uint64_t implied_bytes(const Instruction& i) {
   switch (i.mnemonic) {
     case Mnemonic::push:

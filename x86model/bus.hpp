@@ -1,18 +1,18 @@
 /// @file
-/// How many bytes a run moves over the 8-bit bus of an 8088, and how long that takes.
+/// The bytes that a run moves over the 8-bit bus of an 8088, and the time that takes.
 ///
-/// Intel's tables count code as already fetched. An 8088 has a bus unit, which fetches code into a
-/// queue of four bytes, and an execution unit, which takes the clocks of the tables; they work at
-/// the same time. Each byte on the bus takes four clocks. So a run takes at least the larger of two
-/// times: the table time, which includes the transfers of operands because the execution unit waits
-/// for them, and the bus time, which is all bytes of code and operands times four.
+/// Intel's tables assume that code is already fetched. In an 8088, a bus unit fetches code into a
+/// queue of four bytes while an execution unit takes the clocks of the tables. Each byte on the bus
+/// takes four clocks. A run therefore takes at least the larger of two times: the table time, which
+/// includes operand transfers because the execution unit waits for them, and the bus time, which is
+/// four clocks per byte of code and operands.
 ///
-/// The bus time leaves out the bytes that are fetched behind a taken jump and then discarded, wait
-/// states and the refresh of memory. It is a lower bound for that reason.
+/// The bus time is a lower bound: it omits discarded prefetches after taken jumps, wait states and
+/// memory refresh.
 ///
-/// Other processors have no bus time here. A 286 and a 386 move 2 and 4 bytes in two clocks without
-/// wait states: less time than the tables for each routine. How many wait states there are is a
-/// matter of the board. A 486 has the code in its cache.
+/// Other processors have no bus time here. Without wait states, a 286 moves 2 bytes and a 386 4
+/// bytes in two clocks, which is less than the table time of every routine. Wait states depend on
+/// the board. A 486 runs from its cache.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ namespace x86model {
 
 inline constexpr std::uint64_t bus_clocks_a_byte = 4;
 
-/// Bytes that pass over the bus.
+/// The bytes that pass over the bus.
 struct BusBytes {
-  std::uint64_t code = 0;  ///< of the instructions that are executed
-  std::uint64_t data = 0;  ///< operands in memory, the stack and return addresses, read and written
+  std::uint64_t code = 0;  ///< of the executed instructions
+  std::uint64_t data = 0;  ///< memory operands, the stack and return addresses, read and written
 
   [[nodiscard]] constexpr std::uint64_t clocks() const { return bus_clocks_a_byte * (code + data); }
   constexpr BusBytes& operator+=(const BusBytes& other) {
@@ -37,8 +37,8 @@ struct BusBytes {
   friend constexpr bool operator==(const BusBytes&, const BusBytes&) = default;
 };
 
-/// The bytes of one execution. They do not depend on the state of the machine: a conditional jump
-/// moves no data whether it is taken or not.
+/// The bytes of one execution. They do not depend on the machine state: a conditional jump moves no
+/// data, taken or not.
 BusBytes bus_bytes(const Instruction& instruction);
 
 }  // namespace x86model

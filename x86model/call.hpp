@@ -1,5 +1,5 @@
 /// @file
-/// Calls a routine as C would: arguments on the stack, results in DX:AX or in memory.
+/// Calls a routine as C does: arguments on the stack, results in DX:AX or in memory.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,12 @@ namespace x86model {
 
 namespace detail {
 
-// Where things stand in memory, in bytes for 16-bit words: the stack below 0x60, then operands and
-// results.
+// The memory layout, in bytes for 16-bit words: the stack below 0x60, then operands and results.
 inline constexpr std::int32_t stack_top = 0x60;
 inline constexpr std::int32_t data = stack_top;
 inline constexpr std::int32_t bytes_of_value = 4;
 
-/// Words of memory that a call needs. At half width the same words are single bytes.
+/// The number of memory words that a call needs. At half width these words are single bytes.
 constexpr std::size_t words_of_memory(Routine routine) {
   const int operands = arity(routine).in + arity(routine).out;
   switch (routine) {
@@ -38,15 +37,15 @@ constexpr std::size_t words_of_memory(Routine routine) {
   return static_cast<std::size_t>(data + operands * bytes_of_value) / 2;
 }
 
-/// Memory of words, and the cosine table in the segment of the code.
+/// Word memory with the cosine table in the code segment.
 template <int WordBits, std::size_t Words>
 class MemoryAndTable : public WordMemory<WordBits, Words> {
  public:
-  /// @return false where the table has no word at `address`.
+  /// @return false if the table has no word at `address`
   X86MODEL_INLINE bool read_code(std::uint32_t address, std::uint32_t& value) const {
     constexpr std::uint32_t step = WordBits / 8;
     constexpr auto first = static_cast<std::uint32_t>(scaled_bytes<WordBits>(cos_table_address));
-    // Below the table this is larger than any index.
+    // Wraps to more than any index if the address is below the table.
     const std::uint32_t index = (address - first) / step;
     if (address % step != 0 || index / 2 >= cosine_table.size()) return false;
     value = cosine_table[index / 2] >> (index % 2 == 0 ? 0 : WordBits) & alu::mask(WordBits);
@@ -56,7 +55,7 @@ class MemoryAndTable : public WordMemory<WordBits, Words> {
 
 }  // namespace detail
 
-/// A machine with just the memory that a call of `routine` needs.
+/// A machine with exactly the memory that a call of `routine` needs.
 template <Routine routine, int WordBits>
 using CallMachine =
     Machine<WordBits,
@@ -91,8 +90,8 @@ X86MODEL_INLINE void push_pointer(M& m, std::int32_t address) {
 
 }  // namespace detail
 
-/// Puts words that count up from `junk` where results in memory are to come: a routine that does
-/// not write one is not to be right by chance.
+/// Fills the memory of the results with words that count up from `junk`, so that a routine that
+/// fails to write one cannot be right by chance.
 template <Routine routine, class M>
 X86MODEL_INLINE void spoil_results(M& m, std::uint32_t junk) {
   if constexpr (routine == Routine::mul || routine == Routine::div) return;
@@ -102,8 +101,8 @@ X86MODEL_INLINE void spoil_results(M& m, std::uint32_t junk) {
   }
 }
 
-/// Fills the registers, and the place of the results, with what some caller has left there: no
-/// routine may depend on it. Different operands find different words.
+/// Fills the registers and the memory of the results with values that depend on the operands,
+/// because no routine may depend on what its caller leaves there.
 template <Routine routine, class M>
 X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
   std::uint32_t word = 0x9E3779B9U;
@@ -115,8 +114,8 @@ X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
   spoil_results<routine>(m, word);
 }
 
-/// Sets up the stack and the operands as a C caller of `routine` does, last argument first.
-/// Registers other than SP keep what they hold; flags become undefined.
+/// Sets up the stack and the operands as a C caller of `routine` does, last argument first. Leaves
+/// registers other than SP unchanged and all flags undefined.
 /// @param in arity(routine).in words
 template <Routine routine, class M>
 X86MODEL_INLINE void enter(M& m, std::span<const std::uint32_t> in) {
@@ -145,7 +144,7 @@ X86MODEL_INLINE void enter(M& m, std::span<const std::uint32_t> in) {
   push(m, return_to_caller<M::word_bits>);
 }
 
-/// Collects what `routine` returned.
+/// Reads the results of `routine`.
 /// @param out arity(routine).out words
 template <Routine routine, class M>
 X86MODEL_INLINE void leave(const M& m, std::span<std::uint32_t> out) {
@@ -161,8 +160,8 @@ X86MODEL_INLINE void leave(const M& m, std::span<std::uint32_t> out) {
   }
 }
 
-/// Calls `routine`, running `code` on the plain interpreter. `code` may be any program with the
-/// routine's arguments, a broken one too.
+/// Calls `routine` by running `code` on the interpreter. `code` may be any program with the
+/// routine's arguments, including a mutant.
 template <Routine routine, int WordBits, class Observer>
 Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in,
             std::span<std::uint32_t> out, Observer&& observe) {
@@ -180,10 +179,10 @@ Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in
   return call<routine, WordBits>(code, in, out, [](std::size_t, const auto&) {});
 }
 
-/// Calls the compiled routine for each of a batch of cases.
+/// Calls the compiled routine for a batch of cases.
 /// @param in  cases * arity.in words
 /// @param out cases * arity.out words; those of a faulting case are unspecified
-/// @param outcomes one for each case
+/// @param outcomes one per case
 template <Routine routine, Target target, Build build, int WordBits>
 void call_compiled(std::span<const std::uint32_t> in, std::span<std::uint32_t> out,
                    std::span<Outcome> outcomes) {
@@ -192,7 +191,7 @@ void call_compiled(std::span<const std::uint32_t> in, std::span<std::uint32_t> o
   CallMachine<routine, WordBits> ready;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if constexpr (routine == Routine::mul || routine == Routine::div) {
-      // A machine of its own for each case: it never leaves the processor's registers.
+      // A new machine per case stays in processor registers.
       CallMachine<routine, WordBits> m;
       leave_junk<routine>(m, in.subspan(i * taken, taken));
       enter<routine>(m, in.subspan(i * taken, taken));

@@ -1,5 +1,5 @@
 /// @file
-/// Calls an inner loop as the source has it called: operands in registers.
+/// Calls an inner loop as its source does: operands in registers.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 
 namespace x86model {
 
-/// A machine that runs the loops, its memory that of the caller.
+/// A machine that runs the loops in the caller's memory.
 using LoopMachine = Machine<16, ByteMemory>;
 
-/// Words as the loop's registers hold them. What a loop does not have is ignored.
+/// The operands of a loop. A loop ignores those that it does not use.
 struct LoopCall {
-  /// At least 1, for a counted loop with 0 goes on for 65,536 turns or more; unrolled 0 to
-  /// loops::most_pixels. For GouraudWords an even number, and a counted one at least 2.
+  /// At least 1: with 0 a counted loop runs for 65,536 iterations or more. Unrolled: 0 to
+  /// loops::max_pixels. For GouraudWords an even number, at least 2 if counted.
   std::uint32_t pixels = 1;
-  /// DI or EDI: the address of the first pixel, for DepthTest its index.
+  /// DI or EDI: the address of the first pixel; for DepthTest its index.
   std::uint32_t place = 0;
   std::uint32_t value = 0;     ///< EDX: intensity, depth, or column
   std::uint32_t step = 0;      ///< EBP
   std::uint32_t row = 0;       ///< ESI, of a texture
-  std::uint32_t row_step = 0;  ///< its step: in memory at IncJ, or unrolled in ECX
+  std::uint32_t row_step = 0;  ///< step of `row`: in memory at IncJ, or in ECX if unrolled
   std::uint8_t colour = 0;     ///< AL, of DepthTest
 };
 
-/// Sets up registers, IncJ and the return address. What the loop does not take stays as it is;
-/// flags become undefined.
+/// Sets up registers, IncJ and the return address. Leaves unused registers unchanged and all flags
+/// undefined.
 template <class M>
 void enter_loop(const LoopForm& form, M& m, const LoopCall& call) {
   static_assert(M::word_bits == 16, "the loops exist at full width only");
@@ -56,7 +56,7 @@ void enter_loop(const LoopForm& form, M& m, const LoopCall& call) {
   detail::push(m, return_to_caller<16>);
 }
 
-/// Calls a loop on the plain interpreter. `code` is code_of() the form, or of a broken program.
+/// Calls a loop on the interpreter. `code` is code_of() the form, or a mutant of it.
 template <class Observer>
 Ending call_loop(const LoopForm& form, std::span<const Instruction> code, LoopMachine& m,
                  const LoopCall& call, Observer&& observe, std::uint64_t limit = 100'000) {
@@ -69,14 +69,14 @@ inline Ending call_loop(const LoopForm& form, std::span<const Instruction> code,
   return call_loop(form, code, m, call, [](std::size_t, const LoopMachine&) {});
 }
 
-/// A form, and a call of it.
+/// A form and one call of it.
 struct LoopPart {
   LoopForm form;
   LoopCall call;
 };
 
-/// The calls that draw a span of 1 to loops::most_pixels pixels: the span in one, but for words,
-/// whose odd first pixel and odd last one are drawn as bytes.
+/// The calls that draw a span of 1 to loops::max_pixels pixels: one call, except that for words an
+/// odd first or last pixel is drawn as a byte.
 inline std::vector<LoopPart> parts_of(const LoopForm& form, const LoopCall& span) {
   if (form.loop != Loop::gouraud_word) return {{form, span}};
   LoopForm bytes = form;

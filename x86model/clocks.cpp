@@ -7,18 +7,18 @@
 #include "x86model/encoding.hpp"
 #include "x86model/execute.hpp"
 
-// Where the numbers are from:
+// Sources:
 //   8088  iAPX 86,88 User's Manual (210200), table 2-21; MUL and DIV as measured on the processor
 //   286   80286 Programmer's Reference Manual, appendix B
 //   386   80386 Programmer's Reference Manual (1986), chapter 17
 //   486   i486 Microprocessor Programmer's Reference Manual (1990), chapter 26 and appendix E
-// and, where one of these is known to be wrong or leaves a form out, the processor's data sheet.
+// and the processor's data sheet, where a manual is known to be wrong or omits a form.
 
 namespace x86model {
 
 namespace {
 
-/// One entry of a table: a number of clocks, or its bounds; 0 where there is none.
+/// A table entry: a number of clocks, or its bounds; 0 if there is none.
 struct Cell {
   std::uint32_t min;
   std::uint32_t max;
@@ -28,7 +28,7 @@ struct Cell {
 };
 constexpr Cell absent = 0;
 
-/// Instructions that have the same times.
+/// Groups of instructions with the same times.
 enum class Kind : std::uint8_t {
   mov,
   push,
@@ -42,15 +42,15 @@ enum class Kind : std::uint8_t {
   store_string
 };
 
-/// The kinds of an instruction's operands; `one` is the count of a shift by one.
+/// The operand kinds of an instruction; `one` is a shift count of one.
 enum class Shape : std::uint8_t { none, r, m, rr, rm, mr, ri, r_one, rri };
 
 struct Row {
   Kind kind = Kind::mov;
   Shape shape = Shape::rr;
-  /// Without the effective address, and without what the words below add on an 8088.
+  /// Without the effective address and the transfer penalty of the 8088.
   Cell i8088 = absent;
-  /// Words that go over the bus; of a byte form bytes.
+  /// Words that go over the bus; for byte forms, bytes.
   std::uint32_t transfers = 0;
   Cell i286 = absent;
   Cell i386 = absent;
@@ -64,14 +64,14 @@ constexpr std::array clock_table{
     Row{Kind::mov, Shape::mr, 9, 1, 3, 2, 1},
     Row{Kind::push, Shape::r, 11, 1, 3, 2, 1},
     Row{Kind::push, Shape::m, 16, 2, 5, 5, 4},
-    // The 486's manual says 4, its data sheet 1 for the short form, which this is.
+    // The 486 manual says 4; its data sheet says 1 for the short form, which applies here.
     Row{Kind::pop, Shape::r, 8, 1, 5, 4, {1, 4}},
     Row{Kind::arithmetic, Shape::rr, 3, 0, 2, 2, 1},
     Row{Kind::arithmetic, Shape::ri, 4, 0, 3, 2, 1},
     Row{Kind::arithmetic, Shape::rm, 9, 1, 7, 6, 2},
     Row{Kind::compare, Shape::rr, 3, 0, 2, 2, 1},
     Row{Kind::compare, Shape::ri, 4, 0, 3, 2, 1},
-    // A 286 needs a clock less than to add.
+    // CMP takes a clock less than ADD on a 286.
     Row{Kind::compare, Shape::rm, 9, 1, 6, 6, 2},
     Row{Kind::neg, Shape::r, 3, 0, 2, 2, 1},
     Row{Kind::neg, Shape::m, 16, 2, 7, 6, 3},
@@ -119,16 +119,17 @@ bool reads_or_writes_memory(const Instruction& i) {
                      [](const Operand& o) { return o.kind == Operand::Kind::memory; });
 }
 
-/// The 8088 moves a word over its bus in two bytes: one bus cycle more than the 8086.
+/// The 8088 transfers a word in two bytes: one bus cycle more than the 8086.
 constexpr std::uint32_t second_byte = 4;
 
 bool is_of_bytes(const Instruction& i) {
   return i.mnemonic == Mnemonic::stosb || i.operands[0].size == Size::byte;
 }
 
-/// What an 8088 adds to find an operand at [displacement], [base] or [base+displacement], with or
-/// without a segment override. Later processors' tables give an override no time in the
-/// instruction: the 286 and 386 take 0 clocks for the prefix, the 486 takes 1 as for every prefix.
+/// The 8088's address calculation for [displacement], [base] or [base+displacement], with or
+/// without a segment override. The tables of later processors give an override no time in the
+/// instruction: the prefix takes 0 clocks on the 286 and 386, and 1 on the 486, as every prefix
+/// does.
 std::uint32_t effective_address_clocks(const Instruction& i) {
   if (!reads_or_writes_memory(i)) return 0;
   const std::uint32_t segment = overrides_segment(i) ? 2 : 0;
@@ -136,15 +137,15 @@ std::uint32_t effective_address_clocks(const Instruction& i) {
   return segment + (encoding_of(i).displacement > 0 ? 9 : 5);
 }
 
-/// Depends on AX alone, but for a clock where the high half becomes 0. The microcode takes 134
-/// clocks for AX = FFFFh times 0 or 1, which is one more than the most in Intel's table.
+/// Depends only on AX, except for one clock if the high half of the result is 0. The microcode
+/// takes 134 clocks for AX = FFFFh times 0 or 1, one more than the maximum in Intel's table.
 std::uint32_t mul_on_8088(const Execution& e) {
   const bool high_is_zero = alu::mul(e.low, e.operand, 16).high == 0;
   return 117 + static_cast<std::uint32_t>(std::popcount(e.low)) + (high_is_zero ? 1 : 0);
 }
 
-/// The microcode divides by shifting DX:AX left and subtracting the divisor from DX where it can;
-/// where a bit was shifted out of DX it need not compare. Its last step leaves the loop.
+/// The microcode shifts DX:AX left and subtracts the divisor from DX if possible. If a bit was
+/// shifted out of DX, it skips the comparison. The last step leaves the loop.
 std::uint32_t div_on_8088(const Execution& e) {
   constexpr int steps = 16;
   std::uint32_t clocks = 17;
@@ -176,8 +177,8 @@ bool multiplies_by_negative(const Execution& e) {
   return e.instruction.mnemonic == Mnemonic::imul && alu::sign(e.operand, 32);
 }
 
-/// The base-2 logarithm of the multiplier's magnitude, rounded down and up; 0 for 0, where the
-/// formulas below take their least number anyway.
+/// The base-2 logarithm of the multiplier's magnitude, rounded down and up. It is 0 for 0, for
+/// which the formulas below use their minimum.
 struct Log2 {
   std::uint32_t down;
   std::uint32_t up;
@@ -189,21 +190,21 @@ Log2 log2_of_multiplier(const Execution& e) {
           static_cast<std::uint32_t>(32 - std::countl_zero(magnitude - 1))};
 }
 
-/// The 386 stops at the highest bit of the multiplier: its manual's formula. The ranges printed
-/// beside it go one clock further for IMUL than the formula does. The manual takes the operand for
-/// the multiplier: it adds 3 clocks if the multiplier is in memory. A published reading of the
-/// 386's microcode (nand2mario, "80386 Multiplication and Division", 2026) contradicts it: there
-/// the accumulator is shifted out and the operand is the multiplicand.
+/// The formula of the 386 manual: multiplication stops at the highest bit of the multiplier. The
+/// ranges printed beside it are one clock wider for IMUL. The manual treats the operand as the
+/// multiplier: it adds 3 clocks if the multiplier is in memory. A published reading of the 386's
+/// microcode (nand2mario, "80386 Multiplication and Division", 2026) contradicts it: there the
+/// accumulator is shifted out and the operand is the multiplicand.
 std::uint32_t multiply_on_386(const Execution& e) {
   constexpr std::uint32_t least = 3;
   const std::uint32_t clocks = 6 + std::max(log2_of_multiplier(e).up, least);
   return clocks + (operand_is(e, Operand::Kind::memory) ? 3 : 0);
 }
 
-/// Note 3 of the manual's appendix E: 10 + max(log2|m|, n), n = 3 for a positive multiplier m and 5
-/// for a negative one. The note does not say how the logarithm is rounded: rounded down it gives
-/// the least number of clocks, rounded up the most. The multiplier is taken to be the operand, as
-/// in the 386's manual.
+/// Note 3 of the manual's appendix E: 10 + max(log2|m|, n), with n = 3 for a positive multiplier m
+/// and 5 for a negative one. The note does not say how the logarithm is rounded: rounding down
+/// gives the minimum, rounding up the maximum. The multiplier is taken to be the operand, as in the
+/// 386 manual.
 Cell multiply_on_486(const Execution& e) {
   const std::uint32_t least = multiplies_by_negative(e) ? 5 : 3;
   const Log2 log2 = log2_of_multiplier(e);
@@ -232,12 +233,12 @@ Cell multiply(Cpu cpu, const Execution& e) {
 Cell signed_divide(Cpu cpu, const Execution& e) {
   if (!is_dword(e)) return absent;
   const bool by_memory = operand_is(e, Operand::Kind::memory);
-  // The 386's manual gives memory no time of its own, 43 for both; its data sheet does.
+  // The 386 manual gives 43 for both; its data sheet has a separate time for memory.
   if (cpu == Cpu::i386) return by_memory ? 46 : 43;
   return by_memory ? 44 : 43;
 }
 
-/// DIV by a register, or the above.
+/// DIV by a register, or IDIV by a dword.
 Cell divide(Cpu cpu, const Execution& e) {
   if (e.instruction.mnemonic == Mnemonic::idiv) return signed_divide(cpu, e);
   if (!operand_is(e, Operand::Kind::reg)) return absent;
@@ -254,10 +255,10 @@ Cell divide(Cpu cpu, const Execution& e) {
   return is_dword(e) ? 40 : 24;
 }
 
-/// ADD SP,n with a byte for n.
+/// ADD SP,n with an 8-bit n.
 constexpr Encoding caller_next{.mod_rm = 1, .immediate = 1};
 
-/// The same for every jump, but for RET: `m`, the length of the next instruction, comes on top.
+/// The same for every jump except RET; `m`, the length of the next instruction, is added.
 Cell control_flow(Cpu cpu, const Execution& e) {
   const bool call = e.instruction.mnemonic == Mnemonic::call;
   const bool ret = e.instruction.mnemonic == Mnemonic::ret;
@@ -266,7 +267,7 @@ Cell control_flow(Cpu cpu, const Execution& e) {
   const Encoding next = e.next == nullptr ? caller_next : encoding_of(*e.next);
   switch (cpu) {
     case Cpu::i8088:
-      // The word that CALL pushes and RET pops.
+      // The word pushed by CALL and popped by RET.
       if (call) return 19 + second_byte;
       if (ret) return 16 + second_byte;
       if (loop) return e.taken ? 17 : 5;
@@ -278,7 +279,7 @@ Cell control_flow(Cpu cpu, const Execution& e) {
       if (!e.taken) return 3;
       return static_cast<std::uint32_t>((ret ? 11 : 7) + next.bytes());
     case Cpu::i386:
-      // One time for both ways, and the length of what is executed next in it.
+      // The same time taken or not; both include the length of the next instruction.
       if (loop) return 11 + static_cast<std::uint32_t>(next.components());
       if (!e.taken) return 3;
       return static_cast<std::uint32_t>((ret ? 10 : 7) + next.components());
@@ -318,15 +319,15 @@ Cell cell_of(Cpu cpu, const Execution& e) {
   return look_up(cpu, e.instruction);
 }
 
-/// The register that `operand` is or is a part of.
+/// The register that contains `operand`.
 Register whole_register(const Operand& operand) {
   if (operand.size != Size::byte) return operand.reg;
-  // AH to BH follow AL to BL.
+  // AH to BH are numbered after AL to BL.
   return static_cast<Register>(static_cast<unsigned>(operand.reg) % 4);
 }
 
-/// Whether the instruction has a result in the register or in a part of it. SP counts only as an
-/// operand: a 486 does not wait for what PUSH, POP, CALL and RET add to it.
+/// Whether the instruction writes the register or a part of it. SP counts only as an explicit
+/// operand: a 486 does not wait after PUSH, POP, CALL and RET.
 bool writes(const Instruction& i, Register r) {
   const Mnemonic op = i.mnemonic;
   if (detail::is_multiply(op) || detail::is_divide(op)) {
@@ -342,10 +343,10 @@ bool uses_stack(Mnemonic op) {
   return op == Mnemonic::push || op == Mnemonic::pop || op == Mnemonic::call || op == Mnemonic::ret;
 }
 
-/// A 486 waits a clock for the base register of an address, or for SP of the stack, if the
-/// instruction before has written it (appendix E). The manual does not say whether it waits for a
-/// scaled index: 0 or 1. Not counted: one more clock if that instruction has written only a part of
-/// the register. It is published (E. Toth, "Penalties on the 486"), but not by Intel.
+/// A 486 waits a clock if the previous instruction has written the base register of an address, or
+/// SP before a stack access (appendix E). The manual does not say whether it also waits for a
+/// scaled index: 0 or 1. One further clock after a write of a part of the register is not counted;
+/// it is published (E. Toth, "Penalties on the 486"), but not by Intel.
 Range address_wait(const Execution& e) {
   if (e.previous == nullptr) return {0, 0};
   if (uses_stack(e.instruction.mnemonic) && writes(*e.previous, Register::sp)) return {1, 1};
@@ -362,15 +363,14 @@ Range address_wait(const Execution& e) {
 std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const Instruction& i = execution.instruction;
   const int prefixes = encoding_of(i).prefixes;
-  // Any prefix other than a segment override makes an operand or an address 32 bits wide.
+  // Every other prefix makes an operand or an address 32 bits wide.
   const int prefixes_of_386 = prefixes - (overrides_segment(i) ? 1 : 0);
   if (prefixes_of_386 > 0 && cpu < Cpu::i386) return std::nullopt;
   const Cell cell = cell_of(cpu, execution);
   if (cell.is_absent()) return std::nullopt;
-  // A 486 takes a clock for a prefix, unless the instruction before it leaves it the time. A 386
-  // takes none.
+  // A 486 takes one clock per prefix, unless the previous instruction hides it. A 386 takes none.
   if (cpu != Cpu::i486) return Range{cell.min, cell.max};
-  // It may take one more to scale an index register.
+  // Scaling an index register may take one more clock.
   const bool scales = std::any_of(i.operands.begin(), i.operands.end(), [](const Operand& o) {
     return o.addressing == Addressing::index_twice;
   });

@@ -1,11 +1,11 @@
 /// @file
-/// How many clocks an instruction takes on an 8088, a 286, a 386 and a 486.
+/// The clocks that an instruction takes on an 8088, a 286, a 386 and a 486.
 ///
 /// The counts are those of Intel's tables: real mode, near transfers, code already fetched, no wait
-/// states, aligned words and every access of a 486 in its cache. A 486 waits a clock for an address
-/// register that the instruction before has just written.
-/// The 8088's MUL and DIV are not ranges but what its microcode takes for the operands. Real
-/// machines are slower: an 8088 often waits for code, which bus.hpp counts.
+/// states, aligned words, and cache hits only on a 486. A 486 waits a clock for an address register
+/// that the previous instruction has written. MUL and DIV on the 8088 are not ranges but the exact
+/// counts of its microcode for the operands. Real machines are slower: an 8088 often waits for
+/// code, which bus.hpp counts.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace x86model {
 enum class Cpu : std::uint8_t { i8088, i286, i386, i486 };
 inline constexpr int cpu_count = 4;
 
-/// A number of clocks that is known within bounds, both included.
+/// Inclusive bounds on a number of clocks.
 struct Range {
   std::uint64_t min = 0;
   std::uint64_t max = 0;
@@ -34,25 +34,25 @@ struct Range {
   friend constexpr bool operator==(const Range&, const Range&) = default;
 };
 
-/// One instruction as it was executed.
+/// One executed instruction.
 struct Execution {
   Instruction instruction;
-  /// Whether a jump was taken; a call and a return always are.
+  /// Whether a jump was taken; always true for a call and a return.
   bool taken = false;
-  /// What is executed after a jump that was taken, and after any LOOP: on a 286 and a 386 its
-  /// length counts. Null for
-  /// the code of the routine's caller, taken to be ADD SP,n: C pops the arguments.
+  /// The instruction executed after a taken jump, and after every LOOP: its length counts on a 286
+  /// and a 386. Null for the code of the routine's caller, assumed to be ADD SP,n, because in C the
+  /// caller pops the arguments.
   const Instruction* next = nullptr;
-  /// What was executed just before. Null where that is not known: then a 486 waits for nothing.
+  /// The previous instruction, or null if unknown: then no wait of a 486 is counted.
   const Instruction* previous = nullptr;
-  /// Of a multiply or divide, before it, zero-extended: (E)AX, (E)DX and the operand.
+  /// The inputs of a multiply or divide, zero-extended: (E)AX, (E)DX and the operand.
   std::uint32_t low = 0;
   std::uint32_t high = 0;
   std::uint32_t operand = 0;
 };
 
-/// @return nothing where `cpu` has no such instruction, or no routine or loop that it can run uses
-/// this form (a register and a place in memory are one form).
+/// @return nothing if `cpu` has no such instruction, or if no routine or loop that it can run uses
+/// this form (a register and a memory operand are one form)
 std::optional<Range> clocks(Cpu cpu, const Execution& execution);
 
 /// "8088", "286", "386" or "486".

@@ -12,14 +12,14 @@ namespace detail {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ needs typedef
 
-/// Fraction bits of the series below: the table needs 28 good bits (one cosine lies within 0.0006
-/// of a half), this gives more than 55.
+/// Fraction bits of the series. The table needs 28 correct bits (one cosine lies within 0.0006 of a
+/// tie); the series gives more than 55.
 inline constexpr int series_bits = 61;
 
-/// pi in units of 2^-61 (its first 63 binary digits, rounded).
+/// pi in units of 2^-61: its first 63 binary digits, rounded.
 inline constexpr std::int64_t pi = 0x6487ED5110B4611A;
 
-/// cos(x) for 0 <= x <= pi/2, in units of 2^-61, by its Taylor series.
+/// cos(x) for 0 <= x <= pi/2, in units of 2^-61, by the Taylor series.
 constexpr std::int64_t cosine(std::int64_t x) {
   const auto times = [](std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>((Wide{a} * b) >> series_bits);
@@ -36,8 +36,8 @@ constexpr std::int64_t cosine(std::int64_t x) {
 
 }  // namespace detail
 
-/// Cosines of 0 to 90 degrees, each the nearest 16.16 value.
-/// @tparam steps_per_degree entries for one degree: 10 for CosSin
+/// Cosines of 0 to 90 degrees, each rounded to the nearest 16.16 value.
+/// @tparam steps_per_degree entries per degree: 10 for CosSin
 template <std::size_t steps_per_degree>
 constexpr std::array<std::uint32_t, 90 * steps_per_degree + 1> make_cosine_table() {
   std::array<std::uint32_t, 90 * steps_per_degree + 1> table{};

@@ -1,5 +1,5 @@
 /// @file
-/// The clocks of a whole run: an observer of run(), and call() with one.
+/// Counts the clocks of a whole run: an observer for run(), and a call() that uses it.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace x86model {
 
 namespace detail {
 
-/// The instruction that a return leads to; null for the routine's caller.
+/// The instruction to which a return leads; null for the routine's caller.
 template <class M>
 const Instruction* return_target(std::span<const Instruction> code, const M& m) {
   std::uint32_t to = return_to_caller<M::word_bits>;
@@ -25,7 +25,7 @@ const Instruction* return_target(std::span<const Instruction> code, const M& m) 
   return to < code.size() ? &code[to] : nullptr;
 }
 
-/// The instruction at `position` as a machine in this state is about to execute it.
+/// The instruction at `position`, with the inputs from the current state of the machine.
 template <class M>
 Execution execution_at(std::span<const Instruction> code, std::size_t position, const M& m) {
   Execution execution{.instruction = code[position]};
@@ -56,14 +56,15 @@ Execution execution_at(std::span<const Instruction> code, std::size_t position, 
 
 }  // namespace detail
 
-/// Adds up the clocks of what run() executes, and on an 8088 the bytes that pass over its bus. An
-/// instruction that faults adds none. For machines with words of 16 bits: no other was ever timed.
+/// Adds up the clocks of the instructions that run() executes and, on an 8088, the bytes on its
+/// bus. An instruction that faults adds none. Only for machines with 16-bit words: no other exists
+/// to be timed.
 class ClockCounter {
  public:
-  /// @param code what is run; it must outlive the counter
+  /// @param code the code that runs; must outlive the counter
   ClockCounter(std::span<const Instruction> code, Cpu cpu) : code_(code), cpu_(cpu) {}
 
-  /// @throws std::invalid_argument where the processor has no such instruction
+  /// @throws std::invalid_argument if the processor does not have the instruction
   template <class M>
   void before(std::size_t position, const M& m) {
     static_assert(M::word_bits == 16);
@@ -85,7 +86,7 @@ class ClockCounter {
   }
 
   [[nodiscard]] Range total() const { return total_; }
-  /// Nothing on any other processor than the 8088: see bus.hpp.
+  /// Zero on processors other than the 8088; see bus.hpp.
   [[nodiscard]] const BusBytes& bus() const { return bus_; }
 
  private:
@@ -97,16 +98,16 @@ class ClockCounter {
   BusBytes bus_;
 };
 
-/// How a call ended, and the clocks and bytes from its first instruction to its end. The caller's
-/// pushes and its CALL are not in them.
+/// How a call ended, and its clocks and bytes from the first instruction to the end. Excludes the
+/// caller's pushes and CALL.
 struct ClockedEnding {
   Ending ending{};
-  Range clocks;  ///< by the table
+  Range clocks;  ///< from the tables
   BusBytes bus;  ///< on an 8088
 };
 
-/// Calls `routine` at full width and counts. `code` is as for call().
-/// @throws std::invalid_argument where the processor cannot run the code
+/// Calls `routine` at full width and counts clocks. `code` is as for call().
+/// @throws std::invalid_argument if the processor cannot run the code
 template <Routine routine>
 ClockedEnding count_clocks(std::span<const Instruction> code, std::span<const std::uint32_t> in,
                            Cpu cpu) {

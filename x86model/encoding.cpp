@@ -8,7 +8,7 @@ namespace x86model {
 
 namespace {
 
-/// The machine whose immediates are those of the listings.
+/// Selects the immediates of the listings: 16-bit words.
 struct FullWidth {
   static constexpr int word_bits = 16;
 };
@@ -17,7 +17,7 @@ bool fits_byte(std::int32_t value) { return value >= -128 && value <= 127; }
 
 bool is_register(const Operand& o) { return o.kind == Operand::Kind::reg; }
 
-/// Whether a ModR/M byte names an operand. Registers stand in the opcode of PUSH, POP, INC, DEC.
+/// Whether a ModR/M byte encodes an operand. PUSH, POP, INC and DEC encode registers in the opcode.
 bool has_mod_rm(const Instruction& i) {
   switch (i.mnemonic) {
     case Mnemonic::push:
@@ -39,8 +39,8 @@ int displacement_bytes(const Operand& o) {
   return fits_byte(o.value) ? 1 : 2;
 }
 
-/// Two-operand arithmetic: a byte that is sign-extended where it can be; else as wide as the
-/// register, and where that is AX or EAX without a ModR/M byte.
+/// Two-operand arithmetic: an immediate is a sign-extended byte if possible, otherwise as wide as
+/// the register; for AX or EAX it then needs no ModR/M byte.
 void encode_immediate(const Operand& reg, std::int32_t value, Encoding& encoding) {
   if (fits_byte(value)) {
     encoding.immediate = 1;
@@ -85,7 +85,7 @@ Encoding encoding_of(const Instruction& instruction) {
     if (detail::is_two_operand(instruction.mnemonic)) {
       encode_immediate(instruction.operands[0], value, encoding);
     } else if (detail::is_double_shift(instruction.mnemonic) || value != 1) {
-      encoding.immediate = 1;  // the count of a shift; by one is an opcode of its own
+      encoding.immediate = 1;  // a shift count; shift by one has its own opcode
     }
   }
   return encoding;

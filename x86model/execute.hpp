@@ -1,5 +1,5 @@
 /// @file
-/// One instruction: what it does to a machine.
+/// Executes one instruction on a machine.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace x86model {
 
-/// How an instruction, or a run, came to its end.
+/// How an instruction or a run ended.
 enum class Outcome : std::uint8_t {
-  proceeds,        ///< the instruction is done
+  proceeds,        ///< the instruction completed
   returned,        ///< RET from the routine itself
-  divide_error,    ///< #DE; nothing was changed
-  undefined_flag,  ///< a flag that Intel leaves undefined was read
-  bad_address,     ///< there is no memory there
-  step_limit,      ///< the run did not end
+  divide_error,    ///< #DE; the machine is unchanged
+  undefined_flag,  ///< an instruction read a flag that Intel leaves undefined
+  bad_address,     ///< an access outside memory
+  step_limit,      ///< the run exceeded its step limit
 };
 
 namespace detail {
@@ -29,7 +29,7 @@ X86MODEL_INLINE int bits_of(Size size) {
   return size == Size::word ? M::word_bits : 2 * M::word_bits;
 }
 
-/// Whether a machine's memory has single bytes, and segments: see ByteMemory.
+/// Whether a machine's memory has bytes and segments; see ByteMemory.
 template <class M>
 concept HasBytes = requires(M m, std::uint32_t value) {
   m.memory.read_byte(value, value);
@@ -69,8 +69,8 @@ X86MODEL_INLINE std::uint32_t immediate(const Operand& o) {
   return static_cast<std::uint32_t>(o.value);
 }
 
-/// The word at `address` in the segment of operand `o`. A machine without `read_code` keeps no data
-/// with its code.
+/// The word at `address` in the segment of operand `o`. A machine without `read_code` has no data
+/// in its code segment.
 template <class M>
 X86MODEL_INLINE bool read_word(const Operand& o, const M& m, std::uint32_t address,
                                std::uint32_t& value) {
@@ -81,7 +81,7 @@ X86MODEL_INLINE bool read_word(const Operand& o, const M& m, std::uint32_t addre
   return false;
 }
 
-/// Reads `size` bits at an operand into `value`; false where there is no memory.
+/// Reads `size` bits at an operand into `value`. @return false if the address is not in memory
 template <class M>
 X86MODEL_INLINE bool read(const Operand& o, Size size, const M& m, std::uint32_t& value) {
   if (o.kind == Operand::Kind::reg) {
@@ -113,7 +113,7 @@ X86MODEL_INLINE bool write(const Operand& o, Size size, M& m, std::uint32_t valu
     m.registers.write(o.reg, size, value);
     return true;
   }
-  // Code cannot be written.
+  // The code segment is not writable.
   if (o.segment != SegmentOverride::none) return false;
   const std::uint32_t address = address_of(o, m);
   if (size == Size::byte) {
@@ -177,7 +177,7 @@ X86MODEL_INLINE bool is_store_string(Mnemonic op) {
   return op == Mnemonic::stosb || op == Mnemonic::stosw;
 }
 
-/// STOSB and STOSW of 16-bit code: AL or AX to ES:DI, and DI past it. Flags stay as they are.
+/// STOSB and STOSW in 16-bit code: stores AL or AX at ES:DI and advances DI. Does not change flags.
 template <Mnemonic op, class M>
 X86MODEL_INLINE bool store_string(M& m) {
   if constexpr (HasBytes<M>) {
@@ -225,9 +225,10 @@ X86MODEL_INLINE alu::Result shift(std::uint32_t a, int count, int bits) {
 }  // namespace detail
 
 /// Executes one instruction that is not a jump, call or return.
-/// @return proceeds, or why not; after divide_error and undefined_flag the machine is as before.
+/// @return proceeds, or the reason why not; after divide_error and undefined_flag the machine is
+/// unchanged
 template <Mnemonic op, class M>
-// One branch for each kind of instruction, of which an instantiation keeps one.
+// One branch per kind of instruction; an instantiation keeps only one.
 // NOLINTNEXTLINE(readability-function-cognitive-complexity)
 X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
   using namespace detail;
@@ -260,11 +261,11 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
     if (!read(first, size, m, a)) return Outcome::bad_address;
     const alu::Result result = one_operand<op>(a, bits);
     if (!write(first, size, m, result.value)) return Outcome::bad_address;
-    // INC and DEC leave CF alone.
+    // INC and DEC do not change CF.
     m.flags = op == Mnemonic::neg ? result.flags : result.flags.keeping(CF, m.flags);
   } else if constexpr (is_shift(op) || is_double_shift(op)) {
     const Operand& amount = is_shift(op) ? second : instruction.operands[2];
-    // The 386 takes the count modulo 32; by 0 nothing changes, flags included.
+    // The 386 takes the count modulo 32; a count of 0 changes nothing, not even flags.
     const int count = static_cast<int>(immediate<M>(amount) & 31U);
     if (count == 0) return Outcome::proceeds;
     if (!read(first, size, m, a) || !read(second, size, m, b)) return Outcome::bad_address;
@@ -299,7 +300,7 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
 
 constexpr bool is_control_flow(Mnemonic op) { return op >= Mnemonic::jmp; }
 
-/// LOOP of 16-bit code: CX less one, and a jump unless it is 0 then. Flags stay as they are.
+/// LOOP in 16-bit code: decrements CX and jumps unless it becomes 0. Does not change flags.
 /// @return whether it jumps
 template <class M>
 X86MODEL_INLINE bool count_down(M& m) {
@@ -308,8 +309,8 @@ X86MODEL_INLINE bool count_down(M& m) {
   return m.registers.read(Register::cx, Size::word) != 0;
 }
 
-/// Whether a jump is taken, but for LOOP, which asks CX: see count_down(). @return proceeds, or
-/// undefined_flag where the condition reads one.
+/// Evaluates the condition of a jump other than LOOP, for which see count_down(). @return proceeds,
+/// or undefined_flag if the condition reads an undefined flag
 X86MODEL_INLINE Outcome jump_taken(Mnemonic op, const Flags& flags, bool& taken) {
   std::uint16_t reads = 0;
   const auto set = [&](Flag f) { return (flags.value & f) != 0; };

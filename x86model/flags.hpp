@@ -20,15 +20,15 @@ enum Flag : std::uint16_t {
 
 inline constexpr std::uint16_t arithmetic_flags = CF | PF | AF | ZF | SF | OF;
 
-/// A set of flags. `value` holds the bits of the defined ones, `undefined` marks those that Intel
-/// leaves undefined; an undefined flag has a 0 in `value`.
+/// A set of flags. `value` has the bits of the defined flags and 0 for undefined ones, which
+/// `undefined` marks.
 struct Flags {
   std::uint16_t value = 0;
   std::uint16_t undefined = 0;
 
   friend constexpr bool operator==(const Flags&, const Flags&) = default;
 
-  /// These flags, with those in `keep` taken from `before` instead.
+  /// These flags, with those in `keep` replaced by the ones of `before`.
   [[nodiscard]] X86MODEL_INLINE Flags keeping(std::uint16_t keep, Flags before) const noexcept {
     const auto change = static_cast<std::uint16_t>(~keep);
     return {static_cast<std::uint16_t>((value & change) | (before.value & keep)),
@@ -36,7 +36,7 @@ struct Flags {
   }
 };
 
-/// What a caller may assume on entry to a routine: nothing.
+/// The flags on entry to a routine, which may assume nothing about them.
 inline constexpr Flags all_undefined{0, arithmetic_flags};
 
 }  // namespace x86model

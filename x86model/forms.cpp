@@ -13,7 +13,7 @@ namespace x86model {
 
 namespace {
 
-/// Kind and size of an operand, as far as they make a form.
+/// The kind and size of an operand, as used in a form.
 enum class OperandForm : std::uint8_t { none, byte, word, dword, immediate, one, label };
 
 OperandForm form_of(const Operand& o, bool is_count) {
@@ -46,8 +46,8 @@ void append(std::vector<Instruction>& all, const Program& program) {
   all.insert(all.end(), code.begin(), code.end());
 }
 
-/// The instructions of the routines for one processor. An 8088 has no SHL BX,2, so the printed
-/// CosSin is not among these builds.
+/// The instructions of the routines for one processor. The 8088 cannot run SHL BX,2, so the printed
+/// CosSin is not included.
 std::vector<Instruction> instructions_of(Target target) {
   constexpr std::array builds{Build{}, Build{.mul_rounding = false, .div_rounding = false},
                               Build{.chapter_52 = true}};
@@ -60,7 +60,7 @@ std::vector<Instruction> instructions_of(Target target) {
   return all;
 }
 
-/// Their forms, and those of the loops.
+/// The forms of these instructions and of the loops.
 std::vector<Form> forms_of(Target target) {
   std::vector<Instruction> all = instructions_of(target);
   for (const LoopForm& form : all_loop_forms()) {

@@ -1,6 +1,6 @@
 /// @file
-/// Inlining that the compiled run depends on: only with every function on its path inlined at once
-/// does a machine dissolve into processor registers.
+/// Forced inlining for the compiled run: the machine is kept in processor registers only if every
+/// function on its path is inlined.
 #pragma once
 
 #define X86MODEL_INLINE [[gnu::always_inline]] inline constexpr

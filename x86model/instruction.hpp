@@ -1,5 +1,5 @@
 /// @file
-/// What an instruction is: a mnemonic and up to three operands, as plain data.
+/// Instructions as plain data: a mnemonic and up to three operands.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace x86model {
 enum class Register : std::uint8_t { ax, cx, dx, bx, sp, bp, si, di };
 inline constexpr std::size_t register_count = 8;
 
-/// The instructions that the routines and loops use, and no others.
+/// The instructions that the routines and loops use.
 enum class Mnemonic : std::uint8_t {
   // data movement
   mov,
@@ -40,7 +40,7 @@ enum class Mnemonic : std::uint8_t {
   rol,
   shld,
   shrd,
-  // strings; the direction flag is clear, as it is by every calling convention
+  // strings; the direction flag is clear, as calling conventions require
   stosb,
   stosw,
   // control flow
@@ -58,31 +58,31 @@ enum class Mnemonic : std::uint8_t {
 inline constexpr std::size_t mnemonic_count = static_cast<std::size_t>(Mnemonic::ret) + 1;
 
 /// Operand size in terms of the machine word: 16 and 32 bits at full width, 8 and 16 at half width.
-/// Bytes are there at full width only. A byte register has the number that the processor encodes
-/// it with: AL, CL, DL and BL those of ax, cx, dx and bx, AH, CH, DH and BH the four after them.
+/// Bytes exist only at full width. A byte register has the number of its encoding: AL, CL, DL and
+/// BL share those of ax, cx, dx and bx; AH, CH, DH and BH follow.
 enum class Size : std::uint8_t { none, byte, word, dword };
 
-/// How a constant in a listing follows the width of the machine word.
+/// How a constant scales with the width of the machine word.
 enum class Scaling : std::uint8_t {
   literal,    ///< the same at every width
-  bytes,      ///< a count of bytes, written for 16-bit words
-  half_unit,  ///< the top bit of a word (8000h): half a unit of the product's last place
+  bytes,      ///< a byte count, written for 16-bit words
+  half_unit,  ///< the top bit of a word (8000h): half an ulp of the product
   word_bits,  ///< the number of bits of a word (16)
 };
 
-/// A place in memory that has a name.
+/// A named place in memory.
 enum class Symbol : std::uint8_t { none, cos_table, inc_j, texture, screen, z_buff };
 
-/// How the address of a memory operand is made.
+/// How the address of a memory operand is formed.
 enum class Addressing : std::uint8_t {
-  base,         ///< 16-bit register and displacement, modulo 2^16
-  direct,       ///< displacement alone
-  index,        ///< 32-bit register and displacement, modulo 2^32
-  index_twice,  ///< twice that register and displacement, modulo 2^32
+  base,         ///< 16-bit register plus displacement, modulo 2^16
+  direct,       ///< displacement only
+  index,        ///< 32-bit register plus displacement, modulo 2^32
+  index_twice,  ///< twice that register plus displacement, modulo 2^32
 };
 
-/// The segment that a memory operand is in: that of its base register, or the one that a prefix
-/// names. CS is the only override: CosSin's table lies in the code segment.
+/// The segment of a memory operand: the default of its base register, or an override. CS is the
+/// only override, because CosSin's table is in the code segment.
 enum class SegmentOverride : std::uint8_t { none, cs };
 
 struct Operand {
@@ -99,10 +99,10 @@ struct Operand {
   const char* name = nullptr;   ///< label
 };
 
-/// Rows of a listing that are settled when it is assembled.
+/// Rows of a listing that the assembler resolves.
 enum class Directive : std::uint8_t { none, procedure, label, if_, else_, endif };
 
-/// What a conditional row asks of a build.
+/// The condition of a row on the build.
 enum class Condition : std::uint8_t {
   none,
   mul_rounding,
@@ -113,7 +113,7 @@ enum class Condition : std::uint8_t {
   shl_as_printed
 };
 
-/// One row of a listing; once assembled, one instruction.
+/// A row of a listing; after assembly, an instruction.
 struct Instruction {
   Mnemonic mnemonic = Mnemonic::ret;
   std::array<Operand, 3> operands{};

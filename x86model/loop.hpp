@@ -1,5 +1,5 @@
 /// @file
-/// Which inner loops there are, in which forms, and their programs.
+/// The inner loops, their forms and their programs.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,19 @@ namespace x86model {
 enum class Loop : std::uint8_t { gouraud_byte, gouraud_word, depth_test, texture };
 inline constexpr int loop_count = 4;
 
-/// One loop in one of its forms. DepthTest is for the 386 only, and never unrolled; it alone can be
-/// as printed. The forms for the 8088 are those of the source with the lower halves of its
-/// registers.
+/// A form of a loop. DepthTest exists only for the 386, never unrolled, and is the only one with an
+/// as-printed form. The forms for the 8088 use the lower halves of the source's registers.
 struct LoopForm {
   Loop loop = Loop::gouraud_byte;
   Counting counting = Counting::loop;
   Target target = Target::i386;
-  /// DepthTest with the SHRD that the source has in the place of SHLD.
+  /// DepthTest with SHRD, as in the source, instead of SHLD.
   bool as_printed = false;
 
   friend bool operator==(const LoopForm&, const LoopForm&) = default;
 };
 
-/// Whether there is such a form.
+/// Whether the form exists.
 constexpr bool exists(const LoopForm& form) {
   if (form.loop != Loop::depth_test) return !form.as_printed;
   return form.target == Target::i386 && form.counting != Counting::unrolled;
@@ -49,25 +48,25 @@ constexpr Listing listing(const LoopForm& form) {
   return loops::texture(form.counting, form.target);
 }
 
-/// How many pixels one turn of a loop draws.
+/// The pixels drawn per iteration.
 constexpr std::uint32_t pixels_a_turn(Loop loop) { return loop == Loop::gouraud_word ? 2 : 1; }
-/// How often an unrolled loop has its pixels.
+/// The number of copies in an unrolled loop.
 constexpr std::uint32_t copies_of(Loop loop) { return loops::most_pixels / pixels_a_turn(loop); }
 
-/// Every form there is.
+/// All forms that exist.
 std::vector<LoopForm> all_loop_forms();
 
 /// "GouraudBytes", "GouraudWords", "DepthTest", "TextureSpan".
 std::string_view name_of(Loop loop);
 
-/// The code that runs: `program`, assembled from the listing of the form or a broken one, with the
-/// copies of an unrolled loop.
+/// The executable code: `program`, assembled from the form's listing or a mutant, with the copies
+/// of an unrolled loop.
 std::vector<Instruction> code_of(const LoopForm& form, const Program& program);
 std::vector<Instruction> code_of(const LoopForm& form);
 
-/// Where an unrolled loop is entered to draw so many pixels, counted in bytes from its first
-/// instruction: behind the jump and the copies that are left out.
-/// @param pixels at most loops::most_pixels; for words an even number
+/// The entry point of an unrolled loop for a number of pixels, in bytes from its first instruction:
+/// it skips the jump and the unneeded copies.
+/// @param pixels at most loops::max_pixels; even for words
 std::uint32_t entry_of(const LoopForm& form, std::uint32_t pixels);
 
 }  // namespace x86model

@@ -1,5 +1,5 @@
 /// @file
-/// The state an instruction works on: registers, flags and memory.
+/// The machine state: registers, flags and memory.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace x86model {
 
-/// The general registers. A dword register holds 2 * WordBits bits; its low half is the word
+/// The general registers. A dword register has 2 * WordBits bits; its low half is the word
 /// register.
 template <int WordBits>
 class Registers {
@@ -27,7 +27,7 @@ class Registers {
     return size == Size::word ? whole & alu::mask(WordBits) : whole;
   }
 
-  /// Writing a word or byte register leaves the rest of the dword register alone.
+  /// Writing a word or byte register preserves the rest of the dword register.
   X86MODEL_INLINE void write(Register r, Size size, std::uint32_t value) {
     if constexpr (WordBits == 16) {
       if (size == Size::byte) return write_byte(r, value);
@@ -40,7 +40,7 @@ class Registers {
   friend constexpr bool operator==(const Registers&, const Registers&) = default;
 
  private:
-  /// The dword register that holds a byte register, and where in it.
+  /// The dword register that contains a byte register, and the position in it.
   struct Place {
     std::size_t whole;
     unsigned shift;
@@ -62,13 +62,13 @@ class Registers {
   std::array<std::uint32_t, register_count> values_{};
 };
 
-/// Memory of machine words, addressed in bytes. Only aligned words inside it exist.
+/// Memory of machine words with byte addresses. Only aligned words inside it are accessible.
 template <int WordBits, std::size_t Words>
 class WordMemory {
  public:
   static constexpr std::uint32_t bytes_per_word = WordBits / 8;
 
-  /// @return false where there is no word at `address`.
+  /// @return false if there is no word at `address`
   X86MODEL_INLINE bool read(std::uint32_t address, std::uint32_t& value) const {
     if (!contains(address)) return false;
     value = words_[address / bytes_per_word];
@@ -88,9 +88,9 @@ class WordMemory {
   std::array<std::uint16_t, Words> words_{};
 };
 
-/// Memory of bytes that somebody else owns, in the three segments that the loops use: data (DS),
-/// extra (ES) and stack (SS). Two of them may be one. A word is two bytes, the low one first, at
-/// any address; it has to end inside its segment.
+/// Byte memory owned by the caller, in the three segments that the loops use: data (DS), extra (ES)
+/// and stack (SS), which may alias. A word is two bytes, little-endian, at any address, entirely
+/// inside its segment.
 class ByteMemory {
  public:
   using Segment = std::span<std::uint8_t>;
@@ -98,7 +98,7 @@ class ByteMemory {
   constexpr ByteMemory(Segment data, Segment extra, Segment stack)
       : data_(data), extra_(extra), stack_(stack) {}
 
-  /// @return false where the segment has nothing at `address`.
+  /// @return false if `address` is outside the segment
   X86MODEL_INLINE bool read(std::uint32_t address, std::uint32_t& value) const {
     return read_word(data_, address, value);
   }
@@ -162,17 +162,17 @@ struct Machine {
   MemoryType memory;
 };
 
-/// A byte count or displacement as written for 16-bit words, at this width.
+/// A byte count or displacement for 16-bit words, scaled to this width.
 template <int WordBits>
 X86MODEL_INLINE std::int32_t scaled_bytes(std::int32_t bytes) {
   return bytes * WordBits / 16;
 }
 
-/// Where the cosine table stands in the segment of the code, in bytes for 16-bit words.
+/// The address of the cosine table in the code segment, in bytes for 16-bit words.
 inline constexpr std::int32_t cos_table_address = 0x200;
 
-/// Where a named place stands in its segment, in bytes for 16-bit words. The texture may lie
-/// over screen and depth buffer: no loop has both.
+/// The address of a named place in its segment, in bytes for 16-bit words. The texture may overlap
+/// screen and depth buffer, because no loop uses both.
 X86MODEL_INLINE std::int32_t address_of(Symbol symbol) {
   switch (symbol) {
     case Symbol::cos_table:

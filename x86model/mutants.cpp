@@ -10,7 +10,7 @@ namespace x86model {
 
 namespace {
 
-/// What each instruction may be mistaken for, with the same operands.
+/// The replacements for each mnemonic, with the same operands.
 constexpr auto mistakes = [] {
   using enum Mnemonic;
   return std::to_array<std::pair<Mnemonic, Mnemonic>>({
@@ -27,7 +27,7 @@ constexpr auto mistakes = [] {
   });
 }();
 
-/// The next byte register; DH and BH come before AH again.
+/// The next byte register; AH follows DH and BH.
 Register next_byte(Register r) {
   constexpr auto byte_registers = 8;
   return static_cast<Register>((static_cast<int>(r) + 1) % byte_registers);
@@ -66,7 +66,7 @@ Register next_base(Register r) {
   }
 }
 
-/// The other constants that a constant may have been.
+/// The alternatives for a constant.
 std::vector<Operand> other_constants(const Operand& o) {
   const auto literal = [&](int value) {
     Operand other = o;
@@ -109,7 +109,7 @@ std::vector<Operand> other_operands(const Operand& o) {
   return others;
 }
 
-/// The program with `count` instructions at `at` replaced by `by`; jumps still lead where they led.
+/// The program with `count` instructions at `at` replaced by `by`, and the jump targets adjusted.
 Program spliced(const Program& program, std::size_t at, std::size_t count,
                 std::span<const Instruction> by) {
   Program changed;
@@ -126,7 +126,7 @@ Program spliced(const Program& program, std::size_t at, std::size_t count,
   return changed;
 }
 
-/// Collects the mutants of one program.
+/// Builds the mutants of one program.
 class Workshop {
  public:
   explicit Workshop(const Program& sound) : sound_(sound) {}

@@ -1,5 +1,5 @@
 /// @file
-/// Programs with one instruction changed: what checks are measured by.
+/// Mutation of programs, one instruction at a time, to measure how many errors the checks detect.
 #pragma once
 
 #include <string>
@@ -11,19 +11,18 @@ namespace x86model {
 
 struct Mutant {
   Program program;
-  std::size_t position;  ///< of the changed instruction
-  std::string
-      change;  ///< as "12 adc cx, dx -> add cx, dx"; the number is the instruction's position
+  std::size_t position;  ///< of the mutated instruction
+  std::string change;    ///< "12 adc cx, dx -> add cx, dx", the position first
 };
 
-/// Every change of one instruction of `sound`, in the order of its instructions:
-///   - its mnemonic, to each that it may be mistaken for (rounding, carry, sign, direction)
-///   - its two operands exchanged, a register for the next one, a constant or displacement by one
-///     step up and down, half a unit left out
-///   - a jump made to go always, or to each other label
-///   - the instruction left out, or there twice
-/// A change that leaves the instruction as it is is left out; one that its processor does not have
-/// is not: the interpreter runs it.
-std::vector<Mutant> mutants(const Program& sound);
+/// All mutants of `original`, in the order of its instructions:
+///   - another mnemonic that could be confused with it (rounding, carry, sign, direction)
+///   - swapped operands, the next register, a constant or displacement one step up or down, no
+///     half unit
+///   - a jump made unconditional, or to each other label
+///   - the instruction deleted or duplicated
+/// Excludes changes without effect on the instruction. Includes instructions that the processor
+/// does not have, because the interpreter runs them.
+std::vector<Mutant> mutants(const Program& original);
 
 }  // namespace x86model

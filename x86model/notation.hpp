@@ -1,8 +1,8 @@
 /// @file
-/// The notation in which the listings are written: `mov(ax, word[bp + 4])`.
+/// The notation of the listings: `mov(ax, word[bp + 4])`.
 ///
 /// Every function only builds a row. Displacements and `bytes()` are written for 16-bit machine
-/// words and follow the width of the machine.
+/// words and scale with the width of the machine.
 #pragma once
 
 #include "x86model/instruction.hpp"
@@ -28,13 +28,13 @@ inline constexpr Operand edx = register_operand(Register::dx, Size::dword);
 inline constexpr Operand ebp = register_operand(Register::bp, Size::dword);
 inline constexpr Operand esi = register_operand(Register::si, Size::dword);
 inline constexpr Operand edi = register_operand(Register::di, Size::dword);
-// AH and DH have the numbers of SP and SI: see Size.
+// AH and DH have the numbers of SP and SI; see Size.
 inline constexpr Operand al = register_operand(Register::ax, Size::byte);
 inline constexpr Operand bl = register_operand(Register::bx, Size::byte);
 inline constexpr Operand ah = register_operand(Register::sp, Size::byte);
 inline constexpr Operand dh = register_operand(Register::si, Size::byte);
 
-/// Base or index register, named place and displacement of a memory operand.
+/// The address of a memory operand: base or index register, named place and displacement.
 struct Address {
   Register base = Register::ax;
   Symbol symbol = Symbol::none;
@@ -42,10 +42,10 @@ struct Address {
   Addressing addressing = Addressing::base;
   SegmentOverride segment = SegmentOverride::none;
 
-  // A bare base register is an address: word[di].
+  // Allows a bare base register as an address: word[di].
   constexpr Address(Operand r)  // NOLINT(google-explicit-constructor)
       : base(r.reg), addressing(r.size == Size::dword ? Addressing::index : Addressing::base) {}
-  // And so is a name alone: dword[IncJ].
+  // Allows a bare name as an address: dword[IncJ].
   constexpr Address(Symbol s)  // NOLINT(google-explicit-constructor)
       : symbol(s), addressing(Addressing::direct) {}
   constexpr Address(Register r, Symbol s, std::int32_t d, Addressing a = Addressing::base)
@@ -60,7 +60,7 @@ constexpr Address operator+(Symbol s, Address a) {
   a.symbol = s;
   return a;
 }
-/// The address in the segment of the code: CS:[CosTable + BX].
+/// An address in the code segment: CS:[CosTable + BX].
 constexpr Address cs(Address a) {
   a.segment = SegmentOverride::cs;
   return a;
@@ -91,7 +91,7 @@ inline constexpr Memory<Size::byte> byte;
 inline constexpr Memory<Size::word> word;
 inline constexpr Memory<Size::dword> dword;
 
-/// An immediate: a plain number, or one of the width-dependent constants below.
+/// An immediate: a number, or one of the width-dependent constants below.
 struct Immediate {
   Operand operand;
   constexpr Immediate(int value)  // NOLINT(google-explicit-constructor)
@@ -110,7 +110,7 @@ constexpr Instruction row(Mnemonic m, Operand a, Immediate i) { return row(m, a,
 constexpr Instruction jump(Mnemonic m, const char* target) {
   return row(m, {.kind = Operand::Kind::label, .name = target});
 }
-/// A jump that needs a word for its displacement: its target is more than 127 bytes ahead.
+/// A jump with a word displacement, for a target more than 127 bytes ahead.
 constexpr Instruction jmp_near(const char* target) {
   return row(Mnemonic::jmp, {.kind = Operand::Kind::label, .size = Size::word, .name = target});
 }
@@ -148,7 +148,7 @@ constexpr Instruction shrd(Operand a, Operand b, Immediate n) {
 }
 constexpr Instruction stosb() { return row(Mnemonic::stosb); }
 constexpr Instruction stosw() { return row(Mnemonic::stosw); }
-/// To the place in a register, an offset in the code's segment: see code_address.
+/// A jump to an offset in a register; see code_address.
 constexpr Instruction jmp(Operand to) { return row(Mnemonic::jmp, to); }
 constexpr Instruction jmp(const char* to) { return jump(Mnemonic::jmp, to); }
 constexpr Instruction js(const char* to) { return jump(Mnemonic::js, to); }

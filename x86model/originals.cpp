@@ -8,11 +8,11 @@ namespace x86model {
 
 namespace {
 
-/// One routine of the author's FIXED.ASM under one setting of the switch that matters to it.
+/// A routine of the author's FIXED.ASM under one setting of the switch that affects it.
 struct Original {
   Routine routine;
   Target target;
-  /// Rounding of divides for FixedDiv, of multiplies for the others; CosSin has no switch.
+  /// Whether FixedDiv rounds divides, or the others multiplies; CosSin has no switch.
   bool rounding;
   Digest digest;
 };

@@ -1,6 +1,6 @@
 /// @file
-/// Where each listing is printed, and the digest of the routine that the author's own file
-/// assembles to. docs/originals.md says what a digest is of.
+/// The printed source of each listing, and the digest of the author's assembled routine.
+/// docs/originals.md defines the digest.
 #pragma once
 
 #include <string>
@@ -18,17 +18,17 @@ struct Digest {
 
 /// The source of a listing.
 struct Source {
-  /// The printed listing, and how ours differs from it.
+  /// The printed listing, and the differences of ours.
   std::string_view printed;
-  /// 0 instructions where no digest is recorded.
+  /// 0 instructions if no digest is recorded.
   Digest digest;
-  /// Whether the digest is that of the author's routine; otherwise it is of our own variant.
+  /// Whether the digest is of the author's routine; otherwise it is of our own variant.
   bool is_the_authors = false;
 };
 
 Source source_of(Routine routine, Target target, const Build& build);
 
-/// The same as two comment lines of assembler source.
+/// The same, as two comment lines of assembler source.
 std::string source_comment(Routine routine, Target target, const Build& build);
 
 }  // namespace x86model

@@ -17,7 +17,7 @@ constexpr std::string_view name_characters = "abcdefghijklmnopqrstuvwxyz01234567
 constexpr std::string_view label_characters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
 
-/// Foreign text as a message may quote it: short, on one line, and printable.
+/// Quotes input text in a message: shortened, on one line, and printable.
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "'";
@@ -60,7 +60,7 @@ std::optional<Operand> register_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Registers and size words of the processor that no routine uses as operands.
+/// Registers and size words that no routine uses as operands.
 bool is_foreign(std::string_view name) {
   constexpr std::array<std::string_view, 6> known{"cs", "ds", "es", "ss", "fs", "gs"};
   const bool memory = name.back() == ']' && name.find('[') != std::string_view::npos;
@@ -80,8 +80,8 @@ std::optional<std::int64_t> number(std::string_view text) {
   return negative ? -std::int64_t{magnitude} : std::int64_t{magnitude};
 }
 
-/// Whether `value` can be encoded: as a shift count in 8 bits, else in the size of the first
-/// operand, read as signed or as unsigned.
+/// Whether `value` can be encoded: as a shift count in 8 bits, otherwise in the size of the first
+/// operand, signed or unsigned.
 bool fits(std::int64_t value, bool is_count, Size size) {
   if (is_count) return value >= 0 && value <= 0xFF;
   const int bits = size == Size::dword ? 32 : size == Size::byte ? 8 : 16;

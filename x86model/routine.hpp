@@ -1,5 +1,5 @@
 /// @file
-/// Which routines there are, for which processor, and their assembled programs.
+/// The routines, their processors, and their assembled programs.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace x86model {
 enum class Routine : std::uint8_t { mul, div, cossin, xformvec, concat };
 inline constexpr int routine_count = 5;
 
-/// The routine as printed for one processor; a call to FixedMul brings FixedMul with it.
+/// The printed routine for one processor, followed by FixedMul if it calls FixedMul.
 constexpr const Listing& listing(Routine routine, Target target) {
   const bool i386 = target == Target::i386;
   switch (routine) {
@@ -34,8 +34,8 @@ constexpr const Listing& listing(Routine routine, Target target) {
   return i386 ? routines::concat_xforms_i386 : routines::concat_xforms_i8088;
 }
 
-/// How many words a routine takes and gives: operands and results of 2 machine words each, but for
-/// CosSin's angle, which is one machine word.
+/// The number of operands and results of a routine. Each is 2 machine words, except CosSin's angle,
+/// which is one.
 struct Arity {
   int in;
   int out;

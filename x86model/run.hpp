@@ -1,5 +1,5 @@
 /// @file
-/// The plain interpreter: one instruction after the other, watched by an observer.
+/// The interpreter: executes one instruction after another and notifies an observer.
 #pragma once
 
 #include <array>
@@ -13,22 +13,22 @@
 
 namespace x86model {
 
-/// The return address that stands for the routine's caller: no routine is this long.
+/// The return address of the routine's caller; no routine is this long.
 template <int WordBits>
 inline constexpr std::uint32_t return_to_caller = alu::mask(WordBits);
 
-/// Where the first instruction stands in the segment of the code: what a jump to a computed place
-/// goes by. Elsewhere code addresses are positions.
+/// The offset of the first instruction in the code segment, used by computed jumps. Elsewhere code
+/// addresses are positions.
 inline constexpr std::uint32_t code_address = 0x4000;
 
-/// How and where a run ended, and how many instructions it executed.
+/// How and where a run ended, and the number of instructions executed.
 struct Ending {
   Outcome outcome;
   std::size_t position;
   std::uint64_t steps;
 };
 
-/// Executes any one instruction that is not control flow, chosen at run time.
+/// Executes an instruction, chosen at run time, that is not control flow.
 template <class M>
 Outcome execute_any(const Instruction& instruction, M& m) {
   using Handler = Outcome (*)(const Instruction&, M&);
@@ -42,12 +42,12 @@ Outcome execute_any(const Instruction& instruction, M& m) {
 }
 
 /// Runs `code` from its first instruction until it returns to its caller, faults, reads an
-/// undefined flag, leaves memory, or has taken `limit` steps. Stack, arguments and SP are the
-/// caller's to set up.
+/// undefined flag, leaves memory, or has taken `limit` steps. The caller sets up stack, arguments
+/// and SP.
 ///
-/// @param observe called as observe(position, machine) after each instruction that was executed;
-/// one that has a member `before` also as observe.before(position, machine) before it, and before
-/// one that then faults.
+/// @param observe called as observe(position, machine) after each executed instruction; if it has a
+/// member `before`, also as observe.before(position, machine) before each instruction, including
+/// one that then faults
 template <class M, class Observer>
 Ending run(std::span<const Instruction> code, M& m, Observer&& observe,
            std::uint64_t limit = 100'000) {

@@ -35,7 +35,7 @@ std::string_view name_of(Symbol symbol) {
 }
 
 std::string address_text(const Operand& o) {
-  // NASM makes edi+edi of edi*2 where it may: shorter, but not what the sources' assemblers made.
+  // NASM may encode edi*2 as edi+edi, which is shorter but differs from the sources' assemblers.
   std::string text = o.addressing == Addressing::index_twice ? "[nosplit " : "[";
   if (o.segment == SegmentOverride::cs) text += "cs:";
   text += name_of(o.symbol);
@@ -61,7 +61,7 @@ std::string immediate_text(const Operand& o) {
   return std::to_string(o.value);
 }
 
-/// @param sized whether a register operand already tells the size of a memory operand
+/// @param sized whether a register operand already determines the size of a memory operand
 std::string operand_text(const Instruction& i, const Operand& o, bool sized) {
   switch (o.kind) {
     case Operand::Kind::reg:
@@ -78,7 +78,7 @@ std::string operand_text(const Instruction& i, const Operand& o, bool sized) {
   return {};
 }
 
-/// The instruction, after its label if it has one.
+/// Appends the instruction, after its label if it has one.
 void append_row(std::string& source, const Instruction& instruction) {
   if (instruction.label != nullptr) {
     source += instruction.is_procedure ? "\n" : ".";
@@ -135,7 +135,7 @@ std::string nasm_source(Routine routine, Target target, const Build& build) {
   source += name_of(routine);
   source += target == Target::i386 ? " for the 386" : " for the 8088";
   if (build.chapter_52) {
-    // Chapter 52 prints ConcatXforms as C, and assembly for multiply and divide alone.
+    // Chapter 52 prints ConcatXforms as C, and only multiply and divide as assembly.
     source +=
         routine == Routine::concat
             ? ": listing 54.1 changed to give the results of chapter 52's C, not printed there"

@@ -1,5 +1,5 @@
 /// @file
-/// Instructions and routines as text: NASM's syntax.
+/// Instructions and routines as text in NASM syntax.
 #pragma once
 
 #include <string>
@@ -10,26 +10,25 @@
 
 namespace x86model {
 
-/// "ax" or "eax"; a byte register by its own number: "al".
+/// "ax" or "eax"; for byte registers, which have their own numbers, "al".
 std::string_view name_of(Register r, Size size);
-/// The mnemonic as an assembler spells it.
+/// The assembler's spelling of the mnemonic.
 std::string_view name_of(Mnemonic m);
 /// The procedure's name in FIXED.ASM.
 std::string_view name_of(Routine r);
 
-/// One instruction, as `neg word [bp+4]`; jumps to labels inside a routine as `jns .FDP1`.
+/// One instruction, such as `neg word [bp+4]`; a jump inside a routine, such as `jns .FDP1`.
 std::string text_of(const Instruction& instruction);
 
 /// The routine as a NASM source file of 16-bit code, with the routines it calls and the table it
-/// reads. Near-callable from C: arguments on the stack, result in DX:AX or through the pointers
-/// given.
+/// reads. Near-callable from C: arguments on the stack, result in DX:AX or through pointers.
 std::string nasm_source(Routine routine, Target target, const Build& build);
 
 /// "loop", "dec-jnz" or "unrolled".
 std::string_view name_of(Counting counting);
 
-/// The loop as a NASM source file of 16-bit code: a near procedure that takes its operands in
-/// registers, see call_loop.hpp. What an unrolled loop repeats is there once, in %rep.
+/// The loop as a NASM source file of 16-bit code: a near procedure with operands in registers, see
+/// call_loop.hpp. The copies of an unrolled loop appear once, in %rep.
 std::string nasm_source(const LoopForm& form);
 
 }  // namespace x86model

@@ -1,5 +1,5 @@
 /// @file
-/// A scene in motion: the stages in their order.
+/// Runs the stages of the pipeline on a scene, frame by frame.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ namespace xsharp {
 template <Scalar N>
 class Animation final : public Player {
  public:
-  /// @param threads that move, prepare and draw objects, of which there are no more than the scene
-  ///                describes objects, whatever add() adds; the pictures do not depend on how many
+  /// @param threads that move, prepare and draw objects, at most as many as the scene describes
+  /// objects, whatever add() adds; the number does not affect the pictures
   explicit Animation(const Scene& scene, std::size_t threads = 1,
                      Concatenation concatenation = Concatenation::published)
       : crew_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
@@ -43,8 +43,8 @@ class Animation final : public Player {
   }
 
   /// Adds an object of any kind. Unsorted objects are drawn in the order in which they were added.
-  /// In a scene that is sorted, the new object comes before all others until the next draw(), which
-  /// leaves it before those of equal depth: objects of equal depth are drawn in the reverse of the
+  /// In a sorted scene the new object goes before all others until the next draw(), which keeps it
+  /// before those of equal depth. Objects of equal depth are therefore drawn in the reverse of the
   /// order in which they were added (listing 53.2). Under a depth buffer the list is drawn from its
   /// other end.
   void add(std::unique_ptr<Object<N>> object) {
@@ -68,7 +68,7 @@ class Animation final : public Player {
     });
     if (key_ != DepthKey::none) sort_by_depth(order_, std::span<const N>(depths_));
     draw_in_order(picture);
-    // Those of the last objects, if these have none.
+    // The values of the last objects may be missing, if these have none.
     if (!picture.values.empty()) picture.values.resize(picture.points.size());
     if (shades_pixels_) {
       const Vec3<N> light = light_vector(lighting_);
@@ -102,7 +102,7 @@ class Animation final : public Player {
   void draw_in_order(Picture& picture) {
     parts_.resize(crew_.workers());
     crew_.run([&](std::size_t worker) {
-      // The first begins the picture, the others' parts are added to it.
+      // The first worker starts the picture; the parts of the others are appended.
       Picture& mine = worker == 0 ? picture : parts_[worker];
       mine.clear();
       const auto [first, end] = crew_.part(order_.size(), worker);

@@ -1,6 +1,6 @@
 /// @file
-/// What the pipeline asks of a number type: the operators + - * and <, an explicit conversion to
-/// double, and a specialisation of Arithmetic.
+/// The requirements on a number type: the operators + - * and <, an explicit conversion to double,
+/// and a specialisation of Arithmetic.
 #pragma once
 
 #include <cmath>
@@ -28,8 +28,7 @@ struct Turn {
 
 inline double radians(std::int32_t tenths) { return tenths * (std::numbers::pi / 1800.0); }
 
-/// A constant in 16.16, in units of 2^-16; what is out of range becomes the end of the range, NaN
-/// 0.
+/// A constant in 16.16, in units of 2^-16. Saturates; NaN becomes 0.
 inline std::int32_t raw_constant(double value, Conversion conversion) {
   const double units = value * 65536.0 + 0.5;
   const double whole = conversion == Conversion::published ? std::trunc(units) : std::floor(units);
@@ -40,35 +39,35 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
   return static_cast<std::int32_t>(whole);
 }
 
-/// a + b as the 8088 ConcatXforms adds it: the fractions and the whole parts each by themselves.
-/// Where the fractions add up to 1 or more, the result is 1 too low.
+/// a + b as the 8088 ConcatXforms computes it: fractions and whole parts are added separately,
+/// without a carry. If the fractions add up to 1 or more, the result is 1 too low.
 template <int F, fixed::policy P>
 constexpr fixed::number<F, P> sum_in_parts(fixed::number<F, P> a, fixed::number<F, P> b) {
   const fixed::number<F, P> sum = a + b;
   return fixed::floor(a) + fixed::floor(b) + (sum - fixed::floor(sum));
 }
 
-/// Whether the rules are those of one of the four 8088 builds of FIXED.ASM.
+/// Whether the policy is one of the four 8088 builds of FIXED.ASM.
 constexpr bool is_i8088_build(const fixed::policy& p) {
   using namespace fixed::policies;
   return p == i8088_rounded || p == i8088_mul_rounded || p == i8088_div_rounded ||
          p == i8088_unrounded;
 }
 
-/// The pipeline's way into a number type. A specialisation has:
+/// The interface of the pipeline to a number type. A specialisation has:
 ///
 ///     static std::int32_t raw(N);               in units of 2^-16, nearest
 ///     static N from_raw(std::int32_t);
 ///     static N constant(double, Conversion);    computed in double
 ///     static std::optional<N> divide(N n, N d); nothing for a divide error
-///     static constexpr bool divides_by_whole_part; whether that drops the fraction of d
+///     static constexpr bool divides_by_whole_part; whether divide drops the fraction of d
 ///     static Turn<N> turn(std::int32_t tenths); from the table of cosines
 ///     static N midpoint(N, N);                  between them, or one of two neighbours
 ///     static Vec3<N> apply(const Transform<N>&, const Vec3<N>&);
 ///     static Transform<N> concatenate(const Transform<N>& first,
 ///                                     const Transform<N>& second, Concatenation);
 ///
-/// Motion alone needs from_raw, constant and turn.
+/// Motion needs only from_raw, constant and turn.
 template <class N>
 struct Arithmetic;
 
@@ -103,7 +102,7 @@ struct Arithmetic<fixed::number<16, P>> {
   }
 };
 
-/// The reference: constants, sines and cosines are not rounded to 16.16 either.
+/// The reference: does not round constants, sines and cosines to 16.16.
 template <>
 struct Arithmetic<double> {
   static std::int32_t raw(double x) { return raw_constant(x, Conversion::nearest); }
@@ -142,15 +141,15 @@ N from_whole(std::int32_t value) {
   return Arithmetic<N>::from_raw(value * 65536);
 }
 
-/// Whole numbers are exact (the listings shift them left), others go through `conversion`. In
-/// double the coordinate is what it is.
+/// Whole numbers are exact (the listings shift them left); others go through `conversion`. In
+/// double, a coordinate is unchanged.
 template <Scalar N>
 N coordinate(double value, Conversion conversion) {
   const bool whole = value == std::trunc(value);
   return Arithmetic<N>::constant(value, whole ? Conversion::nearest : conversion);
 }
 
-/// A vertex of a body in 16.16; see Mesh::computed.
+/// A vertex of a mesh in 16.16; see Mesh::computed.
 template <Scalar N>
 Vec3<N> vertex_of(const Mesh& mesh, const Triple& v, Conversion conversion) {
   const auto number = [&](double value) {
@@ -160,8 +159,8 @@ Vec3<N> vertex_of(const Mesh& mesh, const Triple& v, Conversion conversion) {
   return {number(v[0]), number(v[1]), number(v[2])};
 }
 
-/// The whole part of x + 1/2: a position in pixels, halves up.
-/// @param x within 0.5 of the ends of the range neither
+/// floor(x + 1/2): a position in pixels, rounded half up.
+/// @param x at least 0.5 from the ends of the range
 template <Scalar N>
 std::int32_t nearest_pixel(N x) {
   if constexpr (std::same_as<N, double>) {

@@ -1,5 +1,5 @@
 /// @file
-/// Clipping in view space, so that no divide can fault and no projected coordinate wraps.
+/// Clipping in view space, so that no divide faults and no projected coordinate wraps.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace xsharp {
 
-/// The sides of the volume that is kept: z <= -1, and x and y within +-slope * z.
+/// The planes of the clip volume: z <= -1, and x and y within +-slope * z.
 enum class ClipPlane { near, left, right, below, above };
 inline constexpr std::array clip_planes{ClipPlane::near, ClipPlane::left, ClipPlane::right,
                                         ClipPlane::below, ClipPlane::above};
 
-/// Decided in double, which holds every term exactly.
+/// Whether a point is inside a plane. Computed in double, which is exact for every term.
 template <Scalar N>
 bool inside(const Vec3<N>& point, ClipPlane plane, std::int32_t slope) {
   const auto x = static_cast<double>(point.x);
@@ -40,7 +40,7 @@ bool inside(const Vec3<N>& point, ClipPlane plane, std::int32_t slope) {
   return false;
 }
 
-/// The same of all planes at once.
+/// Whether a point is inside all planes.
 template <Scalar N>
 bool inside(const Vec3<N>& point, std::int32_t slope) {
   const auto z = static_cast<double>(point.z);
@@ -49,11 +49,11 @@ bool inside(const Vec3<N>& point, std::int32_t slope) {
          std::fabs(static_cast<double>(point.y)) <= reach;
 }
 
-/// A point of a polygon with what is linear along its edges.
+/// A corner of a polygon with values that are linear along its edges.
 template <Scalar N>
 struct Corner {
   Vec3<N> place{};
-  /// A normal, or a column and a row of a bitmap and 0.
+  /// A normal, or the column and row of a bitmap and 0.
   Vec3<N> carried{};
 };
 
@@ -76,13 +76,13 @@ Corner<N> between(const Corner<N>& a, const Corner<N>& b) {
   return {between(a.place, b.place), between(a.carried, b.carried)};
 }
 
-/// The last point inside on the way from `in` to `out`, by halving the way until its ends are
-/// neighbours: no product and no divide, so every number type finds a point, and one that is
-/// inside this plane. Two polygons that share the edge get the same point.
+/// The last point inside on the way from `in` to `out`. Bisects until the ends are neighbours: this
+/// uses no product and no divide, so it works in every number type and the result is inside the
+/// plane. Two polygons that share the edge get the same point.
 /// @tparam Point Vec3 or Corner
 template <class Point>
 Point crossing(Point in, Point out, ClipPlane plane, std::int32_t slope) {
-  // 16.16 has 2^32 values; double is halved no further than is seen.
+  // 16.16 has 2^32 values; for double, 40 steps are more than is visible.
   for (int halvings = 0; halvings < 40; ++halvings) {
     const Point middle = between(in, out);
     Point& end = inside(place_of(middle), plane, slope) ? in : out;
@@ -92,9 +92,9 @@ Point crossing(Point in, Point out, ClipPlane plane, std::int32_t slope) {
   return in;
 }
 
-/// The part of a convex polygon in the clip volume, in the same sense of rotation; empty if there
-/// is none. Its points are at z <= -1 exactly; where a further plane cuts an edge that runs along a
-/// side of the volume, rounding may put the new corner a few units of 2^-16 beyond that side.
+/// The part of a polygon in the clip volume, with the same orientation; empty if there is none. All
+/// its points have z <= -1 exactly. If a plane cuts an edge that runs along a side of the volume,
+/// rounding may put the new corner a few units of 2^-16 beyond that side.
 template <class Point>
 std::vector<Point> clip_polygon(std::span<const Point> polygon, std::int32_t slope) {
   std::vector<Point> kept(polygon.begin(), polygon.end());

@@ -10,12 +10,12 @@
 
 namespace xsharp {
 
-/// Sorts `order`, indices into `depths`, by ascending depth: view z, so the farthest first. Objects
-/// of equal depth keep their places.
+/// Sorts `order`, indices into `depths`, by ascending depth: view z, so the farthest first. The
+/// sort is stable.
 ///
-/// By insertion, for from one frame to the next little changes: n steps and one more for each pair
-/// that changes places. Where that comes to more than about 8 n log2 n, a merge sort takes over: it
-/// finds the same order, for insertion has left objects of equal depth as they were.
+/// Uses insertion sort, because little changes from one frame to the next: n steps and one more per
+/// swapped pair. Beyond about 8 n log2 n steps a merge sort takes over and finds the same order,
+/// because insertion has left objects of equal depth in place.
 template <class N>
 void sort_by_depth(std::vector<std::size_t>& order, std::span<const N> depths) {
   const auto bits = static_cast<int>(std::bit_width(order.size()));

@@ -1,5 +1,5 @@
 /// @file
-/// A convex body: its vertices and faces, in object space.
+/// A mesh: vertices and faces in object space.
 #pragma once
 
 #include <cstddef>
@@ -10,35 +10,36 @@
 
 namespace xsharp {
 
-/// Vertices of a face at most.
+/// The maximum number of vertices of a face.
 inline constexpr std::size_t longest_polygon = 16;
 
 /// A convex polygon whose vertices run clockwise seen from outside, in a right-handed object space.
-/// It shows when the screen-space cross product of (vertex 1 - vertex 0) and (last vertex - vertex
-/// 0) is positive, y down.
+/// It is visible if the screen-space cross product of (vertex 1 - vertex 0) and (last vertex -
+/// vertex 0) is positive, with y down.
 struct Face {
   std::vector<std::size_t> vertices;
-  /// The vertex at the end of the unit normal that starts at vertices[0]; a shaded face has one.
+  /// The vertex at the end of the unit normal that starts at vertices[0]; required for shaded
+  /// faces.
   std::optional<std::size_t> normal_end{};
 };
 
-/// A body of faces; vertices are those of the faces and the ends of normals. Vertices after the
-/// last one that a face uses are turned with the body, but not projected.
+/// Faces and their vertices, which include the ends of normals. Vertices after the last one that a
+/// face uses are transformed, but not projected.
 struct Mesh {
   std::vector<Triple> vertices;
   std::vector<Face> faces;
-  /// Empty, or for each vertex of a face the vertex at the end of its own unit normal.
+  /// Empty, or for each vertex of a face the vertex at the end of its unit normal.
   std::vector<std::size_t> vertex_normal_ends{};
-  /// Whether the vertices were computed in double. Then whole coordinates go through the scene's
-  /// Conversion like all others; in a body that was typed in they are exact.
+  /// Whether the vertices were computed in double. If so, whole coordinates go through the scene's
+  /// Conversion like all others; typed-in whole coordinates are exact.
   bool computed = false;
 };
 
-/// Twice the area of a face, as a vector that is normal to it and points out of the body.
-/// @pre the indices of the face are those of vertices
+/// Twice the area of a face, as a vector normal to it that points out of the body.
+/// @pre the indices of the face are valid
 [[nodiscard]] inline Triple outward_area(const Mesh& mesh, const Face& face) {
   Triple area{};
-  // From the first vertex: far from the origin, products of coordinates would swallow the area.
+  // Relative to the first vertex: far from the origin, products of coordinates would lose the area.
   const Triple first = face.vertices.empty() ? Triple{} : mesh.vertices[face.vertices[0]];
   for (std::size_t i = 2; i < face.vertices.size(); ++i) {
     area = sum(area, cross(difference(mesh.vertices[face.vertices[i]], first),

@@ -1,5 +1,5 @@
 /// @file
-/// How an object turns and moves from frame to frame.
+/// The rotation and movement of an object from frame to frame.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace xsharp {
 
-/// How a scene wants its rotations done.
+/// How a scene computes rotations.
 struct RotationStyle {
   Trigonometry trigonometry = Trigonometry::table;
   Conversion conversion = Conversion::published;
@@ -23,7 +23,7 @@ struct RotationStyle {
 
 inline constexpr std::int32_t page_size = 16384;
 
-/// The place and orientation of an object in the world, and what changes them.
+/// The position and orientation of an object in the world, and their changes.
 template <Scalar N>
 class Motion {
  public:
@@ -46,7 +46,7 @@ class Motion {
     if (drift_) {
       for (std::size_t i = 0; i < 3; ++i) {
         step_[i] = coordinate<N>(drift_->step[i], style.conversion);
-        // From the end of a page, a step of a page would leave 16.16.
+        // From the end of a page, a step of one page would leave 16.16.
         turn_page(i);
       }
       move_count_ = drift_->delay.first;
@@ -59,11 +59,11 @@ class Motion {
     }
   }
 
-  /// Its translation is the place within the page.
+  /// The transform to world space; its translation is the position within the page.
   [[nodiscard]] const Transform<N>& to_world() const { return to_world_; }
   [[nodiscard]] const std::array<std::int32_t, 3>& page() const { return page_; }
 
-  /// One frame: turns when its delay is over, then moves. @return whether anything changed
+  /// Advances one frame: rotates if the delay is over, then moves. @return whether anything changed
   bool advance() {
     bool changed = false;
     if (spin_.tenths != std::array<std::int32_t, 3>{} && due(rotation_count_, spin_.delay)) {
@@ -131,7 +131,7 @@ class Motion {
     }
   }
 
-  /// Keeps the place within a page to either side.
+  /// Keeps the position within one page to either side.
   void turn_page(std::size_t i) {
     const N page = from_whole<N>(page_size);
     if (place(i) >= page && page_[i] < most_pages) {

@@ -1,5 +1,5 @@
 /// @file
-/// Normals at vertices, and vectors of unit length.
+/// Vertex normals, and normalisation of vectors.
 #pragma once
 
 #include <cmath>
@@ -13,11 +13,10 @@
 
 namespace xsharp {
 
-/// The same body with normals at its vertices: behind its vertices, for each of them, the end of
-/// the unit normal that starts there, turned like any other vertex. A vertex's normal is the mean
-/// of those of its faces, each counted once; where they cancel out, or there is no face, the end is
-/// the vertex.
-/// @pre the indices of faces are those of vertices
+/// The same body with vertex normals: appends for each vertex the end of the unit normal that
+/// starts there, which is transformed like a vertex. A vertex normal is the mean of the normals of
+/// its faces, each counted once. If they cancel out, or there is no face, the end is the vertex.
+/// @pre the indices of faces are valid
 [[nodiscard]] inline Mesh with_vertex_normals(Mesh mesh) {
   std::vector<Triple> normals(mesh.vertices.size());
   for (const Face& face : mesh.faces) {
@@ -31,17 +30,17 @@ namespace xsharp {
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const double size = length(normals[v]);
     mesh.vertex_normal_ends.push_back(mesh.vertices.size());
-    // Of what is left of normals that cancel out the direction is chance.
+    // If the normals cancel out, the direction of the remainder is arbitrary.
     const double scale = size > 1e-6 ? 1 / size : 0;
     mesh.vertices.push_back(sum(mesh.vertices[v], scaled(normals[v], scale)));
   }
   return mesh;
 }
 
-/// A vector of length 0.5 to 1.5 brought to length 1, by Newton's steps towards 1 / |v|: products
-/// alone, for an arithmetic's divide may look at a part of its divisor. Ends within four units of
-/// 2^-16 of 1 in the square, or after eight steps. What is shorter comes as near as it can; in
-/// double any length becomes 1, and 0 stays 0.
+/// Normalises a vector of length 0.5 to 1.5 by Newton steps towards 1 / |v|. Uses only products,
+/// because an arithmetic's divide may use only a part of its divisor. Stops within four units of
+/// 2^-16 of 1 in the square, or after eight steps. A shorter vector comes as near as it can. In
+/// double, any length becomes 1 and 0 stays 0.
 template <Scalar N>
 Vec3<N> unit(Vec3<N> v) {
   if constexpr (std::same_as<N, double>) {

@@ -1,5 +1,6 @@
 /// @file
-/// What the pipeline ends in: convex polygons on the screen, in drawing order.
+/// The output of the pipeline: polygons on the screen, in drawing order. Rounding to pixels may
+/// have made a polygon concave or self-crossing.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 
 namespace xsharp {
 
-/// A pixel: origin top left, y grows downward. Not necessarily on the page.
+/// A pixel, with the origin at the top left and y downward. May be off the page.
 struct ScreenPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -26,8 +27,8 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// What a polygon is filled with: an index of the palette, or a colour, for which a page with a
-/// palette finds the index.
+/// The fill of a polygon: a palette index, or a colour. A page with a palette looks up the index of
+/// a colour.
 struct Paint {
   bool is_index = true;
   std::uint8_t index = 0;
@@ -36,29 +37,28 @@ struct Paint {
   friend bool operator==(const Paint&, const Paint&) = default;
 };
 
-/// A convex polygon among the points of a Picture.
+/// A polygon of a Picture, as a range of its points.
 struct Polygon {
-  std::uint32_t object = 0;  ///< of which object, by its index in the scene
+  std::uint32_t object = 0;  ///< index of the object in the scene
   std::uint32_t first = 0;
   std::uint32_t points = 0;
   Paint paint{};
 };
 
-/// What is interpolated between points: the depth, then what the surface of the polygon's object
-/// needs: an index of the palette, columns and rows of a bitmap (1 is 256 texels), or a normal.
-/// Numbers in 16.16 are exact in double.
+/// Values interpolated between points: the depth, then those of the object's surface: a palette
+/// index, column and row of a bitmap (1 is 256 texels), or a normal. Double holds 16.16 exactly.
 using PointValues = std::array<double, 4>;
 
 /// Polygons in drawing order: later ones cover earlier ones.
 struct Picture {
   std::vector<ScreenPoint> points;
   std::vector<Polygon> polygons;
-  /// Empty where nothing is interpolated, else one for each point.
+  /// Empty if nothing is interpolated, otherwise one entry per point.
   std::vector<PointValues> values{};
-  /// The light for pixels, in view space: a normal times it is from -1 to 1.
+  /// The light for pixels, in view space: its dot product with a normal is from -1 to 1.
   std::array<double, 3> light{};
 
-  /// Of a picture that has values.
+  /// The values of a polygon. @pre the picture has values
   [[nodiscard]] std::span<const PointValues> values_of(const Polygon& polygon) const {
     return std::span(values).subspan(polygon.first, polygon.points);
   }
@@ -67,12 +67,12 @@ struct Picture {
     return std::span(points).subspan(polygon.first, polygon.points);
   }
 
-  /// Adds the polygons of another picture, in front of its own.
+  /// Appends the polygons of another picture, in front of the existing ones.
   void add(const Picture& other) {
     const auto before = static_cast<std::uint32_t>(points.size());
     points.insert(points.end(), other.points.begin(), other.points.end());
     if (!other.values.empty()) {
-      // Those of the last objects of either may be missing, if these have none.
+      // Either picture may lack the values of its last objects, if these have none.
       values.resize(before);
       values.insert(values.end(), other.values.begin(), other.values.end());
     }

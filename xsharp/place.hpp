@@ -1,5 +1,5 @@
 /// @file
-/// The vertices of an object, brought to view space, and corners of faces to the screen.
+/// Transforms vertices to view space, and projects the corners of faces to the screen.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 
 namespace xsharp {
 
-/// Where vertices go: as many of each as there are vertices.
+/// The outputs for vertices, one entry each.
 template <Scalar N>
 struct Places {
   std::span<Vec3<N>> view;
-  /// Nothing for a vertex outside of the clip volume, or one whose divide faults.
+  /// Empty for a vertex outside the clip volume, or if its divide faults.
   std::span<std::optional<ScreenPoint>> screen;
 
   [[nodiscard]] Places part(std::size_t first, std::size_t count) const {
@@ -28,15 +28,15 @@ struct Places {
   }
 };
 
-/// Of the vertices that are not on the screen.
+/// Counts of the vertices that are not on the screen.
 struct Unplaced {
-  std::uint64_t outside = 0;  ///< of the clip volume
+  std::uint64_t outside = 0;  ///< outside the clip volume
   std::uint64_t faults = 0;   ///< inside, but the divide faults
 
   friend bool operator==(const Unplaced&, const Unplaced&) = default;
 };
 
-/// One by one, whatever the arithmetic.
+/// Places vertices one by one, in any arithmetic.
 template <Scalar N>
 Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertices,
                     const Projection<N>& projection, const Places<N>& places) {
@@ -55,8 +55,9 @@ Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertic
   return unplaced;
 }
 
-/// The same bits by the batches of fixed/batch.hpp, in blocks that stay in the first cache. What a
-/// batch marks is worked out one by one: there it faults, saturates or throws as the type does.
+/// Places vertices with fixed/batch.hpp, in blocks that fit the first-level cache, to the same
+/// bits. Vertices that a batch marks are recomputed one by one, so that they fault, saturate or
+/// throw as the type does.
 template <fixed::policy P>
 Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
                           std::span<const Vec3<fixed::number<16, P>>> vertices,
@@ -93,7 +94,7 @@ Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
   return unplaced;
 }
 
-/// To view space alone: ends of normals are not seen, and cost no divides.
+/// Transforms only to view space: ends of normals are invisible and need no divides.
 template <Scalar N>
 void bring_to_view(const Transform<N>& to_view, std::span<const Vec3<N>> points,
                    std::span<Vec3<N>> view) {
@@ -108,7 +109,7 @@ void bring_to_view(const Transform<fixed::number<16, P>>& to_view,
   fixed::batch::transform(to_view.rows, points, view);
 }
 
-/// In batches where the arithmetic is the type.
+/// Uses batches if the arithmetic is the type.
 template <Scalar N>
 Unplaced place(const Transform<N>& to_view, std::span<const Vec3<N>> vertices,
                const Projection<N>& projection, const Places<N>& places) {

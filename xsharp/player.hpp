@@ -1,5 +1,5 @@
 /// @file
-/// A scene in motion, whatever the arithmetic.
+/// A running scene, independent of the arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace xsharp {
 
-/// A frame is draw(), then move().
+/// Plays a scene: each frame is a draw(), then a move().
 class Player {
  public:
   Player() = default;
@@ -20,17 +20,17 @@ class Player {
   Player& operator=(Player&&) = delete;
   virtual ~Player() = default;
 
-  /// Prepares and sorts the objects and puts what shows into `picture`, in place of what was there.
+  /// Prepares and sorts the objects and replaces the contents of `picture` with what is visible.
   virtual Tally draw(Picture& picture) = 0;
   /// Moves every object by one frame.
   virtual void move() = 0;
 
-  /// Objects in the order they were last drawn.
+  /// The objects in the order they were last drawn.
   [[nodiscard]] virtual std::span<const std::size_t> order() const = 0;
-  /// As it was last prepared.
+  /// The state when the object was last prepared.
   [[nodiscard]] virtual ObjectState state(std::size_t object) const = 0;
-  /// Turns a light on or off: 0 the ambient light, 1 the first spot, and so on; no other does
-  /// anything.
+  /// Turns a light on or off: 0 is the ambient light, 1 the first spot, and so on. Ignores other
+  /// numbers.
   virtual void switch_light(std::size_t light) = 0;
 };
 

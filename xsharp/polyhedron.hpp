@@ -1,5 +1,5 @@
 /// @file
-/// The convex polyhedron: the one kind of object that scenes describe.
+/// The convex polyhedron: the only kind of object that scenes describe.
 #pragma once
 
 #include <algorithm>
@@ -10,43 +10,26 @@
 #include <vector>
 
 #include "xsharp/clip.hpp"
+#include "xsharp/face_table.hpp"
+#include "xsharp/facing.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/object.hpp"
 #include "xsharp/place.hpp"
+#include "xsharp/placed_state.hpp"
 #include "xsharp/reach.hpp"
 #include "xsharp/surface_values.hpp"
 
 namespace xsharp {
 
-/// Whether a convex polygon of the screen shows its front: the cross product of the edges at its
-/// first corner, to the next one and to the last, is positive (y grows downward).
-inline bool faces_viewer(const ScreenPoint& corner, const ScreenPoint& next,
-                         const ScreenPoint& last) {
-  const auto x = [&corner](const ScreenPoint& to) { return std::int64_t{to.x} - corner.x; };
-  const auto y = [&corner](const ScreenPoint& to) { return std::int64_t{to.y} - corner.y; };
-  return x(next) * y(last) - y(next) * x(last) > 0;
-}
-
-/// The same for a polygon that clipping has given new corners, whose first and last edges may have
-/// no length to speak of: by twice its area.
-inline bool shows_front_area(std::span<const ScreenPoint> polygon) {
-  std::int64_t area = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ScreenPoint& a = polygon[i];
-    const ScreenPoint& b = polygon[(i + 1) % polygon.size()];
-    area += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-  }
-  return area > 0;
-}
-
 template <Scalar N>
 class Polyhedron final : public Object<N> {
  public:
-  /// @param index which object of the scene it is
+  /// @param index of the object in the scene
   Polyhedron(const ObjectDescription& object, std::uint32_t index, const RotationStyle& style)
       : index_(index),
         shadings_(object.shadings),
         surface_(object.surface),
+        faces_(object.mesh.faces),
         paints_(object.paints),
         normal_ends_(object.mesh.vertex_normal_ends),
         motion_(object, style) {
@@ -54,23 +37,14 @@ class Polyhedron final : public Object<N> {
       vertices_.push_back(vertex_of<N>(object.mesh, v, style.conversion));
       radius_ = std::max(radius_, length(v));
     }
-    for (const Face& face : object.mesh.faces) {
-      faces_.push_back({static_cast<std::uint32_t>(face_vertices_.size()),
-                        static_cast<std::uint32_t>(face.vertices.size()),
-                        static_cast<std::uint32_t>(face.normal_end.value_or(0))});
-      for (const std::size_t v : face.vertices) {
-        face_vertices_.push_back(static_cast<std::uint32_t>(v));
-        projected_ = std::max(projected_, v + 1);
-      }
-    }
     view_.resize(vertices_.size());
-    screen_.resize(projected_);
+    screen_.resize(faces_.vertex_count());
   }
 
   void prepare(const View<N>& view, Tally& tally) override {
     if (!prepared_) {
-      look(view);
-      // Not before: what has thrown is to throw again, not to leave out the object.
+      place_and_hide(view);
+      // Set last, so that an object that has thrown throws again instead of disappearing.
       prepared_ = true;
     }
     tally = tally + tally_;
@@ -80,7 +54,7 @@ class Polyhedron final : public Object<N> {
     N farthest = center_z_;
     N nearest = farthest;
     if (key == DepthKey::none || key == DepthKey::center || !in_reach_) return farthest;
-    for (const std::uint32_t v : face_vertices_) {
+    for (const std::uint32_t v : faces_.vertices()) {
       farthest = std::min(farthest, view_[v].z);
       nearest = std::max(nearest, view_[v].z);
     }
@@ -89,14 +63,14 @@ class Polyhedron final : public Object<N> {
 
   void draw(const Lighting<N>& lighting, Picture& picture) const override {
     auto clipped = corners_.begin();
-    for (const Seen& seen : visible_) {
-      const auto vertices = vertices_of(seen.face);
+    for (const VisibleFace& seen : visible_) {
+      const auto vertices = faces_.vertices_of(seen.face);
       Paint paint = paints_[seen.face];
       const Shading shading = shadings_.empty() ? Shading{} : shadings_[seen.face];
       if (shading.ambient || shading.diffuse) {
-        // A face that answers to ambient light alone has no normal.
+        // A face with only ambient light has no normal.
         const Vec3<N> normal =
-            shading.diffuse ? view_[faces_[seen.face].normal_end] - view_[vertices[0]] : Vec3<N>{};
+            shading.diffuse ? view_[faces_.normal_end(seen.face)] - view_[vertices[0]] : Vec3<N>{};
         paint = {false, 0, shade(normal, paint.color, shading, lighting)};
       }
       const auto first = static_cast<std::uint32_t>(picture.points.size());
@@ -118,45 +92,21 @@ class Polyhedron final : public Object<N> {
   }
 
   [[nodiscard]] ObjectState state() const override {
-    ObjectState state;
-    if (!in_reach_) return state;
-    for (std::size_t i = 0; i < 12; ++i) {
-      state.xform[i] = Arithmetic<N>::raw(to_view_.rows[i / 4][i % 4]);
-    }
-    for (const Vec3<N>& v : view_) {
-      state.view.push_back(
-          {Arithmetic<N>::raw(v.x), Arithmetic<N>::raw(v.y), Arithmetic<N>::raw(v.z)});
-    }
-    state.screen = screen_;
-    // Drawing does not project the ends of normals; the state has every vertex.
-    for (std::size_t v = projected_; v < view_.size(); ++v) {
-      const bool is_seen = inside(view_[v], projection_.slope);
-      state.screen.push_back(is_seen ? project(view_[v], projection_) : std::nullopt);
-    }
-    for (const Seen& seen : visible_) state.visible.push_back(seen.face);
+    if (!in_reach_) return {};
+    ObjectState state = placed_state<N>(to_view_, view_, screen_, projection_);
+    for (const VisibleFace& seen : visible_) state.visible.push_back(seen.face);
     return state;
   }
 
  private:
-  /// A face among face_vertices_. In 32 bits: a mesh has fewer, and scenes may have millions.
-  struct Corners {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    std::uint32_t normal_end = 0;  ///< Face::normal_end; 0 without one
-  };
-
-  /// A face that shows. Its polygon has the corners of the face, or so many of corners_.
-  struct Seen {
+  /// A visible face. Its polygon has the corners of the face, or a number of entries of corners_.
+  struct VisibleFace {
     std::uint32_t face = 0;
     std::uint32_t clipped_corners = 0;
   };
 
-  [[nodiscard]] std::span<const std::uint32_t> vertices_of(std::uint32_t face) const {
-    return std::span(face_vertices_).subspan(faces_[face].first, faces_[face].count);
-  }
-
-  /// All of prepare() that depends on where the object is.
-  void look(const View<N>& view) {
+  /// The part of prepare() that depends on the position.
+  void place_and_hide(const View<N>& view) {
     tally_ = {};
     visible_.clear();
     corners_.clear();
@@ -174,16 +124,16 @@ class Polyhedron final : public Object<N> {
     to_view_ = Arithmetic<N>::concatenate(view.world_to_view, *to_world, view.concatenation);
     const std::span<const Vec3<N>> vertices = vertices_;
     const std::span<Vec3<N>> to = view_;
-    const Unplaced unplaced = place(to_view_, vertices.first(projected_), view.projection,
-                                    Places<N>{to.first(projected_), screen_});
-    bring_to_view(to_view_, vertices.subspan(projected_), to.subspan(projected_));
+    const std::size_t placed = faces_.vertex_count();
+    const Unplaced unplaced = place(to_view_, vertices.first(placed), view.projection,
+                                    Places<N>{to.first(placed), screen_});
+    bring_to_view(to_view_, vertices.subspan(placed), to.subspan(placed));
     // The centre is the origin of object space. Chapter 53 transforms it along with the vertices.
     center_z_ =
         view.sorts_by_center ? Arithmetic<N>::apply(to_view_, Vec3<N>{}).z : to_view_.rows[2][3];
     tally_.faults += unplaced.faults;
     const bool all_on_screen = unplaced == Unplaced{};
-    const auto faces = static_cast<std::uint32_t>(faces_.size());
-    for (std::uint32_t f = 0; f < faces; ++f) {
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       if (all_on_screen || is_on_screen(f)) {
         hide_or_keep(f);
       } else {
@@ -200,25 +150,26 @@ class Polyhedron final : public Object<N> {
   }
 
   [[nodiscard]] bool is_on_screen(std::uint32_t face) const {
-    return std::ranges::all_of(vertices_of(face),
+    return std::ranges::all_of(faces_.vertices_of(face),
                                [this](std::uint32_t v) { return screen_[v].has_value(); });
   }
 
-  /// Keeps a face that shows. @pre is_on_screen(f)
+  /// Keeps a face that shows its front. @pre is_on_screen(f)
   void hide_or_keep(std::uint32_t f) {
-    const auto v = vertices_of(f);
+    const auto v = faces_.vertices_of(f);
     if (v.size() < 3 || !faces_viewer(*screen_[v[0]], *screen_[v[1]], *screen_[v.back()])) return;
     visible_.push_back({f, 0});
     if (!has_values_) return;
     for (std::size_t i = 0; i < v.size(); ++i) carried_.push_back(corner_of(f, i));
   }
 
-  /// Keeps what shows of any other face.
+  /// Clips any other face and keeps what is visible of it.
   void clip_or_hide(std::uint32_t f, const Projection<N>& projection) {
     const std::size_t first = corners_.size();
     const std::size_t first_carried = carried_.size();
     std::vector<Corner<N>> polygon;
-    for (std::size_t i = 0; i < faces_[f].count; ++i) polygon.push_back(corner_of(f, i));
+    for (std::size_t i = 0; i < faces_.vertices_of(f).size(); ++i)
+      polygon.push_back(corner_of(f, i));
     for (const Corner<N>& point : clip_polygon<Corner<N>>(polygon, projection.slope)) {
       if (const auto on_screen = project_counted(point.place, projection)) {
         corners_.push_back(*on_screen);
@@ -234,9 +185,9 @@ class Polyhedron final : public Object<N> {
     }
   }
 
-  /// Corner `i` of a face, with what its surface needs.
+  /// Corner `i` of a face, with the values that its surface needs.
   [[nodiscard]] Corner<N> corner_of(std::uint32_t f, std::size_t i) const {
-    const auto corners = vertices_of(f);
+    const auto corners = faces_.vertices_of(f);
     const std::size_t v = corners[i];
     if (needs_normals(surface_) && v < normal_ends_.size()) {
       return {view_[v], view_[normal_ends_[v]] - view_[v]};
@@ -248,8 +199,8 @@ class Polyhedron final : public Object<N> {
              Arithmetic<N>::constant(place[1], Conversion::nearest), from_whole<N>(0)}};
   }
 
-  /// Of the points that draw() has added, if there are any; those of objects before that have none
-  /// get zeros.
+  /// Adds the values for the points that draw() has added, if the object has any, and zeros for
+  /// previous objects without values.
   void add_values(const Lighting<N>& lighting, Picture& picture) const {
     if (carried_.empty()) return;
     const Vec3<N> light = light_vector(lighting);
@@ -262,18 +213,15 @@ class Polyhedron final : public Object<N> {
   std::uint32_t index_;
   std::vector<Shading> shadings_;
   Surface surface_;
-  std::vector<Corners> faces_;
-  std::vector<std::uint32_t> face_vertices_;
+  FaceTable faces_;
   std::vector<Paint> paints_;
   std::vector<std::size_t> normal_ends_;
   Motion<N> motion_;
   double radius_ = 0;
   std::vector<Vec3<N>> vertices_;
-  /// The number of vertices up to the last corner of a face. The rest are ends of normals.
-  std::size_t projected_ = 0;
 
   bool prepared_ = false;
-  /// As it was last prepared.
+  /// The tally of the last prepare().
   Tally tally_{};
   bool in_reach_ = true;
   Transform<N> to_view_{};
@@ -281,10 +229,10 @@ class Polyhedron final : public Object<N> {
   Projection<N> projection_{};
   std::vector<Vec3<N>> view_;
   std::vector<std::optional<ScreenPoint>> screen_;
-  std::vector<Seen> visible_;
-  /// Of the polygons that were clipped, in the order of visible_.
+  std::vector<VisibleFace> visible_;
+  /// The corners of the clipped polygons, in the order of visible_.
   std::vector<ScreenPoint> corners_;
-  /// Whether faces have values at their corners; then these are those of all that show.
+  /// Whether faces have values at their corners; if so, for all visible faces.
   bool has_values_ = false;
   N near_{};
   DepthMeasure depth_measure_ = DepthMeasure::inverse;

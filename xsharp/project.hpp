@@ -13,23 +13,23 @@
 
 namespace xsharp {
 
-/// How view space is seen: x and y over z, times a constant, about the middle of the page.
+/// The projection: x and y over z, times a constant, from the middle of the page.
 template <Scalar N>
 struct Projection {
-  /// Negative, for visible z is.
+  /// Negative, because visible z is.
   N constant{};
   std::int32_t center_x = 0;
   std::int32_t center_y = 0;
-  /// Points with |x| or |y| above slope * |z| are clipped: x / z times the constant would come near
-  /// the ends of 16.16. A power of two, at least 1; see projection_of().
+  /// Points with |x| or |y| above slope * |z| are clipped, because x / z times the constant would
+  /// approach the ends of 16.16. A power of two, at least 1; see projection_of().
   std::int32_t slope = 1;
 };
 
-/// The constant is ratio * half the width, the same for x and y.
+/// The constant is ratio * half the width, for both x and y.
 ///
-/// The slope is the greatest power of two, to 1024, that keeps slope * |constant| within 16,000:
-/// the 8088 divide drops the divisor's fraction, which makes a quotient twice as large at most, so
-/// that every projected coordinate stays within 32,000.
+/// The slope is the greatest power of two, at most 1024, that keeps slope * |constant| within
+/// 16,000. The 8088 divide drops the divisor's fraction, which at most doubles a quotient, so every
+/// projected coordinate stays within 32,000.
 template <Scalar N>
 Projection<N> projection_of(const Scene& scene) {
   const double constant = scene.projection_ratio *
@@ -40,15 +40,15 @@ Projection<N> projection_of(const Scene& scene) {
   return p;
 }
 
-/// A place on the screen before it is brought to pixels: from the middle of the page, y up.
+/// A position on the screen before rounding to pixels: from the middle of the page, y up.
 template <Scalar N>
 struct Projected {
   N x{};
   N y{};
 };
 
-/// Where a point of view space is seen; nothing where the divide faults, which it does not for what
-/// clip() leaves.
+/// Projects a point of view space. Returns nothing on a divide error, which does not occur after
+/// clipping.
 template <Scalar N>
 std::optional<Projected<N>> project_unrounded(const Vec3<N>& view,
                                               const Projection<N>& projection) {
@@ -58,14 +58,14 @@ std::optional<Projected<N>> project_unrounded(const Vec3<N>& view,
   return Projected<N>{*x * projection.constant, *y * projection.constant};
 }
 
-/// Such a place in pixels of the page, y down.
+/// Rounds a position to pixels of the page, y down.
 template <Scalar N>
 ScreenPoint on_page(const Projected<N>& place, const Projection<N>& projection) {
   return {nearest_pixel(place.x) + projection.center_x,
           -nearest_pixel(place.y) + projection.center_y};
 }
 
-/// Both in one.
+/// project_unrounded() and on_page() in one.
 template <Scalar N>
 std::optional<ScreenPoint> project(const Vec3<N>& view, const Projection<N>& projection) {
   const auto place = project_unrounded(view, projection);

@@ -1,20 +1,20 @@
 /// @file
-/// Quotients that are right also by a divide that looks at a part of its divisor.
+/// Quotients that are accurate even if a divide uses only a part of its divisor.
 #pragma once
 
 #include "xsharp/arithmetic.hpp"
 
 namespace xsharp {
 
-/// Whether twice the number is in range, with room to spare.
+/// Whether twice the number is in range, with a margin.
 template <Scalar N>
 bool can_be_doubled(N x) {
   const N most = from_whole<N>(8191);
   return -most < x && x < most;
 }
 
-/// Doubles both as long as both fit: a quotient does not change by it, but a divide that looks at
-/// its divisor's whole part alone, as that of the 8088, then looks at nearly all of it.
+/// Doubles both as long as both fit. This does not change the quotient, but a divide that uses only
+/// the whole part of its divisor, as on the 8088, then uses nearly all of it.
 template <Scalar N>
 void double_both(N& n, N& d) {
   for (int i = 0; i < 29 && can_be_doubled(n) && can_be_doubled(d); ++i) {
@@ -23,18 +23,18 @@ void double_both(N& n, N& d) {
   }
 }
 
-/// n / d, rounded as the arithmetic's divide is; 0 where there is no quotient.
+/// n / d, rounded as the arithmetic's divide rounds; 0 if there is no quotient.
 ///
-/// A dividend that is not less than the divisor ends the doubling too early, one beyond 8191 before
-/// it begins. A divide by the whole part is then done as by hand: first by the divisor doubled
-/// alone, which gives the quotient's upper digits, doubled back as often; then what they leave,
-/// which is little.
+/// A dividend not less than the divisor stops the doubling too early; one beyond 8191 prevents it.
+/// A divide by the whole part then works like long division: first by the divisor doubled alone,
+/// which gives the upper digits of the quotient, doubled back as often; then with the small
+/// remainder.
 template <Scalar N>
 N ratio(N n, N d) {
   const N zero = from_whole<N>(0);
   N upper = zero;
   double_both(n, d);
-  // Of negatives, which have the greater range.
+  // Uses negatives, which have the greater range.
   const auto minus_size = [&zero](N x) { return zero < x ? -x : x; };
   if (Arithmetic<N>::divides_by_whole_part && !(minus_size(d) < minus_size(n))) {
     N divisor = d;
@@ -43,7 +43,7 @@ N ratio(N n, N d) {
     upper = Arithmetic<N>::divide(n, divisor).value_or(zero);
     const N most = from_whole<N>(16384);
     for (; doublings > 0; --doublings) {
-      // Just 16384 may be rounded up from less: it wraps, and comes back with the rest.
+      // Exactly 16384 may be rounded up from less: it wraps, and comes back with the remainder.
       if (upper < -most || upper > most) return zero;
       upper = upper + upper;
     }

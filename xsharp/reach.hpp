@@ -1,5 +1,5 @@
 /// @file
-/// Which objects are near enough to be drawn.
+/// Decides which objects are near enough to be drawn.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace xsharp {
 
-/// An object's way to the world, from the page that the view begins at. Nothing where some vertex
-/// could come out of 16.16 in view space: the object is too far away to be drawn.
-/// @param radius of the object, from the origin of its own space
+/// The transform of an object to the world, relative to the page where the view begins. Returns
+/// nothing if some vertex could leave 16.16 in view space: the object is too far away to be drawn.
+/// @param radius of the object, from the origin of its object space
 template <Scalar N>
 std::optional<Transform<N>> within_reach(const Motion<N>& motion, const View<N>& view,
                                          double radius) {
@@ -27,7 +27,7 @@ std::optional<Transform<N>> within_reach(const Motion<N>& motion, const View<N>&
     const double place =
         static_cast<double>(to_world.rows[i][3]) + static_cast<double>(pages) * page_size;
     if (std::fabs(place) >= 2.0 * page_size) return std::nullopt;
-    // In steps that are each in range, and exact.
+    // Each step is in range and exact.
     for (std::int64_t page = 0; page != pages; page += pages < 0 ? -1 : 1) {
       const N step = from_whole<N>(page_size);
       to_world.rows[i][3] = pages < 0 ? to_world.rows[i][3] - step : to_world.rows[i][3] + step;

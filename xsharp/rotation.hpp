@@ -1,5 +1,5 @@
 /// @file
-/// Rotations appended to a transform, and what keeps them rotations.
+/// Appends rotations to a transform, and restores orthogonality.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace xsharp {
 
 enum class Axis { x, y, z };
 
-/// Cosine and sine as the scene wants them.
+/// Cosine and sine from the scene's source.
 template <Scalar N>
 Turn<N> turn(std::int32_t tenths, Trigonometry trigonometry, Conversion conversion) {
   if (trigonometry == Trigonometry::table) return Arithmetic<N>::turn(tenths);
@@ -22,8 +22,8 @@ Turn<N> turn(std::int32_t tenths, Trigonometry trigonometry, Conversion conversi
           Arithmetic<N>::constant(std::sin(angle), conversion)};
 }
 
-/// AppendRotationX, Y, Z: turns what the transform has done by one more rotation, counterclockwise
-/// seen from the axis' positive end, leaving its translation. Twelve products.
+/// AppendRotationX, Y, Z: appends a rotation, counterclockwise seen from the positive end of the
+/// axis, and keeps the translation. Twelve products.
 template <Scalar N>
 void append_rotation(Transform<N>& t, Axis axis, const Turn<N>& turn) {
   const std::size_t a = (static_cast<std::size_t>(axis) + 1) % 3;
@@ -37,25 +37,25 @@ void append_rotation(Transform<N>& t, Axis axis, const Turn<N>& turn) {
   }
 }
 
-/// Makes a row that is nearly of length 1 more nearly so: one Newton step towards 1 / |v|. Where
-/// the length is 1 + e it becomes 1 - 3/2 e^2, but for rounding. There is no divide: the divide of
-/// the 8088 listing drops the fraction of a length like 0.99998, and faults.
+/// One Newton step towards unit length for a row of nearly unit length. A length of 1 + e becomes 1
+/// - 3/2 e^2, apart from rounding. Does not divide: the divide of the 8088 listing drops the
+/// fraction of a length like 0.99998, and faults.
 template <Scalar N>
 Vec3<N> toward_unit(const Vec3<N>& v) {
   const N factor = (from_whole<N>(3) - dot(v, v)) * Arithmetic<N>::from_raw(0x8000);
   return v * factor;
 }
 
-/// Makes the matrix of a transform orthogonal again, for rows that are still nearly orthogonal and
+/// Makes the matrix of a transform orthogonal again. Its rows must still be nearly orthogonal and
 /// of unit length.
 ///
-/// RestoredRows::one is what chapter 52 suggests: the last row becomes the cross product of the
-/// other two. The chapter does not say which row. The other two keep the angle between them, and no
-/// row gets unit length; the new row has the product of the others' lengths, so errors of length
+/// RestoredRows::one follows chapter 52: the last row becomes the cross product of the other two.
+/// The chapter does not say which row. The other two keep the angle between them, and no row is
+/// normalised; the length of the new row is the product of the others' lengths, so length errors
 /// grow.
 ///
 /// RestoredRows::all is ours: the last row becomes the cross product of the other two, then the
-/// middle one that of the last and the first; each of unit length, see toward_unit().
+/// middle one that of the last and the first. All are normalised; see toward_unit().
 template <Scalar N>
 void restore_orthogonality(Transform<N>& t, RestoredRows rows = RestoredRows::all) {
   if (rows == RestoredRows::one) {
@@ -87,8 +87,8 @@ struct Quaternion {
 
 }  // namespace detail
 
-/// The matrix of `count` steps of rotations about x, then y, then z, worked out in double at one
-/// go: its error does not grow with the number of steps.
+/// The matrix of `count` steps of rotations about x, then y, then z, computed in double in closed
+/// form: its error does not grow with the number of steps.
 inline std::array<std::array<double, 3>, 3> rotation_after(
     const std::array<std::int32_t, 3>& tenths, std::int64_t count) {
   using detail::Quaternion;
@@ -98,7 +98,7 @@ inline std::array<std::array<double, 3>, 3> rotation_after(
                           Quaternion{std::cos(half(0)), std::sin(half(0)), 0, 0};
   const double sine = std::hypot(step.x, step.y, step.z);
   if (sine == 0) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  // Turns by a multiple of the step's angle about the step's axis.
+  // Rotates by a multiple of the step's angle about the step's axis.
   const double angle = static_cast<double>(count) * std::atan2(sine, step.w);
   const double w = std::cos(angle);
   const double scale = std::sin(angle) / sine;

@@ -1,8 +1,8 @@
 /// @file
-/// What is to be seen: plain data, independent of the arithmetic that draws it.
+/// A scene as plain data, independent of the arithmetic that draws it.
 ///
-/// Units of space are those of the scene. Angles are tenths of a degree. The viewer stands at the
-/// origin of view space and looks down -z, y is up.
+/// Lengths are in units of the scene, angles in tenths of a degree. The viewer is at the origin of
+/// view space and looks down -z; y is up.
 #pragma once
 
 #include <array>
@@ -20,25 +20,26 @@
 
 namespace xsharp {
 
-/// How a constant that is computed in double becomes 16.16.
+/// How a constant computed in double becomes 16.16.
 enum class Conversion {
   published,  ///< (long)(x * 65536.0 + 0.5): one unit too high for nearly every negative value
-  nearest,    ///< the nearest 16.16 number, halves up
+  nearest,    ///< to nearest, half up
 };
 
-/// Which ConcatXforms of the 8088 takes objects into view space. Other arithmetics have only one.
+/// The ConcatXforms of the 8088 that transforms objects into view space. Other arithmetics have
+/// only one.
 enum class Concatenation {
-  published,  ///< the listing, which loses the carry of the translation: see sum_in_parts()
-  repaired,   ///< the listing with that carry
+  published,  ///< as listed, without the carry of the translation: see sum_in_parts()
+  repaired,   ///< with that carry
 };
 
-/// Where the sine and cosine of a rotation come from.
+/// The source of a rotation's sine and cosine.
 enum class Trigonometry {
   floating,  ///< sin() and cos() in double, through the scene's Conversion (chapter 52)
   table,     ///< CosSin (chapter 53)
 };
 
-/// What objects are sorted by, farthest first, before they are drawn.
+/// The sort key of objects, which are drawn farthest first.
 enum class DepthKey {
   none,      ///< drawn in the order of the scene (chapter 52)
   center,    ///< view z of the centre (chapter 53)
@@ -47,27 +48,27 @@ enum class DepthKey {
 };
 
 enum class PaletteKind {
-  vga,            ///< the 256 colours a VGA starts with
-  shading,        ///< 64 levels of each pure primary, four of each component in mixtures
-  ramps,          ///< two ramps by light from -1 to 1: grey and copper
-  shading_gamma,  ///< as shading, with the author's levels of mixtures: by a gamma of 2.3
+  vga,            ///< the 256 default colours of a VGA
+  shading,        ///< 64 levels of each primary, and mixtures with four levels per component
+  ramps,          ///< two ramps for light from -1 to 1: grey and copper
+  shading_gamma,  ///< as shading, with the author's levels for mixtures: a gamma of 2.3
 };
 
 /// How orthogonality is restored; see rotation.hpp.
 enum class RestoredRows {
-  all,  ///< two cross products, and every row brought to unit length
-  one,  ///< one row becomes the cross product of the others, nothing else (chapter 52)
+  all,  ///< two cross products, and every row normalised
+  one,  ///< only one row, as the cross product of the others (chapter 52)
 };
 inline constexpr std::array<std::string_view, 2> restored_rows_words{"all", "one"};
 
-/// Counts frames down: due when the count reaches 0, then again after every `base` frames.
+/// A countdown in frames: due when the count reaches 0, then again after every `base` frames.
 struct Delay {
   std::int32_t first = 1;
   std::int32_t base = 1;
 };
 
-/// Turns about axes through the object's origin that are parallel to those of the world: a rotation
-/// is multiplied from the left. Those that are not 0 are appended about x, then y, then z.
+/// Rotation about axes through the object's origin, parallel to the world's axes: rotations are
+/// multiplied from the left. Nonzero angles are appended about x, then y, then z.
 struct Spin {
   std::array<std::int32_t, 3> tenths{};
   Delay delay{};
@@ -79,8 +80,8 @@ struct Bounds {
   double most = 0;
 };
 
-/// Adds `step` to the place. Once z is beyond `stop_z`, the object moves in z no more (chapter 52).
-/// After a move to a z outside of `bounce_z`, the step in z changes its sign (chapter 53).
+/// Adds `step` to the position. Once z is beyond `stop_z`, z no longer changes (chapter 52). After
+/// a move to a z outside `bounce_z`, the z step changes its sign (chapter 53).
 struct Drift {
   Triple step{};
   std::optional<double> stop_z{};
@@ -88,7 +89,7 @@ struct Drift {
   Delay delay{};
 };
 
-/// Goes round `about` on a circle that is tilted about the x axis; such an object does not drift.
+/// Moves around `about` on a circle tilted about the x axis; excludes a drift.
 struct Orbit {
   Triple about{};
   double radius = 0;
@@ -97,7 +98,7 @@ struct Orbit {
   std::int32_t tilt_tenths = 0;
 };
 
-/// Which light a face answers to; with neither it has its paint as it is.
+/// The lights that affect a face; with neither, the paint is used as it is.
 struct Shading {
   bool ambient = false;
   bool diffuse = false;
@@ -106,10 +107,10 @@ struct Shading {
 struct ObjectDescription {
   std::string name;  ///< for messages
   Mesh mesh;
-  std::vector<Paint> paints;        ///< one for each face; a Color is its reflectance, 255 for 1
-  std::vector<Shading> shadings{};  ///< one for each face, or empty: no face answers to light
+  std::vector<Paint> paints;        ///< one per face; a Color is the reflectance, 255 for 1
+  std::vector<Shading> shadings{};  ///< one per face, or empty if no face is lit
   Surface surface{};
-  /// The world in pages of 16384 units: the place is page * 16384 + position.
+  /// The world consists of pages of 16384 units: the place is page * 16384 + position.
   std::array<std::int32_t, 3> page{};
   Triple position{};
   Spin spin{};
@@ -117,12 +118,12 @@ struct ObjectDescription {
   std::optional<Orbit> orbit{};
 };
 
-/// Light of each colour; 1 shows a face of reflectance 1 as bright as can be.
+/// Light per colour; 1 gives a face of reflectance 1 full brightness.
 using Intensity = Triple;
 
 struct Spot {
   bool on = true;
-  Triple direction{0, 0, -1};  ///< where the light goes, in world space; only its direction counts
+  Triple direction{0, 0, -1};  ///< direction of travel of the light, in world space; of any length
   Intensity intensity{};
 };
 
@@ -138,21 +139,21 @@ struct Camera {
   std::array<std::int32_t, 3> turn_tenths{};  ///< about x, then y, then z
 };
 
-/// The arithmetic a scene is drawn with when the command does not say.
+/// The arithmetic for drawing a scene, if the command does not choose one.
 struct ArithmeticChoice {
   std::string by = "type";  ///< type, model or double
-  /// i386 or i8088; for the type also standard, saturating or trapping; double has none.
+  /// i386 or i8088; for the type also standard, saturating or trapping; unused for double.
   std::string target = "i386";
   bool mul_round = true;
   bool div_round = true;
-  bool repaired = false;  ///< i8088 alone: see Concatenation
+  bool repaired = false;  ///< only for i8088; see Concatenation
 };
 
 inline Concatenation concatenation_of(const ArithmeticChoice& choice) {
   return choice.repaired ? Concatenation::repaired : Concatenation::published;
 }
 
-/// Whether the rules are those of a build of the listings, with two roundings to choose.
+/// Whether the target is a build of the listings, which has two rounding switches.
 inline bool is_listing(const ArithmeticChoice& choice) {
   return choice.target == "i386" || choice.target == "i8088";
 }
@@ -162,7 +163,7 @@ struct Scene {
   std::int32_t width = 320;
   std::int32_t height = 240;
   double frames_per_second = 60;
-  /// Distance of the projection plane over half its width, negative: visible z is.
+  /// The distance of the projection plane over half its width; negative, because visible z is.
   double projection_ratio = -2.0;
   Conversion conversion = Conversion::published;
   Trigonometry trigonometry = Trigonometry::table;
@@ -172,28 +173,27 @@ struct Scene {
   ArithmeticChoice arithmetic{};
   DepthBuffering depth_buffer = DepthBuffering::off;
   DepthMeasure depth_measure = DepthMeasure::inverse;
-  /// What is nearer has no more depth; see nearest_depth.
+  /// Anything nearer has the same depth; see nearest_depth.
   double near = 64;
-  /// Orientations are worked out anew in double for every rotation, instead of appending to the
-  /// last.
+  /// Whether every rotation recomputes the orientation in double instead of appending to the last.
   bool from_scratch = false;
-  /// Orthogonality is restored every so many rotations of an object; 0: never.
+  /// Rotations of an object between restorations of orthogonality; 0 for never.
   std::int32_t restore_every = 0;
   RestoredRows restore_rows = RestoredRows::all;
   Camera camera{};
   Lights lights{};
   std::vector<ObjectDescription> objects;
-  std::vector<std::filesystem::path> files{};  ///< it was read from
+  std::vector<std::filesystem::path> files{};  ///< the files it was read from
 };
 
-/// What x over z is multiplied with, and y over z: pixels of a page whose half width is, as
-/// published, a whole number.
+/// The factor of x / z and y / z, in pixels. As published, half the width of the page is a whole
+/// number.
 inline double projection_constant(const Scene& scene) {
   const std::int32_t half_width = scene.width / 2;
   return scene.projection_ratio * half_width;
 }
 
-/// How much of a ramp a spot lights: the mean of its components.
+/// The light of a spot on a ramp: the mean of its components.
 inline double level_of(const Spot& spot) {
   return (spot.intensity[0] + spot.intensity[1] + spot.intensity[2]) / 3;
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Ambient and diffuse light on a face (Lambert), for each colour component.
+/// Ambient and diffuse (Lambert) light on a face, per colour component.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@
 
 namespace xsharp {
 
-/// A light so far away that its rays are parallel.
+/// A distant light with parallel rays.
 template <Scalar N>
 struct Ray {
   bool on = true;
-  /// Unit vector to the light, in view space.
+  /// The unit vector towards the light, in view space.
   Vec3<N> to_light{};
   /// Red, green, blue.
   std::array<N, 3> intensity{};
-  /// The mean of the three, for surfaces that show light by a ramp.
+  /// The mean of the three, for surfaces that show light on a ramp.
   N level{};
 };
 
@@ -33,13 +33,13 @@ struct Lighting {
   std::vector<Ray<N>> rays;
 };
 
-/// The lights of a scene as numbers.
+/// The lights of a scene in the number type.
 ///
-/// A direction takes the published steps. Its components, whole ones too, are converted as
-/// constants. It is made a unit vector in double, converted again, turned into view space, and only
-/// then negated. The published conversion is one unit too high for negative values, so the order
-/// decides the last bit.
-/// @param to_view its matrix turns world space into view space; directions have no place
+/// The steps for a direction are the published ones. Its components, including whole ones, are
+/// converted as constants. It is normalised in double, converted again, rotated into view space,
+/// and only then negated. The published conversion is one unit too high for negative values, so the
+/// order determines the last bit.
+/// @param to_view its matrix rotates world space into view space; directions have no position
 template <Scalar N>
 Lighting<N> lighting_of(const Lights& lights, Conversion conversion, Transform<N> to_view) {
   const auto constant = [conversion](double x) { return Arithmetic<N>::constant(x, conversion); };
@@ -63,8 +63,8 @@ Lighting<N> lighting_of(const Lights& lights, Conversion conversion, Transform<N
   return lighting;
 }
 
-/// What a normal is multiplied with for its light on a ramp: the sum of the vectors to the lights
-/// that are on, each times its level. A light below 0 is darkness, which takes from other lights.
+/// The vector whose dot product with a normal is its light on a ramp: the sum of the vectors to the
+/// lights that are on, each times its level. A negative light reduces the light of others.
 template <Scalar N>
 Vec3<N> light_vector(const Lighting<N>& lighting) {
   const N zero = from_whole<N>(0);
@@ -78,11 +78,10 @@ Vec3<N> light_vector(const Lighting<N>& lighting) {
 /// The colour of a face: min(1, (ambient + sum of intensity * max(0, L . N)) * reflectance) in each
 /// component, in 255ths.
 ///
-/// Chapter 54 does not print the last step. This is the order of X-Sharp's program: the light is
-/// summed first, then one multiply takes the reflectance, as that many units of 2^-16, times the
-/// light. The result is in 255ths and rounded as the multiply rounds. A build that cuts products
-/// floors or truncates it.
-/// @param normal      of unit length, in view space
+/// Chapter 54 does not print the last step. This follows X-Sharp's program: it sums the light, then
+/// multiplies it once by the reflectance, expressed as that many units of 2^-16. The result is in
+/// 255ths and rounded as the multiply rounds; unrounded builds floor or truncate it.
+/// @param normal      a unit vector in view space
 /// @param reflectance 255 for 1
 template <Scalar N>
 Color shade(const Vec3<N>& normal, const Color& reflectance, const Shading& shading,

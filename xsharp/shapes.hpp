@@ -1,7 +1,7 @@
 /// @file
-/// Bodies that are computed: the cube as chapter 52 prints it, and a ball. Chapter 53 says that its
-/// ball has 72 faces in bands, and that radius and bands can be chosen. It does not print the
-/// generator. Faces and vertices are in the order that the original program's pictures show.
+/// Computed meshes: the cube as chapter 52 prints it, and a ball. Chapter 53 says that its ball has
+/// 72 faces in bands, and that radius and bands can be chosen, but does not print the generator.
+/// Faces and vertices are in the order that the original program's pictures show.
 #pragma once
 
 #include <cmath>
@@ -17,8 +17,8 @@
 
 namespace xsharp {
 
-/// The cube of chapter 52 about the origin: its order of vertices, its faces and where they begin,
-/// so that colours of faces and products of edges are the published ones.
+/// The cube of chapter 52 about the origin. The order of vertices and faces and the first vertex of
+/// each face are the published ones, so face colours and products of edges match.
 [[nodiscard]] inline Mesh cube(double half_edge) {
   const double h = half_edge;
   return {{{h, h, h},
@@ -37,14 +37,14 @@ namespace xsharp {
            {{0, 2, 6, 4}}}};
 }
 
-/// Of a ball; with one more it would have more faces than a scene may have.
+/// The maximum number of bands of a ball; one more would exceed the face limit of a scene.
 inline constexpr int most_bands = 45;
 
-/// A ball about the origin: `bands` of equal latitude from the pole at +y to that at -y, each of
-/// 2 * bands faces. The faces come band by band, and within a band in the order of a full turn from
-/// -x towards +z, as in X-Sharp. Those at the poles are triangles, the others flat trapezoids.
-/// Vertices: the pole at +y, the circles between bands downward, the pole at -y.
-/// @throws std::invalid_argument unless there are 2 to most_bands bands
+/// A ball about the origin: `bands` of equal latitude from the pole at +y to that at -y, with 2 *
+/// bands faces each. Faces are ordered by band, and within a band in a full turn from -x towards
+/// +z, as in X-Sharp. Those at the poles are triangles, the others flat trapezoids. The vertices
+/// are the pole at +y, the circles between bands downward, and the pole at -y.
+/// @throws std::invalid_argument unless there are 2 to max_bands bands
 [[nodiscard]] inline Mesh ball(double radius, int bands) {
   if (bands < 2 || bands > most_bands) throw std::invalid_argument("a ball has 2 to 45 bands");
   const auto latitudes = static_cast<std::size_t>(bands);
@@ -85,11 +85,11 @@ inline constexpr int most_bands = 45;
   return mesh;
 }
 
-/// The same body ready for diffuse light (chapter 54): behind its vertices, for each face that
-/// needs one, the end of the unit normal that starts at the face's first vertex and points out of
-/// the body. A face without area gets a normal without length, which validate() refuses.
-/// @param needs_normal of the index of a face
-/// @pre the indices of faces are those of vertices
+/// The same body prepared for diffuse light (chapter 54): appends, for each face that needs it, the
+/// end of the outward unit normal that starts at the face's first vertex. A face without area gets
+/// a normal without length, which validate() rejects.
+/// @param needs_normal takes the index of a face
+/// @pre the indices of faces are valid
 template <std::predicate<std::size_t> NeedsNormal>
 [[nodiscard]] Mesh with_normals(Mesh mesh, const NeedsNormal& needs_normal) {
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -104,7 +104,7 @@ template <std::predicate<std::size_t> NeedsNormal>
   return mesh;
 }
 
-/// With a normal for every face.
+/// The same, with a normal for every face.
 [[nodiscard]] inline Mesh with_normals(Mesh mesh) {
   return with_normals(std::move(mesh), [](std::size_t) { return true; });
 }

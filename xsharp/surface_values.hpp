@@ -1,5 +1,5 @@
 /// @file
-/// What the surface of a polygon interpolates, at one of its corners.
+/// The values that the surface of a polygon interpolates, at its corners.
 #pragma once
 
 #include <algorithm>
@@ -17,36 +17,36 @@
 
 namespace xsharp {
 
-/// near over a distance, 1 at most. @param distance above 0
+/// near / distance, at most 1. @param distance positive
 template <Scalar N>
 N nearness(N distance, N near) {
   const N one = from_whole<N>(1);
   return distance <= near ? one : std::min(ratio(near, distance), one);
 }
 
-/// The depth that is interpolated: nearest_depth * near / -z, linear on the screen; greater is
-/// nearer, and nothing is nearer than nearest_depth.
+/// The interpolated depth: nearest_depth * near / -z, which is linear on the screen; greater is
+/// nearer, at most nearest_depth.
 template <Scalar N>
 N depth_value(const Vec3<N>& place, N near) {
   return nearness(-place.z, near) * from_whole<N>(nearest_depth);
 }
 
 /// The depth of DepthMeasure::z: z + 32768. It is 0 for the farthest z of 16.16 and grows towards
-/// the viewer. The sum is the same in 16 bits as z above minus infinity, the word 8000h.
+/// the viewer. In 16 bits this equals z minus the word 8000h, minus infinity.
 /// @pre z is at most -1, which clipping ensures
 template <Scalar N>
 N z_depth(const Vec3<N>& place) {
   return place.z + from_whole<N>(nearest_depth) + from_whole<N>(1);
 }
 
-/// The distance of a place with z <= -1 from the viewer, without a square root: the place times the
-/// unit vector to it.
+/// The distance of a point with z <= -1 from the viewer, without a square root: its dot product
+/// with the unit vector towards it.
 template <Scalar N>
 N distance_from_viewer(const Vec3<N>& place) {
   const N zero = from_whole<N>(0);
   const auto size = [zero](N x) { return x < zero ? -x : x; };
   const N longest = std::max({size(place.x), size(place.y), size(place.z)});
-  // Halved, so that the length is from 0.5 to 0.87, where unit() is right.
+  // Halved, so that the length is from 0.5 to 0.87, where unit() is accurate.
   const auto part = [&](N x) { return ratio(Arithmetic<N>::midpoint(x, zero), longest); };
   return dot(place, unit(Vec3<N>{part(place.x), part(place.y), part(place.z)}));
 }
@@ -57,10 +57,10 @@ N ramp_value(N light, const Surface& surface) {
   return from_whole<N>(surface.ramp * ramp_length + ramp_dark) + light * from_whole<N>(ramp_levels);
 }
 
-/// Column and row of the bitmap at corner `i` of a face of `corners`, 1 is 256 texels: a
-/// quadrilateral has the whole bitmap, another face its points on a circle, both from the middle of
-/// the outermost texels, so that what stepping errs by does not leave the bitmap in rows of up to
-/// 255 pixels; longer ones are kept inside (inside_bitmap()).
+/// Column and row of the bitmap at corner `i` of a face of `corners`; 1 is 256 texels. A
+/// quadrilateral has the whole bitmap; the points of another face are on a circle. Both start at
+/// the middle of the outermost texels, so that stepping errors do not leave the bitmap in rows of
+/// up to 255 pixels; inside_bitmap() handles longer rows.
 inline Triple bitmap_place(std::size_t i, std::size_t corners) {
   constexpr double first = 1.0 / 512;
   constexpr double last = 1 - first;
@@ -70,7 +70,7 @@ inline Triple bitmap_place(std::size_t i, std::size_t corners) {
   return {0.5 + radius * std::sin(angle), 0.5 - radius * std::cos(angle), 0};
 }
 
-/// @param light a normal times it is from -1 to 1
+/// @param light its dot product with a normal is from -1 to 1
 template <Scalar N>
 PointValues point_values(const Surface& surface, const Corner<N>& corner, const Vec3<N>& light,
                          N near, DepthMeasure measure = DepthMeasure::inverse) {
@@ -95,7 +95,7 @@ PointValues point_values(const Surface& surface, const Corner<N>& corner, const 
       values[1] = on_ramp(nearness(distance_from_viewer(corner.place), near));
       break;
     case SurfaceKind::environment: {
-      // The normal seen from in front: its x to the right, its y upward.
+      // The normal as seen from the front: x to the right, y upward.
       const N half = Arithmetic<N>::from_raw(0x8000);
       const N radius = Arithmetic<N>::from_raw(0x8000 - 0x80);
       values[1] = static_cast<double>(half + corner.carried.x * radius);

@@ -1,5 +1,5 @@
 /// @file
-/// Messages from words and numbers.
+/// Builds messages from words and numbers.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace xsharp::detail {
 
-/// The words in one text; numbers with up to six digits.
+/// Concatenates the words; numbers have up to six digits.
 template <class... Words>
 std::string text_of(const Words&... words) {
   std::ostringstream text;
@@ -17,7 +17,7 @@ std::string text_of(const Words&... words) {
   return text.str();
 }
 
-/// The fewest digits that are read back as the same number.
+/// The shortest text that is read back as the same number.
 inline std::string digits_of(double value) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;

@@ -1,5 +1,5 @@
 /// @file
-/// Vectors, and transforms of 3 x 4 numbers: a matrix and a translation.
+/// Vectors, and 3 x 4 transforms: a matrix and a translation.
 #pragma once
 
 #include <array>
@@ -24,13 +24,13 @@ struct Vec3 {
   }
 };
 
-/// The three products rounded one by one.
+/// The dot product; each of the three products is rounded.
 template <class N>
 constexpr N dot(const Vec3<N>& a, const Vec3<N>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// At right angles to both, counterclockwise from a to b in a right-handed space.
+/// The cross product, counterclockwise from a to b in a right-handed space.
 template <class N>
 constexpr Vec3<N> cross(const Vec3<N>& a, const Vec3<N>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -41,7 +41,8 @@ constexpr Vec3<N> operator*(const Vec3<N>& v, N factor) {
   return {v.x * factor, v.y * factor, v.z * factor};
 }
 
-/// Row by row; the fourth column is the translation. The row below, 0 0 0 1, is not kept.
+/// A transform in row-major order; the fourth column is the translation. The last row, 0 0 0 1, is
+/// implied.
 template <class N>
 struct Transform {
   std::array<std::array<N, 4>, 3> rows{};
@@ -51,7 +52,7 @@ struct Transform {
   [[nodiscard]] constexpr Vec3<N> row(std::size_t i) const {
     return {rows[i][0], rows[i][1], rows[i][2]};
   }
-  /// Leaves the translation.
+  /// Sets the matrix part of a row and keeps the translation.
   constexpr void set_row(std::size_t i, const Vec3<N>& v) {
     rows[i][0] = v.x;
     rows[i][1] = v.y;
@@ -62,7 +63,7 @@ struct Transform {
   }
 };
 
-/// XformVec: each product rounded, then added to the others and the translation.
+/// XformVec: rounds each product, then adds them and the translation.
 template <class N>
 constexpr Vec3<N> apply_products(const Transform<N>& t, const Vec3<N>& v) {
   const auto component = [&v](const std::array<N, 4>& row) {
@@ -71,8 +72,8 @@ constexpr Vec3<N> apply_products(const Transform<N>& t, const Vec3<N>& v) {
   return {component(t.rows[0]), component(t.rows[1]), component(t.rows[2])};
 }
 
-/// ConcatXforms: `first` after `second`. Each product rounded; the translation of `first` is added
-/// in the fourth column only, by `add(sum of products, translation)`.
+/// ConcatXforms: applies `second`, then `first`. Rounds each product. Adds the translation of
+/// `first` only in the fourth column, by `add(sum of products, translation)`.
 template <class N, class Add = std::plus<N>>
 constexpr Transform<N> concatenate_products(const Transform<N>& first, const Transform<N>& second,
                                             const Add& add = {}) {

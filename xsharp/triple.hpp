@@ -1,5 +1,5 @@
 /// @file
-/// Places and directions in double, before they become fixed point.
+/// Points and directions in double, before conversion to fixed point.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace xsharp {
 
-/// A place or a direction before it becomes fixed point.
+/// A point or a direction in double.
 using Triple = std::array<double, 3>;
 
 [[nodiscard]] inline Triple sum(const Triple& a, const Triple& b) {
@@ -30,7 +30,7 @@ using Triple = std::array<double, 3>;
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Without overflow on the way. @pre finite: the standard library may take a NaN for 0
+/// Does not overflow on the way. @pre finite: the standard library may treat a NaN as 0
 [[nodiscard]] inline double length(const Triple& a) { return std::hypot(a[0], a[1], a[2]); }
 
 }  // namespace xsharp

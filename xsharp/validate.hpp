@@ -1,5 +1,5 @@
 /// @file
-/// Refuses a scene that breaks a limit of 16.16 numbers or of the pipeline.
+/// Checks a scene against the limits of 16.16 numbers and of the pipeline.
 #pragma once
 
 #include <algorithm>
@@ -23,19 +23,20 @@ inline constexpr std::size_t most_objects = 256;
 inline constexpr std::size_t most_faces_in_scene = 65536;
 inline constexpr std::size_t most_spots = 16;
 inline constexpr std::int32_t longest_side = 4096;
-/// Half of it, a whole number, is what is projected with.
+/// The projection uses half the width, a whole number.
 inline constexpr std::int32_t narrowest = 2;
-/// Of a position in its page, in each component: so far, and half a page of body, stay in 16.16.
+/// The limit of each component of a position in its page: with half a page of body, it stays in
+/// 16.16.
 inline constexpr double farthest_position = 16384;
 inline constexpr std::int32_t farthest_page = 1000000;
 
 namespace detail {
 
-/// Written so that NaN is out of every range.
+/// Throws unless the value is in range. Written so that NaN is always out of range.
 template <class Number>
 void demand_range(const std::string& what, Number value, Number least, Number most) {
   if (value >= least && value <= most) return;
-  // A number just out of range must not read as the end of the range.
+  // A number just out of range must not print as the end of the range.
   std::string is = text_of(value);
   if constexpr (std::is_same_v<Number, double>) is = digits_of(value);
   throw SceneError(text_of(what, " is ", is, ", must be from ", least, " to ", most));
@@ -45,7 +46,7 @@ inline void demand_range(const std::string& what, const Triple& values, double l
   for (const double value : values) demand_range(what, value, least, most);
 }
 
-/// Angles are arguments of CosSin, a 16-bit number.
+/// Angles are arguments of CosSin, which takes 16 bits.
 inline void demand_angle(const std::string& what, std::int32_t tenths) {
   demand_range<std::int32_t>(what, tenths, INT16_MIN, INT16_MAX);
 }
@@ -72,7 +73,7 @@ inline void demand_word(const std::string& what, const std::string& value,
 
 inline void validate_orbit(const Orbit& orbit) {
   demand_range("orbit.radius", orbit.radius, 0.0, farthest_position);
-  // All of the circle has to be a position.
+  // The whole circle must be in the range of positions.
   const double most = farthest_position - orbit.radius;
   demand_range("orbit.about, with this radius,", orbit.about, -most, most);
   demand_angle("orbit.start_tenths", orbit.start_tenths);
@@ -117,7 +118,7 @@ inline void validate_surface(const ObjectDescription& object) {
   }
 }
 
-/// Places in a bitmap times depth are linear on the screen if depth is the inverse of z.
+/// Bitmap coordinates times depth are linear on the screen only if depth is the inverse of z.
 inline void validate_depth_measure(const Scene& scene) {
   if (scene.depth_measure != DepthMeasure::z) return;
   for (const ObjectDescription& object : scene.objects) {
@@ -153,20 +154,20 @@ inline void validate_lights(const Lights& lights) {
   for (std::size_t i = 0; i < lights.spots.size(); ++i) {
     const std::string name = text_of("spot ", i);
     demand_range(name + ": direction", lights.spots[i].direction, -32768, 32768);
-    // Four units of 16.16: one component is 2 or more, which no conversion makes 0.
+    // Four units of 16.16: one component is at least 2, which no conversion rounds to 0.
     demand_range(name + ": length of direction", length(lights.spots[i].direction),
                  std::ldexp(1, -14), 65536.0);
     demand_range(name + ": intensity", lights.spots[i].intensity, 0, 100);
   }
 }
 
-/// The scene without its objects.
+/// Checks the scene without its objects.
 inline void validate_setting(const Scene& scene) {
   demand_range("width", scene.width, narrowest, longest_side);
   demand_range("height", scene.height, 1, longest_side);
   demand_range("frames_per_second", scene.frames_per_second, 0.001, 1000.0);
   demand_range("projection_ratio", scene.projection_ratio, -1000.0, -0.01);
-  // Beyond this the screen coordinates at the sides of a wide page near the ends of 16.16.
+  // Beyond this the screen coordinates at the sides of a wide page approach the ends of 16.16.
   demand_range("projection_ratio * (width / 2)", projection_constant(scene), -16000.0, -0.01);
   demand_range("restore_every", scene.restore_every, 0, INT32_MAX);
   demand_word("arithmetic.by", scene.arithmetic.by, {"type", "model", "double"});
@@ -191,7 +192,7 @@ inline void validate_setting(const Scene& scene) {
 
 }  // namespace detail
 
-/// @throws SceneError saying what is wrong, without the object's name
+/// @throws SceneError with the reason, without the object's name
 inline void validate_object(const ObjectDescription& object) {
   validate_mesh(object.mesh);
   detail::validate_paints(object);
@@ -201,7 +202,7 @@ inline void validate_object(const ObjectDescription& object) {
   detail::demand_delay("spin", object.spin.delay);
   if (object.drift) {
     detail::demand_range("drift.step", object.drift->step, -farthest_position, farthest_position);
-    // Compared with the whole place, pages included.
+    // Compared with the whole position, pages included.
     const double most = farthest_page * farthest_position;
     if (object.drift->stop_z) {
       detail::demand_range("drift.stop_z", *object.drift->stop_z, -most, most);
@@ -218,9 +219,9 @@ inline void validate_object(const ObjectDescription& object) {
   if (object.orbit) detail::validate_orbit(*object.orbit);
 }
 
-/// A scene that passes can be drawn by every arithmetic without leaving 16.16 unawares, as far as
-/// can be told before it moves.
-/// @throws SceneError naming the scene, the object and the reason
+/// Checks that every arithmetic can draw the scene without overflowing 16.16 unnoticed, as far as
+/// this can be known before it moves.
+/// @throws SceneError with the scene, the object and the reason
 inline void validate(const Scene& scene) {
   std::string place = "scene '" + scene.name + "': ";
   try {

@@ -1,5 +1,5 @@
 /// @file
-/// Whether a mesh is a convex body that fits 16.16 numbers.
+/// Checks that a mesh is a convex body that fits 16.16 numbers.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace xsharp {
 
 inline constexpr std::size_t most_faces = 4096;
 inline constexpr std::size_t most_vertices = 8192;
-/// Half a page: however a body turns about its origin, added to a position it stays within 16.16,
-/// with room for the errors of many rotations.
+/// Half a page: a body that rotates about its origin and is added to a position stays within 16.16,
+/// with a margin for the errors of many rotations.
 inline constexpr double farthest_vertex = 8192;
 
 namespace detail {
 
-/// One body under examination; every check throws SceneError, without the name of the body.
+/// Checks one mesh; every check throws SceneError, without the name of the body.
 class MeshExamination {
  public:
   explicit MeshExamination(const Mesh& mesh) : mesh_(mesh) {}
@@ -46,7 +46,7 @@ class MeshExamination {
   }
 
   [[nodiscard]] const Face& face() const { return mesh_.faces[face_]; }
-  /// Vertex `i` of the face, round and round.
+  /// Vertex `i` of the face, modulo the number of vertices.
   [[nodiscard]] const Triple& corner(std::size_t i) const {
     return mesh_.vertices[face().vertices[i % face().vertices.size()]];
   }
@@ -90,7 +90,8 @@ class MeshExamination {
     if (face().normal_end) in_range(*face().normal_end);
   }
 
-  /// Finds the vertices that faces use, for ends of normals lie outside, and the tolerance.
+  /// Finds the vertices of faces, because ends of normals are outside the body, and sets the
+  /// tolerance.
   void measure() {
     for (const Face& face : mesh_.faces) {
       used_.insert(used_.end(), face.vertices.begin(), face.vertices.end());
@@ -103,11 +104,11 @@ class MeshExamination {
           used_, {}, [&](std::size_t index) { return mesh_.vertices[index][axis]; });
       size = std::max(size, mesh_.vertices[most][axis] - mesh_.vertices[least][axis]);
     }
-    // 4 units of 16.16, for coordinates that have been rounded to it, and 1 in 16384 of the size.
+    // 4 units of 16.16 for rounded coordinates, plus 1 in 16384 of the size.
     tolerance_ = std::ldexp(1 + size, -14);
   }
 
-  /// The face by itself: a convex polygon in a plane. Sets out_ and middle_.
+  /// Checks that the face is a planar convex polygon. Sets out_ and middle_.
   void check_polygon() {
     const std::size_t count = face().vertices.size();
     double widest = 0;
@@ -144,7 +145,7 @@ class MeshExamination {
         }
       }
     }
-    // What the pipeline tells front from back by.
+    // The test by which the pipeline distinguishes front and back.
     const Triple first = difference(corner(1), corner(0));
     const Triple last = difference(corner(count - 1), corner(0));
     if (length(cross(first, last)) <= tolerance_ * length(difference(first, last))) {
@@ -152,7 +153,7 @@ class MeshExamination {
     }
   }
 
-  /// The face and the body: everything lies behind its plane.
+  /// Checks that the whole body is behind the plane of the face.
   void check_body() const {
     double before = 0;
     double behind = 0;
@@ -183,7 +184,7 @@ class MeshExamination {
   const Mesh& mesh_;
   std::vector<std::size_t> used_;
   double tolerance_ = 0;
-  // of the face under examination
+  // of the current face
   std::size_t face_ = 0;
   Triple out_{};
   Triple middle_{};
@@ -191,10 +192,10 @@ class MeshExamination {
 
 }  // namespace detail
 
-/// Accepts a convex body, or a part of the surface of one, whose faces are as mesh.hpp says. Places
-/// may be off by 2^-14 of (1 + the longest side of the body's box), unit normals by 2^-12 in length
-/// and 2^-8 in direction.
-/// @throws SceneError naming the face or vertex
+/// Accepts a convex body, or a part of the surface of one, with faces as in mesh.hpp. The tolerance
+/// is 2^-14 of (1 + the longest side of the body's bounding box) for positions, and 2^-12 in length
+/// and 2^-8 in direction for unit normals.
+/// @throws SceneError with the face or vertex
 inline void validate_mesh(const Mesh& mesh) { detail::MeshExamination(mesh).run(); }
 
 }  // namespace xsharp

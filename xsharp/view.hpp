@@ -14,23 +14,23 @@
 
 namespace xsharp {
 
-/// From where the scene is seen.
+/// The view of the scene.
 template <Scalar N>
 struct View {
   Transform<N> world_to_view{};
-  /// World space begins at this page; see ObjectDescription::page.
+  /// The origin page of world space; see ObjectDescription::page.
   std::array<std::int32_t, 3> page{};
   Projection<N> projection{};
-  /// Whether polygons need depths, whatever fills them.
+  /// Whether polygons need depths, regardless of their surface.
   bool depth_buffer = false;
   DepthMeasure depth_measure = DepthMeasure::inverse;
   N near{};
-  /// Whether objects are sorted by their centres, which are then transformed as vertices are.
+  /// Whether objects are sorted by their centres, which are then transformed like vertices.
   bool sorts_by_center = false;
   Concatenation concatenation = Concatenation::published;
 };
 
-/// The matrix of world to view in double, for directions and for measuring.
+/// The world-to-view matrix in double, for directions and measurements.
 inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
   const auto turned = rotation_after(camera.turn_tenths, 1);
   // The inverse of a rotation is its transpose.
@@ -41,7 +41,7 @@ inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
   return inverse;
 }
 
-/// World to view: moved to the camera's place, then turned the other way about.
+/// World to view: translates to the camera's position, then applies the inverse rotation.
 template <Scalar N>
 View<N> view_of(const Scene& scene, Concatenation concatenation = Concatenation::published) {
   const auto turn = turn_to_view(scene.camera);

@@ -1,14 +1,14 @@
 /// \file
 /// The rules of fixed/policy.hpp on blocks of numbers; see fixed/detail/batch_lanes.hpp.
 ///
-/// Lanes of `bad` become ones where a result is out of range, and stay as they are elsewhere. Bits
-/// of `errors` and `overflows` are assigned: ones for the lanes that have no result, or only one
-/// out of range.
+/// Each lane of `bad` is set to ones if its result is out of range and is unchanged otherwise. The
+/// bits of `errors` and `overflows` are assigned: one for each lane that has no result, or one out
+/// of range.
 
 #if defined(FIXED_LANES)
 namespace fixed::detail::FIXED_LANES {
 
-/// What detail::bias() adds to 64-bit sums of 2^-32 before their last 16 bits are dropped.
+/// Adds detail::bias() to 64-bit sums of 2^-32 whose last 16 bits will be dropped.
 template <rounding R>
 FIXED_LANE_FUNCTION i64 biased(i64 sum) {
   constexpr std::int64_t unit = 1 << 16;
@@ -24,7 +24,7 @@ FIXED_LANE_FUNCTION i64 biased(i64 sum) {
   }
 }
 
-/// The same of 32-bit sums of 2^-16 and their last 8 bits, which are dropped.
+/// Rounds 32-bit sums of 2^-16 by dropping their last 8 bits.
 template <rounding R>
 FIXED_LANE_FUNCTION i32 rounded_8(i32 sum) {
   constexpr std::int32_t unit = 1 << 8;
@@ -34,14 +34,14 @@ FIXED_LANE_FUNCTION i32 rounded_8(i32 sum) {
   return sum >> 8;
 }
 
-/// `x` where `bad` is zero, else the end of the range of F on the side of `sign`.
+/// `x` if `bad` is zero, else the end of the range of F with the sign of `sign`.
 template <int F>
 FIXED_LANE_FUNCTION i32 saturated(i32 x, i32 bad, i32 sign) {
   const i32 end = (sign >> 31) ^ std::int32_t{std::numeric_limits<raw_t<F>>::max()};
   return (x & ~bad) | (end & bad);
 }
 
-/// Sums in units of the last place, in range of 32 bits, brought into that of 8.8.
+/// Wraps or saturates 32-bit sums in ulp to the range of 8.8.
 template <policy P>
 FIXED_LANE_FUNCTION i32 narrowed_8(i32 sum, i32& bad) {
   const i32 low = (sum << 16) >> 16;
@@ -54,14 +54,14 @@ FIXED_LANE_FUNCTION i32 narrowed_8(i32 sum, i32& bad) {
   }
 }
 
-/// Biased sums of 2^-32, of the even and of the odd lanes, brought into the range of 16.16.
+/// Wraps or saturates biased sums of 2^-32, in even and odd lanes, to the range of 16.16.
 template <policy P>
 FIXED_LANE_FUNCTION i32 narrowed_16(i64 even, i64 odd, i32& bad) {
   const i32 low = middle(even, odd);
   if constexpr (P.range == overflow::wrap) {
     return low;
   } else {
-    // In range if the upper 17 of the 48 bits that are left are all the sign.
+    // In range if the upper 17 of the remaining 48 bits all equal the sign.
     const i32 high = interleaved(u64(even) >> 32, u64(odd));
     const i32 out = i32((high >> 15) != (low >> 31));
     bad |= out;
@@ -102,7 +102,7 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
     if constexpr (P.range == overflow::wrap) {
       return sum;
     } else {
-      // Out of range if the sum has the sign of neither.
+      // Out of range if the sign of the sum differs from the signs of both operands.
       const i32 out = ((a ^ sum) & (b ^ sum)) >> 31;
       bad |= out;
       return P.range == overflow::saturate ? saturated<16>(sum, out, a) : sum;
@@ -110,7 +110,7 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
   }
 }
 
-/// A divisor as far as the policy looks at it, and 1 in its place where that is zero.
+/// The part of a divisor that the policy uses, with 1 in place of 0.
 struct divisor_lanes {
   std::uint32_t zeros;
   f64 value;
@@ -132,7 +132,8 @@ FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
   return f64(i64(magnitude) | (i64(sign) & std::numeric_limits<std::int64_t>::min()));
 }
 
-/// detail::quotient_sum(), which proves it, on lanes: floor or trunc of it is the rounded quotient.
+/// The vector form of detail::quotient_sum(), which has the proof; its floor or trunc is the
+/// rounded quotient.
 template <rounding R, int Shift>
 FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   constexpr double scale = std::int64_t{1} << Shift;
@@ -146,8 +147,8 @@ FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   }
 }
 
-/// Half a block of quotients by policy. The bits of what is a divide error go into `errors`, those
-/// of what only is out of range into `overflows`.
+/// Half a block of quotients under the policy. Sets a bit in `errors` for a divide error and in
+/// `overflows` for a result that is only out of range.
 template <int F, policy P>
 FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
                                       std::uint32_t& overflows) {
@@ -166,7 +167,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   }
   overflows = 0;
   if constexpr (P.fault == divide_fault::signed_quotient || P.range != overflow::wrap) {
-    // What floor or trunc of the sum will be above `high` or below `low`.
+    // Whether the floor or trunc of the sum will be above `high` or below `low`.
     const std::uint32_t above = bits_at_least(sum, f64{} + (high + 1));
     const std::uint32_t below =
         by_floor ? bits_below(sum, f64{} + low) : bits_at_least(f64{} + (low - 1), sum);
@@ -186,11 +187,12 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   return result;
 }
 
-/// The nearest square roots; 0 of what is negative, whose bits go into `errors`.
+/// The nearest square roots. A negative operand gives 0 and a bit in `errors`.
 ///
 /// The hardware root of n = x 2^F < 2^47 is off by less than 2^-29 in every rounding mode, and
-/// adding a half by as much again: 2^-28 together. No root is nearer than 1 / (8 r + 4) > 2^-27 to
-/// a half r + 1/2 (see detail::nearest_sqrt): so the sum, truncated, is the nearest integer.
+/// adding a half by as much again: 2^-28 together. Every root is more than 1 / (8 r + 4) > 2^-27
+/// away from a half r + 1/2 (see detail::nearest_sqrt), so truncating the sum gives the nearest
+/// integer.
 template <int F>
 FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
   errors = bits(x);
@@ -199,8 +201,7 @@ FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
   return low_words(whole<false>(root(n) + 0.5));
 }
 
-/// Notes where a lane of `bad` is set, of the lanes whose bit is in `of`. Nothing is, under
-/// overflow::wrap.
+/// Records the lanes set in `bad` whose bit is in `of`. Does nothing under overflow::wrap.
 template <policy P>
 FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found,
                                         std::uint32_t of = ~0U) {

@@ -1,7 +1,7 @@
 /// \file
-/// One element of a batch: what the number type makes of it, and what there is to report of it.
+/// One element of a batch: its result and its fault.
 ///
-/// This is all of the portable path, and the last few elements of every other one.
+/// The portable path uses only this. Every other path uses it for the last few elements.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@
 
 namespace fixed::detail {
 
-/// What the report of a batch counts. Of several in one element the first counts.
+/// The faults that a batch report counts. An element with several faults counts for the first.
 enum class fault : std::uint8_t { none, divide_error, overflow, domain_error };
 
-/// The rows of a transform as stored integers; the fourth column is added.
+/// The rows of a transform as stored integers; the fourth column is the translation.
 template <int FractionBits>
 using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
 
-/// A stored integer, or those of a vertex, and what was wrong.
+/// A stored integer, or those of a vertex, and the fault.
 template <class Raw>
 struct outcome {
   Raw raw;
@@ -34,12 +34,13 @@ struct outcome {
 /// The first of two faults.
 constexpr fault first_of(fault a, fault b) noexcept { return a != fault::none ? a : b; }
 
-/// What range rule takes the place of P's in a batch: one that throws wraps, and the report tells.
+/// The overflow rule inside a batch: wrap instead of throwing, because the report records the
+/// overflow.
 template <policy P>
 inline constexpr overflow quiet_range =
     P.range == overflow::saturate ? overflow::saturate : overflow::wrap;
 
-/// A result that may be out of range. Wrapping does not look.
+/// Narrows a result that may be out of range. Under overflow::wrap it reports no fault.
 template <int F, policy P, class Wide>
 constexpr outcome<raw_t<F>> narrowed_element(Wide value) noexcept {
   using raw = raw_t<F>;
@@ -63,7 +64,7 @@ constexpr outcome<raw_t<F>> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F
   return narrowed_element<F, P>(shift_right<P.multiply>(sum, F));
 }
 
-/// What the scalar divide returns; where it throws, what it would return if it wrapped instead.
+/// The result of the scalar divide, or the wrapped result if the scalar divide throws.
 template <int F, policy P>
 constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
   const std::int32_t divisor = effective_divisor<F, P>(d);
@@ -75,8 +76,8 @@ constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
   return result;
 }
 
-/// Whether divided() may find a fault under a policy that never throws: where the divisor is zero
-/// or the result an end of the range. Without a branch.
+/// Whether divided() may report a fault under a policy that never throws: the divisor is zero or
+/// the result is an end of the range. Has no branch.
 template <int F, policy P>
 constexpr bool may_be_fault(raw_t<F> d, raw_t<F> result) noexcept {
   using limits = std::numeric_limits<raw_t<F>>;
@@ -110,7 +111,7 @@ constexpr outcome<raw_t<F>> transformed(const std::array<raw_t<F>, 4>& row,
   return sum;
 }
 
-/// A coordinate over a depth, times a constant.
+/// coordinate / depth * constant.
 template <int F, policy P>
 constexpr outcome<raw_t<F>> projected(raw_t<F> coordinate, raw_t<F> depth,
                                       raw_t<F> constant) noexcept {
@@ -119,7 +120,7 @@ constexpr outcome<raw_t<F>> projected(raw_t<F> coordinate, raw_t<F> depth,
   return {product.raw, first_of(quotient.what, product.what)};
 }
 
-/// A transformed vertex, and the first fault in its coordinates.
+/// A transformed vertex and the first fault of its coordinates.
 template <int F, policy P>
 constexpr outcome<std::array<raw_t<F>, 3>> transformed_vertex(
     const raw_transform<F>& by, const std::array<raw_t<F>, 3>& v) noexcept {
@@ -129,7 +130,8 @@ constexpr outcome<std::array<raw_t<F>, 3>> transformed_vertex(
   return {{x.raw, y.raw, z.raw}, first_of(x.what, first_of(y.what, z.what))};
 }
 
-/// A projected point. A divide error in either coordinate comes before an overflow in the other.
+/// A projected point. A divide error in either coordinate takes precedence over an overflow in the
+/// other.
 template <int F, policy P>
 constexpr outcome<std::array<raw_t<F>, 2>> projected_point(
     raw_t<F> constant, const std::array<raw_t<F>, 3>& v) noexcept {

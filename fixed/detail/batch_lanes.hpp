@@ -1,14 +1,14 @@
 /// \file
-/// Vector registers and the few instructions that the vector types of the compiler do not reach.
+/// Vector registers, and the instructions that the compiler's vector types do not cover.
 ///
-/// fixed/detail/batch_parts.hpp includes this file once for each instruction set: FIXED_LANES is
-/// the namespace, FIXED_LANE_BYTES the size of a register (16 NEON, 32 AVX2, 64 AVX-512),
-/// FIXED_LANE_TARGET what makes the compiler use the instructions in a function. Every function
-/// here has to carry that attribute, which is why these are no templates on the instruction set.
+/// fixed/detail/batch_parts.hpp includes this file once per instruction set. FIXED_LANES is the
+/// namespace, FIXED_LANE_BYTES the register size in bytes (16 NEON, 32 AVX2, 64 AVX-512), and
+/// FIXED_LANE_TARGET the attribute that enables the instructions in a function. Every function here
+/// needs that attribute, so templates on the instruction set are not possible.
 ///
 /// A block is `width` elements: one register of 32-bit lanes, also for 8.8, whose stored integers
-/// are widened when loaded. Where 64 bits are needed a register has the even or the odd lanes, or
-/// half a block.
+/// are widened on load. For 64-bit values, a register holds the even or the odd lanes, or half a
+/// block.
 
 #if defined(FIXED_LANES)
 #define FIXED_LANE_FUNCTION FIXED_LANE_TARGET __attribute__((always_inline)) inline
@@ -26,7 +26,7 @@ using half_i32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int32_t;
 using narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int16_t;
 using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
 
-/// One integer for each lane.
+/// One integer per lane.
 using lane_array = std::array<std::int32_t, width>;
 
 FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
@@ -35,31 +35,32 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
   return x;
 }
 
-// mul_even(a, b)        the lower halves multiplied, in 64-bit lanes, signed as the lanes are
-// unknown(x)            x, of which the compiler knows nothing: where clang can prove operands of
-//                       32 bits it forgets it, and multiplies 64 in three products
+// mul_even(a, b)        products of the lower halves, in 64-bit lanes, signed or unsigned by type
+// unknown(x)            x, hidden from the optimiser: clang otherwise proves that operands have
+//                       32 bits, forgets it, and multiplies 64 bits in three products
 // middle(even, odd)     bits 16 to 47 of 64-bit lanes, in the even and in the odd lanes
 // negative(x)           all ones in the lanes below zero
-// blend<mask>(a, b)     lane i of b where bit i of mask is set, else of a
+// blend<mask>(a, b)     lane i of b if bit i of mask is set, else of a
 // permute(x, from)      lane i is x[from[i]]
 // lower, upper, join    the halves of a block
 // low_words(x)          the lower halves of 64-bit lanes
-// doubles(x)            the same numbers
-// bits(x)               the sign bits, one for each lane
-// zero_bits(x)          a bit for each lane that is zero
-// bits_at_least(a, b)   a bit for each lane with a >= b
-// bits_below(a, b)      a bit for each lane with a < b
-// clamp(x, low, high)   x brought into [low, high]
+// doubles(x)            converts to double
+// bits(x)               the sign bits, one per lane
+// zero_bits(x)          one bit per lane, set if the lane is zero
+// bits_at_least(a, b)   one bit per lane, set if a >= b
+// bits_below(a, b)      one bit per lane, set if a < b
+// clamp(x, low, high)   x limited to [low, high]
 // root(x)               the square root, rounded once
-// whole<by_floor>(x)    floor(x) or trunc(x) of |x| < 2^51 modulo 2^32 in the lower halves, in
+// whole<by_floor>(x)    floor(x) or trunc(x) for |x| < 2^51, modulo 2^32 in the lower halves, in
 //                       every rounding mode
-// store_past(to, x)     x, past the caches, to a multiple of the register's size; can_store_past
-//                       where there is such an instruction
-// wait_for_stores()     what store_past() has written is seen before what is written later
+// store_past(to, x)     stores x past the caches, at a multiple of the register size, if there is
+//                       such an instruction (can_store_past)
+// wait_for_stores()     orders the stores of store_past() before later stores
 
 #if FIXED_LANE_BYTES == 64
 
-// The forms with a full mask: without one, g++ 12 warns of undefined values in its own headers.
+// Uses the forms with a full mask: the others make g++ 12 warn of uninitialised values in its own
+// headers.
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(_mm512_maskz_mul_epi32(0xff, __m512i(a), __m512i(b)));
 }
@@ -70,7 +71,7 @@ FIXED_LANE_FUNCTION u64 unknown(u64 x) {
   asm("" : "+v"(x));
   return x;
 }
-/// The 16-bit words that middle() takes of each pair of registers.
+/// The 16-bit words that middle() selects from each pair of registers.
 inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   std::array<std::int16_t, 32> from{};
   for (std::int16_t i = 0; i < 32; i += 4) {
@@ -131,7 +132,7 @@ FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
   _mm512_stream_si512(static_cast<__m512i*>(to), __m512i(x));
 }
 FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
-// Without optimisation these two are macros in g++ 12, which warn of their mask.
+// Without optimisation g++ 12 implements these two as macros that warn about their mask.
 #if !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Woverflow"
@@ -213,7 +214,8 @@ template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   constexpr int mode = by_floor ? _MM_FROUND_TO_NEG_INF : _MM_FROUND_TO_ZERO;
   const f64 integer = _mm256_round_pd(x, mode | _MM_FROUND_NO_EXC);
-  // Exact: the last bit of the sum counts ones, and those of the constant are zero.
+  // Exact: the last bit of the sum has weight one, and the corresponding bits of the constant are
+  // zero.
   return i64(integer + 0x1.8p52);
 }
 
@@ -273,12 +275,12 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
 
 #endif
 
-/// The even lanes of one, the odd lanes of the other.
+/// Even lanes from the first operand, odd lanes from the second.
 FIXED_LANE_FUNCTION i32 interleaved(u64 even, u64 odd) {
   return blend<0xaaaa>(i32(even), i32(odd));
 }
 
-/// Numbers as the program keeps them: `base` has stored integers from element 0 on.
+/// Loads a block; `base` points to the stored integer of element 0.
 template <int F>
 FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index) {
   const auto* from = static_cast<const raw_t<F>*>(base) + index;
@@ -304,12 +306,12 @@ FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
   }
 }
 
-/// Whether results go to the caches, or past them. Only whole integers of 32 bits do.
+/// Whether results go to the caches or past them. Only 32-bit integers can bypass them.
 enum class stores : bool { cached, past_caches };
 template <int F>
 inline constexpr bool may_store_past = can_store_past&& F == 16;
 
-/// \pre past the caches: may_store_past, and element `index` is at a multiple of a register's size
+/// \pre past the caches: may_store_past, and element `index` is aligned to the register size
 template <int F, stores how>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
   if constexpr (how == stores::past_caches) {

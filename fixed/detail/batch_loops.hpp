@@ -2,13 +2,13 @@
 /// The loops of fixed/batch.hpp and fixed/batch_radian.hpp over whole blocks; see
 /// fixed/detail/batch_lanes.hpp.
 ///
-/// Each returns how many elements it has done: the last few are left to the caller. Where doubles
-/// are not what they should be (detail::hardware_double), those that need them do nothing.
+/// Each returns the number of elements done and leaves the last few to the caller. Loops that need
+/// exact doubles do nothing if detail::hardware_double is false.
 
 #if defined(FIXED_LANES)
 namespace fixed::detail::FIXED_LANES {
 
-/// The loops, as a type: what on_path() hands over.
+/// The loops as a type, which on_path() passes to its callable.
 struct loops {
   template <int F, policy P>
   FIXED_LANE_TARGET static std::size_t multiply(const void* a, const void* b, void* out,
@@ -87,8 +87,8 @@ struct loops {
     return i;
   }
 
-  /// Adds the products to `sum`, exactly: the two halves of each, which with 2^63 added is not
-  /// negative, in sums of their own. \pre count <= 2^30
+  /// Adds the products to `sum` exactly. Adds 2^63 to make each product non-negative, and sums its
+  /// two halves separately. \pre count <= 2^30
   template <int F>
   FIXED_LANE_TARGET static std::size_t dot(const void* a, const void* b, std::size_t count,
                                            wide_sum& sum) {
@@ -159,7 +159,7 @@ struct loops {
     return i;
   }
 
-  /// detail::nearest_sine().
+  /// The vector form of detail::nearest_sine().
   template <int F>
   FIXED_LANE_TARGET static std::size_t sines(const void* angles, void* results, std::size_t count,
                                              std::uint64_t ahead) {
@@ -176,7 +176,7 @@ struct loops {
     return i;
   }
 
-  /// As sines(), of cosines and sines.
+  /// As sines(), for cosines and sines.
   template <int F>
   FIXED_LANE_TARGET static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                          void* sines, std::size_t count) {

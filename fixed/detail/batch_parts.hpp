@@ -1,9 +1,8 @@
 /// \file
-/// What a batch is made of on one instruction set, which the macros of fixed/detail/batch_lanes.hpp
-/// name; they are undefined at the end.
+/// All vector code for the instruction set that the macros of fixed/detail/batch_lanes.hpp name;
+/// undefines them at the end.
 ///
-/// No #pragma once: fixed/detail/batch_targets.hpp includes this for one instruction set after
-/// another.
+/// No #pragma once: fixed/detail/batch_targets.hpp includes this once per instruction set.
 
 #if defined(FIXED_LANES)
 #include "fixed/detail/batch_lanes.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// The loops of the portable path, which every other path ends with too.
+/// The scalar loops: all of the portable path and the end of every other path.
 #pragma once
 
 #include <array>
@@ -13,8 +13,7 @@
 
 namespace fixed::detail {
 
-/// Elements `i` to `count` as the number type makes them: all of them on the portable path, the
-/// last few on every other one.
+/// Computes elements `i` to `count` with the number type.
 /// \param element (index) -> outcome
 /// \param store   (index, raw)
 template <class Element, class Store>
@@ -27,10 +26,10 @@ void each_element(std::size_t i, std::size_t count, fault_recorder& found, const
   }
 }
 
-/// Blocks of quotients of a policy that never throws, in a loop that compilers vectorise: faults,
-/// which are rare, are looked for apart, and results kept until all operands are read, as an output
-/// may be an input.
-/// \return how many elements are done; each_element() does the last few
+/// Computes blocks of quotients for a policy that never throws, in a loop that compilers vectorise.
+/// Faults are rare and found separately. Results are buffered until all operands are read, because
+/// an output may be an input.
+/// \return the number of elements done; each_element() does the rest
 template <class N, class Element>
 std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to, std::size_t count,
                           fault_recorder& found, const Element& element) noexcept {

@@ -1,5 +1,5 @@
 /// \file
-/// What a batch says of the elements that have no proper result.
+/// The report of a batch, and its collection.
 #pragma once
 
 #include <algorithm>
@@ -17,26 +17,26 @@
 
 namespace fixed::batch {
 
-/// What became of a batch: how many elements (vertices, where it is of vertices) had which fault,
-/// and where the first was. An element counts once, for the first fault of its calculation.
+/// How many elements or vertices had which fault, and where the first was. An element counts once,
+/// for the first fault of its calculation.
 struct report {
-  /// `first` of a batch without a fault.
+  /// The value of `first` if there is no fault.
   static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-  /// Quotients that fixed::try_divide does not return, but for those that only overflow: zero
-  /// divisors, and what else policy::fault calls an error.
+  /// Quotients for which fixed::try_divide returns nothing, except mere overflows: zero divisors
+  /// and other errors by policy::fault.
   std::size_t divide_errors = 0;
-  /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Under
-  /// overflow::wrap nothing is out of range.
+  /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Always
+  /// 0 under overflow::wrap.
   std::size_t overflows = 0;
   /// Square roots of negative numbers.
   std::size_t domain_errors = 0;
-  /// The index of the first element that is counted above.
+  /// The index of the first element with a fault.
   std::size_t first = nowhere;
 
-  /// Whether nothing is counted.
+  /// Whether there was no fault.
   [[nodiscard]] constexpr bool clean() const noexcept { return first == nowhere; }
-  /// Whether everything is the same.
+  /// Whether all members are equal.
   friend constexpr bool operator==(const report&, const report&) = default;
 };
 
@@ -44,7 +44,7 @@ struct report {
 
 namespace fixed::detail {
 
-/// The faults of one kind in a batch; an operand of raise().
+/// The number of faults of one kind in a batch; an operand of raise().
 struct fault_count {
   std::size_t count = 0;
   std::size_t first = batch::report::nowhere;
@@ -54,10 +54,10 @@ inline std::string describe(const fault_count& x) {
   return "element " + std::to_string(x.first) + ", " + std::to_string(x.count) + " in all";
 }
 
-/// Counts the faults of one batch.
+/// Collects the faults of one batch.
 class fault_recorder {
  public:
-  /// \param marks one for each element, or none at all
+  /// \param marks one per element, or empty
   explicit fault_recorder(std::span<bool> marks) noexcept : marks_(marks) {
     std::fill(marks.begin(), marks.end(), false);
   }
@@ -66,7 +66,7 @@ class fault_recorder {
     if (what != fault::none) note_bits(what, 1, index);
   }
 
-  /// Elements index, index + 1, ... whose bits are set, from the lowest.
+  /// Records element index + k for every bit k that is set, from the lowest.
   /// \param bits not zero
   void note_bits(fault what, std::uint32_t bits, std::size_t index) noexcept {
     fault_count& found = found_[static_cast<std::size_t>(what)];
@@ -78,9 +78,9 @@ class fault_recorder {
     }
   }
 
-  /// What was found. Throws, unless there are marks, what policy P throws for the first element
-  /// that it throws for.
-  /// \param operation as the text of the error names it
+  /// Returns the report. If there are no marks, throws the error of the first element for which
+  /// policy P throws.
+  /// \param operation the name in the text of the error
   template <policy P>
   [[nodiscard]] batch::report finish(const char* operation) const {
     const fault_count& divides = of(fault::divide_error);

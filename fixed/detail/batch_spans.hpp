@@ -1,5 +1,5 @@
 /// \file
-/// What a batch is given: spans of numbers, of vertices and of points.
+/// Concepts and loads for spans of numbers, vertices and points.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 
 namespace fixed::detail {
 
-/// What can be written as numbers N.
+/// A range to which numbers N can be written.
 template <class Range, class N>
 concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
     requires(Range& range) {
   { *std::data(range) } -> std::same_as<N&>;
 };
 
-/// What can be read as numbers N.
+/// A range of numbers N.
 template <class Range, class N>
 concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
 
-/// What is made of two numbers N, or of three.
+/// A type that can be built from two or three numbers N.
 template <class T, class N, std::size_t size>
 concept made_of = (size == 2 &&
                    requires(N n) {
@@ -36,7 +36,7 @@ concept made_of = (size == 2 &&
                     T{n, n, n};
                   });
 
-/// Elements that are `size` numbers N and nothing else.
+/// A range whose elements consist of exactly `size` numbers N.
 template <class Range, class N, std::size_t size>
 concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
                         std::is_standard_layout_v<element_t<Range>> &&
@@ -49,14 +49,14 @@ template <class Range, class N, std::size_t size>
 concept output_tuples_of = tuples_of<Range, N, size> &&
     !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
 
-/// The length of the shortest of some ranges. Sizes may have a sign, as those of Qt's have.
+/// The length of the shortest range. Sizes may be signed, as in Qt.
 template <class... Ranges>
 constexpr std::size_t shortest(const Ranges&... ranges) noexcept {
   return std::min({static_cast<std::size_t>(std::size(ranges))...});
 }
 
-/// The stored integers of an element of `size` numbers. One by one: where memcpy moves more than a
-/// register's worth, GCC 12 keeps the array in memory.
+/// Loads the stored integers of an element of `size` numbers. Copies one by one, because with a
+/// memcpy of more than a register GCC 12 keeps the array in memory.
 template <int F, std::size_t size>
 std::array<raw_t<F>, size> load_tuple(const void* base, std::size_t index) noexcept {
   const auto* const from = static_cast<const char*>(base) + index * size * sizeof(raw_t<F>);

@@ -1,6 +1,6 @@
 /// \file
-/// The loops of fixed/batch.hpp and fixed/batch_radian.hpp for each instruction set that the
-/// compiler can be asked for, and which of them the processor has.
+/// Instantiates the loops of fixed/batch.hpp and fixed/batch_radian.hpp for each instruction set
+/// that the compiler supports, and selects one at run time.
 #pragma once
 
 #include <algorithm>
@@ -22,18 +22,18 @@
 
 namespace fixed::batch {
 
-/// How a batch is computed. Results and reports are the same, to the bit.
+/// How a batch is computed. All paths give the same results and reports.
 enum class path : std::uint8_t {
-  portable,  ///< the number type in a loop, with any compiler on any processor
-  neon,      ///< where compiled for AArch64 in little-endian order
-  avx2,      ///< x86-64 processors that have it
-  avx512,    ///< x86-64 processors that have its parts F, BW, DQ and VL
+  portable,  ///< a scalar loop over the number type, on any compiler and processor
+  neon,      ///< if compiled for little-endian AArch64
+  avx2,      ///< x86-64 processors with AVX2
+  avx512,    ///< x86-64 processors with AVX-512 F, BW, DQ and VL
 };
 
 }  // namespace fixed::batch
 
-// g++ 12 or clang: vector types, conversions between them, and functions for other processors than
-// the file is compiled for. Whatever else the compiler is, it takes the portable path.
+// Requires g++ 12 or clang: vector types, their conversions, and per-function targets. Other
+// compilers take the portable path.
 #if defined(__GNUC__) && defined(__has_builtin)
 #if __has_builtin(__builtin_convertvector) && __has_builtin(__builtin_shufflevector)
 #if defined(__x86_64__)
@@ -68,7 +68,7 @@ enum class path : std::uint8_t {
 
 namespace fixed::batch {
 
-/// Whether this program can take a path: the compiler knew it, and the processor has it.
+/// Whether the compiler and the processor both support a path.
 inline bool has(path which) noexcept {
   switch (which) {
     case path::portable:
@@ -93,7 +93,7 @@ inline bool has(path which) noexcept {
   return false;
 }
 
-/// The quickest path that this program can take.
+/// The fastest path that this program can take.
 inline path best() noexcept {
   static const path found = has(path::avx512) ? path::avx512
                             : has(path::avx2) ? path::avx2
@@ -106,8 +106,8 @@ inline path best() noexcept {
 
 namespace fixed::detail {
 
-/// What call(loops) returns for the loops of a path; 0, for no element done, on the portable one
-/// and on those that are not to be had.
+/// Calls call(loops) with the loops of a path and returns its result. Returns 0, for no element
+/// done, on the portable path and on unavailable paths.
 template <class Call>
 std::size_t on_path(batch::path which, const Call& call) {
 #if defined(FIXED_BATCH_X86)

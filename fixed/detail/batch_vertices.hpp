@@ -1,17 +1,17 @@
 /// \file
-/// Vertices and points on vector registers; see fixed/detail/batch_lanes.hpp.
+/// Vertices and points in vector registers; see fixed/detail/batch_lanes.hpp.
 
 #if defined(FIXED_LANES)
 namespace fixed::detail::FIXED_LANES {
 
-/// \name Numbers x y z x y z ... and x y x y ..., from and to blocks of each
+/// \name Conversion between interleaved (x y z ..., x y ...) and per-coordinate blocks
 /// \{
 
 struct block_of_vertices {
   i32 x, y, z;
 };
 
-/// The lanes of the i-th register of three in which there is component c, as bits.
+/// The lanes, as bits, of register i of three that hold component c.
 constexpr unsigned lanes_of(std::size_t c, std::size_t i) {
   unsigned lanes = 0;
   for (std::size_t lane = 0; lane < width; ++lane) {
@@ -20,11 +20,11 @@ constexpr unsigned lanes_of(std::size_t c, std::size_t i) {
   return lanes;
 }
 
-/// The lane in which component c of vertex k is, in whichever register. The width is no multiple of
-/// three: no two vertices share one.
+/// The lane that holds component c of vertex k, in any register. The width is not a multiple of
+/// three, so no two vertices share a lane.
 constexpr std::size_t lane_of(std::size_t c, std::size_t k) { return (3 * k + c) % width; }
 
-/// What permute() wants to bring component c to the lane of its vertex, and back.
+/// The permutations that move component c to the lane of its vertex, and back.
 template <std::size_t c>
 inline constexpr lane_array to_vertices = [] {
   lane_array from{};
@@ -38,7 +38,7 @@ inline constexpr lane_array from_vertices = [] {
   return from;
 }();
 
-/// The same for points, whose lanes come in pairs.
+/// The same for points, whose lanes are in pairs.
 template <std::size_t i>
 inline constexpr lane_array from_points = [] {
   lane_array from{};
@@ -54,17 +54,18 @@ FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
                  lanes(to_vertices<c>));
 }
 
-/// Whether element `index` is at a multiple of a register's size.
+/// Whether element `index` is aligned to the register size.
 template <int F>
 bool is_register_aligned(const void* base, std::size_t index) {
   return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(raw_t<F>)) % FIXED_LANE_BYTES ==
          0;
 }
 
-/// Asks for what is read eight blocks of AVX-512 later: in one stream of three registers a block
-/// the processor does not look ahead far enough by itself. An address beyond the end is no access.
+/// Prefetches the data read eight AVX-512 blocks later: in a stream of three registers per block,
+/// the hardware prefetcher does not look far enough ahead. An address beyond the end causes no
+/// access.
 /// \param index  of the next byte that is read
-/// \tparam block bytes that are read before this is called again
+/// \tparam block bytes read between two calls
 template <std::size_t block>
 FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
   constexpr std::uintptr_t distance = 1536;
@@ -74,7 +75,7 @@ FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
   }
 }
 
-/// Vertices index, index + 1, ...
+/// Loads the block of vertices that starts at `index`.
 template <int F>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
   constexpr std::size_t vertex = 3 * sizeof(raw_t<F>);
@@ -107,7 +108,7 @@ FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 
 
 /// \}
 
-/// The coefficients of a transform, each in every lane.
+/// The coefficients of a transform, each broadcast to every lane.
 struct broadcast_transform {
   i32 rows[3][4];
 };
@@ -138,7 +139,7 @@ FIXED_LANE_FUNCTION block_of_vertices transformed_block(const broadcast_transfor
           coordinate<F, P>(t.rows[2], v, bad)};
 }
 
-/// \name Where vertices are read and written
+/// \name Layouts of vertices in memory
 /// \{
 
 /// x y z x y z ...
@@ -155,11 +156,11 @@ struct interleaved_vertices {
     store_vertices<F, how>(out, i, v);
   }
   [[nodiscard]] bool in_place() const { return in == out; }
-  /// Whether the results from vertex i on are at a multiple of a register's size.
+  /// Whether the results from vertex i on are aligned to the register size.
   [[nodiscard]] bool is_aligned(std::size_t i) const { return is_register_aligned<F>(out, 3 * i); }
 };
 
-/// Each coordinate in an array of its own.
+/// Each coordinate in its own array.
 template <int F>
 struct vertex_columns {
   std::array<const void*, 3> in;
@@ -189,7 +190,7 @@ struct vertex_columns {
 
 /// \}
 
-/// \param of the lanes whose overflows are noted
+/// \param of the lanes whose overflows are recorded
 template <int F, policy P, stores how, class Places>
 FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Places& places,
                                          std::size_t i, std::uint32_t of, fault_recorder& found) {
@@ -198,12 +199,12 @@ FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Pla
   note_overflows<P>(bad, i, found, of);
 }
 
-/// As many bytes of results go past the caches: more than a core's share of the last one, so that
-/// they would have left it again before they are read from the first on. What they would have
-/// pushed out stays, and no line is read only to be written over.
+/// From this many bytes on, results bypass the caches. It is more than a core's share of the
+/// last-level cache, so the first results would be evicted before they are read. Bypassing keeps
+/// other data cached and avoids reading lines only to overwrite them.
 inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 
-/// All whole blocks. \return how many vertices are done
+/// Transforms all whole blocks. \return the number of vertices done
 template <int F, policy P, class Places>
 FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<F>& by, const Places& places,
                                                std::size_t count, fault_recorder& found) {
@@ -215,7 +216,7 @@ FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<F>& by, const
     while (first < width && !places.is_aligned(first)) ++first;
     const bool many = count >= past_caches_from / (3 * sizeof(raw_t<F>));
     if (many && first < width && !places.in_place()) {
-      // The first block reaches into the second, which makes the same of what both have.
+      // The first block overlaps the second; both compute the same values for the overlap.
       transform_block<F, P, stores::cached>(t, places, 0, (1U << first) - 1, found);
       for (i = first; count - i >= width; i += width) {
         transform_block<F, P, stores::past_caches>(t, places, i, all, found);
@@ -230,7 +231,7 @@ FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<F>& by, const
   return i;
 }
 
-/// x and y over z, times a constant.
+/// Projects a block: x / z * constant and y / z * constant.
 template <int F, policy P>
 FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant, i32& x, i32& y,
                                        std::size_t index, fault_recorder& found) {

@@ -1,5 +1,5 @@
 /// \file
-/// Cosines of the first quadrant, computed by the compiler in integers.
+/// Cosines of the first quadrant, computed at compile time in integers.
 #pragma once
 
 #include <array>
@@ -11,16 +11,17 @@
 
 namespace fixed::detail {
 
-/// cos(step / steps * pi / 2) in units of 2^-62, within 2^-56, for 0 <= step <= steps < 2^31.
+/// cos(step / steps * pi / 2) in units of 2^-62, for 0 <= step <= steps < 2^31. The error is below
+/// 2^-56.
 constexpr std::int64_t cosine(std::uint64_t step, std::uint64_t steps) noexcept {
   return cosine(half_pi / steps * step + half_pi % steps * step / steps);
 }
 
-/// Not constexpr: a constant expression that comes here does not compile.
+/// Not constexpr, so that a constant expression that calls it does not compile.
 inline void cosine_is_not_precise_enough() {}
 
-/// Entry i is cos(i / StepsPerDegree degrees), from 0 to 90 degrees, rounded to nearest. An entry
-/// so near to a half that the error of cosine() could matter would not compile.
+/// Entry i is cos(i / StepsPerDegree degrees), from 0 to 90 degrees, rounded to nearest. Does not
+/// compile if the error of cosine() could change the rounding of an entry.
 template <int FractionBits, int StepsPerDegree>
 inline constexpr auto cosine_table = [] {
   constexpr std::size_t last = std::size_t{90} * StepsPerDegree;

@@ -1,5 +1,5 @@
 /// \file
-/// Exact decimal text of a stored integer, and the stored integer nearest to a decimal text.
+/// Conversion between stored integers and decimal text, exact in both directions.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 
 namespace fixed::detail {
 
-/// Longest decimal text: sign, whole part, point, and one fraction digit for each fraction bit.
+/// The longest decimal text: sign, whole part, point, and one fraction digit per fraction bit.
 template <int FractionBits>
 inline constexpr std::size_t max_decimal_chars = 1 + (FractionBits == 16 ? 5 : 3) +
                                                  1 + FractionBits;
 
-/// Writes the exact value, shortest form: "-0.5", "3", "0.0000152587890625".
-/// \param out room for max_decimal_chars
+/// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
+/// \param out a buffer of max_decimal_chars
 /// \return the end of the text
 template <int FractionBits>
 constexpr char* write_decimal(char* out, raw_t<FractionBits> raw) noexcept {
@@ -42,12 +42,11 @@ constexpr char* write_decimal(char* out, raw_t<FractionBits> raw) noexcept {
 
 /// Reads `[sign]digits[.digits]` one character at a time, in constant memory, and rounds it once.
 ///
-/// A value half way between two neighbours, an odd multiple of 2^-17 at the finest, has at most 17
-/// fraction digits. So the first 17 are kept exactly and of the others only whether any is not
-/// zero: that decides every rounding.
+/// A tie is an odd multiple of 2^-17 at the finest and has at most 17 fraction digits. Keeping 17
+/// digits exactly, and whether any later digit is nonzero, therefore decides every rounding.
 class decimal_reader {
  public:
-  /// Takes the next character if it can go on the text so far.
+  /// Consumes the next character if it can continue the text.
   constexpr bool take(char c) noexcept {
     const bool is_digit = c >= '0' && c <= '9';
     switch (state_) {
@@ -77,19 +76,19 @@ class decimal_reader {
     return is_digit;
   }
 
-  /// Whether the characters taken are a number. "1." is one character too long to be.
+  /// Whether the characters consumed are a number. "1." is not.
   [[nodiscard]] constexpr bool complete() const noexcept {
     return state_ == state::whole || state_ == state::fraction;
   }
 
-  /// Whether the characters taken are a number and a point.
+  /// Whether the characters consumed are a number and a point.
   [[nodiscard]] constexpr bool ends_in_point() const noexcept { return state_ == state::point; }
 
-  /// The number read, rounded by rule R; nothing if it is out of range after rounding.
+  /// The number rounded by rule R, or nothing if the rounded value is out of range.
   template <int FractionBits, rounding R>
   constexpr std::optional<raw_t<FractionBits>> value() const noexcept {
-    // 10^17 / 2^FractionBits: how many of the last kept digit make one unit. One more factor of
-    // two makes room for the digits not kept.
+    // 10^17 / 2^FractionBits: units of the last kept digit per ulp. The extra factor of two makes
+    // room for the sticky bit of the later digits.
     constexpr std::int64_t unit = 2 * (power_of_ten(kept) >> FractionBits);
     std::int64_t parts = fraction_;
     for (int digits = kept_; digits < kept; ++digits) parts *= 10;
@@ -117,7 +116,7 @@ class decimal_reader {
 
   constexpr void add(unsigned digit) noexcept {
     if (state_ == state::whole) {
-      // Beyond any range, the exact whole part no longer matters.
+      // Clamps: beyond every range, the exact whole part does not matter.
       constexpr std::int64_t beyond = std::int64_t{1} << 32;
       whole_ = whole_ * 10 + digit;
       if (whole_ > beyond) whole_ = beyond;

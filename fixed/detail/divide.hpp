@@ -1,5 +1,5 @@
 /// \file
-/// Division by policy: which quotient, and whether there is one.
+/// Division under a policy: the quotient and the error conditions.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace fixed::detail {
 
-/// How a division ended.
+/// The outcome of a division.
 enum class division { done, divide_error, out_of_range };
 
-/// The part of the divisor the policy looks at.
+/// The part of the divisor that the policy uses.
 template <int FractionBits, policy P>
 constexpr std::int32_t effective_divisor(raw_t<FractionBits> d) noexcept {
   if constexpr (P.divisor == divisor_width::whole_part) {
-    // Toward zero; the magnitude of the lowest value counts as unsigned.
+    // Toward zero; the magnitude of the lowest value is unsigned.
     return static_cast<std::int32_t>(
         shift_right<rounding::truncate>(std::int64_t{d}, FractionBits));
   } else {
@@ -27,25 +27,24 @@ constexpr std::int32_t effective_divisor(raw_t<FractionBits> d) noexcept {
   }
 }
 
-/// What the numerator is shifted by before it is divided by the effective divisor.
+/// The shift of the numerator before it is divided by the effective divisor.
 template <int FractionBits, policy P>
 inline constexpr int numerator_shift = P.divisor == divisor_width::full ? FractionBits : 0;
 
-/// What stands for n / 0 where that is no error: the limit of the quotient for a divisor that falls
-/// to zero, that is the end of the range on the numerator's side; 0 / 0 is 0.
+/// The value of n / 0 if it is not an error: the end of the range with the sign of n, which is the
+/// limit for a divisor that falls to zero; 0 / 0 is 0.
 constexpr std::int32_t limit_toward_zero(std::int32_t n, std::int32_t highest) noexcept {
   const std::int32_t end = (n >> 31) ^ highest;
   return n == 0 ? 0 : end;
 }
 
-/// n / d for operands whose division is done: wrapped or saturated, never an error.
+/// n / d, wrapped or saturated, without error checks.
 template <int FractionBits, policy P>
 constexpr raw_t<FractionBits> total_divide(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
   using raw = raw_t<FractionBits>;
   constexpr int shift = numerator_shift<FractionBits, P>;
   const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
-  // Divided by 1 instead of 0 and chosen by a mask afterwards: with a branch, loops would not be
-  // vectorised.
+  // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent vectorisation.
   const std::int32_t by_zero = -std::int32_t{divisor == 0};
   const std::int32_t limit = limit_toward_zero(n, std::numeric_limits<raw>::max());
   std::int32_t quotient = 0;
@@ -57,7 +56,7 @@ constexpr raw_t<FractionBits> total_divide(raw_t<FractionBits> n, raw_t<Fraction
   return static_cast<raw>((quotient & ~by_zero) | (limit & by_zero));
 }
 
-/// Whether |n| 2^shift / |divisor| >= 2^(2 FractionBits), multiplied out.
+/// Whether |n| 2^shift / |divisor| >= 2^(2 FractionBits), without dividing.
 template <int FractionBits, policy P>
 constexpr bool exceeds_unsigned(raw_t<FractionBits> n, std::int32_t divisor) noexcept {
   const std::int64_t numerator = n < 0 ? -std::int64_t{n} : std::int64_t{n};
@@ -65,9 +64,9 @@ constexpr bool exceeds_unsigned(raw_t<FractionBits> n, std::int32_t divisor) noe
   return numerator >= magnitude << (2 * FractionBits - numerator_shift<FractionBits, P>);
 }
 
-/// How a division ends by the rules of the policy.
+/// The outcome of a division under the policy.
 /// \param divisor  the effective one, not zero
-/// \param quotient rounded, not yet brought into range
+/// \param quotient rounded, before wrapping or saturation
 template <int FractionBits, policy P>
 constexpr division ending_of(raw_t<FractionBits> n, std::int32_t divisor,
                              std::int64_t quotient) noexcept {
@@ -84,7 +83,7 @@ constexpr division ending_of(raw_t<FractionBits> n, std::int32_t divisor,
   return division::done;
 }
 
-/// How n / d ends under the policy.
+/// The outcome of n / d under the policy.
 template <int FractionBits, policy P>
 constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
   constexpr int shift = numerator_shift<FractionBits, P>;

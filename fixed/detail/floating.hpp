@@ -1,6 +1,6 @@
 /// \file
-/// Binary floating point taken apart and put together with integers, so that compiler flags, the
-/// rounding mode and flushed denormals change nothing.
+/// Decodes and encodes binary floating point with integers, so that compiler flags, the rounding
+/// mode and flushed denormals have no effect.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@
 
 namespace fixed::detail {
 
-/// The types that convert: IEEE binary32 and binary64.
+/// The supported floating-point types: IEEE binary32 and binary64.
 template <class T>
 concept binary_float = std::same_as<T, float> || std::same_as<T, double>;
 
@@ -21,7 +21,7 @@ concept binary_float = std::same_as<T, float> || std::same_as<T, double>;
 struct scaled_float {
   enum class kind {
     finite,    ///< `integer` is the result
-    beyond,    ///< the result does not fit in 64 bits; `integer` is it modulo 2^64
+    beyond,    ///< the result exceeds 64 bits; `integer` is it modulo 2^64
     infinite,  ///< `integer` is 0
     nan,       ///< `integer` is 0
   };
@@ -52,7 +52,7 @@ constexpr scaled_float scale(Float x, int scale) noexcept {
   const int exponent =
       (biased == 0 ? 1 : biased) - (limits::max_exponent - 1) - significand_bits + scale;
   if (exponent < 0) {
-    // The significand has at most 53 bits: shifts beyond 60 give what 60 gives.
+    // The significand has at most 53 bits, so a shift beyond 60 equals a shift by 60.
     return {kind::finite, negative, shift_right<R>(value, exponent < -60 ? 60 : -exponent)};
   }
   if (exponent <= 10) return {kind::finite, negative, value * (std::int64_t{1} << exponent)};
@@ -61,7 +61,7 @@ constexpr scaled_float scale(Float x, int scale) noexcept {
   return {kind::beyond, negative, static_cast<std::int64_t>(low)};
 }
 
-/// The float nearest to raw / 2^fraction_bits, halves to even.
+/// The float nearest to raw / 2^fraction_bits, ties to even.
 constexpr float to_float(std::int64_t raw, int fraction_bits) noexcept {
   const std::int64_t magnitude = raw < 0 ? -raw : raw;
   const auto width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
@@ -73,7 +73,7 @@ constexpr float to_float(std::int64_t raw, int fraction_bits) noexcept {
     kept += rest > half || (rest == half && kept % 2 != 0) ? 1 : 0;
   }
   const std::int64_t rounded = kept << dropped;
-  // From here every step is exact: 24 significant bits, and a division by a power of two.
+  // Every step from here on is exact: 24 significant bits and a power of two.
   return static_cast<float>(raw < 0 ? -rounded : rounded) /
          static_cast<float>(std::int64_t{1} << fraction_bits);
 }

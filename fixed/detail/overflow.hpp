@@ -1,5 +1,5 @@
 /// \file
-/// The one place where an exact result meets the range of the type.
+/// Narrows an exact result to the range of the type; the only place that does.
 #pragma once
 
 #include <concepts>
@@ -18,8 +18,8 @@ constexpr bool fits(Wide value) noexcept {
   return std::in_range<Raw>(value);
 }
 
-/// The value as a Raw by rule O; under overflow::trap, `raise` is called for a value that does not
-/// fit, and must throw.
+/// The value as a Raw by rule O. Under overflow::trap, calls `raise` for a value that does not fit;
+/// `raise` must throw.
 template <overflow O, class Raw, class Wide, class Raise>
 constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::trap) {
   if constexpr (O == overflow::saturate) {
@@ -34,8 +34,7 @@ constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::tra
   }
 }
 
-/// The integer, or +-2^32 if it is farther from zero than that: out of every range either way, with
-/// room to be shifted.
+/// Limits an integer to +-2^32, which is out of every range but leaves room for shifts.
 template <std::integral Int>
 constexpr std::int64_t clamp_far(Int value) noexcept {
   constexpr std::int64_t far = std::int64_t{1} << 32;

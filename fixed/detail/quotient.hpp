@@ -1,5 +1,5 @@
 /// \file
-/// The rounded quotient of two stored integers: exact, by integers or by hardware doubles.
+/// The rounded quotient of two stored integers, exact, from integers or hardware doubles.
 #pragma once
 
 #include <bit>
@@ -12,32 +12,30 @@
 
 namespace fixed::detail {
 
-/// numerator * 2^Shift / divisor rounded by rule R, in integers. `divisor` is not zero, Shift
-/// <= 16.
+/// numerator * 2^Shift / divisor rounded by rule R, in integers. \pre divisor is not zero, Shift <=
+/// 16
 template <rounding R, int Shift>
 constexpr std::int64_t quotient_by_integers(std::int32_t numerator, std::int32_t divisor) noexcept {
-  // Both doubled, so that the divisor is even as bias() asks: at most 2^48 and 2^32.
+  // Doubles both, because bias() requires an even divisor: at most 2^48 and 2^32.
   const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{2} << Shift);
   const std::int64_t parts = divisor < 0 ? -scaled : scaled;
   const std::int64_t unit = 2 * (divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor});
   return floor_divide(parts + bias<R>(parts < 0, unit), unit);
 }
 
-/// The upper half of the bits: the sign, the exponent and what follows.
+/// The upper half of the bits: sign, exponent and the top of the significand.
 inline std::int32_t upper_bits(double x) noexcept {
   return static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(x) >> 32);
 }
 
-/// Before the last step of the rounding: the quotient by one division in double, plus a half if R
-/// rounds to nearest. What floor, or for half_away and truncate trunc, makes of it is the rounded
-/// quotient.
+/// The quotient by one double division, plus a half if R rounds to nearest. Its floor, or its trunc
+/// for half_away and truncate, is the rounded quotient.
 ///
-/// Bit-identical to the integers for every operand and in every rounding mode of the processor:
+/// Bit-identical to integer division for every operand and every rounding mode of the processor:
 ///
 /// Let Q = N / D be the exact quotient, N = numerator * 2^Shift, |N| <= 2^47, 0 < |D| <= 2^31, and
-/// q its double in the current mode: |q - Q| < |Q| 2^-52 = |N / D| 2^-52 <= 2^-5 / |D|.
-/// If Q is an integer or a half more than one, it has at most 48 bits, so q = Q and q +- 1/2 is
-/// exact.
+/// q its double in the current mode: |q - Q| < |Q| 2^-52 = |N / D| 2^-52 <= 2^-5 / |D|. If Q is an
+/// integer or an integer plus a half, it has at most 48 bits, so q = Q and q +- 1/2 is exact.
 ///
 /// If not, Q is at least 1 / |D| from every integer and 1 / (2 |D|) from every half. Adding 1/2
 /// rounds once more, by less than (|Q| + 1/2) 2^-52 <= 2^-5 / |D| + 2^-53. Both errors together are
@@ -58,13 +56,13 @@ inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcep
   }
 }
 
-/// floor of what quotient_sum() returns, in every rounding mode.
+/// The floor of a quotient_sum(), in every rounding mode.
 ///
-/// Adding 1.5 * 2^52 to a sum below 2^51 leaves a double whose last bit counts ones; which
-/// neighbour of the sum it is, the mode decides. The integer is read off the bits, and the sign of
-/// the difference from the sum tells whether to step back. That difference is 0 or at least 2^-33;
-/// 2^-40 keeps the zero, which is negative when rounding downward, from stepping. Without a branch
-/// and without the 64-bit conversion that SSE2 has for single values only, compilers vectorise it.
+/// Adding 1.5 * 2^52 to a sum below 2^51 gives a double whose last bit has weight one; the rounding
+/// mode decides which neighbour of the sum it is. The integer is taken from the bits, and the sign
+/// of the difference from the sum tells whether to step back. That difference is 0 or at least
+/// 2^-33; adding 2^-40 prevents a step for zero, which is negative when rounding downward. This has
+/// no branch and no 64-bit conversion, which SSE2 has only for scalars, so compilers vectorise it.
 inline std::int64_t floor_of_sum(double sum) noexcept {
   constexpr double ones = 0x1.8p52;
   const double placed = sum + ones;
@@ -74,14 +72,14 @@ inline std::int64_t floor_of_sum(double sum) noexcept {
          static_cast<std::int64_t>(step);
 }
 
-/// Whether rule R is a floor once its half is added; if not, it is a trunc.
+/// Whether rule R is a floor after adding the half; otherwise it is a trunc.
 template <rounding R>
 inline constexpr bool rounds_by_floor = R == rounding::half_up || R == rounding::floor;
 
-/// numerator * 2^Shift / divisor rounded by rule R. `divisor` is not zero, Shift <= 16.
+/// numerator * 2^Shift / divisor rounded by rule R. \pre divisor is not zero, Shift <= 16
 template <rounding R, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
-  // if constexpr: without hardware doubles there is to be no double, not even in dead code.
+  // if constexpr: without hardware doubles even dead code must not contain a double.
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
       const double sum = quotient_sum<R, Shift>(numerator, divisor);
@@ -91,7 +89,7 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
   return quotient_by_integers<R, Shift>(numerator, divisor);
 }
 
-/// The same, saturated to the range of Raw.
+/// rounded_quotient(), saturated to the range of Raw.
 template <class Raw, rounding R, int Shift>
 constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr std::int32_t highest = std::numeric_limits<Raw>::max();

@@ -1,9 +1,8 @@
 /// \file
 /// The number nearest to the sine or cosine of an angle in radians.
 ///
-/// Nearest needs no rule for halves: by the theorem of Lindemann and Weierstrass the sine of a
-/// rational angle other than 0 is transcendental, and so is the cosine, so that neither is a half;
-/// those of 0 are 0 and 1.
+/// There are no ties: by the Lindemann-Weierstrass theorem the sine and cosine of a nonzero
+/// rational angle are transcendental; those of 0 are 0 and 1.
 #pragma once
 
 #include <array>
@@ -14,29 +13,29 @@
 
 namespace fixed::detail {
 
-/// 2^-16 radians in units of 2^-64 of a turn, that is 2^48 / (2 pi), to nearest; then what is
-/// missing, in units of 2^-96 of a turn. The first alone is 2^-38.5 of a turn off at most.
+/// 2^-16 radians in units of 2^-64 of a turn, that is 2^48 / (2 pi), to nearest; then the remainder
+/// in units of 2^-96 of a turn. The error of the first alone is at most 2^-38.5 of a turn.
 inline constexpr std::uint64_t turns_of_unit = 0x28be60db9391;
 inline constexpr std::int64_t rest_of_unit = 88768266;
 
 inline constexpr std::uint64_t quarter_turn = std::uint64_t{1} << 62;
 inline constexpr std::uint64_t half_turn = std::uint64_t{1} << 63;
 
-/// How far quick_cosine() may be off, in units of 2^-62: 2^-29.
+/// The error bound of quick_cosine() in units of 2^-62: 2^-29.
 inline constexpr std::uint64_t quick_error = std::uint64_t{1} << 33;
 
-/// Of a minimax polynomial in the square z of d: c0 - z (c1 - z (c2 - ...)). c0 has 62 bits after
-/// the point, c1 31, the others 32.
+/// Coefficients of a minimax polynomial in the square z of d: c0 - z (c1 - z (c2 - ...)). c0 has 62
+/// bits after the point, c1 31, the others 32.
 inline constexpr std::array<std::uint64_t, 6> quick_coefficients{
     0x3fffffff74bfd230, 0x9de9e62b, 0x40f07905, 0x55741d4, 0x3c24de, 0x18fb7};
 
-/// The cosine of d / 2^31 quarter turns in units of 2^-62, modulo 2^64, within 2^-29 even if d is
-/// 0.53 units off. Multiplies only words of 32 bits, as vector units can.
+/// The cosine of d / 2^31 quarter turns in units of 2^-62, modulo 2^64. The error is below 2^-29
+/// even if d is 0.53 units off. Multiplies only 32-bit words, as vector units can.
 ///
-/// The polynomial with the coefficients as they are is at most 5.1e-10 too low and 3.6e-10 too
-/// high; d puts it off by 0.53 * pi/2^32 < 3.9e-10; what is lost below the last places makes it up
-/// to 2^-31 c1 + 2 * 2^-32 < 10.5e-10 higher and up to 2^-31 + 2^-32 < 7.0e-10 lower. Together that
-/// is less than 1.82e-9, and 2^-29 is 1.86e-9.
+/// The polynomial with these coefficients is at most 5.1e-10 too low and 3.6e-10 too high. The
+/// error of d adds 0.53 * pi/2^32 < 3.9e-10. Truncation makes the result up to 2^-31 c1 + 2 * 2^-32
+/// < 10.5e-10 higher and up to 2^-31 + 2^-32 < 7.0e-10 lower. The total is less than 1.82e-9, and
+/// 2^-29 is 1.86e-9.
 constexpr std::uint64_t quick_cosine(std::int32_t d) noexcept {
   const auto& c = quick_coefficients;
   const std::uint64_t z = static_cast<std::uint64_t>(std::int64_t{d} * d) >> 31;
@@ -47,8 +46,8 @@ constexpr std::uint64_t quick_cosine(std::int32_t d) noexcept {
   return c[0] - z * factor;
 }
 
-/// The magnitude of the sine of an angle in units of 2^-16 radians, `ahead` / 2^64 turns on, in
-/// units of 2^-62, within 2^-56.
+/// The magnitude of the sine of an angle in units of 2^-16 radians, advanced by `ahead` / 2^64
+/// turns, in units of 2^-62. The error is below 2^-56.
 constexpr std::uint64_t careful_sine(std::int32_t angle, std::uint64_t ahead) noexcept {
   constexpr std::int64_t half = std::int64_t{1} << 31;
   const std::uint64_t turns =
@@ -57,36 +56,36 @@ constexpr std::uint64_t careful_sine(std::int32_t angle, std::uint64_t ahead) no
   const std::uint64_t in_half = turns & (half_turn - 1);
   const std::uint64_t from_peak =
       in_half < quarter_turn ? quarter_turn - in_half : in_half - quarter_turn;
-  // 2^-64 of a turn is pi/2 units of 2^-62; `from_peak` is within 0.6 of the former.
+  // 2^-64 of a turn is pi/2 units of 2^-62; the error of `from_peak` is below 0.6 of the former.
   return static_cast<std::uint64_t>(cosine(multiply_high(from_peak << 1, half_pi << 1)));
 }
 
-/// How a quick_cosine() becomes a result in units of 2^-FractionBits.
+/// The rounding of a quick_cosine() to units of 2^-FractionBits.
 template <int FractionBits>
 struct quick_rounding {
-  /// Bits that have no place in the result.
+  /// The number of bits that the result drops.
   static constexpr int dropped = 62 - FractionBits;
-  /// Added first: a half, and the error, so that a sum of which the bits `doubtful` are zero is of
-  /// a cosine that may lie on either side of a half.
+  /// A half plus the error bound. If the bits `doubtful` of the biased sum are zero, the cosine may
+  /// lie on either side of a tie.
   static constexpr std::uint64_t bias = (std::uint64_t{1} << (dropped - 1)) + quick_error;
   static constexpr std::uint64_t doubtful = (std::uint64_t{1} << dropped) - 2 * quick_error;
 };
 
-/// Added to the turns of an angle, for what is left of them above the lower 31 bits to be nearest.
+/// Added to the turns of an angle to round them to the bits above the lower 31.
 inline constexpr std::uint64_t turns_bias = std::uint64_t{1} << 30;
 
-/// The sine of an angle in units of 2^-FractionBits radians, `ahead` / 2^64 turns on, in the same
-/// units, to nearest.
+/// The nearest sine of an angle in units of 2^-FractionBits radians, advanced by `ahead` / 2^64
+/// turns, in the same units.
 ///
-/// Of all 2^32 sines and 2^32 cosines, the one nearest to a half is cos(24783.448608...), stored
-/// integer 0x60cf72d8: it is 2^-48.8 beside it, 140 times the error of careful_sine().
+/// Of all 2^32 sines and 2^32 cosines, the one nearest to a tie is cos(24783.448608...), stored
+/// integer 0x60cf72d8: its distance of 2^-48.8 is 140 times the error of careful_sine().
 template <int FractionBits>
 constexpr std::int32_t nearest_sine(raw_t<FractionBits> raw, std::uint64_t ahead) noexcept {
   using rounding = quick_rounding<FractionBits>;
   const std::int32_t angle = std::int32_t{raw} * (1 << (16 - FractionBits));
   const std::uint64_t turns =
       static_cast<std::uint64_t>(std::int64_t{angle}) * turns_of_unit + turns_bias + ahead;
-  // Off by 1/2 of its units by rounding, and by 0.021 by the error of turns_of_unit.
+  // The error is 1/2 unit by rounding, and 0.021 by the error of turns_of_unit.
   const auto from_peak = static_cast<std::int32_t>((turns - quarter_turn) >> 31);
   std::uint64_t sum = quick_cosine(from_peak) + rounding::bias;
   if ((sum & rounding::doubtful) == 0) {

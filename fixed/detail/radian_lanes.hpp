@@ -1,12 +1,12 @@
 /// \file
-/// detail::nearest_sine() on blocks of numbers; see fixed/detail/batch_lanes.hpp.
+/// The vector form of detail::nearest_sine(); see fixed/detail/batch_lanes.hpp.
 ///
-/// The even and the odd lanes of a block are calculated in a register of 64-bit lanes each.
+/// The even and the odd lanes of a block are computed in separate registers of 64-bit lanes.
 
 #if defined(FIXED_LANES)
 namespace fixed::detail::FIXED_LANES {
 
-/// What detail::nearest_sine() calls the turns of an angle.
+/// The `turns` of detail::nearest_sine().
 struct turn_lanes {
   u64 even, odd;
 };
@@ -26,7 +26,7 @@ FIXED_LANE_FUNCTION turn_lanes turns_of(i32 raw, std::uint64_t ahead) {
   return {turns_of_even(i64(angle), ahead), turns_of_even(odd_lanes(angle), ahead)};
 }
 
-/// detail::quick_cosine().
+/// The vector form of detail::quick_cosine().
 FIXED_LANE_FUNCTION u64 quick_cosine_of(u64 d) {
   const auto& c = quick_coefficients;
   const u64 z = unknown(u64(mul_even(i64(d), i64(d))) >> 31);
@@ -37,14 +37,14 @@ FIXED_LANE_FUNCTION u64 quick_cosine_of(u64 d) {
   return c[0] - mul_even(z, factor);
 }
 
-/// The sines of a block; `doubtful` is set if one of them may be wrong.
+/// The sines of a block; sets `doubtful` if one of them may be wrong.
 template <int F>
 FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, bool& doubtful) {
   using rounding = quick_rounding<F>;
   const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
   const u64 even = quick_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
   const u64 odd = quick_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
-  // The bits of quick_rounding::doubtful, brought into 32.
+  // The bits of quick_rounding::doubtful, shifted into 32.
   constexpr int unneeded = 34;
   constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
   doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask) != 0;

@@ -1,9 +1,9 @@
 /// \file
-/// What happens where the policy of a number throws: the errors of fixed/error.hpp with their text,
-/// "fixed-point overflow: operator*(200, 300)".
+/// Throws the errors of fixed/error.hpp with their text, "fixed-point overflow: operator*(200,
+/// 300)".
 ///
-/// Without exceptions (-fno-exceptions) that text goes to stderr and the program is aborted; under
-/// -ffreestanding there is only a trap instruction.
+/// Without exceptions (-fno-exceptions) it writes the text to stderr and aborts; under
+/// -ffreestanding it executes a trap instruction.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ struct operand {
   raw_t<FractionBits> raw;
 };
 
-/// How many terms a sum has: an operand of dot().
+/// The number of terms of a sum: an operand of dot().
 struct term_count {
   std::size_t terms;
 };
@@ -84,7 +84,7 @@ template <class Error, class... Operands>
 
 #endif
 
-/// Calls raise() for an overflow of an operation on stored integers.
+/// Raises an overflow error for an operation on stored integers.
 template <int FractionBits, class... Raws>
 [[noreturn]] void raise_overflow(const char* operation, Raws... operands) {
   raise<overflow_error>("overflow", operation, operand<FractionBits>{operands}...);

@@ -1,5 +1,5 @@
 /// \file
-/// The one place where a rounding rule becomes integer arithmetic.
+/// The integer arithmetic of the rounding rules; nothing else implements them.
 #pragma once
 
 #include <limits>
@@ -8,8 +8,7 @@
 
 namespace fixed::detail {
 
-/// What to add to a value, counted in parts of which `unit` make one, before a floor division by
-/// `unit`, so that the quotient is rounded by rule R.
+/// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule R.
 /// \param negative whether the value is below zero
 /// \param unit     even and positive, so that a half is a whole number of parts
 template <rounding R, class Int>
@@ -26,7 +25,7 @@ constexpr Int bias(bool negative, Int unit) noexcept {
   }
 }
 
-/// value / 2^bits, rounded by rule R. `value` must leave room for 2^bits above it.
+/// value / 2^bits, rounded by rule R. \pre value + 2^bits does not overflow
 template <rounding R, class Int>
 constexpr Int shift_right(Int value, int bits) noexcept {
   static_assert(std::numeric_limits<Int>::is_signed);

@@ -9,7 +9,7 @@
 
 namespace fixed::detail {
 
-/// floor(sqrt(n)), a bit at a time from the top, for 0 <= n < 2^48.
+/// floor(sqrt(n)), one bit at a time from the top, for 0 <= n < 2^48.
 constexpr std::int64_t floor_sqrt_by_bits(std::int64_t n) noexcept {
   std::int64_t root = 0;
   for (std::int64_t bit = std::int64_t{1} << 23; bit != 0; bit >>= 1) {
@@ -21,9 +21,9 @@ constexpr std::int64_t floor_sqrt_by_bits(std::int64_t n) noexcept {
 
 /// floor(sqrt(n)), for 0 <= n < 2^48.
 ///
-/// The hardware root truncates to it in every rounding mode: the root of a square is exact, and
-/// that of any other n is at least 1 / (2 r) >= 2^-25 below the next integer r, where the error of
-/// a double is less than 2^-28.
+/// The truncated hardware root is correct in every rounding mode: the root of a square is exact,
+/// and that of any other n is at least 1 / (2 r) >= 2^-25 below the next integer r, while the error
+/// of a double is less than 2^-28.
 constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
@@ -35,8 +35,8 @@ constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {
 
 /// The integer nearest to sqrt(n), for 0 <= n < 2^48.
 ///
-/// No square root of an integer is a half more than an integer: (r + 1/2)^2 = r^2 + r + 1/4. So the
-/// nearest is r = floor(sqrt(n)) if n - r^2 <= r, and r + 1 otherwise.
+/// There are no ties: (r + 1/2)^2 = r^2 + r + 1/4 is not an integer. So the nearest is r =
+/// floor(sqrt(n)) if n - r^2 <= r, and r + 1 otherwise.
 constexpr std::int64_t nearest_sqrt(std::int64_t n) noexcept {
   const std::int64_t root = floor_sqrt(n);
   return root + (n - root * root > root ? 1 : 0);

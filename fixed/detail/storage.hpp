@@ -1,12 +1,12 @@
 /// \file
-/// The integers a number is made of.
+/// The integer types that store a number.
 #pragma once
 
 #include <cstdint>
 
 namespace fixed::detail {
 
-/// As many whole bits as fraction bits: 8.8 in 16 bits, 16.16 in 32.
+/// The types for one format: 8.8 in 16 bits, 16.16 in 32.
 template <int FractionBits>
 struct storage;
 
@@ -26,7 +26,8 @@ struct storage<16> {
 template <int FractionBits>
 using raw_t = typename storage<FractionBits>::raw;
 
-/// Holds a product of two stored integers, in units of 2^(-2 FractionBits), with a bit to spare.
+/// Holds the product of two stored integers, in units of 2^(-2 FractionBits), with one bit to
+/// spare.
 template <int FractionBits>
 using wide_t = typename storage<FractionBits>::wide;
 

@@ -1,5 +1,5 @@
 /// \file
-/// The one place where something is thrown, or what is done instead.
+/// Throws an exception, or aborts if exceptions are disabled; the only place that does.
 #pragma once
 
 #if !defined(__cpp_exceptions)

@@ -7,7 +7,7 @@
 
 namespace fixed::detail {
 
-/// A 128-bit two's complement sum in two words: room for 2^64 terms of 63 bits.
+/// A 128-bit two's complement sum in two words, with room for 2^64 terms of 63 bits.
 class wide_sum {
  public:
   constexpr void add(std::int64_t term) noexcept {
@@ -25,14 +25,13 @@ class wide_sum {
 
   [[nodiscard]] constexpr bool negative() const noexcept { return high_ < 0; }
 
-  /// The sum / 2^bits toward -infinity modulo 2^64, for 0 < bits < 64.
+  /// floor(sum / 2^bits) modulo 2^64, for 0 < bits < 64.
   [[nodiscard]] constexpr std::int64_t low_shifted_right(int bits) const noexcept {
     return static_cast<std::int64_t>((low_ >> bits) |
                                      (static_cast<std::uint64_t>(high_) << (64 - bits)));
   }
 
-  /// The sum / 2^bits toward -infinity, for 0 < bits < 64; where that does not fit, the end of
-  /// std::int64_t on its side.
+  /// floor(sum / 2^bits), for 0 < bits < 64, saturated to std::int64_t.
   [[nodiscard]] constexpr std::int64_t clamped_shifted_right(int bits) const noexcept {
     const std::int64_t above = high_ >> (bits - 1);
     if (above == 0 || above == -1) return low_shifted_right(bits);

@@ -1,5 +1,5 @@
 /// @file
-/// How the inner loops count their pixels, and the rows that do it.
+/// How the inner loops count pixels, and the rows that do it.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,20 @@
 
 namespace x86model {
 
-/// The three ways that the source gives to come to the next pixel.
+/// The three ways of counting in the source.
 enum class Counting : std::uint8_t {
   loop,      ///< LOOP
-  dec_jnz,   ///< DEC of the count, and JNZ
-  unrolled,  ///< the pixel again and again, entered so many copies before the end
+  dec_jnz,   ///< DEC of the count and JNZ
+  unrolled,  ///< one copy per pixel, entered that many copies before the end
 };
 
 namespace loops {
 
-/// The pixels of a span at most: an unrolled loop has a copy for each, or for two.
+/// The maximum number of pixels in a span: an unrolled loop has one copy per pixel or per two
+/// pixels.
 inline constexpr std::uint32_t most_pixels = 320;
 
-/// The registers of a loop: on the 8088 the lower halves of those that the 386 uses.
+/// The registers of a loop; the 8088 uses the lower halves of the 386's.
 struct Registers {
   Operand count, value, step, row;
 };
@@ -31,17 +32,16 @@ constexpr Registers registers_of(Target target) {
   return {ecx, edx, ebp, esi};
 }
 
-/// Back to the label while there are pixels left. LOOP counts in CX, as it does in 16-bit code, on
-/// both processors.
+/// Jumps back to the label while pixels are left. LOOP counts in CX, as in 16-bit code, on both
+/// processors.
 constexpr Listing next_pixel(Counting counting, Target target, const char* label) {
   using namespace notation;
   if (counting == Counting::loop) return {loop(label)};
   return {dec(registers_of(target).count), jnz(label)};
 }
 
-/// A pixel, or two, as a whole procedure: counted; or unrolled, BX being where to jump to. What
-/// stands between the first row and the last of an unrolled loop is there many times, see
-/// code_of().
+/// Wraps the code for one or two pixels in a procedure: counted, or unrolled with the jump target
+/// in BX. code_of() repeats everything between the first and the last row of an unrolled loop.
 constexpr Listing counted(Counting counting, Target target, const Listing& pixel) {
   using namespace notation;
   Listing all;

@@ -1,17 +1,17 @@
 /// @file
-/// A span of one colour against a depth buffer of 16-bit words: drawn where the depth is greater,
-/// as signed numbers. For the 386 alone.
+/// A span of one colour against a depth buffer of 16-bit words: draws where the depth is greater,
+/// as a signed number. 386 only.
 ///
-/// EDX depth in 16.8, EBP its step, AL the colour, EDI the pixel's index in screen and buffer, CX
-/// how many.
+/// EDX is the depth in 16.8, EBP its step, AL the colour, EDI the pixel's index in screen and
+/// buffer, and CX the count.
 #pragma once
 
 #include "x86model/loops/counting.hpp"
 
 namespace x86model::loops {
 
-/// @param as_printed with the SHRD of the source, which makes of the depth something else than its
-/// comment says; else with SHLD
+/// @param as_printed uses SHRD as the source does, which does not compute the depth that its
+/// comment describes; otherwise SHLD
 constexpr Listing depth_test(Counting counting, bool as_printed) {
   using namespace notation;
   constexpr int fraction = 24;

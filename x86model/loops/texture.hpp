@@ -1,15 +1,15 @@
 /// @file
-/// A span of a bitmap 256 pixels wide, its two coordinates in 8.8 stepped by an addition each.
+/// A span of a bitmap 256 pixels wide; both coordinates are 8.8 and stepped by one addition each.
 ///
-/// DX column, BP its step, SI row, ES:DI the first pixel, CX how many and IncJ in memory the step
-/// of the row; unrolled, BX where to jump to and CX the step of the row.
+/// DX is the column, BP its step, SI the row, ES:DI the first pixel, CX the count, and IncJ in
+/// memory the step of the row. If unrolled, BX is the jump target and CX the step of the row.
 #pragma once
 
 #include "x86model/loops/counting.hpp"
 
 namespace x86model::loops {
 
-/// Six instructions a pixel, and the counting. The 386 steps 32 bits, of which 16 are looked at.
+/// Six instructions per pixel, plus counting. The 386 steps 32 bits, of which 16 are used.
 constexpr Listing texture(Counting counting, Target target) {
   using namespace notation;
   const Registers r = registers_of(target);

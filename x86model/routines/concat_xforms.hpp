@@ -8,15 +8,15 @@
 namespace x86model::routines {
 
 namespace detail {
-/// Offsets from BP of ConcatXforms' arguments, near pointers.
+/// Offsets of ConcatXforms' arguments from BP; near pointers.
 inline constexpr int SourceXform1 = 4;
 inline constexpr int SourceXform2 = 6;
 inline constexpr int DestXform = 8;
 }  // namespace detail
 
 /// Listing 52.4 is C and adds the first transform's translation in every column; the printed
-/// assembly adds it in the fourth only. The rows for chapter 52 are ours: they give the C's result,
-/// and no clocks are counted for them.
+/// assembly adds it only in the fourth. The rows for chapter 52 are ours: they give the result of
+/// the C code, and no clocks are counted for them.
 inline constexpr Listing concat_xforms_i386 = [] {
   using namespace notation;
   using namespace detail;
@@ -48,9 +48,9 @@ inline constexpr Listing concat_xforms_i386 = [] {
   return listing;
 }();
 
-/// Calls FixedMul, which follows it here. The listing adds the high word of the translation with
-/// ADD: the carry of the low words is lost, and the high word of the result is one too low. With
-/// `repaired` it is ADC, as in XformVec.
+/// Calls FixedMul, which follows it. The listing adds the high word of the translation with ADD,
+/// which loses the carry of the low words: the high word of the result is one too low. With
+/// `repaired` it uses ADC, as XformVec does.
 inline constexpr Listing concat_xforms_i8088 = [] {
   using namespace notation;
   using namespace detail;

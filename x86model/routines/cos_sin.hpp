@@ -1,6 +1,6 @@
 /// @file
-/// CosSin: cosine and sine of an angle in tenths of a degree, by table. Listings 53.1 and 54.1.
-/// The table is in the segment of the code, so each read of it has a CS: override.
+/// CosSin: cosine and sine of an angle in tenths of a degree, from a table. Listings 53.1 and 54.1.
+/// The table is in the code segment, so each access has a CS: override.
 #pragma once
 
 #include "x86model/assemble.hpp"
@@ -9,15 +9,15 @@
 namespace x86model::routines {
 
 namespace detail {
-/// Offsets from BP of CosSin's arguments: above the pushed BP and the return address.
+/// Offsets of CosSin's arguments from BP, above the pushed BP and the return address.
 inline constexpr int Angle = 4;
 inline constexpr int Cos = 6;
 inline constexpr int Sin = 8;
 
-/// Bytes from the cosine of 0 to the cosine of 90 degrees: sin(x) = cos(90 - x).
+/// The distance in bytes from the cosine of 0 to that of 90 degrees: sin(x) = cos(90 - x).
 inline constexpr int quarter_turn = 90 * 10 * 4;
 
-/// The start that both processors share: BX = the angle brought into 0 ... 3600.
+/// The common start of both versions: reduces the angle in BX to 0 ... 3600.
 constexpr Listing angle_in_range() {
   using namespace notation;
   return Listing{
@@ -35,7 +35,7 @@ constexpr Listing angle_in_range() {
 }
 }  // namespace detail
 
-/// The cosine is carried in EAX, the sine in EDX.
+/// Keeps the cosine in EAX and the sine in EDX.
 inline constexpr Listing cos_sin_i386 = [] {
   using namespace notation;
   using namespace detail;
@@ -90,8 +90,8 @@ inline constexpr Listing cos_sin_i386 = [] {
   return listing;
 }();
 
-/// The cosine is carried in DX:AX, the sine in CX:BX. The listing shifts with SHL BX,2, which an
-/// 8088 does not have: without `shl_as_printed` this shifts twice by one.
+/// Keeps the cosine in DX:AX and the sine in CX:BX. The listing uses SHL BX,2, which the 8088
+/// cannot execute; without `shl_as_printed` there are two shifts by one.
 inline constexpr Listing cos_sin_i8088 = [] {
   using namespace notation;
   using namespace detail;

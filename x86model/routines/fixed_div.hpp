@@ -8,13 +8,13 @@
 namespace x86model::routines {
 
 namespace detail {
-/// Offsets from BP of FixedDiv's arguments: above the pushed BP and the return address.
+/// Offsets of FixedDiv's arguments from BP, above the pushed BP and the return address.
 inline constexpr int Dividend = 4;
 inline constexpr int Divisor = 8;
 }  // namespace detail
 
-/// Rounded: unsigned 64/32 divide of the magnitudes, the remainder compared with half the divisor,
-/// the sign put back. Unrounded: one IDIV.
+/// Rounded: an unsigned 64/32 divide of the magnitudes; compares the remainder with half the
+/// divisor and restores the sign. Unrounded: one IDIV.
 inline constexpr Listing fixed_div_i386 = [] {
   using namespace notation;
   using namespace detail;
@@ -42,7 +42,7 @@ inline constexpr Listing fixed_div_i386 = [] {
       neg(ebx),
       label("FDP2"),
       div(ebx),
-      // (divisor + 1)/2 - 1 is below the remainder exactly where the remainder is half or more
+      // (divisor + 1)/2 - 1 is below the remainder if and only if the remainder is half or more
       shr(ebx, 1),
       adc(ebx, 0),
       dec(ebx),
@@ -70,9 +70,9 @@ inline constexpr Listing fixed_div_i386 = [] {
   };
 }();
 
-/// Two 32/16 divides by the whole part of the divisor: the first gives the whole part of the
-/// quotient, its remainder joined to the dividend's fraction gives the fraction. Negates the low
-/// words of its caller's pushed arguments in place.
+/// Two 32/16 divides by the whole part of the divisor. The first gives the whole part of the
+/// quotient; its remainder joined to the dividend's fraction gives the fraction. Negates the low
+/// words of the caller's arguments on the stack.
 inline constexpr Listing fixed_div_i8088 = [] {
   using namespace notation;
   using namespace detail;
@@ -80,7 +80,7 @@ inline constexpr Listing fixed_div_i8088 = [] {
       proc("FixedDiv"),
       push(bp),
       mov(bp, sp),
-      // signs: CX is 1 where exactly one operand is negative
+      // signs: CX is 1 if exactly one operand is negative
       sub(cx, cx),
       mov(ax, word[bp + Dividend + 2]),
       and_(ax, ax),

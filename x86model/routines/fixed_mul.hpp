@@ -8,12 +8,12 @@
 namespace x86model::routines {
 
 namespace detail {
-/// Offsets from BP of FixedMul's arguments: above the pushed BP and the return address.
+/// Offsets of FixedMul's arguments from BP, above the pushed BP and the return address.
 inline constexpr int M1 = 4;
 inline constexpr int M2 = 8;
 }  // namespace detail
 
-/// One signed multiply; half a unit is added below the unit's place and the product shifted down.
+/// One signed multiply; adds half an ulp and shifts the product down.
 inline constexpr Listing fixed_mul_i386 = [] {
   using namespace notation;
   using namespace detail;
@@ -33,7 +33,7 @@ inline constexpr Listing fixed_mul_i386 = [] {
   };
 }();
 
-/// Signs aside, four partial products summed in CX:BX, the sign put back.
+/// Multiplies magnitudes: sums four partial products in CX:BX and restores the sign.
 inline constexpr Listing fixed_mul_i8088 = [] {
   using namespace notation;
   using namespace detail;
@@ -43,7 +43,7 @@ inline constexpr Listing fixed_mul_i8088 = [] {
       mov(bp, sp),
       push(si),
       push(di),
-      // signs: CX is 1 where exactly one operand is negative
+      // signs: CX is 1 if exactly one operand is negative
       sub(cx, cx),
       mov(ax, word[bp + M1 + 2]),
       mov(si, word[bp + M1]),
@@ -65,7 +65,7 @@ inline constexpr Listing fixed_mul_i8088 = [] {
       label("SaveSignStatus"),
       push(cx),
       push(ax),
-      // high times high: only its low word can matter
+      // high times high: only its low word affects the result
       mul(bx),
       mov(cx, ax),
       // low times high

@@ -1,5 +1,5 @@
 /// @file
-/// The inner step that XformVec and ConcatXforms repeat: three products, summed.
+/// The sum of three products, used by XformVec and ConcatXforms.
 #pragma once
 
 #include "x86model/assemble.hpp"
@@ -7,8 +7,7 @@
 
 namespace x86model::routines::detail {
 
-/// ECX = the sum of three rounded products, each a dword at [SI + first ...] times one at
-/// [BX + second ...].
+/// ECX = the sum of three rounded products of dwords from [SI + first ...] and [BX + second ...].
 /// @param first   offset of the first factor; the others follow 4 bytes apart (a row)
 /// @param second  offset of the second factor
 /// @param stride  bytes between the second factors: 4 along a vector, 16 down a column
@@ -30,9 +29,9 @@ constexpr Listing sum_of_products_i386(int first, int second, int stride) {
   return listing;
 }
 
-/// BP:CX = the sum of three products by FixedMul, each a dword at [SI + first ...] times one at
-/// [DI + second ...]; offsets as above. FixedMul destroys CX and keeps BP: the low word of the
-/// running total waits on the stack.
+/// BP:CX = the sum of three FixedMul products of dwords from [SI + first ...] and [DI + second
+/// ...]; offsets as above. FixedMul destroys CX and preserves BP, so the low word of the running
+/// sum is kept on the stack.
 constexpr Listing sum_of_products_i8088(int first, int second, int stride) {
   using namespace notation;
   Listing listing;

@@ -8,7 +8,7 @@
 namespace x86model::routines {
 
 namespace detail {
-/// Offsets from BP of XformVec's arguments, near pointers.
+/// Offsets of XformVec's arguments from BP; near pointers.
 inline constexpr int WorkingXform = 4;
 inline constexpr int SourceVec = 6;
 inline constexpr int DestVec = 8;
@@ -40,7 +40,7 @@ inline constexpr Listing xform_vec_i386 = [] {
   return listing;
 }();
 
-/// Calls FixedMul, which follows it here.
+/// Calls FixedMul, which follows it.
 inline constexpr Listing xform_vec_i8088 = [] {
   using namespace notation;
   using namespace detail;

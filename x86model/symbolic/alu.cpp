@@ -18,7 +18,7 @@ Result with_result_flags(Terms& t, Term value, FlagTerm carry, FlagTerm overflow
   return {value, {carry, is_zero(t, value), sign(t, value), overflow}};
 }
 
-/// One bit, 0 or 1, `width` bits wide.
+/// A truth value as 0 or 1, `width` bits wide.
 Term number(Terms& t, Term truth, int width) {
   return t.ite(truth, t.constant(1, width), t.constant(0, width));
 }
@@ -35,7 +35,7 @@ Term borrow_of(Terms& t, Term a, Term b, Term borrow) {
   return t.bit(t.sub(wide, number(t, borrow, bits + 1)), bits);
 }
 
-/// A constant number of zeros, which may be none, below or above `a`.
+/// `a` with zeros appended below or above; the number of zeros may be 0.
 Term with_zeros_below(Terms& t, Term a, int zeros) {
   return zeros == 0 ? a : t.concat(a, t.constant(0, zeros));
 }
@@ -66,7 +66,7 @@ Term join(Terms& t, Term high, Term low) {
   const Term none = t.truth(false);
   const int bits = lower.width;
   const auto zero = t.constant(0, bits);
-  // The upper word is u plus a carry, or a - u less a borrow, of the lower one.
+  // The upper word is u plus a carry, or a - u less a borrow, of the lower word.
   if (lower.op == Op::add && upper.op == Op::add) {
     const Term a = lower.arguments[0];
     const Term b = lower.arguments[1];
@@ -107,7 +107,7 @@ Result shift(Terms& t, Mnemonic op, Term a, int count) {
     const Term value = t.extract(wide, count, bits);
     return with_result_flags(t, value, t.bit(wide, count - 1), only_if(by_one, t.truth(false)));
   }
-  // From here on a count of the width or more leaves nothing, and CF undefined.
+  // From here on, a count of at least the width gives 0 and an undefined CF.
   if (count >= bits) {
     return with_result_flags(t, t.constant(0, bits), std::nullopt, std::nullopt);
   }

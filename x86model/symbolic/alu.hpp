@@ -1,6 +1,6 @@
 /// @file
 /// Results and flags of the arithmetic instructions as terms: the definitions of x86model/alu.hpp
-/// over again, for all operands at once. Only the flags that some routine reads are kept.
+/// for all operands at once. Models only the flags that some routine reads.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace x86model::symbolic {
 
-/// A flag as a truth value; empty where Intel leaves it undefined.
+/// A flag as a truth value; empty if Intel leaves it undefined.
 using FlagTerm = std::optional<Term>;
 
-/// PF and AF are missing: no routine reads them.
+/// The flags that routines read: not PF and AF.
 struct FlagTerms {
   FlagTerm carry, zero, sign, overflow;
 };
@@ -26,8 +26,8 @@ struct Result {
 /// a + b + carry and a - b - borrow.
 Result add(Terms& terms, Term a, Term b, Term carry);
 Result sub(Terms& terms, Term a, Term b, Term borrow);
-/// high:low as one term. Where the two words come from ADD and ADC, or from NEG, NEG and SBB, it is
-/// the sum or the opposite of what those pairs of words are themselves.
+/// high:low as one term. If the words come from ADD and ADC, or from NEG, NEG and SBB, it is the
+/// sum or the negation of the joined operands.
 Term join(Terms& terms, Term high, Term low);
 /// The flags of AND and XOR.
 Result logic(Terms& terms, Term value);
@@ -45,13 +45,14 @@ Result multiply(Terms& terms, Mnemonic op, Term a, Term b);
 struct Division {
   Term quotient;
   Term remainder;
-  /// #DE. For IDIV an application of `sfaultN`; for DIV exactly: the dividend's upper half is not
-  /// below the divisor.
+  /// #DE. For IDIV an application of `sfaultN`; for DIV the exact condition: the dividend's upper
+  /// half is not below the divisor.
   Term faults;
 };
 Division divide(Terms& terms, Mnemonic op, Term dividend, Term divisor);
 
-/// Whether a jump is taken; empty where it reads an undefined flag. Any but a conditional jump is.
+/// Whether a jump is taken; empty if it reads an undefined flag. Unconditional jumps are always
+/// taken.
 std::optional<Term> taken(Terms& t, Mnemonic op, const FlagTerms& f);
 
 }  // namespace x86model::symbolic

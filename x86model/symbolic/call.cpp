@@ -12,7 +12,7 @@ using x86model::detail::stack_top;
 
 bool is_binary(Routine r) { return r == Routine::mul || r == Routine::div; }
 
-/// A machine whose memory grows as it is written.
+/// Builds the caller's state; memory grows as it is written.
 class Caller {
  public:
   Caller(Terms& terms, Routine routine) : t_(terms), routine_(routine) {
@@ -72,7 +72,7 @@ class Caller {
 
 std::string operand_name(Routine routine, int index) {
   constexpr int transform = 12;
-  // The elements of the first transform, then of what follows it.
+  // The elements of the first transform, then those of the second operand.
   const auto element = [index](const char* first, const char* second) {
     const bool in_first = index < transform;
     return numbered(in_first ? first : second,

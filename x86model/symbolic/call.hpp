@@ -1,5 +1,5 @@
 /// @file
-/// A call of a routine with operands left open, laid out as x86model/call.hpp lays out one.
+/// The call of a routine with symbolic operands, with the memory layout of x86model/call.hpp.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace x86model::symbolic {
 
-/// What operand `index` of a routine is called: a and b; angle; x0 ... x11, v0 ... v2 for XformVec;
-/// p0 ... p11, q0 ... q11 for ConcatXforms.
+/// The name of operand `index`: a and b; angle; x0 ... x11, v0 ... v2 for XformVec; p0 ... p11, q0
+/// ... q11 for ConcatXforms.
 std::string operand_name(Routine routine, int index);
 
-/// The machine at the routine's first instruction: operands as variables of those names, 32 bits
-/// each but for the angle's 16, all other registers and words unknown, all flags undefined.
+/// The machine at the routine's first instruction. Operands are variables of these names, 32 bits
+/// each, 16 for the angle. All other registers and words are unknown, and all flags undefined.
 State enter(Terms& terms, Routine routine);
 
-/// What the routine has returned, 32 bits each, from the state at the end of a path.
+/// The results of the routine, 32 bits each, from the state at the end of a path.
 std::vector<Term> results(Terms& terms, Routine routine, const State& end);
 
-/// What the routine must leave as it was: SI, DI and BP; SP just past the return address; the
-/// operands of a transform; and for FixedMul, whose callers are proven on the strength of it, the
-/// caller's stack.
+/// Whether the routine preserves what its caller relies on: SI, DI and BP; SP just past the return
+/// address; the operands of a transform; and for FixedMul the caller's stack, which the proofs of
+/// its callers rely on.
 Term keeps_what_it_must(Terms& terms, Routine routine, const State& start, const State& end);
 
 }  // namespace x86model::symbolic

@@ -1,5 +1,5 @@
 /// @file
-/// What terms come to for given operands.
+/// Evaluates terms for concrete operands.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@
 
 namespace x86model::symbolic {
 
-/// Evaluates terms of one Terms, each once for one choice of operands.
+/// Evaluates terms of one Terms and caches each value for the current operands.
 class Evaluation {
  public:
   using Function =
       std::function<std::uint64_t(const std::string& name, std::span<const std::uint64_t>)>;
 
-  /// @param function what an abstract function gives
+  /// @param function evaluates abstract functions
   Evaluation(const Terms& terms, Function function);
 
-  /// Sets a variable, and forgets all that was evaluated. A variable that was never set is 0.
+  /// Sets a variable and clears the cache. A variable that was never set is 0.
   void set(const std::string& variable, std::uint64_t value);
 
   std::uint64_t operator()(Term term);
@@ -32,12 +32,12 @@ class Evaluation {
   Function function_;
   std::map<std::string, std::uint64_t> variables_;
   std::vector<std::uint64_t> values_;    ///< by term
-  std::vector<std::uint64_t> valid_in_;  ///< by term: the round its value is of
+  std::vector<std::uint64_t> valid_in_;  ///< by term: the round in which its value was computed
   std::uint64_t round_ = 1;
 };
 
-/// The abstract functions of alu.hpp as x86model/alu.hpp computes them, `cosword` from the cosine
-/// table. A quotient that faults is 0. @throws std::invalid_argument for another function
+/// The abstract functions of alu.hpp as x86model/alu.hpp computes them, and `cosword` from the
+/// cosine table. A quotient that faults is 0. @throws std::invalid_argument for any other function
 std::uint64_t concrete(const std::string& name, std::span<const std::uint64_t> arguments);
 
 }  // namespace x86model::symbolic

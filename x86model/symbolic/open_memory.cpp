@@ -8,7 +8,7 @@ namespace x86model::symbolic::open_memory {
 
 namespace {
 
-/// Where an operand is, 32 bits.
+/// The address of an operand, 32 bits.
 Term place_of(Terms& t, const State& state, const Operand& o) {
   const auto displacement = static_cast<std::uint32_t>(o.value + address_of(o.symbol));
   switch (o.addressing) {
@@ -43,7 +43,7 @@ std::optional<Term> read(Terms& t, const State& state, const Operand& o, Size si
 
 void write(Terms& t, State& state, const Operand& o, Term value) {
   const Store store{false, place_of(t, state, o), value};
-  // To store the same twice is to store it once.
+  // Storing the same value twice equals storing it once.
   if (state.stores.empty() || state.stores.back() != store) state.stores.push_back(store);
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// Memory that holds anything: see RunOptions::memory_is_open.
+/// Memory with unconstrained contents; see RunOptions::memory_is_open.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace x86model::symbolic::open_memory {
 
-/// What a memory operand holds; nothing once the data segment has been written.
+/// The value of a memory operand; nothing once the data segment has been written.
 std::optional<Term> read(Terms& terms, const State& state, const Operand& operand, Size size);
 
-/// Keeps what is written to a memory operand.
+/// Records a write to a memory operand.
 void write(Terms& terms, State& state, const Operand& operand, Term value);
 
 /// STOSB and STOSW, by size.

@@ -7,7 +7,7 @@ namespace x86model::symbolic {
 
 namespace {
 
-/// `(_ name a b)`, or `(_ name a)` where b is missing.
+/// `(_ name a b)`, or `(_ name a)` without b.
 std::string indexed(std::string name, std::uint64_t a, std::optional<std::uint64_t> b = {}) {
   std::string text = "(_ ";
   text += numbered(std::move(name), a);

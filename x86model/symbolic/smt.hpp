@@ -11,18 +11,17 @@
 
 namespace x86model::symbolic {
 
-/// All terms that `roots` depend on. A term is made after its arguments: their order is one of
-/// definition.
+/// All terms that `roots` depend on, arguments before the terms that use them.
 std::set<Term> reached_from(const Terms& terms, std::span<const Term> roots);
 
-/// What a term is called in the text of define(): a constant as itself, a variable by its name.
+/// The name of a term in the output of define(): constants as literals, variables by name.
 std::string name_in_smt(const Terms& terms, Term term);
 
-/// Lines that define every term that `roots` depend on, each once, before it is used. Variables and
-/// applied functions are declared elsewhere.
+/// Lines that define every term that `roots` depend on, each once and before its use. Does not
+/// declare variables and abstract functions.
 std::string define(const Terms& terms, std::span<const Term> roots);
 
-/// `(declare-const …)` for the variables among what `roots` depend on, in the order of their names.
+/// `(declare-const …)` for the variables that `roots` depend on, sorted by name.
 std::string declare_variables(const Terms& terms, std::span<const Term> roots);
 
 }  // namespace x86model::symbolic

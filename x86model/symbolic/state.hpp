@@ -1,5 +1,5 @@
 /// @file
-/// What a symbolic run works on: a machine whose registers, flags and memory are terms.
+/// The state of a symbolic run: a machine whose registers, flags and memory are terms.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@
 
 namespace x86model::symbolic {
 
-/// What an instruction writes to memory that is left open: 8, 16 or 32 bits.
+/// A write to open memory: 8, 16 or 32 bits.
 struct Store {
-  bool extra;    ///< to the extra segment, by STOS; else to the data segment
+  bool extra;    ///< to the extra segment, by STOS; otherwise to the data segment
   Term address;  ///< 32 bits
   Term value;
 
   friend bool operator==(const Store&, const Store&) = default;
 };
 
-/// Registers, flags and memory of 16-bit words, as terms. Memory is where it has been put: to read
-/// elsewhere ends a path as bad_address, unless memory is left open. Addresses are constants, but
-/// for those in the cosine table and in open memory.
+/// Registers, flags and memory of 16-bit words, as terms. Memory has only the words that were put
+/// there; a read elsewhere ends a path as bad_address, unless memory is open. Addresses are
+/// constants, except in the cosine table and in open memory.
 struct State {
   std::array<Term, register_count> registers;  ///< 32 bits each
   FlagTerms flags;
   std::map<std::uint32_t, Term> memory;
-  std::vector<Store> stores{};  ///< to open memory, in their order
+  std::vector<Store> stores{};  ///< to open memory, in order
 
   [[nodiscard]] Term read(Terms& terms, Register r, Size size) const;
   void write(Terms& terms, Register r, Size size, Term value);

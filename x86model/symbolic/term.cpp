@@ -112,7 +112,7 @@ Term Terms::add(Term a, Term b) {
   if (is_constant(a)) std::swap(a, b);
   if (is_constant(b)) {
     if (value(b) == 0) return a;
-    // (x + c) + d is x + (c + d): loops that add a constant leave one addition.
+    // Folds (x + c) + d to x + (c + d), so that loops that add a constant leave one addition.
     const Node& sum = (*this)[a];
     if (sum.op == Op::add && is_constant(sum.arguments[1])) {
       return add(sum.arguments[0], constant(value(sum.arguments[1]) + value(b), width(b)));
@@ -140,7 +140,7 @@ Term Terms::bit_xor(Term a, Term b) {
 Term Terms::concat(Term high, Term low) {
   const Node& h = (*this)[high];
   const Node& l = (*this)[low];
-  // Neighbouring parts of one term are a part of it.
+  // Adjacent parts of one term are one part of it.
   if (h.op == Op::extract && l.op == Op::extract && h.arguments == l.arguments &&
       h.value == l.value + static_cast<std::uint64_t>(l.width)) {
     return extract(h.arguments[0], static_cast<int>(l.value), h.width + l.width);
@@ -185,7 +185,7 @@ Term Terms::below(Term a, Term b) { return a == b ? truth(false) : make(Op::belo
 Term Terms::both(Term a, Term b) {
   if (is_constant(a)) return value(a) != 0 ? b : a;
   if (is_constant(b)) return value(b) != 0 ? a : b;
-  // A chain that says so already, or the contrary: ((x and y) and z) and y.
+  // A chain that already contains b or its negation: ((x and y) and z) and y.
   const Term contrary = negation(b);
   for (Term chain = a;; chain = (*this)[chain].arguments[0]) {
     const bool is_link = (*this)[chain].op == Op::both;

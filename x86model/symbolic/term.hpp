@@ -1,5 +1,5 @@
 /// @file
-/// Terms over bit vectors and truth values, each kept once, constants folded as they are built.
+/// Terms over bit vectors and truth values, stored once each, with constant folding.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ namespace x86model::symbolic {
 enum class Op : std::uint8_t {
   constant,  ///< value
   variable,  ///< name
-  apply,     ///< name(arguments): a function that is left abstract
+  apply,     ///< name(arguments): an abstract function
   add,
   sub,
   bit_and,
   bit_xor,
   concat,       ///< first argument above the second
-  extract,      ///< width bits from bit `value` on
+  extract,      ///< `width` bits from bit `value` upwards
   sign_extend,  ///< to the term's width
   ite,          ///< truth value, then, else
   equal,
@@ -30,13 +30,13 @@ enum class Op : std::uint8_t {
   negation,
 };
 
-/// A term of a Terms: only a number there.
+/// A handle to a term of a Terms.
 struct Term {
   std::uint32_t id = 0;
   friend auto operator<=>(const Term&, const Term&) = default;
 };
 
-/// What a term is. Truth values have width 0; bit vectors 1 to 64 bits.
+/// The definition of a term. Truth values have width 0; bit vectors 1 to 64 bits.
 struct Node {
   Op op = Op::constant;
   int width = 0;
@@ -47,16 +47,16 @@ struct Node {
   friend auto operator<=>(const Node&, const Node&) = default;
 };
 
-/// The terms of one symbolic run. Operands of an operation have the same width.
+/// The terms of one symbolic run. All operands of an operation have the same width.
 class Terms {
  public:
   [[nodiscard]] const Node& operator[](Term t) const { return *nodes_[t.id]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] int width(Term t) const { return (*this)[t].width; }
   [[nodiscard]] bool is_constant(Term t) const { return (*this)[t].op == Op::constant; }
-  /// The bits of a constant; 0 or 1 for a truth value.
+  /// The value of a constant; 0 or 1 for a truth value.
   [[nodiscard]] std::uint64_t value(Term t) const { return (*this)[t].value; }
-  /// Whether `t` depends on no other variable than that one, and on no abstract function.
+  /// Whether `t` depends only on that variable and on no abstract function.
   [[nodiscard]] bool depends_only_on(Term variable, Term t) const;
 
   Term constant(std::uint64_t value, int width);
@@ -85,18 +85,18 @@ class Terms {
 
  private:
   Term keep(Node node);
-  /// The term for `node`; a constant where its arguments are constants.
+  /// The term for `node`; folded to a constant if all arguments are constants.
   Term make(Op op, int width, std::vector<Term> arguments, std::uint64_t value = 0);
 
   std::map<Node, Term> known_;
   std::vector<const Node*> nodes_;
 };
 
-/// "x" and 12 as x12.
+/// The name followed by the number: "x" and 12 give "x12".
 std::string numbered(std::string name, std::uint64_t number);
 
-/// The value of an operation on values; `widths` are those of the arguments. Op::apply, variables
-/// and constants are no operations.
+/// The value of an operation on constants; `widths` are those of the arguments. Not for Op::apply,
+/// variables and constants.
 std::uint64_t value_of(Op op, int width, std::uint64_t value,
                        std::span<const std::uint64_t> arguments, std::span<const int> widths);
 

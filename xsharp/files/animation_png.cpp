@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::uint32_t most_numbers = std::numeric_limits<std::int32_t>::max();
 
-/// acTL follows the signature and the header chunk (13 bytes, 12 around them).
+/// acTL follows the signature and the header chunk (13 bytes, plus 12 of framing).
 constexpr auto control_offset = static_cast<std::uint32_t>(png_signature.size() + 13 + 12);
 
-/// How often the animation runs: for ever.
+/// The repeat count of the animation: infinite.
 constexpr std::uint32_t endless = 0;
 
 std::string animation_control(std::uint32_t frames) {
@@ -25,9 +25,9 @@ std::string animation_control(std::uint32_t frames) {
 
 std::string two_bytes(std::uint16_t number) { return png_number(number).substr(2); }
 
-/// A frame's pixels and what comes before them.
+/// The pixels of a frame and the chunks before them.
 struct Frame {
-  std::string header;                    ///< IHDR and all others before the first IDAT, as they are
+  std::string header;                    ///< all chunks before the first IDAT, unchanged
   std::vector<std::string_view> pixels;  ///< the data of each IDAT
 };
 
@@ -59,7 +59,7 @@ FrameTime frame_time(double frames_per_second) {
   const double time = 1 / frames_per_second;
   double best_error = std::numeric_limits<double>::infinity();
   FrameTime best;
-  // The least denominator of the nearest fractions makes it the one in lowest terms.
+  // The smallest denominator among the nearest fractions gives lowest terms.
   for (double denominator = 1; denominator <= most; ++denominator) {
     const double numerator = std::round(time * denominator);
     if (numerator > most) break;
@@ -74,7 +74,7 @@ FrameTime frame_time(double frames_per_second) {
 AnimationPng::AnimationPng(const std::string& path, FrameTime time) : file_(path), time_(time) {}
 
 std::string AnimationPng::frame_control(std::string_view header) {
-  // Width and height are the first eight bytes of IHDR's data, which follow its length and type.
+  // Width and height are the first eight bytes of IHDR's data, after its length and type.
   return png_chunk("fcTL", png_number(sequence_++) + std::string(header.substr(8, 8)) +
                                png_number(0) + png_number(0) + two_bytes(time_.numerator) +
                                two_bytes(time_.denominator) + std::string(2, '\0'));

@@ -1,6 +1,6 @@
 /// @file
-/// Animations as APNG files: PNG images that follow one another, for ever. A viewer that knows
-/// nothing of animations shows the first.
+/// Animations as APNG files: PNG images in an endless loop. A viewer without APNG support shows the
+/// first.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace xsharp {
 
-/// How long a frame is shown: numerator / denominator seconds. A denominator of 0 means 100.
+/// The display time of a frame: numerator / denominator seconds. A denominator of 0 means 100.
 struct FrameTime {
   std::uint16_t numerator = 1;
   std::uint16_t denominator = 60;
@@ -20,26 +20,26 @@ struct FrameTime {
   friend bool operator==(const FrameTime&, const FrameTime&) = default;
 };
 
-/// The fraction nearest to the time of one of so many frames in a second, in lowest terms.
+/// The fraction, in lowest terms, nearest to the frame time for a rate in frames per second.
 /// @throws std::invalid_argument if the rate is not from 1 / 65535 to 65535
 FrameTime frame_time(double frames_per_second);
 
-/// Writes frame by frame: memory does not grow with their number. The file appears at finish();
-/// without it nothing is left behind.
+/// Writes an animation frame by frame, in constant memory. The file appears at finish(); without
+/// it, nothing remains.
 class AnimationPng {
  public:
-  /// @throws std::runtime_error naming the file and the reason
+  /// @throws std::runtime_error with the file and the reason
   AnimationPng(const std::string& path, FrameTime time);
 
-  /// The next frame, a PNG as encode_png() makes it: of the first one's size, kind and palette.
-  /// @throws std::invalid_argument for anything else; the animation is as before
+  /// Adds a frame, a PNG from encode_png() with the size, kind and palette of the first.
+  /// @throws std::invalid_argument for anything else; the animation is unchanged
   /// @throws std::length_error beyond 2^31 - 1 frames or pieces of frames
-  /// @throws std::runtime_error naming the file and the reason
+  /// @throws std::runtime_error with the file and the reason
   void add(std::string_view png);
 
-  /// Puts the file in its place.
+  /// Moves the file to its path.
   /// @throws std::logic_error if there is no frame
-  /// @throws std::runtime_error naming the file and the reason
+  /// @throws std::runtime_error with the file and the reason
   void finish();
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
@@ -51,7 +51,7 @@ class AnimationPng {
   FrameTime time_;
   std::uint32_t frames_ = 0;
   std::uint32_t sequence_ = 0;  ///< number of the next fcTL or fdAT chunk
-  std::string header_;          ///< of the first frame: all before its pixels
+  std::string header_;          ///< chunks of the first frame before its pixels
 };
 
 }  // namespace xsharp

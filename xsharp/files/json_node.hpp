@@ -1,5 +1,5 @@
 /// @file
-/// Reading JSON strictly: whatever is not as demanded is refused with its place in the file.
+/// Strict reading of JSON: every violation is an error with its position in the file.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace xsharp {
 
-/// A value of a document and where it stands, such as objects[2].spin.tenths.
+/// A value in a document and its path, such as objects[2].spin.tenths.
 class JsonNode {
  public:
   using Json = nlohmann::json;
@@ -25,7 +25,7 @@ class JsonNode {
     std::function<void(const JsonNode&)> read;
   };
 
-  /// @param value must outlive the node and those made from it
+  /// @param value must outlive the node and the nodes made from it
   JsonNode(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
 
   [[nodiscard]] const std::string& place() const { return place_; }
@@ -35,7 +35,7 @@ class JsonNode {
     return value_->is_object() && value_->contains(key);
   }
 
-  // Each throws SceneError, naming the place and what is allowed, for a value of another kind.
+  // Each throws SceneError, with the path and what is allowed, for a value of another kind.
   [[nodiscard]] bool flag() const;
   [[nodiscard]] std::int32_t whole(std::int32_t least = INT32_MIN,
                                    std::int32_t most = INT32_MAX) const;
@@ -44,16 +44,16 @@ class JsonNode {
   [[nodiscard]] Triple triple() const;
   [[nodiscard]] std::vector<JsonNode> list() const;
   [[nodiscard]] std::vector<JsonNode> list_of(std::size_t count) const;
-  /// One of `words`, by its index.
+  /// The index of the value in `words`.
   [[nodiscard]] std::size_t word(std::span<const std::string_view> words) const;
   [[nodiscard]] std::size_t word(std::initializer_list<std::string_view> words) const {
     return word(std::span(words.begin(), words.size()));
   }
 
-  /// Calls `read` of every key that is there, in the order of `keys`.
-  /// @throws SceneError for a key that is not among them
+  /// Calls `read` for every key that is present, in the order of `keys`.
+  /// @throws SceneError for any other key
   void object(std::initializer_list<Key> keys) const;
-  /// @throws SceneError if `key` is not there
+  /// @throws SceneError if `key` is missing
   void require(std::string_view key) const;
 
   /// @throws SceneError "place: wrong"

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view blank = " \t\r";
 
-/// Takes the first word off the line; empty at its end.
+/// Removes the first word from the line and returns it; empty at the end of the line.
 std::string_view next_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
   const std::string_view word = line.substr(0, line.find_first_of(blank));
@@ -38,7 +38,7 @@ bool is_place(std::string_view word) {
   return is_number(word, value) && std::isfinite(value);
 }
 
-/// 7, 7/1, 7//3 or 7/1/3: indices of a place, a texture and a normal.
+/// 7, 7/1, 7//3 or 7/1/3: indices of a vertex, a texture coordinate and a normal.
 bool is_corner(std::string_view word) {
   for (int part = 0; part < 3; ++part) {
     const std::string_view index = word.substr(0, word.find('/'));
@@ -51,7 +51,7 @@ bool is_corner(std::string_view word) {
   return false;
 }
 
-/// The library takes whatever is no number for 0, so places and faces are looked at beforehand.
+/// Checks vertices and faces beforehand, because the library reads an invalid number as 0.
 void check_numbers(std::string_view text) {
   std::size_t number = 0;
   while (!text.empty()) {
@@ -78,7 +78,7 @@ void check_numbers(std::string_view text) {
 }
 
 void add_vertex(Mesh& mesh, const Triple& place) {
-  // 0e999 is no number to the library.
+  // The library does not accept 0e999.
   if (!std::ranges::all_of(place, [](double component) { return std::isfinite(component); })) {
     throw SceneError(detail::text_of("vertex ", mesh.vertices.size() + 1, " is not finite"));
   }
@@ -97,7 +97,7 @@ void add_face(Mesh& mesh, std::span<const tinyobj::index_t> corners) {
   }
   Face face;
   for (const tinyobj::index_t& corner : corners) {
-    // Counted from 1, or backward from the last one so far.
+    // Counted from 1, or backward from the last vertex so far.
     const auto count = static_cast<std::ptrdiff_t>(mesh.vertices.size());
     const std::ptrdiff_t written = corner.vertex_index;
     const std::ptrdiff_t index = written < 0 ? count + written : written - 1;
@@ -125,7 +125,7 @@ Mesh parse_obj(const std::string& text) {
   };
   std::istringstream stream(text);
   std::string error;
-  // Without a reader of materials no other file is opened.
+  // Without a material reader no other file is opened.
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &mesh, nullptr, nullptr, &error) ||
       !error.empty()) {
     throw SceneError("not a Wavefront OBJ file: " + error);

@@ -1,5 +1,5 @@
 /// @file
-/// Convex bodies from Wavefront OBJ.
+/// Reads convex bodies from Wavefront OBJ.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace xsharp {
 
-/// The places (v) and faces (f) of a file of up to 4 MiB, all its groups as one body, in the file's
-/// units; texture, normals, materials, lines and points are passed over. Faces keep their first
-/// vertex; their order, counterclockwise in OBJ, is turned into that of Face.
-/// @throws SceneError naming the file: it cannot be read, a coordinate is missing or no finite
-/// number, a face has fewer than 3 or more than longest_polygon vertices or one that is not there,
-/// there are no faces, or more vertices or faces than validate_mesh() accepts
+/// Reads the vertices (v) and faces (f) of a file of up to 4 MiB, all groups as one body, in the
+/// file's units. Ignores texture coordinates, normals, materials, lines and points. Faces keep
+/// their first vertex; their order, counterclockwise in OBJ, is reversed to that of Face.
+/// @throws SceneError with the file if it cannot be read; a coordinate is missing or not a finite
+/// number; a face has fewer than 3 or more than longest_polygon vertices, or an invalid one; there
+/// are no faces; or there are more vertices or faces than validate_mesh() accepts
 Mesh read_obj(const std::filesystem::path& file);
 
-/// The same from the text of a file, without its name.
+/// The same from the text of a file, without the file name in errors.
 Mesh parse_obj(const std::string& text);
 
 }  // namespace xsharp

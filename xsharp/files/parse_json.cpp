@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Looks for keys that stand twice and for depth. The library's parser would take the last, and its
-/// callbacks take quadratic time for a list of objects.
+/// Detects duplicate keys and excessive depth. The library's parser would take the last duplicate,
+/// and its callbacks take quadratic time for a list of objects.
 class TwiceCheck final : public nlohmann::json_sax<Json> {
  public:
   bool key(std::string& name) override {
@@ -44,11 +44,11 @@ class TwiceCheck final : public nlohmann::json_sax<Json> {
   }
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const Json::exception& /*error*/) override {
-    return false;  // the parser says it better
+    return false;  // the parser has the better message
   }
 
  private:
-  /// What is nested deeply is no scene, and would take the stack of whoever shows it.
+  /// Deep nesting never occurs in a scene, and could overflow the stack of a reader.
   bool deeper() {
     constexpr int deepest = 16;
     if (++depth_ > deepest) throw SceneError("nested too deeply");
@@ -67,7 +67,7 @@ nlohmann::json parse_json(std::string_view text) {
   try {
     return Json::parse(text, nullptr, true, true);
   } catch (const Json::exception& error) {
-    // Without the library's own label, "[json.exception...] ".
+    // Removes the library's label, "[json.exception...] ".
     const std::string what = error.what();
     throw SceneError("not JSON: " + what.substr(std::min(what.find("] ") + 2, what.size())));
   }

@@ -1,5 +1,5 @@
 /// @file
-/// JSON with comments, strictly.
+/// Strict parsing of JSON with comments.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 
 namespace xsharp {
 
-/// @throws SceneError for what is not JSON with comments, has a key twice, or is nested deeper than
-///         any scene
+/// @throws SceneError if the text is not JSON with comments, has a duplicate key, or is nested
+/// deeper than any scene
 nlohmann::json parse_json(std::string_view text);
 
 }  // namespace xsharp

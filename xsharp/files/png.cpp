@@ -20,7 +20,7 @@ constexpr std::uint8_t blue_of(std::uint32_t pixel) {
   return static_cast<std::uint8_t>(pixel & 255U);
 }
 
-/// libpng's simplified interface: it returns its errors instead of jumping over C++ frames.
+/// Uses libpng's simplified interface, which returns errors instead of jumping over C++ frames.
 std::string encode(png_image image, const std::vector<std::uint8_t>& pixels,
                    const std::vector<std::uint8_t>& colormap) {
   image.version = PNG_IMAGE_VERSION;

@@ -1,5 +1,5 @@
 /// @file
-/// Pages as PNG images in memory.
+/// Encodes pages as PNG images in memory.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace xsharp {
 
-/// The bytes of an indexed PNG with all 256 colours of the palette, so that every page with this
-/// palette has the same header.
-/// @throws std::runtime_error with what libpng says
+/// Encodes an indexed PNG with all 256 colours of the palette, so that every page with this palette
+/// has the same header.
+/// @throws std::runtime_error with libpng's message
 std::string encode_png(const Page<std::uint8_t>& page, const Palette& palette);
 
-/// The bytes of a PNG of 8 bits each of red, green and blue.
-/// @throws std::runtime_error with what libpng says
+/// Encodes a PNG with 8 bits each of red, green and blue.
+/// @throws std::runtime_error with libpng's message
 std::string encode_png(const Page<std::uint32_t>& page);
 
 }  // namespace xsharp

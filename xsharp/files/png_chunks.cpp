@@ -8,7 +8,7 @@ namespace xsharp {
 
 namespace {
 
-/// The number in the first four bytes.
+/// The big-endian number in the first four bytes.
 std::uint32_t number_at(std::string_view bytes) {
   std::uint32_t number = 0;
   for (const char byte : bytes.substr(0, 4)) {

@@ -8,13 +8,13 @@
 namespace xsharp {
 
 std::string read_text(const std::filesystem::path& file, std::size_t most) {
-  // A pipe or a device might never end.
+  // Reading a pipe or a device might never end.
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) throw SceneError("there is no such file");
   if (!std::filesystem::is_regular_file(status)) throw SceneError("not a regular file");
   std::ifstream stream(file, std::ios::binary);
-  // One byte more than allowed shows that there are more.
+  // Reads one byte more than allowed to detect a longer file.
   std::string text(most + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad() || (stream.fail() && !stream.eof())) throw SceneError("cannot be read");

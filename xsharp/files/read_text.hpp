@@ -1,5 +1,5 @@
 /// @file
-/// A whole file of bounded size.
+/// Reads a whole file of bounded size.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace xsharp {
 
-/// What the file holds. @throws SceneError saying why not, without its name: not a regular file,
-/// not to be read, longer than `most` bytes
+/// The contents of a file. @throws SceneError with the reason, without the file name, if it is not
+/// a regular file, cannot be read, or is longer than `most` bytes
 std::string read_text(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace xsharp

@@ -29,7 +29,7 @@ std::array<std::int32_t, 3> three_whole(const JsonNode& node, std::int32_t least
           numbers[2].whole(least, most)};
 }
 
-/// An argument of CosSin, a 16-bit number.
+/// An angle for CosSin, which takes 16 bits.
 std::int32_t tenths(const JsonNode& node) { return node.whole(INT16_MIN, INT16_MAX); }
 
 std::array<std::int32_t, 3> three_tenths(const JsonNode& node) {
@@ -40,7 +40,7 @@ std::array<std::int32_t, 3> page(const JsonNode& node) {
   return three_whole(node, -farthest_page, farthest_page);
 }
 
-/// Of a body about its origin.
+/// The size of a body about its origin.
 double size(const JsonNode& node) {
   const double value = node.number();
   if (value <= 0) node.refuse(detail::text_of("must be above 0, not ", value));
@@ -49,7 +49,7 @@ double size(const JsonNode& node) {
 
 std::uint8_t byte(const JsonNode& node) { return static_cast<std::uint8_t>(node.whole(0, 255)); }
 
-/// 17, an index of the palette; "#rrggbb" or [red, green, blue], a colour.
+/// A paint: 17, a palette index; "#rrggbb" or [red, green, blue], a colour.
 Paint paint(const JsonNode& node) {
   if (node.is_list()) {
     const auto parts = node.list_of(3);
@@ -156,13 +156,13 @@ ArithmeticChoice arithmetic(const JsonNode& node) {
   return read;
 }
 
-/// A mesh, and how many faces go round a ball, for its checks.
+/// A mesh and, for checks, the number of faces around a ball.
 struct Shape {
   Mesh mesh;
   std::optional<std::size_t> faces_around{};
 };
 
-/// Where the files that the text names are, and which it has named.
+/// The folder of the files that the text names, and the names so far.
 struct Files {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> read{};
@@ -202,18 +202,18 @@ Shape shape(const JsonNode& node, Files& files) {
   return std::move(read[0]);
 }
 
-/// How the paints of an object are written.
+/// How the paints of an object are given.
 struct Paints {
   enum class Kind { none, each, all, checks } kind = Kind::none;
   std::vector<Paint> list;
 };
 
-/// An object as far as it is read: what `defaults` says, then what the object says.
+/// A partly read object: first from `defaults`, then from the object.
 struct Draft {
   ObjectDescription object;
   std::optional<Shape> shape;
   Paints paints;
-  /// One, for all faces, from `shading`; or one for each face, from `shadings`.
+  /// One from `shading` for all faces, or one per face from `shadings`.
   std::vector<Shading> shadings{};
   bool shadings_are_each = false;
 };
@@ -279,7 +279,7 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
     object.shadings.assign(faces, draft.shadings[0]);
   }
   object.mesh = std::move(draft.shape->mesh);
-  // First: an object's own vertices come first, then the ends of their normals.
+  // Vertex normals first: an object's own vertices come first, then the ends of their normals.
   if (needs_normals(object.surface)) object.mesh = with_vertex_normals(std::move(object.mesh));
   object.mesh = with_normals(std::move(object.mesh), [&object](std::size_t face) {
     return face < object.shadings.size() && object.shadings[face].diffuse;
@@ -349,7 +349,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
             draft.object.name = "object " + std::to_string(objects.size());
             read_draft(element, files, draft);
             objects.push_back(finished(element, std::move(draft)));
-            // validate() says so too, but a small text can make a scene that does not fit in
+            // validate() checks this too, but a small text can make a scene that does not fit in
             // memory.
             faces += objects.back().mesh.faces.size();
             if (objects.size() > most_objects || faces > most_faces_in_scene) break;

@@ -1,5 +1,5 @@
 /// @file
-/// Scenes from JSON; docs/scenes.md states the format.
+/// Reads scenes from JSON; docs/scenes.md states the format.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@
 
 namespace xsharp {
 
-/// A scene that validate() accepts, from a file of up to 1 MiB. A scene without a name is named
-/// after the file.
-/// @throws SceneError naming the file and the place in it; that the file cannot be read is one too
+/// Reads a scene that validate() accepts, from a file of up to 1 MiB. A scene without a name gets
+/// that of the file.
+/// @throws SceneError with the file and the position in it, also if the file cannot be read
 Scene read_scene(const std::filesystem::path& file);
 
 /// The same from the text of a file.
 /// @param name   of the scene, unless the text has one
-/// @param folder where the files that the text names are
-/// @throws SceneError naming the place
+/// @param folder of the files that the text names
+/// @throws SceneError with the position
 Scene parse_scene(std::string_view text, const std::string& name,
                   const std::filesystem::path& folder);
 

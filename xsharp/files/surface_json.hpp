@@ -1,5 +1,5 @@
 /// @file
-/// Reading what fills the faces of an object.
+/// Reads the surface of an object.
 #pragma once
 
 #include "xsharp/files/json_node.hpp"
@@ -7,7 +7,7 @@
 
 namespace xsharp {
 
-/// @throws SceneError naming the place of what is wrong
+/// @throws SceneError with the position of the error
 Surface surface(const JsonNode& node);
 
 }  // namespace xsharp

@@ -1,5 +1,5 @@
 /// @file
-/// Bitmaps for texture mapping, computed.
+/// Computed bitmaps for texture mapping.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace xsharp {
 
-/// bitmap_texels texels, row by row: what is at column u of row v is at v * 256 + u.
+/// bitmap_texels texels in row-major order: column u of row v is at v * 256 + u.
 inline std::vector<std::uint8_t> bitmap_of(const Surface& surface) {
   std::vector<std::uint8_t> texels(bitmap_texels);
   for (std::size_t i = 0; i < texels.size(); ++i) {
@@ -29,10 +29,11 @@ inline std::vector<std::uint8_t> bitmap_of(const Surface& surface) {
   return texels;
 }
 
-/// The same words for one coordinate, 1 texel 256 of them, with every pixel in the bitmap. Places
-/// at corners are half a texel inside it, and stepping errs by half a unit a pixel or more: beyond
-/// 255 pixels a row, or an edge, can leave the bitmap, and come in again at its other side. The
-/// slope is then cut so that the last pixel is inside: by less than a unit below the exact slope.
+/// The words for one coordinate, with 256 units per texel, adjusted so that every pixel is in the
+/// bitmap. Coordinates at corners are half a texel inside it, and stepping errs by half a unit per
+/// pixel or more: beyond 255 pixels a row or an edge can leave the bitmap and wrap to its other
+/// side. If so, the slope is reduced so that the last pixel is inside, by less than a unit below
+/// the exact slope.
 constexpr StepWords inside_bitmap(StepWords words, std::size_t pixels) {
   const auto inside = [](std::int64_t place) { return std::clamp<std::int64_t>(place, 0, 0xFFFF); };
   const std::int64_t start = inside(static_cast<std::int32_t>(words.start));

@@ -1,20 +1,21 @@
 /// @file
-/// The fill rule of X-Sharp: which rows a polygon has, and which edge is at either end of a row.
+/// The fill rule of X-Sharp: the rows of a polygon, and the edges at the ends of each row.
 ///
 /// A polygon is two chains of edges, from its topmost row to the first of its points with the
 /// greatest y. The topmost points form a run. If the ends of the run differ in x, the top is flat
-/// and the chain that begins at the smaller x is the left one; else the edges to the next and to
-/// the previous point decide.
+/// and the chain that begins at the smaller x is the left one; otherwise the edges to the next and
+/// to the previous point decide.
 ///
-/// A chain yields one x for each row, edge after edge. An edge that goes down from (x1, y1) to
-/// (x2, y2) yields the ceiling of its crossing for the rows y1 to y2 - 1. A level or rising edge
-/// yields nothing, so what follows it moves up. The left chain's x is the first pixel of a row, the
+/// A chain yields one x per row, edge after edge. An edge that goes down from (x1, y1) to (x2, y2)
+/// yields the ceiling of its crossing for the rows y1 to y2 - 1. A level or rising edge yields
+/// nothing, so the edges after it move up. The left chain's x is the first pixel of a row, the
 /// right chain's x is the pixel after the last; rows where they cross have no pixels. Unless the
 /// top is flat, the topmost row is left out, because a single point lies on a right edge.
 ///
 /// For a convex polygon this is the top-left rule: left and top edges belong to it, right and
-/// bottom edges do not, so polygons that share an edge have every pixel along it once. A polygon
-/// that rounding to pixels has made concave or self-crossing comes out as the original draws it.
+/// bottom edges do not, so polygons that share an edge cover every pixel along it exactly once. A
+/// polygon that rounding to pixels has made concave or self-crossing is drawn as the original draws
+/// it.
 #pragma once
 
 #include <algorithm>
@@ -29,18 +30,18 @@ namespace xsharp {
 
 /// The part of a chain that one edge yields on the page.
 struct ChainEdge {
-  std::size_t upper = 0;   ///< the edge goes down from this point
-  std::size_t lower = 0;   ///< to this one
-  std::int32_t first = 0;  ///< rows of the page that it yields
+  std::size_t upper = 0;   ///< the edge starts at this point and goes down
+  std::size_t lower = 0;   ///< to this point
+  std::int32_t first = 0;  ///< the first row of the page that it yields
   std::int32_t end = 0;
-  /// The edge's own y for row `first`. It differs from `first` where a rising edge went before.
+  /// The edge's own y for row `first`. It differs from `first` after a rising edge.
   std::int32_t y = 0;
 };
 
 class Chains {
  public:
   /// Has no rows if the polygon has fewer than three points or lies in one row.
-  /// @param points outlive the chains
+  /// @param points must outlive the chains
   explicit Chains(std::span<const ScreenPoint> points) : points_(points) {
     if (points.size() < 3) return;
     std::size_t top = 0;
@@ -60,15 +61,15 @@ class Chains {
     end_ = points[bottom_].y;
   }
 
-  /// The polygon's rows on a page: from first() up to, but not including, end().
+  /// The polygon's rows on a page: first() to end() - 1.
   [[nodiscard]] std::int32_t first() const {
     return static_cast<std::int32_t>(std::max<std::int64_t>(first_, 0));
   }
   [[nodiscard]] std::int32_t end(std::int32_t height) const { return std::min(end_, height); }
 
   /// Calls visit(ChainEdge) for the edges at the left end of rows, then for those at the right end.
-  /// Every row of the page is visited once on either side: the falls of a chain add up to the
-  /// polygon's height or more.
+  /// Visits every row of the page once per side: the falls of a chain add up to at least the
+  /// polygon's height.
   template <class Left, class Right>
   void walk(std::int32_t height, const Left& left, const Right& right) const {
     walk_chain(left_, left_goes_forward_, height, left);
@@ -83,9 +84,9 @@ class Chains {
     return i == 0 ? points_.size() - 1 : i - 1;
   }
 
-  /// Whether the edge from the top to the next point starts off to the left of that to the previous
-  /// one: next.x * previous.y < next.y * previous.x. The products need 66 bits, so x / y is
-  /// compared: whole parts first, then remainders over y, whose products fit into 64 bits.
+  /// Whether the edge to the next point starts to the left of the edge to the previous point:
+  /// next.x * previous.y < next.y * previous.x. The products need 66 bits, so this compares x / y:
+  /// whole parts first, then remainders over y, whose products fit into 64 bits.
   [[nodiscard]] bool next_is_left() const {
     const Slant next = slant(points_[left_], points_[after(right_)]);
     const Slant previous = slant(points_[left_], points_[before(left_)]);
@@ -93,7 +94,7 @@ class Chains {
     return next.part * previous.rows < previous.part * next.rows;
   }
 
-  /// x over y of an edge that goes down: whole + part / rows, with 0 <= part < rows < 2^32.
+  /// x / y of an edge that goes down: whole + part / rows, with 0 <= part < rows < 2^32.
   struct Slant {
     std::int64_t whole = 0;
     std::uint64_t part = 0;
@@ -115,7 +116,7 @@ class Chains {
   void walk_chain(std::size_t start, bool forward, std::int32_t height, const Visit& visit) const {
     const std::int64_t page_first = first();
     const std::int64_t page_end = end(height);
-    // The row of what is yielded next; rising edges let a chain be longer than the polygon.
+    // The row that is yielded next; with rising edges a chain may be longer than the polygon.
     std::int64_t row = first_;
     std::int64_t skipped = flat_ ? 0 : 1;
     for (std::size_t from = start; from != bottom_ && row < page_end;) {

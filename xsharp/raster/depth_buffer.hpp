@@ -1,5 +1,5 @@
 /// @file
-/// The depth buffer: 16 bits for every pixel of a page.
+/// The depth buffer: 16 bits per pixel of a page.
 #pragma once
 
 #include <algorithm>
@@ -14,24 +14,24 @@
 
 namespace xsharp {
 
-/// Depths of a page, and how a depth becomes the 16.8 word that the loops compare.
+/// The depths of a page, and the conversion of a depth to the 16.8 word that the loops compare.
 ///
-/// A buffer that is cleared before every picture holds minus infinity, the word 8000h, and a depth
-/// is 0 to 32767, in 16.8. On the reversed axis it holds plus infinity, 7FFFh, and a depth is 0 to
-/// -32767.
+/// A buffer that is cleared before every picture is filled with minus infinity, the word 8000h, and
+/// depths are 0 to 32767, in 16.8. On the reversed axis it is filled with plus infinity, 7FFFh, and
+/// depths are 0 to -32767.
 ///
-/// Without clearing it is 0 to 8191, and each of seven pictures begins 9216 above the one before:
-/// whatever a picture left is farther than all of the next. That is right for any picture, also
-/// where it leaves pixels alone, as long as no stepped depth is more than 512 out of its 8192;
-/// those of vertices are in it, and 320 steps err by less than 3 (docs/interpolation.md). The price
-/// is two bits of depth, and a clearing after seven pictures: then the range is used up.
-/// Alternating between two halves of the range, with the test turned round each time, needs no
-/// clearing at all, but is right only where every picture sets every pixel.
+/// Without clearing, depths are 0 to 8191, and each of seven pictures starts 9216 above the
+/// previous one, so that all old depths are farther than all new ones. This is correct for any
+/// picture, even if it leaves pixels unset, as long as no stepped depth is more than 512 outside
+/// its 8192. Those of vertices are inside, and 320 steps err by less than 3
+/// (docs/interpolation.md). The price is two bits of depth, and a clear after seven pictures, when
+/// the range is used up. Alternating between two halves of the range, with the test reversed each
+/// time, would need no clearing, but is correct only if every picture sets every pixel.
 class DepthBuffer {
  public:
   explicit DepthBuffer(DepthBuffering mode) : mode_(mode) {}
 
-  /// Before the first polygon of a picture.
+  /// Called before the first polygon of a picture.
   void begin(std::int32_t width, std::int32_t height) {
     if (mode_ == DepthBuffering::off) return;
     const auto depths = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -54,7 +54,7 @@ class DepthBuffer {
     return std::span(depths_).subspan(start, count);
   }
 
-  /// What a loop steps for depths from 0 to nearest_depth.
+  /// The words for a loop that steps depths from 0 to nearest_depth.
   template <Scalar N>
   [[nodiscard]] StepWords words(const Step<N>& depth) const {
     StepWords words =
@@ -66,9 +66,9 @@ class DepthBuffer {
 
  private:
   static constexpr std::uint32_t pictures = 7;
-  /// From one picture's depth 0 to that of the next, of 2^16 in all.
+  /// The distance between the zero depths of two pictures, out of 2^16.
   static constexpr std::uint32_t apart = 8192 + 2 * 512;
-  /// The first picture's depth 0: -32768, as a cleared buffer has, and 512 more.
+  /// The zero depth of the first picture: 512 above -32768, the value of a cleared buffer.
   static constexpr std::uint32_t lowest = 512U - 32768U;
 
   DepthBuffering mode_;

@@ -1,5 +1,5 @@
 /// @file
-/// A row under a depth buffer, on the words of span_loops.hpp, as no published listing has it.
+/// A row under a depth buffer with a different value per pixel; no published listing does this.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace xsharp {
 
-/// The loop of SpanLoops::depth with a pixel of its own at each place, and with the test for either
-/// axis: written where the depth is greater, or, reversed, less.
+/// SpanLoops::depth with one pixel value per position, and with the test for either axis: writes if
+/// the depth is greater or, reversed, less.
 /// @pre buffer and pixels have the size of out
 inline void depth_row(std::span<std::uint8_t> out, std::span<std::int16_t> buffer,
                       std::span<const std::uint8_t> pixels, StepWords words, bool reversed) {

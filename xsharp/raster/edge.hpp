@@ -1,5 +1,5 @@
 /// @file
-/// Where an edge of a polygon crosses the rows of pixels, exactly.
+/// The exact crossings of a polygon edge with the rows of pixels.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace xsharp {
 
-/// Goes down an edge row by row. `x()` is ceil(X), where X is the exact rational at which the line
+/// Steps down an edge row by row. `x()` is ceil(X), where X is the exact rational at which the line
 /// through the two ends crosses the row.
 ///
-/// X is kept as x_ - short_ / rows_ with 0 <= short_ < rows_, so that x_ is its ceiling; one row
-/// down adds whole_ + part_ / rows_ to X. The only divisions are those that set out.
+/// X is stored as x_ - short_ / rows_ with 0 <= short_ < rows_, so that x_ is its ceiling; one row
+/// down adds whole_ + part_ / rows_ to X. Only the constructor divides.
 class EdgeWalk {
  public:
-  /// On row `y`. Precondition: upper.y <= y < lower.y.
+  /// Starts on row `y`. @pre upper.y <= y < lower.y
   ///
-  /// Every value fits: coordinates differ by less than 2^32, and y - upper.y < rows, so that
-  /// |whole * down| <= |width| + rows < 2^33 and part * down < 2^64.
+  /// Every value fits: coordinates differ by less than 2^32, and y - upper.y < rows, so that |whole
+  /// * down| <= |width| + rows < 2^33 and part * down < 2^64.
   EdgeWalk(const ScreenPoint& upper, const ScreenPoint& lower, std::int32_t y)
       : rows_(std::int64_t{lower.y} - upper.y) {
     const std::int64_t width = std::int64_t{lower.x} - upper.x;
@@ -41,10 +41,10 @@ class EdgeWalk {
     }
   }
 
-  /// Between the ends of the edge as long as the row is one of the edge's.
+  /// Between the ends of the edge, as long as the row is one of the edge's.
   [[nodiscard]] std::int64_t x() const { return x_; }
 
-  /// How far X is to the left of x(), in 2^-16 pixels, rounded down: below 65536.
+  /// The distance from X to x(), in 2^-16 pixels, rounded down: below 65536.
   [[nodiscard]] std::int64_t to_the_left() const { return short_ * 65536 / rows_; }
 
   void step_down() {

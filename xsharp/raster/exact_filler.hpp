@@ -1,5 +1,5 @@
 /// @file
-/// Surfaces without stepping: the exact value at each pixel, in double.
+/// Fills surfaces without stepping: computes the exact value per pixel in double.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@
 namespace xsharp {
 
 /// The reference, the same for every variant of a surface. Light is exact, textures are in
-/// perspective, and Phong's light is computed at every pixel. Depths are inverses of z, compared in
-/// double; the buffer is cleared before every picture. Indices are still whole: values are cut, as
-/// the loops do.
+/// perspective, and Phong light is computed per pixel. Depths are inverses of z, compared in
+/// double; the buffer is cleared before every picture. Values are still truncated to whole palette
+/// indices, as in the loops.
 class ExactFiller final : public SurfaceFiller {
  public:
   explicit ExactFiller(const Scene& scene)
@@ -34,14 +34,14 @@ class ExactFiller final : public SurfaceFiller {
                    -std::numeric_limits<double>::infinity());
   }
 
-  /// What is nearest at a pixel of the last picture under a depth buffer: its depth; minus infinity
-  /// where there is nothing.
+  /// The nearest depth at a pixel of the last picture under a depth buffer, or minus infinity if
+  /// nothing was drawn there.
   [[nodiscard]] double depth_at(std::int32_t x, std::int32_t y) const {
     return depths_.at(static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x));
   }
 
  private:
-  /// Where an edge crosses a row, and the values there.
+  /// The crossing of an edge with a row, and the values there.
   struct Crossing {
     double x = 0;
     PointValues values{};
@@ -57,9 +57,9 @@ class ExactFiller final : public SurfaceFiller {
     return result;
   }
 
-  std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
-                                 const Surface& surface, std::int32_t width,
-                                 std::int32_t height) override {
+  std::span<const PixelRow> find_rows(const Picture& picture, const Polygon& polygon,
+                                      const Surface& surface, std::int32_t width,
+                                      std::int32_t height) override {
     rows_.clear();
     spans_.clear();
     const auto points = picture.points_of(polygon);
@@ -69,9 +69,9 @@ class ExactFiller final : public SurfaceFiller {
     if (top >= bottom) return rows_;
     corners_.assign(picture.values_of(polygon).begin(), picture.values_of(polygon).end());
     for (PointValues& corner : corners_) {
-      // From z itself, which is not linear on the screen, to what is.
+      // Converts z, which is not linear on the screen, to its inverse, which is.
       if (gets_z_) corner[0] = 1 / (nearest_depth + 1 - corner[0]);
-      // In perspective it is these that are linear on the screen.
+      // In perspective, value times depth is linear on the screen.
       if (surface.kind == SurfaceKind::texture) {
         corner = {corner[0], corner[1] * corner[0], corner[2] * corner[0], 0};
       }
@@ -86,14 +86,14 @@ class ExactFiller final : public SurfaceFiller {
       };
     };
     chains.walk(height, store(&Span::left), store(&Span::right));
-    // A projected coordinate is within 2^17, so a crossing's distance from a whole number is 0 or
-    // at least 2^-18, which double does not lose.
+    // A projected coordinate is within 2^17, so a crossing is either whole or at least 2^-18 away
+    // from a whole number, which double resolves.
     const auto pixel = [width](double x) {
       return static_cast<std::int32_t>(std::clamp(std::ceil(x), 0.0, double{1} * width));
     };
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-      const Row row{top + static_cast<std::int32_t>(i), pixel(spans_[i].left.x),
-                    pixel(spans_[i].right.x)};
+      const PixelRow row{top + static_cast<std::int32_t>(i), pixel(spans_[i].left.x),
+                         pixel(spans_[i].right.x)};
       if (row.left >= row.right) continue;
       spans_[rows_.size()] = spans_[i];
       rows_.push_back(row);
@@ -101,7 +101,7 @@ class ExactFiller final : public SurfaceFiller {
     return rows_;
   }
 
-  /// Where an edge is at row `y` of its own, and the values there.
+  /// The crossing of an edge with its own row `y`, and the values there.
   [[nodiscard]] Crossing crossing(std::span<const ScreenPoint> points, const ChainEdge& edge,
                                   double y) const {
     const ScreenPoint& upper = points[edge.upper];
@@ -115,7 +115,7 @@ class ExactFiller final : public SurfaceFiller {
 
   void draw(std::size_t index, const Surface& surface, std::span<std::uint8_t> out,
             std::uint8_t pixel, std::span<std::uint8_t> set) override {
-    const Row& row = rows_[index];
+    const PixelRow& row = rows_[index];
     const Span& span = spans_[index];
     for (std::size_t i = 0; i < out.size(); ++i) {
       const double x = static_cast<double>(row.left) + static_cast<double>(i);
@@ -134,7 +134,7 @@ class ExactFiller final : public SurfaceFiller {
 
   [[nodiscard]] std::uint8_t color(const Surface& surface, const PointValues& values,
                                    std::uint8_t pixel) const {
-    // NaN is 0.
+    // NaN becomes 0.
     const auto index = [](double value) {
       return value > 0 ? static_cast<std::uint8_t>(std::min(value, 255.0)) : std::uint8_t{0};
     };
@@ -162,9 +162,9 @@ class ExactFiller final : public SurfaceFiller {
   std::size_t width_ = 0;
   std::vector<double> depths_{};
 
-  // of the polygon that is filled
+  // of the current polygon
   std::vector<PointValues> corners_{};
-  std::vector<Row> rows_{};
+  std::vector<PixelRow> rows_{};
   std::vector<Span> spans_{};
 };
 

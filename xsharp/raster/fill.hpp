@@ -15,11 +15,12 @@
 
 namespace xsharp {
 
-/// Keeps the ends of rows between polygons, so that filling does not allocate.
+/// Fills polygons; reuses the row buffer, so that filling does not allocate.
 class Filler {
  public:
-  /// Sets the polygon's pixels that are on the page; returns how many. Time grows with the rows of
-  /// the page that the polygon's edges cross and the pixels set, not with what is off the page.
+  /// Sets the polygon's pixels on the page and returns their number. The time is proportional to
+  /// the page rows that the polygon's edges cross and the pixels set, not to the parts off the
+  /// page.
   template <PixelType Pixel>
   std::int64_t fill(Page<Pixel>& page, std::span<const ScreenPoint> points, Pixel pixel) {
     const Chains chains(points);

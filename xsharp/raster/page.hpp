@@ -1,5 +1,5 @@
 /// @file
-/// What polygons are filled into: a rectangle of pixels in memory.
+/// A rectangle of pixels in memory, which polygons are filled into.
 #pragma once
 
 #include <algorithm>
@@ -13,18 +13,18 @@
 
 namespace xsharp {
 
-/// An index of a palette, or a colour as 0x00RRGGBB.
+/// A palette index, or a colour as 0x00RRGGBB.
 template <class T>
 concept PixelType = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint32_t>;
 
-/// The largest width and height of a page.
+/// The maximum width and height of a page.
 inline constexpr std::int32_t longest_page_side = 16384;
 
-/// Rows of pixels from top to bottom, each from left to right, without gaps.
+/// Pixels in row-major order from the top left, without gaps.
 template <PixelType Pixel>
 class Page {
  public:
-  /// All pixels 0.
+  /// A page with all pixels 0.
   /// @throws std::invalid_argument unless both sides are from 1 to longest_page_side
   Page(std::int32_t width, std::int32_t height)
       : width_(checked(width, width, height)),
@@ -44,7 +44,7 @@ class Page {
     return std::span(pixels_).subspan(start_of(y), row_length());
   }
 
-  /// Row after row.
+  /// All pixels in row-major order.
   [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
   [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The palettes, and which of their indices stands for a colour.
+/// The palettes, and their indices for colours.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using Palette = std::array<Color, 256>;
 
 namespace detail {
 
-/// From the 6 bits of the VGA's converter to 8: 0 stays 0 and 63 becomes 255.
+/// Expands 6 bits of the VGA's DAC to 8: 0 stays 0 and 63 becomes 255.
 constexpr std::uint8_t from_dac(unsigned level) {
   return static_cast<std::uint8_t>(level << 2U | level >> 4U);
 }
@@ -26,8 +26,8 @@ constexpr Color from_dac(unsigned red, unsigned green, unsigned blue) {
   return {from_dac(red), from_dac(green), from_dac(blue)};
 }
 
-/// Hue 0 to 23 of a ring from blue by magenta, red, yellow, green and cyan back to blue, four hues
-/// to each sixth. `levels` rises from the least component to the greatest.
+/// Hue 0 to 23 of a ring from blue through magenta, red, yellow, green and cyan back to blue, four
+/// hues per sixth. `levels` rises from the smallest component to the largest.
 constexpr Color on_ring(std::size_t hue, const std::array<unsigned, 5>& levels) {
   const std::size_t step = hue % 4;
   const unsigned least = levels.front();
@@ -52,12 +52,13 @@ constexpr Color on_ring(std::size_t hue, const std::array<unsigned, 5>& levels) 
 
 }  // namespace detail
 
-/// What a VGA starts mode 13h with: the 16 colours of the EGA, 16 greys, a ring of 24 hues in each
-/// of three saturations of each of three values, 8 times black.
+/// The default palette of VGA mode 13h: the 16 EGA colours, 16 greys, a ring of 24 hues in three
+/// saturations of each of three values, and 8 times black.
 constexpr Palette vga_palette() {
   Palette palette{};
   for (std::size_t i = 0; i < 16; ++i) {
-    // Bit 3 adds a third of full intensity to every component, bits 2 to 0 two thirds to theirs.
+    // Bit 3 adds a third of full intensity to every component; bits 2 to 0 add two thirds to one
+    // each.
     const auto level = [i](unsigned bit) {
       return 42U * (static_cast<unsigned>(i) >> bit & 1U) + 21U * (static_cast<unsigned>(i) >> 3U);
     };
@@ -104,8 +105,8 @@ constexpr Palette shading_palette() {
   return palette;
 }
 
-/// The shading palette with the author's four levels of mixtures, 63 * (level / 3)^(1 / 2.3) of the
-/// VGA's converter: a screen shows less than half its light at half of the level.
+/// The shading palette with the author's four levels for mixtures, 63 * (level / 3)^(1 / 2.3) of
+/// the DAC: a screen shows less than half its light at half of the level.
 constexpr Palette shading_gamma_palette() {
   constexpr std::array<unsigned, 4> levels{0, 39, 53, 63};
   Palette palette = shading_palette();
@@ -116,10 +117,10 @@ constexpr Palette shading_gamma_palette() {
   return palette;
 }
 
-/// 0 to 127 a grey ramp, 128 to 255 one of copper, by the cosine of the angle to the light: index
-/// 64 + 62 c of a ramp shows c, -1 to 1. Light of the surroundings is 0.1, diffuse light 0.65 c
-/// where c is above 0, and there is a white highlight of 0.25 c^16: the model of Phong's shading is
-/// in the palette. The first of all is black.
+/// 0 to 127 is a grey ramp, 128 to 255 a copper ramp, by the cosine of the angle to the light:
+/// index 64 + 62 c of a ramp shows c, -1 to 1. The ambient light is 0.1, the diffuse light 0.65 c
+/// for c above 0, and there is a white highlight of 0.25 c^16: the palette contains Phong's
+/// lighting model. Index 0 is black.
 constexpr Palette ramps_palette() {
   Palette palette{};
   for (unsigned i = 1; i < 256; ++i) {
@@ -154,7 +155,7 @@ inline const Palette& palette_of(PaletteKind kind) {
   }
 }
 
-/// The index of either shading palette for a colour: one that has a single component above 0 has
+/// The index of a colour in both shading palettes: a colour with a single nonzero component has
 /// that primary's level, any other the highest two bits of each component. Black is 0.
 constexpr std::uint8_t index_of(const Color& color) {
   const auto pure = [](unsigned start, std::uint8_t component) {
@@ -171,8 +172,7 @@ constexpr std::uint8_t index_of(const Color& color) {
                                    highest_two(color.blue));
 }
 
-/// The index whose colour has the least sum of squared differences of components; of several the
-/// lowest.
+/// The index with the smallest sum of squared component differences; the lowest index on a tie.
 constexpr std::uint8_t nearest(const Palette& palette, const Color& color) {
   const auto distance = [&color](const Color& other) {
     const int red = other.red - color.red;
@@ -186,8 +186,7 @@ constexpr std::uint8_t nearest(const Palette& palette, const Color& color) {
   return static_cast<std::uint8_t>(found - palette.begin());
 }
 
-/// What a paint sets a pixel to: an index as it stands, or the one that the palette has for a
-/// colour.
+/// The palette index of a paint: its own, or that of its colour.
 inline std::uint8_t index_of(const Paint& paint, PaletteKind kind) {
   if (paint.is_index) return paint.index;
   const bool shades = kind == PaletteKind::shading || kind == PaletteKind::shading_gamma;
@@ -199,8 +198,7 @@ constexpr std::uint32_t rgb(const Color& color) {
   return std::uint32_t{color.red} << 16U | std::uint32_t{color.green} << 8U | color.blue;
 }
 
-/// What a paint sets a pixel of this type to: true colour shows an index's colour in the palette,
-/// and a colour as it is.
+/// The pixel of this type for a paint. In true colour, an index becomes its palette colour.
 template <PixelType Pixel>
 Pixel pixel_of(const Paint& paint, PaletteKind kind) {
   if constexpr (std::same_as<Pixel, std::uint8_t>) {

@@ -1,5 +1,5 @@
 /// @file
-/// A parabola stepped along a row by two additions a pixel, as no published listing has it.
+/// A parabola stepped along a row by two additions per pixel; no published listing does this.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,14 @@
 
 namespace xsharp {
 
-/// A parabola in 8.24 words: what it is at the first pixel, what is added for the next, and what is
-/// added to that.
+/// A parabola in 8.24 words: the first value, its first difference and its second difference.
 struct Parabola {
   std::uint32_t start = 0;
   std::uint32_t step = 0;
   std::uint32_t second = 0;
 };
 
-/// Two additions a pixel; the whole part, bits 31 to 24, is drawn.
+/// Draws the whole part, bits 31 to 24; two additions per pixel.
 inline void quadratic(std::span<std::uint8_t> out, Parabola p) {
   for (std::uint8_t& pixel : out) {
     pixel = static_cast<std::uint8_t>(p.start >> 24U);
@@ -27,8 +26,8 @@ inline void quadratic(std::span<std::uint8_t> out, Parabola p) {
   }
 }
 
-/// n / d with 24 bits after the point, modulo 2^32: n is doubled up to eight times, as long as it
-/// is below 8191, before it is divided by d, `times` times.
+/// n / d with 24 bits after the point, modulo 2^32. Doubles n up to eight times, while it is below
+/// 8191, before it divides by d, `times` times.
 template <Scalar N>
 std::uint32_t fine_ratio(N n, N d, int times) {
   const N most = from_whole<N>(8191);
@@ -39,12 +38,12 @@ std::uint32_t fine_ratio(N n, N d, int times) {
 }
 
 /// The parabola through the values at the first pixel, half way, and at the last, `last` pixels
-/// further: with L for `last`, first + b x + c x^2 where b = (4 middle - 3 first - end) / L and
-/// c = 2 (first - 2 middle + end) / L^2.
+/// further. With L for `last` it is first + b x + c x^2, where b = (4 middle - 3 first - end) / L
+/// and c = 2 (first - 2 middle + end) / L^2.
 ///
-/// The words of b and c are within 2^-20 and, the divides rounded, the doublings allowing (a second
-/// difference below 32 levels), 2^-24 of these; so at the last of 320 pixels the stepped value is
-/// within 0.01 levels of the parabola.
+/// The words of b and c are within 2^-20 of these, and within 2^-24 if the divide rounds and the
+/// doublings fit (a second difference below 32 levels). At the last of 320 pixels the stepped value
+/// is then within 0.01 levels of the parabola.
 template <Scalar N>
 Parabola parabola_through(N first, N middle, N end, std::int32_t last) {
   const auto start = static_cast<std::uint32_t>(Arithmetic<N>::raw(first)) << 8U;

@@ -1,5 +1,5 @@
 /// @file
-/// Places in a bitmap in perspective.
+/// Bitmap coordinates in perspective.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace xsharp {
 
-/// K coordinates along a row. They are not linear on the screen; times depth they are, as depth is.
+/// K coordinates along a row. They are not linear on the screen, but depth and coordinate times
+/// depth are.
 template <Scalar N, std::size_t K>
 struct PerspectivePlace {
   std::array<Step<N>, K> products{};

@@ -1,5 +1,5 @@
 /// @file
-/// Phong's light along a row, in its three forms.
+/// Phong light along a row, in its three forms.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct PhongRow {
   Vec3<N> light{};
   Surface surface{};
 
-  /// PhongForm::exact: the ramp's value `units` of 2^-16 pixels from the first pixel, of the
-  /// stepped normal brought to unit length.
+  /// PhongForm::exact: the ramp value of the normalised interpolated normal, `units` of 2^-16
+  /// pixels from the first pixel.
   [[nodiscard]] N at(std::int64_t units) const {
     const Vec3<N> direction =
         unit(Vec3<N>{value_after(normal[0], units), value_after(normal[1], units),
@@ -31,7 +31,7 @@ struct PhongRow {
     return ramp_value(dot(light, direction), surface);
   }
 
-  /// PhongForm::fourth, where `every` is 4: draw(stretch, line).
+  /// PhongForm::fourth, with 4 for `every`: calls draw(stretch, line).
   template <class Draw>
   void in_lines(std::size_t count, std::size_t every, const Draw& draw) const {
     in_stretches(
@@ -41,7 +41,7 @@ struct PhongRow {
         });
   }
 
-  /// PhongForm::quadratic, `count` pixels from `from` on. @param count above 0
+  /// PhongForm::quadratic, for `count` pixels from `from` on. @param count positive
   [[nodiscard]] Parabola parabola(std::size_t from, std::size_t count) const {
     const std::int64_t first = units_of(from);
     const std::int64_t way = units_of(count - 1);

@@ -1,5 +1,5 @@
 /// @file
-/// Two pages: one is shown while the next picture is drawn on the other.
+/// Double buffering: one page is shown while the next picture is drawn on the other.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace xsharp {
 
-/// Pixels from (left, top) up to, but not including, right and bottom.
+/// The pixels from (left, top) to (right - 1, bottom - 1).
 struct Rectangle {
   std::int32_t left = 0;
   std::int32_t top = 0;
@@ -28,20 +28,21 @@ struct Rectangle {
   std::int32_t bottom = 0;
 };
 
-/// What has been drawn since the beginning.
+/// Totals of everything drawn so far.
 struct DrawingCount {
   std::int64_t polygons = 0;
-  std::int64_t pixels = 0;         ///< set by polygons on the page; one covered again counts again
-  std::int64_t erased_pixels = 0;  ///< set to the background before a picture was drawn
+  std::int64_t pixels = 0;         ///< set by polygons on the page, counted each time
+  std::int64_t erased_pixels = 0;  ///< reset to the background before drawing
 };
 
-/// Shows pictures one after another, each as if on an empty page, but erases no more than where the
-/// page's last picture had its objects.
+/// Shows pictures one after another, each as if on an empty page, but erases only the areas of the
+/// objects in the page's previous picture.
 template <PixelType Pixel>
 class Screen {
  public:
-  /// Both pages empty: filled with `background`, an index of the palette.
-  /// @param surfaces fills what interpolates, and outlives the screen; without it all is flat
+  /// Fills both pages with `background`, a palette index.
+  /// @param surfaces fills interpolated polygons, and must outlive the screen; null draws all as
+  /// flat
   /// @throws std::invalid_argument as Page does
   Screen(std::int32_t width, std::int32_t height, PaletteKind palette, std::uint8_t background,
          SurfaceFiller* surfaces = nullptr)
@@ -53,8 +54,7 @@ class Screen {
   }
 
   /// Draws the picture on the hidden page and flips.
-  /// @throws std::out_of_range if a polygon claims points that the picture does not have; nothing
-  ///         has been drawn then
+  /// @throws std::out_of_range, before drawing, if a polygon refers to points that do not exist
   void show(const Picture& picture) {
     check(picture);
     const std::size_t hidden = 1 - shown_;
@@ -74,7 +74,7 @@ class Screen {
     shown_ = hidden;
   }
 
-  /// The last picture shown; another page after the next show().
+  /// The last picture shown; the next show() switches to the other page.
   [[nodiscard]] const Page<Pixel>& page() const { return pages_.at(shown_); }
 
   [[nodiscard]] const DrawingCount& count() const { return count_; }
@@ -108,8 +108,8 @@ class Screen {
     }
   }
 
-  /// Adds the polygon's extent to that of its object. An object whose polygons do not follow one
-  /// another has one rectangle for each run of them: no search, and no more is erased.
+  /// Adds the polygon's extent to that of its object. If the polygons of an object are not
+  /// adjacent, it has one rectangle per run, which avoids a search and erases no more.
   void remember(std::vector<Drawn>& drawn, std::uint32_t object,
                 std::span<const ScreenPoint> points) const {
     const Rectangle extent = extent_of(points);
@@ -123,8 +123,8 @@ class Screen {
              std::max(whole.right, extent.right), std::max(whole.bottom, extent.bottom)};
   }
 
-  /// The part of the page from the least coordinates to the greatest. These are not of it: a
-  /// polygon has no pixels there.
+  /// The bounding box on the page. It excludes the greatest coordinates, where a polygon has no
+  /// pixels.
   [[nodiscard]] Rectangle extent_of(std::span<const ScreenPoint> points) const {
     const std::int32_t width = pages_.front().width();
     const std::int32_t height = pages_.front().height();

@@ -1,8 +1,8 @@
 /// @file
-/// The inner loops: a value stepped along a row of pixels by one addition a pixel.
+/// The inner loops: a value stepped along a row by one addition per pixel.
 ///
-/// Words are those that the published loops hold in 32-bit registers, and wrap as these do. What a
-/// value is before it becomes a word is in step.hpp.
+/// Words are those that the published loops hold in 32-bit registers, and wrap like them. step.hpp
+/// converts values to words.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,14 @@
 
 namespace xsharp {
 
-/// Pixels that one call draws at most: an unrolled loop has so many copies of its body. Longer rows
-/// are drawn in pieces, each with a start of its own.
+/// The maximum number of pixels per call: an unrolled loop has this many copies of its body. Longer
+/// rows are drawn in pieces, each with its own start.
 inline constexpr std::size_t longest_span = 320;
 
-/// Texels of a bitmap: 256 rows of 256.
+/// The number of texels in a bitmap: 256 rows of 256.
 inline constexpr std::size_t bitmap_texels = 65536;
 
-/// The loops that one party has. No call draws more than longest_span pixels, and every one may
-/// draw none.
+/// The loops of one party. A call draws 0 to longest_span pixels.
 class SpanLoops {
  public:
   SpanLoops() = default;
@@ -29,30 +28,29 @@ class SpanLoops {
   SpanLoops& operator=(SpanLoops&&) = delete;
   virtual ~SpanLoops() = default;
 
-  /// Intensity in 8.8: bits 15 to 8 are drawn, then the step is added, modulo 2^16.
+  /// Intensity in 8.8: draws bits 15 to 8, then adds the step, modulo 2^16.
   virtual void gouraud(std::span<std::uint8_t> out, std::uint16_t start,
                        std::uint16_t step) const = 0;
 
-  /// Intensity in 16.16: bits 23 to 16 are drawn, then the step is added, modulo 2^32.
+  /// Intensity in 16.16: draws bits 23 to 16, then adds the step, modulo 2^32.
   virtual void gouraud_wide(std::span<std::uint8_t> out, std::uint32_t start,
                             std::uint32_t step) const = 0;
 
-  /// Depth in 16.8, greater is nearer: bits 23 to 8, as a signed number, are compared with the
-  /// buffer; where they are greater, `pixel` and they themselves are written. Then the step is
-  /// added, modulo 2^32.
+  /// Depth in 16.8, greater is nearer: compares bits 23 to 8, as a signed number, with the buffer;
+  /// if greater, writes `pixel` and the depth. Then adds the step, modulo 2^32.
   /// @pre buffer has the size of out
   virtual void depth(std::span<std::uint8_t> out, std::span<std::int16_t> buffer,
                      std::uint8_t pixel, std::uint32_t start, std::uint32_t step) const = 0;
 
-  /// Two coordinates in 8.8: the texel drawn is that of row v (bits 15 to 8) and column u (bits 15
-  /// to 8); then the steps are added, modulo 2^32.
-  /// @pre bitmap has bitmap_texels texels, row by row
+  /// Two coordinates in 8.8: draws the texel in row v (bits 15 to 8) and column u (bits 15 to 8),
+  /// then adds the steps, modulo 2^32.
+  /// @pre bitmap has bitmap_texels texels in row-major order
   virtual void texture(std::span<std::uint8_t> out, std::span<const std::uint8_t> bitmap,
                        std::uint32_t u, std::uint32_t du, std::uint32_t v,
                        std::uint32_t dv) const = 0;
 };
 
-/// In C++, on unsigned words.
+/// The loops in C++, on unsigned words.
 class PlainLoops final : public SpanLoops {
  public:
   void gouraud(std::span<std::uint8_t> out, std::uint16_t start,

@@ -1,6 +1,5 @@
 /// @file
-/// Rows in parts: in pieces that a loop draws at once, and in stretches from one exact value to the
-/// next.
+/// Divides rows into pieces for one loop call each, and into stretches between exact values.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +14,7 @@
 
 namespace xsharp {
 
-/// A stepped value `units` of 2^-16 pixels from the first pixel, by one multiplication.
+/// The stepped value at `units` of 2^-16 pixels from the first pixel, by one multiplication.
 template <Scalar N>
 N value_after(const Step<N>& step, std::int64_t units) {
   return units == 0 ? step.start : step.start + step.slope * distance_of<N>(units);
@@ -25,13 +24,13 @@ constexpr std::int64_t units_of(std::size_t pixels) {
   return static_cast<std::int64_t>(pixels) * 65536;
 }
 
-/// The same steps from another pixel on.
+/// The same steps, starting at another pixel.
 template <Scalar N>
 Step<N> step_from(const Step<N>& step, std::size_t pixel) {
   return {value_after(step, units_of(pixel)), step.slope};
 }
 
-/// draw(from, count) for pieces of longest_span pixels at most.
+/// Calls draw(from, count) for pieces of at most longest_span pixels.
 template <class Draw>
 void in_pieces(std::size_t count, const Draw& draw) {
   for (std::size_t from = 0; from < count; from += longest_span) {
@@ -39,24 +38,25 @@ void in_pieces(std::size_t count, const Draw& draw) {
   }
 }
 
-/// From an exact pixel to the next.
+/// The pixels from one exact value to the next.
 struct Stretch {
   std::size_t from = 0;
   std::size_t to = 0;
-  /// Pixels drawn: `to` is drawn with what follows, unless it is the row's last.
+  /// The number of pixels drawn. `to` belongs to the next stretch, unless it is the last of the
+  /// row.
   std::size_t count = 0;
 };
 
-/// The straight line through two values `pixels` pixels apart, of which 0 are one value.
+/// The straight line through two values `pixels` pixels apart; constant if `pixels` is 0.
 template <Scalar N>
 Step<N> line_between(N from, N to, std::size_t pixels) {
   if (pixels == 0) return {from, from_whole<N>(0)};
   return {from, ratio(to - from, from_whole<N>(static_cast<std::int32_t>(pixels)))};
 }
 
-/// Values that are exact at the first pixel, every `every` further and at the last, with straight
-/// lines between: draw(stretch, lines).
-/// @param exact std::array of the K values at a pixel
+/// Computes exact values at the first pixel, every `every` pixels and at the last, and calls
+/// draw(stretch, lines) with straight lines between.
+/// @param exact returns the std::array of the K values at a pixel
 /// @pre count and every are above 0
 template <class Exact, class Draw>
 void in_stretches(std::size_t count, std::size_t every, const Exact& exact, const Draw& draw) {

@@ -1,5 +1,5 @@
 /// @file
-/// Fills the polygons of surfaces that interpolate, row by row.
+/// Fills the polygons of interpolated surfaces, row by row.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,16 @@
 #include "xsharp/raster/bitmap.hpp"
 #include "xsharp/raster/page.hpp"
 #include "xsharp/raster/palette.hpp"
+#include "xsharp/raster/pixel_row.hpp"
 #include "xsharp/scene.hpp"
 
 namespace xsharp {
 
-/// Sets the pixels that Filler would (fill.hpp), each to what the surface has there; under a depth
-/// buffer all polygons go this way, and pixels that something nearer has are left.
+/// Sets the same pixels as Filler (fill.hpp), each to the value of the surface. Under a depth
+/// buffer it fills all polygons, and skips pixels where something is nearer.
 ///
-/// What computes is a class below this one. Rows come as indices of the palette; a page of true
-/// colour gets their colours.
+/// Derived classes compute the values. Rows are palette indices; a page of true colour gets the
+/// colours for them.
 class SurfaceFiller {
  public:
   explicit SurfaceFiller(const Scene& scene)
@@ -37,17 +38,17 @@ class SurfaceFiller {
   SurfaceFiller& operator=(SurfaceFiller&&) = delete;
   virtual ~SurfaceFiller() = default;
 
-  /// Before the first polygon of a picture, on a page of this size.
+  /// Called before the first polygon of a picture, with the size of the page.
   virtual void begin(const Picture& picture, std::int32_t width, std::int32_t height) = 0;
 
-  /// Whether this is what fills the polygon; else it is one for Filler.
+  /// Whether this class fills the polygon; otherwise Filler does.
   [[nodiscard]] bool fills(const Picture& picture, const Polygon& polygon) const {
     if (picture.values.size() != picture.points.size()) return false;
     return buffered_ || surface_of(polygon).kind != SurfaceKind::flat;
   }
 
-  /// @param pixel of a polygon whose surface is flat
-  /// @return how many pixels are set
+  /// @param pixel for a flat polygon
+  /// @return the number of pixels set
   template <PixelType Pixel>
   std::int64_t fill(Page<Pixel>& page, const Picture& picture, const Polygon& polygon,
                     Pixel pixel) {
@@ -56,7 +57,7 @@ class SurfaceFiller {
     object_ = polygon.object;
     const auto rows = find_rows(picture, polygon, surface, page.width(), page.height());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Row& row = rows[i];
+      const PixelRow& row = rows[i];
       const auto count = static_cast<std::size_t>(row.right - row.left);
       const auto out = page.row(row.y).subspan(static_cast<std::size_t>(row.left), count);
       set_.assign(buffered_ ? count : 0, 0);
@@ -77,29 +78,22 @@ class SurfaceFiller {
   }
 
  protected:
-  /// Pixels of the page: left < right, which is not of them.
-  struct Row {
-    std::int32_t y = 0;
-    std::int32_t left = 0;
-    std::int32_t right = 0;
-  };
-
   [[nodiscard]] bool buffered() const { return buffered_; }
 
-  /// That of the polygon that is filled. @pre its surface has one
+  /// The bitmap of the current polygon. @pre its surface has one
   [[nodiscard]] std::span<const std::uint8_t> bitmap() const { return bitmaps_[object_]; }
 
-  /// The polygon's rows on the page; draw() is asked for each by its index, until the next call.
-  virtual std::span<const Row> find_rows(const Picture& picture, const Polygon& polygon,
-                                         const Surface& surface, std::int32_t width,
-                                         std::int32_t height) = 0;
-  /// Sets those of a row's pixels that nothing nearer has.
-  /// @param set under a depth buffer as long as `out`, becomes 1 where a pixel is set; else empty
+  /// The polygon's rows on the page. draw() takes an index into them, until the next call.
+  virtual std::span<const PixelRow> find_rows(const Picture& picture, const Polygon& polygon,
+                                              const Surface& surface, std::int32_t width,
+                                              std::int32_t height) = 0;
+  /// Sets the pixels of a row where nothing is nearer.
+  /// @param set empty, or under a depth buffer as long as `out`: becomes 1 for each pixel set
   virtual void draw(std::size_t row, const Surface& surface, std::span<std::uint8_t> out,
                     std::uint8_t pixel, std::span<std::uint8_t> set) = 0;
 
  private:
-  /// Objects that were added to the scene's are flat.
+  /// The surface of a polygon. Objects added to the scene's are flat.
   [[nodiscard]] const Surface& surface_of(const Polygon& polygon) const {
     static constexpr Surface flat{};
     return polygon.object < surfaces_.size() ? surfaces_[polygon.object] : flat;

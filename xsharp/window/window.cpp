@@ -17,11 +17,11 @@ namespace {
   throw std::runtime_error("cannot " + what + ": " + SDL_GetError());
 }
 
-/// SDL's video for as long as this lives; SDL counts those who need it.
+/// Initialises SDL's video for its lifetime; SDL counts references.
 class Video {
  public:
   Video() {
-    // Interrupts stay what the program has made of them.
+    // Keeps the program's signal handlers.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("open a window");
     if (nobody_would_see()) {
@@ -36,7 +36,7 @@ class Video {
   Video& operator=(Video&&) = delete;
 
  private:
-  /// SDL falls back to a driver that draws into memory, unless it was told which to take.
+  /// Whether SDL fell back to a driver that draws into memory, without having been told to.
   static bool nobody_would_see() {
     return SDL_getenv("SDL_VIDEODRIVER") == nullptr &&
            std::string_view(SDL_GetCurrentVideoDriver()) == "offscreen";
@@ -55,11 +55,11 @@ std::unique_ptr<T, Destroy> made(T* thing, const char* what) {
   return std::unique_ptr<T, Destroy>(thing);
 }
 
-/// The largest whole factor with which the page leaves room on the screen, 1 at least.
+/// The largest whole factor, at least 1, with which the page fits on the screen.
 int initial_factor(std::int32_t width, std::int32_t height) {
   SDL_Rect usable{};
   if (SDL_GetDisplayUsableBounds(0, &usable) != 0) return 1;
-  // A tenth is left for the frame of the window.
+  // Leaves a tenth for the window frame.
   return std::max(1, std::min(usable.w * 9 / 10 / width, usable.h * 9 / 10 / height));
 }
 
@@ -132,7 +132,7 @@ class Window::Implementation {
       if (event.type == SDL_WINDOWEVENT) uncovered = true;
       if (event.type != SDL_KEYDOWN) continue;
       const auto key = key_of(event.key.keysym.sym);
-      // A key held down must not toggle to and fro.
+      // A held key must not toggle repeatedly.
       if (key && (event.key.repeat == 0 || key == Key::step)) keys.push_back(*key);
     }
     if (uncovered) present();

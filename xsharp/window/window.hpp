@@ -1,5 +1,5 @@
 /// @file
-/// Pages in a window, and the keys pressed in it.
+/// Shows pages in a window and reads its keys.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace xsharp {
 
-/// What can be asked for in a window.
+/// The requests that keys stand for.
 enum class Key {
   quit,      ///< Escape, q, or the window was closed
   pause,     ///< space
@@ -24,14 +24,14 @@ enum class Key {
   rounding,  ///< r
 };
 
-/// Whether this build has windows: whether SDL2 was there. A window may still find no display.
+/// Whether this build has SDL2. A window may still find no display.
 bool window_available();
 
 /// A window for pages of one size, enlarged by the largest whole factor that fits; every pixel of
-/// the page is a square of one colour. To be used from one thread, the one that made it.
+/// the page is a square of one colour. Use it only from the thread that made it.
 class Window {
  public:
-  /// @throws std::runtime_error naming the cause: no SDL2 in this build, no display, no memory
+  /// @throws std::runtime_error with the cause: no SDL2 in this build, no display, no memory
   Window(const std::string& title, std::int32_t width, std::int32_t height);
   ~Window();
   Window(const Window&) = delete;
@@ -39,15 +39,15 @@ class Window {
   Window& operator=(const Window&) = delete;
   Window& operator=(Window&&) = delete;
 
-  /// @throws std::invalid_argument for a page of another size, std::runtime_error naming the cause
+  /// @throws std::invalid_argument for a page of another size, std::runtime_error with the cause
   void show(const Page<std::uint32_t>& page);
   void show(const Page<std::uint8_t>& page, const Palette& palette);
 
   void set_title(const std::string& title);
 
-  /// What was asked for since the last call, in order. Also keeps the window alive: to be called
-  /// many times a second, even while nothing new is shown.
-  /// @throws std::runtime_error naming the cause
+  /// The requests since the last call, in order. Also processes window events, so call it many
+  /// times per second, even if nothing new is shown.
+  /// @throws std::runtime_error with the cause
   std::vector<Key> keys();
 
  private:

@@ -1,4 +1,4 @@
-// Windows of a build without SDL2.
+// The window of a build without SDL2.
 #include <stdexcept>
 
 #include "xsharp/window/window.hpp"
@@ -14,7 +14,7 @@ Window::Window(const std::string& /*title*/, std::int32_t /*width*/, std::int32_
 }
 Window::~Window() = default;
 
-// Never reached: there is no window.
+// Never reached: the constructor throws.
 void Window::set_title(const std::string& /*title*/) {}
 void Window::show(const Page<std::uint32_t>& /*page*/) {}
 void Window::show(const Page<std::uint8_t>& /*page*/, const Palette& /*palette*/) {}
