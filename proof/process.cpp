@@ -1,16 +1,19 @@
 #include "proof/process.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
+#include <boost/process/args.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/exe.hpp>
+#include <boost/process/group.hpp>
+#include <boost/process/io.hpp>
+#include <boost/process/search_path.hpp>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <memory>
-#include <optional>
+#include <mutex>
 #include <system_error>
 #include <thread>
 
@@ -20,11 +23,12 @@ namespace fixproof::proof {
 
 namespace {
 
+namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// Files without a name: whatever ends this program, nothing stays behind.
-File nameless_file() {
+/// A file without a name: nothing is left if this program is killed.
+File temporary_file() {
   File file(std::tmpfile(), std::fclose);
   if (!file) {
     throw std::runtime_error(
@@ -34,7 +38,7 @@ File nameless_file() {
 }
 
 File file_with(const std::string& text) {
-  File file = nameless_file();
+  File file = temporary_file();
   if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
       std::fflush(file.get()) != 0) {
     throw std::runtime_error("cannot write a temporary file");
@@ -53,73 +57,63 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// Starts a program in a process group of its own: Ctrl-C is then for this program alone to answer,
-/// and what a script has started ends with it.
-pid_t start(std::vector<std::string>& arguments, std::FILE* in, std::FILE* out, std::FILE* err) {
-  std::vector<char*> words;
-  for (std::string& word : arguments) words.push_back(word.data());
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t actions{};
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(in), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(out), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(err), STDERR_FILENO);
-  posix_spawnattr_t attributes{};
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  pid_t process = 0;
-  const int error =
-      ::posix_spawnp(&process, words.front(), &actions, &attributes, words.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), arguments.front());
-  return process;
-}
-
-/// Whether a process has come to its end; `options` as for waitpid(2).
-bool has_ended(pid_t process, int& status, int options) {
-  while (true) {
-    const pid_t ended = ::waitpid(process, &status, options);
-    if (ended >= 0) return ended == process;
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+/// Starts a program in `group`, so that Ctrl-C reaches this program only and terminating the group
+/// ends everything that the program started.
+/// @throws std::system_error if it cannot be started
+bp::child start(const std::vector<std::string>& arguments, bp::group& group, std::FILE* in,
+                std::FILE* out, std::FILE* err) {
+  const auto program = bp::search_path(arguments.front());
+  if (program.empty()) {
+    throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                            arguments.front());
   }
+  // Boost marks its error pipe close-on-exec only after creating it. A program started by another
+  // thread in between would inherit the pipe, and this start would wait for that program to end.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  return bp::child(bp::exe = program,
+                   bp::args = std::vector(arguments.begin() + 1, arguments.end()),
+                   bp::std_in<in, bp::std_out> out, bp::std_err > err, group);
 }
 
-/// How a process ended by itself; nothing where it had to be ended. It is looked at again and
-/// again: signals may reach any thread, so no wait would end by one.
-std::optional<int> end_of(pid_t process, Clock::time_point latest) {
-  constexpr std::chrono::milliseconds between_looks{1};
-  int status = 0;
-  while (!has_ended(process, status, WNOHANG)) {
+/// Waits until the program ends, `latest` passes or Interrupt::flag() is set; in the last two cases
+/// it kills the group. @return whether the program ended by itself
+bool wait_until(Clock::time_point latest, bp::child& program, bp::group& group) {
+  // Boost 1.74's wait_for() forks a process that sleeps, and does not see the flag.
+  constexpr std::chrono::milliseconds poll_interval{1};
+  while (program.running()) {
     if (support::Interrupt::flag() || Clock::now() >= latest) {
-      ::kill(-process, SIGKILL);
-      has_ended(process, status, 0);
-      return std::nullopt;
+      group.terminate();
+      program.wait();
+      return false;
     }
-    std::this_thread::sleep_for(between_looks);
+    std::this_thread::sleep_for(poll_interval);
   }
-  return status;
+  group.detach();
+  return true;
 }
 
 }  // namespace
 
-Printed run_program(std::vector<std::string> arguments, const std::string& input,
-                    std::chrono::milliseconds most) {
+Output run_program(const std::vector<std::string>& arguments, const std::string& input,
+                   std::chrono::milliseconds limit) {
   if (support::Interrupt::flag()) throw Stopped();
   const File in = file_with(input);
-  const File out = nameless_file();
-  const File err = nameless_file();
-  const pid_t process = start(arguments, in.get(), out.get(), err.get());
-  const auto status = end_of(process, Clock::now() + most);
-  if (!status && support::Interrupt::flag()) throw Stopped();
-  if (status && WIFSIGNALED(*status)) {
+  const File out = temporary_file();
+  const File err = temporary_file();
+  bp::group group;
+  bp::child program = start(arguments, group, in.get(), out.get(), err.get());
+  const bool in_time = wait_until(Clock::now() + limit, program, group);
+  if (!in_time && support::Interrupt::flag()) throw Stopped();
+  const int status = program.native_exit_code();
+  if (in_time && WIFSIGNALED(status)) {
     throw std::runtime_error(
-        fmt::format("{} was ended by signal {}", arguments.front(), WTERMSIG(*status)));
+        fmt::format("{} was ended by signal {}", arguments.front(), WTERMSIG(status)));
   }
   return {.out = contents(out.get()),
           .err = contents(err.get()),
-          .status = status ? WEXITSTATUS(*status) : 0,
-          .in_time = status.has_value()};
+          .status = in_time ? program.exit_code() : 0,
+          .in_time = in_time};
 }
 
 }  // namespace fixproof::proof

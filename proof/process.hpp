@@ -1,5 +1,5 @@
 /// @file
-/// A program run for what it prints, and for so long and no longer.
+/// Runs another program with a time limit and returns its output.
 #pragma once
 
 #include <chrono>
@@ -9,25 +9,24 @@
 
 namespace fixproof::proof {
 
-/// What was being done has no outcome: Interrupt was told to stop.
+/// Interrupt::flag() was set, so there is no result.
 class Stopped : public std::runtime_error {
  public:
   Stopped() : std::runtime_error("stopped") {}
 };
 
-/// What a program left behind.
-struct Printed {
+struct Output {
   std::string out;
   std::string err;
-  int status = 0;       ///< its exit status
-  bool in_time = true;  ///< else it was ended, and the rest says little
+  int status = 0;       ///< the exit status
+  bool in_time = true;  ///< if false, the program was killed and its output may be incomplete
 };
 
-/// Runs `arguments[0]`, looked up on the PATH, with that input. It is ended, with all that it has
-/// started, after `most`, or once Interrupt::flag() is set.
-/// @throws Stopped in that case; std::system_error where it cannot be started; std::runtime_error
-/// where a signal ends it
-Printed run_program(std::vector<std::string> arguments, const std::string& input,
-                    std::chrono::milliseconds most);
+/// Runs `arguments[0]`, found on the PATH, with `input` on standard input. Kills it and everything
+/// that it started after `limit`, or when Interrupt::flag() is set.
+/// @throws Stopped if the flag is set; std::system_error if the program cannot be started;
+/// std::runtime_error if a signal ends it
+Output run_program(const std::vector<std::string>& arguments, const std::string& input,
+                   std::chrono::milliseconds limit);
 
 }  // namespace fixproof::proof

@@ -25,8 +25,8 @@ constexpr seconds grace{2};
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// What it has to say, be it an answer or a complaint.
-std::string remark(const Printed& printed) {
-  return first_line(printed.out.empty() ? printed.err : printed.out);
+std::string remark(const Output& output) {
+  return first_line(output.out.empty() ? output.err : output.out);
 }
 
 /// The command that answers a script on standard input, with the model of what is satisfiable.
@@ -43,39 +43,38 @@ Solver::Solver(const std::string& name) : name_(name) {
   if (name != "z3" && name != "cvc5") {
     throw support::UsageError(fmt::format("unknown solver '{}'; there are z3, cvc5", name));
   }
-  Printed printed;
+  Output output;
   try {
-    printed = run_program({name, "--version"}, "", patience_for_a_name);
+    output = run_program({name, "--version"}, "", patience_for_a_name);
   } catch (const std::system_error& error) {
     throw support::UsageError(fmt::format("{} cannot be run: {}; Debian's package {} has it", name,
                                           error.code().message(), name));
   }
-  if (!printed.in_time)
-    throw support::UsageError(fmt::format("{} --version comes to no end", name));
-  if (printed.status != 0 || printed.out.empty()) {
+  if (!output.in_time) throw support::UsageError(fmt::format("{} --version comes to no end", name));
+  if (output.status != 0 || output.out.empty()) {
     throw support::UsageError(fmt::format("{} --version fails with status {}: {}", name,
-                                          printed.status,
-                                          fixproof::support::quoted(remark(printed))));
+                                          output.status,
+                                          fixproof::support::quoted(remark(output))));
   }
-  version_ = support::printable(first_line(printed.out));
+  version_ = support::printable(first_line(output.out));
 }
 
 SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
   const auto begin = std::chrono::steady_clock::now();
-  const Printed printed =
+  const Output output =
       run_program(command_of(name_, most_seconds), script, seconds(most_seconds) + grace);
   SolverAnswer answer;
-  answer.text = printed.out;
+  answer.text = output.out;
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (!printed.in_time) return answer;
-  const std::string said = remark(printed);
+  if (!output.in_time) return answer;
+  const std::string said = remark(output);
   if (said == "unknown" || said.find("timeout") != std::string::npos) return answer;
   // An answer counts only from a solver that has nothing to complain of.
-  if (printed.status != 0) {
-    throw std::runtime_error(fmt::format("{} fails with status {}: {}", name_, printed.status,
+  if (output.status != 0) {
+    throw std::runtime_error(fmt::format("{} fails with status {}: {}", name_, output.status,
                                          fixproof::support::quoted(said)));
   }
-  if ((said != "unsat" && said != "sat") || printed.out.find("(error") != std::string::npos) {
+  if ((said != "unsat" && said != "sat") || output.out.find("(error") != std::string::npos) {
     throw std::runtime_error(fmt::format("{} says: {}", name_, fixproof::support::quoted(said)));
   }
   answer.verdict = said == "sat" ? Verdict::satisfiable : Verdict::unsatisfiable;

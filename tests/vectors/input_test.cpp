@@ -1,12 +1,12 @@
 // Files that are no cases: refused in one line that names the place, with exit status 2.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <filesystem>
 
 #include "support/file.hpp"
 #include "tests/vectors/cases.hpp"
-#include "tests/vectors/files.hpp"
 
 namespace {
 
@@ -162,7 +162,10 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
 
 TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
-  vectors::write(path, {.name = "", .text = command::repeated(1U << 20U, ' '), .compressed = true});
+  const std::string spaces = command::repeated(1U << 20U, ' ');
+  auto* const out = gzopen(path.c_str(), "wb9");
+  ASSERT_EQ(gzwrite(out, spaces.data(), 1U << 20U), 1 << 20);
+  ASSERT_EQ(gzclose(out), Z_OK);
   const std::string mebibyte = fixproof::support::read_file(path);
   std::filesystem::remove(path);
   std::string bomb;
