@@ -49,7 +49,7 @@ double of_a_sine(std::uint32_t tenths) {
   return static_cast<double>(counted.clocks.min);
 }
 
-TEST(Clocks, OfACubeThatStandsStillAreNone) {
+TEST(FrameClocks, OfACubeThatStandsStillAreNone) {
   for (const trade::Turning& turning :
        {trade::Turning{}, trade::Turning{false, 1}, trade::Turning{true, 0}}) {
     EXPECT_EQ(clocks(turning_cube(0), turning), 0);
@@ -58,7 +58,7 @@ TEST(Clocks, OfACubeThatStandsStillAreNone) {
 
 // Restoring orthogonality is 33 products: two cross products of 6, and three times 7 towards unit
 // length. An axis appended is 12, and a CosSin of a degree.
-TEST(Clocks, AreThoseOfTheProductsMade) {
+TEST(FrameClocks, AreThoseOfTheProductsMade) {
   const x86model::Range multiply = of_a_multiply();
   const auto expect_products = [&](double difference, double products) {
     EXPECT_GE(difference, products * static_cast<double>(multiply.min));
@@ -69,7 +69,7 @@ TEST(Clocks, AreThoseOfTheProductsMade) {
   expect_products(never - clocks(turning_cube(1), {}) - of_a_sine(10), 12);
 }
 
-TEST(Clocks, OfRestoringAreSharedOut) {
+TEST(FrameClocks, OfRestoringAreSharedOut) {
   const xsharp::Scene scene = turning_cube(2);
   const double never = clocks(scene, {});
   const double always = clocks(scene, {false, 1});
@@ -79,7 +79,7 @@ TEST(Clocks, OfRestoringAreSharedOut) {
 
 // Turns of 360 degrees leave the matrix as it is: both ways take the same CosSin and the same
 // twelve products for each rotation.
-TEST(Clocks, FromScratchAreThoseOfAppendingForOneAxis) {
+TEST(FrameClocks, FromScratchAreThoseOfAppendingForOneAxis) {
   xsharp::Scene scene = turning_cube(1);
   scene.objects[0].spin.tenths = {3600, 0, 0};
   const double appended = clocks(scene, {});
@@ -102,7 +102,7 @@ TEST(FrameClocks, TheBusLimitsACosSin) {
 }
 
 // The larger of table and bus time counts. A 386 has no bus time.
-TEST(Clocks, OfAn8088HaveABus) {
+TEST(FrameClocks, OfAn8088HaveABus) {
   const std::atomic<bool> stop = false;
   const std::vector choices{trade::Choice{.target = cases::Target::i8088, .turning = {}}};
   const auto on = [&](x86model::Cpu processor) {
@@ -116,14 +116,14 @@ TEST(Clocks, OfAn8088HaveABus) {
   EXPECT_GE(cost.most, cost.least);
 }
 
-TEST(Clocks, HalfOfTheFramesCostHalf) {
+TEST(FrameClocks, HalfOfTheFramesCostHalf) {
   xsharp::Scene scene = turning_cube(2);
   const double always = clocks(scene, {});
   scene.objects[0].spin.delay = {1, 2};
   EXPECT_NEAR(clocks(scene, {}), always / 2, always / 50);
 }
 
-TEST(Clocks, StopWhenAsked) {
+TEST(FrameClocks, StopWhenAsked) {
   const std::atomic<bool> stop = true;
   EXPECT_TRUE(trade::clocks_a_frame(turning_cube(1), trade::choices_on(cpu), cpu, stop).empty());
   EXPECT_TRUE(trade::nanoseconds_a_frame(turning_cube(1), trade::choices_on({}), stop).empty());

@@ -39,7 +39,7 @@ std::string error_of(const Call& call) {
   return "no error";
 }
 
-TEST(Reports, CountZeroDivisorsOfATypeThatDoesNotThrow) {
+TEST(BatchReports, CountZeroDivisorsOfATypeThatDoesNotThrow) {
   const auto n = numbers<q16_16>({1, 0, -1, 3});
   const auto d = numbers<q16_16>({0, 0, 0, 2});
   std::vector<q16_16> out(4);
@@ -50,20 +50,20 @@ TEST(Reports, CountZeroDivisorsOfATypeThatDoesNotThrow) {
   EXPECT_EQ(out, (std::vector<q16_16>{limits::max(), q16_16(), limits::lowest(), q16_16(1.5)}));
 }
 
-TEST(Reports, CountWhatIsSaturated) {
+TEST(BatchReports, CountWhatIsSaturated) {
   const auto a = numbers<q16_16_saturating>({1, 300, 2, -300});
   std::vector<q16_16_saturating> out(4);
   EXPECT_EQ(fixed::batch::multiply(a, numbers<q16_16_saturating>({1, 300, 3, 300}), out),
             (Report{.overflows = 2, .first = 1}));
 }
 
-TEST(Reports, AreCleanUnderOverflowThatWraps) {
+TEST(BatchReports, AreCleanUnderOverflowThatWraps) {
   const auto a = numbers<q16_16>({300, 300});
   std::vector<q16_16> out(2);
   EXPECT_TRUE(fixed::batch::multiply(a, a, out).clean());
 }
 
-TEST(Errors, NameTheFirstElementOnEveryPath) {
+TEST(BatchErrors, NameTheFirstElementOnEveryPath) {
   std::vector<q16_16_trapping> a(100, q16_16_trapping(2));
   std::vector<q16_16_trapping> out(100);
   a[37] = a[61] = q16_16_trapping(300);
@@ -77,7 +77,7 @@ TEST(Errors, NameTheFirstElementOnEveryPath) {
   }
 }
 
-TEST(Errors, NameTheFirstElementOfMulAdd) {
+TEST(BatchErrors, NameTheFirstElementOfMulAdd) {
   using N = q16_16_trapping;
   std::vector<N> a(100, N(2));
   a[37] = a[61] = N(300);
@@ -91,7 +91,7 @@ TEST(Errors, NameTheFirstElementOfMulAdd) {
   }
 }
 
-TEST(Errors, NameTheFirstVertexOfTransform) {
+TEST(BatchErrors, NameTheFirstVertexOfTransform) {
   using N = q16_16_trapping;
   std::array<std::array<N, 4>, 3> rows{};
   for (std::size_t i = 0; i < 3; ++i) rows[i][i] = N(200);
@@ -119,7 +119,7 @@ TEST(Errors, NameTheFirstVertexOfTransform) {
   }
 }
 
-TEST(Errors, NameTheFirstVertexOfProject) {
+TEST(BatchErrors, NameTheFirstVertexOfProject) {
   using N = q16_16_trapping;
   std::vector<std::array<N, 3>> vertices(100, {N(2), N(4), N(2)});
   std::array<std::vector<N>, 3> columns{std::vector<N>(100, N(2)), std::vector<N>(100, N(4)),
@@ -146,7 +146,7 @@ TEST(Errors, NameTheFirstVertexOfProject) {
   }
 }
 
-TEST(Errors, AreThoseOfTheType) {
+TEST(BatchErrors, AreThoseOfTheType) {
   std::vector<q16_16_i386> n(20, q16_16_i386(7));
   std::vector<q16_16_i386> d(20, q16_16_i386(2));
   d[19] = q16_16_i386();
@@ -166,7 +166,7 @@ TEST(Errors, AreThoseOfTheType) {
 }
 
 // Of an overflow and a divide error the earlier one counts, as in a loop over the type.
-TEST(Errors, ComeInTheOrderOfTheElements) {
+TEST(BatchErrors, ComeInTheOrderOfTheElements) {
   std::vector<q16_16_trapping> n(40, q16_16_trapping(30000));
   std::vector<q16_16_trapping> d(40, q16_16_trapping(1));
   std::vector<q16_16_trapping> out(40);
@@ -292,7 +292,7 @@ TEST(Outputs, MayBeInputs) {
 }
 
 // What a path that is not to be had is asked for, the portable one does.
-TEST(Paths, ThatAreMissingAreReplaced) {
+TEST(BatchPaths, ThatAreMissingAreReplaced) {
   const auto a = operands<q16_16>(100, 1);
   for (const auto path : {fixed::batch::path::neon, fixed::batch::path::avx512}) {
     std::vector<q16_16> out(100);

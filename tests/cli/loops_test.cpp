@@ -41,7 +41,7 @@ std::string loop_code(std::string_view arguments) {
   return text;
 }
 
-TEST(Loops, AssembleToTheseBytes) {
+TEST(LoopCommands, AssembleToTheseBytes) {
   if (command::run({"sh", "-c", "command -v nasm"}).status != 0)
     GTEST_SKIP() << "nasm is not installed";
   EXPECT_EQ(loop_code("gouraud-byte --target i8088"),
@@ -78,7 +78,7 @@ std::vector<std::string> traced_loop(std::string_view arguments) {
   return lines;
 }
 
-TEST(Loops, TracesOfTwoPixels) {
+TEST(LoopCommands, TracesOfTwoPixels) {
   // 20h.80h, and a step of 1.80h: 20h, then 22h.
   const std::vector<std::string> bytes{"mov al, dh:  eax=00000020",
                                        "add dx, bp:  edx=00002200",
@@ -107,7 +107,7 @@ void expect_loop_refused(std::string_view arguments, std::string_view part) {
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
 }
 
-TEST(Loops, FormsThatDoNotExistAreRefused) {
+TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
   expect_loop_refused("list depth --loop unrolled", "depth is for the 386, and never unrolled");
   expect_loop_refused("list depth --target i8088", "depth is for the 386, and never unrolled");
   expect_loop_refused("list texture --as-printed", "only depth is not as it was printed");
@@ -121,7 +121,7 @@ TEST(Loops, FormsThatDoNotExistAreRefused) {
   expect_loop_refused("eval gouraud-byte", "gouraud-byte");
 }
 
-TEST(Loops, CallsThatNoLoopTakesAreRefused) {
+TEST(LoopCommands, CallsThatNoLoopTakesAreRefused) {
   expect_loop_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
   expect_loop_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
   expect_loop_refused("trace gouraud-byte 00000000 00000000 00000000", "not 0");

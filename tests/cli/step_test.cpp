@@ -49,47 +49,47 @@ void expect_step_386(std::string_view instruction, std::string_view before, std:
                 fmt::format("{} undef={}", state(after), undefined));
 }
 
-TEST(Step, CarryIntoAnAddition) {
+TEST(StepCommand, CarryIntoAnAddition) {
   // ffff + 0 + 1 = 0: CF, AF out of the low digit, ZF, and PF for no ones at all.
   expect_step("adc bx, dx", "bx=ffff sp=fffe fl=0001", "bx=0000 sp=fffe fl=0055");
 }
 
-TEST(Step, SignedOverflow) {
+TEST(StepCommand, SignedOverflow) {
   expect_step("add ax, cx", "ax=7fff cx=0001", "ax=8000 cx=0001 fl=0894");
   expect_step("sub ax, cx", "ax=8000 cx=0001", "ax=7fff cx=0001 fl=0814");
   expect_step("neg ax", "ax=8000", "ax=8000 fl=0885");
 }
 
-TEST(Step, ParityLooksAtTheLowByteAlone) {
+TEST(StepCommand, ParityLooksAtTheLowByteAlone) {
   expect_step("add ax, 0", "ax=0100", "ax=0100 fl=0004");
   expect_step("add ax, 0", "ax=0301", "ax=0301");
 }
 
-TEST(Step, CompareChangesFlagsOnly) {
+TEST(StepCommand, CompareChangesFlagsOnly) {
   expect_step("cmp bx, 3600", "bx=0e10", "bx=0e10 fl=0044");
   expect_step("cmp bx, 3600", "bx=0e0f", "bx=0e0f fl=0085");
 }
 
-TEST(Step, IncrementAndDecrementKeepTheCarry) {
+TEST(StepCommand, IncrementAndDecrementKeepTheCarry) {
   expect_step("inc cx", "cx=ffff fl=0001", "fl=0055");
   expect_step("inc cx", "cx=ffff fl=0000", "fl=0054");
   expect_step("dec cx", "cx=0000 fl=0001", "cx=ffff fl=0095");
   expect_step("dec cx", "cx=0000 fl=0000", "cx=ffff fl=0094");
 }
 
-TEST(Step, LogicClearsCarryAndOverflow) {
+TEST(StepCommand, LogicClearsCarryAndOverflow) {
   expect_step("and ax, bx", "ax=ff00 bx=8001 fl=0811", "ax=8000 bx=8001 fl=0084", "AF");
   expect_step("xor cx, 1", "cx=0001 fl=0801", "fl=0044", "AF");
 }
 
-TEST(Step, OtherBitsOfTheFlagsPassThrough) {
+TEST(StepCommand, OtherBitsOfTheFlagsPassThrough) {
   // fl = f72a has none of the six.
   expect_step("mov ax, bx", "bx=1234 fl=f72a", "ax=1234 bx=1234 fl=f72a");
   expect_step("sub cx, cx", "cx=1234 fl=f72a", "fl=f76e");
   expect_step("mov ax, bx", "fl=ffff", "fl=ffff");
 }
 
-TEST(Step, MultiplyLeavesFourFlagsUndefined) {
+TEST(StepCommand, MultiplyLeavesFourFlagsUndefined) {
   expect_step("mul bx", "ax=ffff bx=ffff", "ax=0001 bx=ffff dx=fffe fl=0801", "PF,AF,ZF,SF");
   expect_step("mul bx", "ax=00ff bx=00ff dx=1234 fl=0801", "ax=fe01 bx=00ff", "PF,AF,ZF,SF");
   expect_step_386("imul ebx", "eax=ffffffff ebx=00000002 edx=00000000",
@@ -98,14 +98,14 @@ TEST(Step, MultiplyLeavesFourFlagsUndefined) {
                   "eax=80000000 ebx=ffffffff edx=00000000 fl=0801", "PF,AF,ZF,SF");
 }
 
-TEST(Step, DivideLeavesAllSixUndefined) {
+TEST(StepCommand, DivideLeavesAllSixUndefined) {
   expect_step("div bx", "ax=0007 bx=0002 fl=08d5", "ax=0003 bx=0002 dx=0001", "CF,PF,AF,ZF,SF,OF");
   // -7 / 2 toward zero: -3, and the rest has the sign of the dividend.
   expect_step_386("idiv ebx", "eax=fffffff9 ebx=00000002 edx=ffffffff",
                   "eax=fffffffd ebx=00000002 edx=ffffffff", "CF,PF,AF,ZF,SF,OF");
 }
 
-TEST(Step, DivideErrors) {
+TEST(StepCommand, DivideErrors) {
   for (const std::string_view cpu : {"8088", "386"}) {
     expect_answer(cpu, "div bx | " + state("ax=0001"), "DE");
     expect_answer(cpu, "div bx | " + state("bx=0001 dx=0001"), "DE");
@@ -117,13 +117,13 @@ TEST(Step, DivideErrors) {
                   "eax=80000000 ebx=00000001 edx=00000000", "CF,PF,AF,ZF,SF,OF");
 }
 
-TEST(Step, ShiftsByOneDefineTheOverflow) {
+TEST(StepCommand, ShiftsByOneDefineTheOverflow) {
   expect_step("shl bx, 1", "bx=4000", "bx=8000 fl=0884", "AF");
   expect_step("shl bx, 1", "bx=c000", "bx=8000 fl=0085", "AF");
   expect_step("shr bx, 1", "bx=8001", "bx=4000 fl=0805", "AF");
 }
 
-TEST(Step, ShiftsByMoreDoNot) {
+TEST(StepCommand, ShiftsByMoreDoNot) {
   expect_step_386("shl bx, 2", "bx=4000", "fl=0045", "AF,OF");
   expect_step_386("sar edx, 16", "edx=80008000", "edx=ffff8000 fl=0085", "AF,OF");
   expect_step_386("shrd eax, edx, 16", "eax=12345678 edx=9abcdef0",
@@ -132,39 +132,39 @@ TEST(Step, ShiftsByMoreDoNot) {
                   "eax=12345678 edx=def01234 fl=0080", "AF,OF");
 }
 
-TEST(Step, ShiftsByTheWholeWidthLeaveTheCarryUndefined) {
+TEST(StepCommand, ShiftsByTheWholeWidthLeaveTheCarryUndefined) {
   expect_step_386("shl bx, 16", "bx=ffff", "fl=0044", "CF,AF,OF");
   expect_step_386("shl bx, 15", "bx=ffff", "bx=8000 fl=0085", "AF,OF");
 }
 
-TEST(Step, CountsAreTakenModulo32) {
+TEST(StepCommand, CountsAreTakenModulo32) {
   expect_step_386("shl bx, 0", "bx=8000 fl=08d5", "bx=8000 fl=08d5");
   expect_step_386("shl bx, 32", "bx=8000 fl=08d5", "bx=8000 fl=08d5");
   expect_step_386("shl bx, 33", "bx=8000", "fl=0845", "AF");
   expect_step_386("rol eax, 255", "eax=00000002", "eax=00000001 fl=0001", "OF");
 }
 
-TEST(Step, RotationTouchesCarryAndOverflowAlone) {
+TEST(StepCommand, RotationTouchesCarryAndOverflowAlone) {
   expect_step_386("rol eax, 16", "eax=00018000 fl=08d4", "eax=80000001 fl=00d5", "OF");
   expect_step_386("rol eax, 33", "eax=40000000 fl=00d5", "eax=80000000 fl=08d4");
 }
 
-TEST(Step, PushMovesTheStackPointer) {
+TEST(StepCommand, PushMovesTheStackPointer) {
   expect_step("push cx", "cx=1234 sp=0000 fl=08d5", "cx=1234 sp=fffe fl=08d5");
 }
 
-TEST(Step, JumpsAreNotTaken) {
+TEST(StepCommand, JumpsAreNotTaken) {
   expect_step("jns FDP1", "fl=0000", "fl=0000");
   expect_step("jmp .FixedDivDone", "fl=08d5", "fl=08d5");
 }
 
-TEST(Step, WordsLeaveTheUpperHalfAlone) {
+TEST(StepCommand, WordsLeaveTheUpperHalfAlone) {
   expect_step_386("add ax, bx", "eax=1234ffff ebx=56780001", "eax=12340000 ebx=56780001 fl=0055");
   expect_step_386("mul bx", "eax=1234ffff bx=0002 edx=56780000",
                   "eax=1234fffe bx=0002 edx=56780001 fl=0801", "PF,AF,ZF,SF");
 }
 
-TEST(Step, EachRegisterComesBackAsItWasGiven) {
+TEST(StepCommand, EachRegisterComesBackAsItWasGiven) {
   expect_step_386("mov ax, bx", "eax=00000000 bx=0001 edx=00000007",
                   "eax=00000001 bx=0001 edx=00000007");
   // Unless its upper half was filled meanwhile.
@@ -172,7 +172,7 @@ TEST(Step, EachRegisterComesBackAsItWasGiven) {
   expect_step_386("add eax, ebx", "ax=0001 bx=0001", "ax=0002 bx=0001");
 }
 
-TEST(Step, The8088HasNoShiftByTwoAndNo32BitRegisters) {
+TEST(StepCommand, The8088HasNoShiftByTwoAndNo32BitRegisters) {
   const auto run = command::fixproof(
       "step --cpu 8088", fmt::format("shl bx, 2 | {0}\nshl bx, 1 | {0}\nadd eax, ebx | {0}\n"
                                      "imul bx | {0}\n",
@@ -183,7 +183,7 @@ TEST(Step, The8088HasNoShiftByTwoAndNo32BitRegisters) {
   EXPECT_EQ(run.status, 0);
 }
 
-TEST(Step, WhatNoRoutineHasIsUnmodelled) {
+TEST(StepCommand, WhatNoRoutineHasIsUnmodelled) {
   for (const std::string_view instruction :
        {"or ax, bx", "add al, bl", "mov ax, [bx]", "add word [bp+4], 1", "pop ax", "ret",
         "call FixedMul", "mov ds, ax", "nop", "rol eax, 1", "mov ax, 5", "lodsw"}) {

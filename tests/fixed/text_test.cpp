@@ -80,10 +80,10 @@ std::optional<Number> parsed(const std::string& text) {
 }
 
 template <class Number>
-class Text : public testing::Test {};
-TYPED_TEST_SUITE(Text, some_types);
+class NumberText : public testing::Test {};
+TYPED_TEST_SUITE(NumberText, some_types);
 
-TYPED_TEST(Text, IsExactAndComesBack) {
+TYPED_TEST(NumberText, IsExactAndComesBack) {
   const auto check = [](TypeParam x) {
     const std::string text = to_string(x);
     TypeParam back = x == TypeParam() ? TypeParam(1) : TypeParam();
@@ -109,7 +109,7 @@ bool holds_for_texts(int fraction_bits, const std::function<bool(const std::stri
   });
 }
 
-TYPED_TEST(Text, IsRoundedOnce) {
+TYPED_TEST(NumberText, IsRoundedOnce) {
   const auto check = [](const std::string& text) {
     TypeParam value = TypeParam::from_raw(77);
     const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
@@ -197,14 +197,14 @@ TEST(TextEnds, ToCharsNeedsRoom) {
   EXPECT_EQ(room.front(), '#');
 }
 
-TEST(Streams, WriteInAField) {
+TEST(TextStreams, WriteInAField) {
   std::ostringstream out;
   out << std::setw(6) << std::setfill('*') << q8_8(-1.5) << '|' << std::left << std::setw(6)
       << q8_8(2) << '|' << q8_8(0.25);
   EXPECT_EQ(out.str(), "**-1.5|2*****|0.25");
 }
 
-TEST(Streams, ReadOneAfterAnother) {
+TEST(TextStreams, ReadOneAfterAnother) {
   std::istringstream in(" 1.5\n-2 \t+3.25,4");
   q16_16 a, b, c, d;
   char comma = 0;
@@ -218,7 +218,7 @@ TEST(Streams, ReadOneAfterAnother) {
   EXPECT_EQ(d, q16_16(4));
 }
 
-TEST(Streams, FailAndLeaveTheValue) {
+TEST(TextStreams, FailAndLeaveTheValue) {
   for (const char* text : {"", "x", "-", "1.", "1.x", "40000", ".5"}) {
     std::istringstream in(text);
     q16_16 value(7);

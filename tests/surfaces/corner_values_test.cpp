@@ -94,7 +94,7 @@ TYPED_TEST(CornerValues, OfLightAreFromWhereItComes) {
   EXPECT_EQ(seen({{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}), (Triple{0.5, 0, 0.25}));
 }
 
-TEST(DepthMeasure, ZItselfIsAboveMinusInfinity) {
+TEST(CornerDepth, ZItselfIsAboveMinusInfinity) {
   using N = fixed::q16_16_trapping;
   const auto depth = [](double z) { return static_cast<double>(z_depth(vector<N>({5, 5, z}))); };
   EXPECT_EQ(depth(-1), 32767);

@@ -45,7 +45,7 @@ StepFiller<fixed::q16_16_i386> stepper(const Scene& scene) {
   return {scene, std::make_unique<PlainLoops>()};
 }
 
-TEST(Coverage, IsThatOfAFlatPolygon) {
+TEST(SurfaceCoverage, IsThatOfAFlatPolygon) {
   const Scene scene = scene_of({}, DepthBuffering::on);
   EXPECT_TRUE(rc::check([&] {
     const bool near = *rc::gen::arbitrary<bool>();
@@ -61,7 +61,7 @@ TEST(Coverage, IsThatOfAFlatPolygon) {
   }));
 }
 
-TEST(Coverage, NoValuesAreUndefinedBehaviour) {
+TEST(SurfaceCoverage, NoValuesAreUndefinedBehaviour) {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(rc::check([] {
     const Points points = generators::some(generators::extreme(), 3, 6);
@@ -101,7 +101,7 @@ Picture two_strips() {
 
 // Of true colour a pixel is what the palette has for the index, and what is hidden stays; so it is
 // of flat surfaces, whose pixel is their paint.
-TEST(Coverage, TrueColorShowsTheSame) {
+TEST(SurfaceCoverage, TrueColorShowsTheSame) {
   for (const SurfaceKind kind : {SurfaceKind::gouraud16, SurfaceKind::flat}) {
     for (const DepthBuffering depth : {DepthBuffering::off, DepthBuffering::on}) {
       Surface surface;

@@ -22,19 +22,19 @@ std::uint64_t after(std::uint64_t start, std::uint64_t step, std::size_t i, unsi
 
 std::size_t length() { return *rc::gen::inRange<std::size_t>(0, longest_span + 1); }
 
-RC_GTEST_PROP(Loops, Gouraud, (std::uint16_t start, std::uint16_t step)) {
+RC_GTEST_PROP(SurfaceLoops, Gouraud, (std::uint16_t start, std::uint16_t step)) {
   Bytes out(length());
   PlainLoops().gouraud(out, start, step);
   for (std::size_t i = 0; i < out.size(); ++i) RC_ASSERT(out[i] == after(start, step, i, 8, 8));
 }
 
-RC_GTEST_PROP(Loops, GouraudWide, (std::uint32_t start, std::uint32_t step)) {
+RC_GTEST_PROP(SurfaceLoops, GouraudWide, (std::uint32_t start, std::uint32_t step)) {
   Bytes out(length());
   PlainLoops().gouraud_wide(out, start, step);
   for (std::size_t i = 0; i < out.size(); ++i) RC_ASSERT(out[i] == after(start, step, i, 16, 8));
 }
 
-RC_GTEST_PROP(Loops, DepthWritesWhatIsGreater, (std::uint32_t start, std::uint32_t step)) {
+RC_GTEST_PROP(SurfaceLoops, DepthWritesWhatIsGreater, (std::uint32_t start, std::uint32_t step)) {
   const std::size_t count = length();
   std::vector<std::int16_t> buffer(count);
   for (auto& depth : buffer) depth = *rc::gen::arbitrary<std::int16_t>();
@@ -60,7 +60,7 @@ RC_GTEST_PROP(Loops, DepthWritesWhatIsGreater, (std::uint32_t start, std::uint32
   }
 }
 
-RC_GTEST_PROP(Loops, Texture,
+RC_GTEST_PROP(SurfaceLoops, Texture,
               (std::uint32_t u, std::uint32_t du, std::uint32_t v, std::uint32_t dv)) {
   Bytes bitmap(bitmap_texels);
   for (std::size_t i = 0; i < bitmap.size(); ++i) {
@@ -74,7 +74,8 @@ RC_GTEST_PROP(Loops, Texture,
 }
 
 // i steps and i (i - 1) / 2 second steps.
-RC_GTEST_PROP(Loops, Quadratic, (std::uint32_t start, std::uint32_t step, std::uint32_t second)) {
+RC_GTEST_PROP(SurfaceLoops, Quadratic,
+              (std::uint32_t start, std::uint32_t step, std::uint32_t second)) {
   Bytes out(length());
   quadratic(out, {start, step, second});
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -84,7 +85,7 @@ RC_GTEST_PROP(Loops, Quadratic, (std::uint32_t start, std::uint32_t step, std::u
 }
 
 // 10, 12, 18 at 0, 2 and 4: 10 + x^2 / 2.
-TEST(Loops, AParabolaGoesThroughItsThreeValues) {
+TEST(SurfaceLoops, AParabolaGoesThroughItsThreeValues) {
   using N = fixed::q16_16_i386;
   const Parabola p = parabola_through(N(10), N(12), N(18), 4);
   EXPECT_EQ(p.start, 10U << 24U);

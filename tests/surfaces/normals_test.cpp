@@ -12,7 +12,7 @@ namespace {
 using namespace xsharp;
 
 // By symmetry: at a cube's corner along its diagonal, at a ball's poles along its axis.
-TEST(Normals, OfACubeAndOfABall) {
+TEST(CornerNormals, OfACubeAndOfABall) {
   const Mesh cubic = with_vertex_normals(cube(10));
   ASSERT_EQ(cubic.vertices.size(), 16U);
   for (std::size_t v = 0; v < 8; ++v) {
@@ -27,7 +27,7 @@ TEST(Normals, OfACubeAndOfABall) {
   EXPECT_NEAR(length(difference(pole, {0, 1, 0})), 0, 1e-12);
 }
 
-TEST(Normals, ThatCancelOutAreNone) {
+TEST(CornerNormals, ThatCancelOutAreNone) {
   Mesh two_sided{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{{0, 1, 2}}, {{2, 1, 0}}}};
   two_sided = with_vertex_normals(two_sided);
   EXPECT_EQ(two_sided.vertices[two_sided.vertex_normal_ends[1]], two_sided.vertices[1]);

@@ -26,7 +26,7 @@ N of(double value) {
 
 constexpr std::int64_t pixel = 65536;
 
-TEST(Step, TheSlopeIsRoundedAsTheDivideIs) {
+TEST(SpanStep, TheSlopeIsRoundedAsTheDivideIs) {
   // 2/3 of 65536 units is 43690.67.
   EXPECT_EQ((slope(of<q16_16_i386>(1), of<q16_16_i386>(3), 3 * pixel).raw()), 43691);
   EXPECT_EQ((slope(of<q16_16_i386_unrounded>(1), of<q16_16_i386_unrounded>(3), 3 * pixel).raw()),
@@ -35,25 +35,25 @@ TEST(Step, TheSlopeIsRoundedAsTheDivideIs) {
   EXPECT_DOUBLE_EQ((slope(1.0, 3.0, 3 * pixel)), 2.0 / 3);
 }
 
-TEST(Step, TheStartIsTheValueAtTheCentre) {
+TEST(SpanStep, TheStartIsTheValueAtTheCentre) {
   // A quarter of a pixel along a slope of 2.
   const auto step = step_across(of<q16_16_i386>(10), of<q16_16_i386>(18), 4 * pixel, pixel / 4);
   EXPECT_EQ(step.start.raw(), 10 * 65536 + 32768);
   EXPECT_EQ(step.slope.raw(), 2 * 65536);
 }
 
-TEST(Step, AWayBelowAPixelHasOneValueBetweenItsEnds) {
+TEST(SpanStep, AWayBelowAPixelHasOneValueBetweenItsEnds) {
   const auto step = step_across(of<q16_16_trapping>(0), of<q16_16_trapping>(30000), 4, 1);
   EXPECT_EQ(step.start.raw(), 7500 * 65536);
   EXPECT_EQ(step.slope.raw(), 0);
 }
 
-TEST(Step, AWayThatIsLongerThan16_16IsHalved) {
+TEST(SpanStep, AWayThatIsLongerThan16_16IsHalved) {
   // From -32000 to 32000: 64000 pixels, 128 higher.
   EXPECT_EQ((slope(of<q16_16>(0), of<q16_16>(128), 64000 * pixel).raw()), 131);  // 131.07
 }
 
-TEST(Step, WordsAreTheNearest) {
+TEST(SpanStep, WordsAreTheNearest) {
   EXPECT_EQ(word_of(0x7F, 8), 0U);
   EXPECT_EQ(word_of(0x80, 8), 1U);
   EXPECT_EQ(word_of(-0x80, 8), 0U);
@@ -62,13 +62,13 @@ TEST(Step, WordsAreTheNearest) {
   EXPECT_EQ(word_of(INT32_MIN, 0), 0x80000000U);
 }
 
-TEST(Step, NoQuotientIsZero) {
+TEST(SpanStep, NoQuotientIsZero) {
   EXPECT_EQ(ratio(of<q16_16_i386>(1), of<q16_16_i386>(0)).raw(), 0);
   EXPECT_EQ(ratio(1.0, 0.0), 0);
 }
 
 // The divide of the 8088 drops the divisor's fraction: of 3.75 it sees 3, which would be 25 %.
-TEST(Step, TheDivideOfThe8088SeesNearlyAllOfTheDivisor) {
+TEST(SpanStep, TheDivideOfThe8088SeesNearlyAllOfTheDivisor) {
   const double exact = 60 / 3.75;
   const auto by = slope(of<q16_16_i8088>(0), of<q16_16_i8088>(60), 15 * pixel / 4);
   EXPECT_NEAR(by.raw() / 65536.0, exact, exact / 256);
@@ -78,7 +78,7 @@ TEST(Step, TheDivideOfThe8088SeesNearlyAllOfTheDivisor) {
 /// one, the upper part leaves at most D / 8191 and half a unit for each of 2^14 pixels, below 4.2;
 /// that is divided by at least 2^11 times a pixel, less than 1 of it lost, and the product and the
 /// quotient round.
-RC_GTEST_PROP(Step, TheDivideOfThe8088SeesItUnderLargeDifferencesToo, ()) {
+RC_GTEST_PROP(SpanStep, TheDivideOfThe8088SeesItUnderLargeDifferencesToo, ()) {
   const std::int64_t units = *generators::among(65536, 321 * 65536);
   const bool steep = *generators::among(0, 2) == 0;
   const std::int32_t size = steep ? *generators::among(static_cast<std::int32_t>(units), INT32_MAX)
@@ -92,7 +92,7 @@ RC_GTEST_PROP(Step, TheDivideOfThe8088SeesItUnderLargeDifferencesToo, ()) {
   RC_ASSERT(std::fabs(slope(from, end, units).raw() - exact) <= bound);
 }
 
-TEST(Step, TheDivideOfThe8088IsRightForWholeLengths) {
+TEST(SpanStep, TheDivideOfThe8088IsRightForWholeLengths) {
   // 32767 / 3 is 10922 1/3, and 65536 / 3 is 21845.3.
   EXPECT_EQ(slope(of<q16_16_i8088>(0), of<q16_16_i8088>(32767), 3 * pixel).raw(),
             10922 * 65536 + 21845);
@@ -102,12 +102,12 @@ TEST(Step, TheDivideOfThe8088IsRightForWholeLengths) {
 }
 
 // 265.2 pixels: divided once, by 8486 for 8486.4, the slope would be 3 units too great.
-TEST(Step, TheDivideOfThe8088SeesAllOfADivisorThatIsTheDividend) {
+TEST(SpanStep, TheDivideOfThe8088SeesAllOfADivisorThatIsTheDividend) {
   const std::int32_t way = 17'380'078;
   EXPECT_NEAR(slope(of<q16_16_i8088>(0), q16_16_i8088::from_raw(way), way).raw(), 65536, 1);
 }
 
-RC_GTEST_PROP(Step, DoublingChangesNoOtherQuotient, (std::int32_t n, std::int32_t d)) {
+RC_GTEST_PROP(SpanStep, DoublingChangesNoOtherQuotient, (std::int32_t n, std::int32_t d)) {
   RC_PRE(d != 0);
   const auto a = q16_16_i386::from_raw(n % (1 << 28));
   const auto b = q16_16_i386::from_raw(d);

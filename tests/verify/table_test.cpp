@@ -34,20 +34,20 @@ verify::Report report_of(const test::Saboteur& liar, std::size_t max_shown) {
   return report;
 }
 
-TEST(Text, NumbersAreGrouped) {
+TEST(TableText, NumbersAreGrouped) {
   EXPECT_EQ(support::grouped(0), "0");
   EXPECT_EQ(support::grouped(999), "999");
   EXPECT_EQ(support::grouped(1000), "1,000");
   EXPECT_EQ(support::grouped(4294967296), "4,294,967,296");
 }
 
-TEST(Text, DurationsAreAsPreciseAsServes) {
+TEST(TableText, DurationsAreAsPreciseAsServes) {
   EXPECT_EQ(support::duration(8.34), "8.3 s");
   EXPECT_EQ(support::duration(61), "1 min 01 s");
   EXPECT_EQ(support::duration(3 * 3600 + 61), "3 h 01 min");
 }
 
-TEST(Text, OperandsInDecimal) {
+TEST(TableText, OperandsInDecimal) {
   const std::array<std::uint32_t, 4> words{0x28000, 0xffff0000, 1, 0x80000000};
   EXPECT_EQ(cases::decimal_words(mul, words), "2.5 -1 0.00002 -32768");
   const std::array<std::uint32_t, 1> angle{0xffff};
