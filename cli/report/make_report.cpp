@@ -13,8 +13,6 @@
 #include <system_error>
 
 #include "cli/command_line.hpp"
-#include "cli/report/csv.hpp"
-#include "cli/report/findings.hpp"
 #include "cli/report/page.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
@@ -64,7 +62,6 @@ class ReportRun {
       for (const std::string& file : step.files) check(file);
       check(text_file(step));
     }
-    for (const char* name : csv_names) check(fmt::format("{}/data/{}", request.folder, name));
     made_from_ = fingerprint(scenes_, trade::processor_name());
     if (request.resume) earlier_ = read_records(records_file());
   }
@@ -105,7 +102,6 @@ class ReportRun {
     for (const char* part : {"verify", "accuracy", "clocks", "host", "drift", "stepping"}) {
       report[part] = data_of(part);
     }
-    report["findings"] = computed_findings();
 
     std::vector<PagePicture> pictures;
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
@@ -117,9 +113,6 @@ class ReportRun {
     }
     const std::string page = assemble_page(page_parts(), report, pictures,
                                            support::read_file(request_.folder + "/data/drift.svg"));
-    for (const auto& [name, text] : csv_files(report)) {
-      support::replace_file(request_.folder + "/data/" + name, text);
-    }
     support::replace_file(request_.folder + "/report.json", support::json_text(report));
     support::replace_file(request_.folder + "/report.html", page);
   }
@@ -219,8 +212,7 @@ int make_report(const ReportRequest& request) {
   if (failed != 0) return failed;
   run.write_page();
   std::cout << fmt::format(
-      "{0}/report.html is the page; {0}/report.json and the tables in "
-      "{0}/data have its figures\n",
+      "{0}/report.html is the page; {0}/report.json and the files in {0}/data have its figures\n",
       support::printable(request.folder));
   return run.status();
 }
