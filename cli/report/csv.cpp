@@ -2,13 +2,15 @@
 
 #include <cstdint>
 
+#include "support/json.hpp"
+
 namespace fixproof::cli {
 
 namespace {
 
-using CsvJson = nlohmann::ordered_json;
+using support::Json;
 
-std::string field(const CsvJson& value) {
+std::string field(const Json& value) {
   if (value.is_null()) return {};
   if (!value.is_string()) return value.dump();
   auto text = value.get<std::string>();
@@ -21,14 +23,14 @@ std::string field(const CsvJson& value) {
   return quoted + '"';
 }
 
-CsvJson accuracy_rows(const CsvJson& accuracy) {
-  CsvJson rows = CsvJson::array();
-  for (CsvJson row : accuracy.at("accuracy")) {
-    const CsvJson histogram = row.at("histogram");
+Json accuracy_rows(const Json& accuracy) {
+  Json rows = Json::array();
+  for (Json row : accuracy.at("accuracy")) {
+    const Json histogram = row.at("histogram");
     row.erase("histogram");
     row["span"] = histogram.at("span");
     std::size_t bucket = 0;
-    for (const CsvJson& count : histogram.at("counts")) {
+    for (const Json& count : histogram.at("counts")) {
       row["bucket_" + std::to_string(++bucket)] = count;
     }
     rows.push_back(std::move(row));
@@ -36,11 +38,11 @@ CsvJson accuracy_rows(const CsvJson& accuracy) {
   return rows;
 }
 
-CsvJson pixel_rows(const CsvJson& accuracy) {
-  CsvJson rows = CsvJson::array();
-  for (const CsvJson& variant : accuracy.at("pixels").at("variants")) {
-    for (const CsvJson& octave : variant.at("octaves")) {
-      CsvJson row{{"variant", variant.at("variant")}};
+Json pixel_rows(const Json& accuracy) {
+  Json rows = Json::array();
+  for (const Json& variant : accuracy.at("pixels").at("variants")) {
+    for (const Json& octave : variant.at("octaves")) {
+      Json row{{"variant", variant.at("variant")}};
       row.update(octave);
       row["safe_from"] = variant.at("safe_from");
       rows.push_back(std::move(row));
@@ -49,29 +51,29 @@ CsvJson pixel_rows(const CsvJson& accuracy) {
   return rows;
 }
 
-void add_spread(CsvJson& row, const std::string& name, const CsvJson& spread) {
+void add_spread(Json& row, const std::string& name, const Json& spread) {
   row[name + "_least"] = spread.at("least");
   const bool mean = spread.contains("mean");
-  row[name + "_mean_min"] = mean ? spread.at("mean").at("min") : CsvJson();
-  row[name + "_mean_max"] = mean ? spread.at("mean").at("max") : CsvJson();
+  row[name + "_mean_min"] = mean ? spread.at("mean").at("min") : Json();
+  row[name + "_mean_max"] = mean ? spread.at("mean").at("max") : Json();
   row[name + "_most"] = spread.at("most");
 }
 
-CsvJson clock_rows(const CsvJson& clocks) {
-  CsvJson rows = CsvJson::array();
-  for (const CsvJson& call : clocks.at("clocks")) {
-    for (const CsvJson& on : call.at("processors")) {
-      CsvJson row{{"routine", call.at("routine")},
-                  {"target", call.at("target")},
-                  {"chapter", call.at("chapter")},
-                  {"rounds", call.at("rounds")},
-                  {"cpu", on.at("cpu")}};
+Json clock_rows(const Json& clocks) {
+  Json rows = Json::array();
+  for (const Json& call : clocks.at("clocks")) {
+    for (const Json& on : call.at("processors")) {
+      Json row{{"routine", call.at("routine")},
+               {"target", call.at("target")},
+               {"chapter", call.at("chapter")},
+               {"rounds", call.at("rounds")},
+               {"cpu", on.at("cpu")}};
       add_spread(row, "instructions", call.at("instructions"));
       add_spread(row, "clocks", on.at("clocks"));
       // Only an 8088 has bus time.
       const bool bus = on.contains("bus") && on.at("bus").contains("mean");
-      row["bus_mean"] = bus ? on.at("bus").at("mean").at("max") : CsvJson();
-      row["limit"] = bus ? on.at("limit") : CsvJson();
+      row["bus_mean"] = bus ? on.at("bus").at("mean").at("max") : Json();
+      row["limit"] = bus ? on.at("limit") : Json();
       row["calls"] = on.at("clocks").at("calls");
       row["faults"] = call.at("faults");
       rows.push_back(std::move(row));
@@ -80,10 +82,10 @@ CsvJson clock_rows(const CsvJson& clocks) {
   return rows;
 }
 
-CsvJson claim_rows(const CsvJson& clocks) {
-  CsvJson rows = CsvJson::array();
-  for (const CsvJson& claim : clocks.at("claims")) {
-    for (const CsvJson& figure : claim.at("figures")) {
+Json claim_rows(const Json& clocks) {
+  Json rows = Json::array();
+  for (const Json& claim : clocks.at("claims")) {
+    for (const Json& figure : claim.at("figures")) {
       rows.push_back({{"claim", claim.at("claim")},
                       {"place", claim.at("place")},
                       {"means", claim.at("means")},
@@ -101,8 +103,8 @@ CsvJson claim_rows(const CsvJson& clocks) {
 }
 
 /// Fields of an object in the object become columns, the two names joined.
-CsvJson flat(const CsvJson& object) {
-  CsvJson row;
+Json flat(const Json& object) {
+  Json row;
   for (const auto& [key, value] : object.items()) {
     if (!value.is_object()) {
       row[key] = value;
@@ -114,19 +116,19 @@ CsvJson flat(const CsvJson& object) {
 }
 
 /// Columns that only some rows have, such as those of a chain, are empty in the others.
-CsvJson flat_rows(const CsvJson& list) {
-  CsvJson rows = CsvJson::array();
-  CsvJson columns = CsvJson::object();
-  for (const CsvJson& item : list) {
-    CsvJson row = flat(item);
+Json flat_rows(const Json& list) {
+  Json rows = Json::array();
+  Json columns = Json::object();
+  for (const Json& item : list) {
+    Json row = flat(item);
     for (const auto& [key, value] : row.items()) {
       if (!item.contains(key) || !item.at(key).is_null()) columns[key] = nullptr;
     }
     rows.push_back(std::move(row));
   }
-  CsvJson even = CsvJson::array();
-  for (const CsvJson& row : rows) {
-    CsvJson whole = columns;
+  Json even = Json::array();
+  for (const Json& row : rows) {
+    Json whole = columns;
     for (const auto& [key, value] : row.items()) {
       if (columns.contains(key)) whole[key] = value;
     }
@@ -135,12 +137,12 @@ CsvJson flat_rows(const CsvJson& list) {
   return even;
 }
 
-CsvJson drift_rows(const CsvJson& drift) {
-  CsvJson rows = CsvJson::array();
+Json drift_rows(const Json& drift) {
+  Json rows = Json::array();
   const auto step = drift.at("frames_a_point").get<std::uint64_t>();
-  for (const CsvJson& c : drift.at("cases")) {
-    const CsvJson& length = c.at("series").at("length");
-    const CsvJson& pixels = c.at("series").at("pixels");
+  for (const Json& c : drift.at("cases")) {
+    const Json& length = c.at("series").at("length");
+    const Json& pixels = c.at("series").at("pixels");
     for (std::size_t i = 0; i < length.size(); ++i) {
       rows.push_back({{"case", c.at("name")},
                       {"from_frame", i * step},
@@ -152,9 +154,9 @@ CsvJson drift_rows(const CsvJson& drift) {
 }
 
 /// A row for each way of stepping, without its lists.
-CsvJson stepping_rows(const CsvJson& stepping) {
-  CsvJson rows = CsvJson::array();
-  for (CsvJson row : stepping.at("stepping")) {
+Json stepping_rows(const Json& stepping) {
+  Json rows = Json::array();
+  for (Json row : stepping.at("stepping")) {
     row.erase("along");
     row.erase("last_of");
     rows.push_back(flat(row));
@@ -162,11 +164,11 @@ CsvJson stepping_rows(const CsvJson& stepping) {
   return rows;
 }
 
-CsvJson along_rows(const CsvJson& stepping) {
-  CsvJson rows = CsvJson::array();
-  for (const CsvJson& row : stepping.at("stepping")) {
-    for (const CsvJson& place : row.at("along")) {
-      CsvJson at{{"value", row.at("value")}, {"rule", row.at("rule")}};
+Json along_rows(const Json& stepping) {
+  Json rows = Json::array();
+  for (const Json& row : stepping.at("stepping")) {
+    for (const Json& place : row.at("along")) {
+      Json at{{"value", row.at("value")}, {"rule", row.at("rule")}};
       at.update(place);
       rows.push_back(std::move(at));
     }
@@ -176,7 +178,7 @@ CsvJson along_rows(const CsvJson& stepping) {
 
 }  // namespace
 
-std::string csv_text(const nlohmann::ordered_json& rows) {
+std::string csv_text(const support::Json& rows) {
   if (rows.empty()) return {};
   std::string text;
   const auto line = [&text](const auto& each) {
@@ -188,14 +190,14 @@ std::string csv_text(const nlohmann::ordered_json& rows) {
     }
     text += "\r\n";
   };
-  CsvJson names = CsvJson::object();
+  Json names = Json::object();
   for (const auto& [key, value] : rows.front().items()) names[key] = key;
   line(names);
-  for (const CsvJson& row : rows) line(row);
+  for (const Json& row : rows) line(row);
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> csv_files(const nlohmann::ordered_json& report) {
+std::vector<std::pair<std::string, std::string>> csv_files(const support::Json& report) {
   std::vector<std::pair<std::string, std::string>> files;
   const auto has = [&report](const char* part) {
     return report.contains(part) && !report.at(part).is_null();

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "support/json.hpp"
 
 namespace fixproof::cli {
 
@@ -14,7 +15,7 @@ namespace fixproof::cli {
 /// stands in quotes, its quotes doubled.
 /// @param rows a list of flat objects with the same keys, which become the first line; null is an
 /// empty field. Empty for no rows.
-std::string csv_text(const nlohmann::ordered_json& rows);
+std::string csv_text(const support::Json& rows);
 
 /// All that csv_files() may write.
 inline constexpr std::array csv_names{"accuracy.csv", "pixels.csv",   "clocks.csv", "claims.csv",
@@ -22,6 +23,6 @@ inline constexpr std::array csv_names{"accuracy.csv", "pixels.csv",   "clocks.cs
 
 /// `accuracy.csv` and so on, with their contents, from the report's data; nothing for what has not
 /// been measured.
-std::vector<std::pair<std::string, std::string>> csv_files(const nlohmann::ordered_json& report);
+std::vector<std::pair<std::string, std::string>> csv_files(const support::Json& report);
 
 }  // namespace fixproof::cli

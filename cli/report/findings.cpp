@@ -14,6 +14,7 @@
 
 #include "cli/command_line.hpp"
 #include "fixed/fixed.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "x86model/call.hpp"
 #include "x86model/call_loop.hpp"
@@ -28,8 +29,8 @@ namespace fixproof::cli {
 namespace {
 
 namespace x86 = x86model;
-using FindingJson = nlohmann::ordered_json;
 using fixed::q16_16;
+using support::Json;
 
 /// One question, and what was answered.
 struct Asked {
@@ -411,7 +412,7 @@ std::vector<Finding> texture_findings() {
 
 }  // namespace
 
-nlohmann::ordered_json computed_findings() {
+support::Json computed_findings() {
   std::vector<Finding> all = first_findings();
   for (Finding& finding : last_findings()) all.push_back(std::move(finding));
   for (Finding& finding : loop_findings()) all.push_back(std::move(finding));
@@ -419,9 +420,9 @@ nlohmann::ordered_json computed_findings() {
   for (Finding& finding : normal_findings()) all.push_back(std::move(finding));
   for (Finding& finding : projection_findings()) all.push_back(std::move(finding));
   for (Finding& finding : texture_findings()) all.push_back(std::move(finding));
-  FindingJson json = FindingJson::array();
+  Json json = Json::array();
   for (const Finding& finding : all) {
-    FindingJson cases = FindingJson::array();
+    Json cases = Json::array();
     for (const Asked& asked : finding.cases) {
       cases.push_back({{"who", asked.who}, {"asked", asked.question}, {"answer", asked.answer}});
     }

@@ -5,24 +5,26 @@
 
 #include <algorithm>
 
+#include "support/json.hpp"
+
 namespace {
 
 using namespace fixproof;
-using CsvJson = nlohmann::ordered_json;
+using support::Json;
 
 TEST(Csv, QuotesWhatHasToBe) {
-  const CsvJson rows{{{"name", "plain"}, {"note, with comma", 1.5}},
-                     {{"name", "say \"hi\""}, {"note, with comma", nullptr}},
-                     {{"name", "two\nlines"}, {"note, with comma", true}}};
+  const Json rows{{{"name", "plain"}, {"note, with comma", 1.5}},
+                  {{"name", "say \"hi\""}, {"note, with comma", nullptr}},
+                  {{"name", "two\nlines"}, {"note, with comma", true}}};
   EXPECT_EQ(cli::csv_text(rows),
             "name,\"note, with comma\"\r\n"
             "plain,1.5\r\n"
             "\"say \"\"hi\"\"\",\r\n"
             "\"two\nlines\",true\r\n");
-  EXPECT_EQ(cli::csv_text(CsvJson::array()), "");
+  EXPECT_EQ(cli::csv_text(Json::array()), "");
 }
 
-std::string text_of(const CsvJson& report, const std::string& name) {
+std::string text_of(const Json& report, const std::string& name) {
   const auto files = cli::csv_files(report);
   const auto found =
       std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.first == name; });
@@ -31,7 +33,7 @@ std::string text_of(const CsvJson& report, const std::string& name) {
 
 TEST(Csv, HasATableForWhatWasMeasured) {
   EXPECT_TRUE(cli::csv_files({{"accuracy", nullptr}, {"host", nullptr}}).empty());
-  const CsvJson drift{
+  const Json drift{
       {"frames_a_point", 5},
       {"cases", {{{"name", "a, b"}, {"series", {{"length", {0.5, 0.25}}, {"pixels", {1, 2}}}}}}}};
   EXPECT_EQ(text_of({{"drift", drift}}, "drift.csv"),
@@ -39,20 +41,19 @@ TEST(Csv, HasATableForWhatWasMeasured) {
 }
 
 TEST(Csv, OfClocksWithAndWithoutAMean) {
-  const CsvJson spread{{"least", 7}, {"most", 9}, {"calls", 0}};
-  const CsvJson mean{{"least", 7}, {"most", 9}, {"calls", 2}, {"mean", {{"min", 7.5}, {"max", 8}}}};
-  const CsvJson clocks{
-      {"clocks",
-       {{{"routine", "mul"},
-         {"target", "i386"},
-         {"chapter", 54},
-         {"rounds", true},
-         {"instructions", spread},
-         {"processors",
-          {{{"cpu", "386"}, {"clocks", mean}},
-           {{"cpu", "8088"}, {"clocks", mean}, {"bus", mean}, {"limit", "table"}}}},
-         {"faults", 0}}}},
-      {"claims", CsvJson::array()}};
+  const Json spread{{"least", 7}, {"most", 9}, {"calls", 0}};
+  const Json mean{{"least", 7}, {"most", 9}, {"calls", 2}, {"mean", {{"min", 7.5}, {"max", 8}}}};
+  const Json clocks{{"clocks",
+                     {{{"routine", "mul"},
+                       {"target", "i386"},
+                       {"chapter", 54},
+                       {"rounds", true},
+                       {"instructions", spread},
+                       {"processors",
+                        {{{"cpu", "386"}, {"clocks", mean}},
+                         {{"cpu", "8088"}, {"clocks", mean}, {"bus", mean}, {"limit", "table"}}}},
+                       {"faults", 0}}}},
+                    {"claims", Json::array()}};
   EXPECT_EQ(text_of({{"clocks", clocks}}, "clocks.csv"),
             "routine,target,chapter,rounds,cpu,instructions_least,instructions_mean_min,"
             "instructions_mean_max,instructions_most,clocks_least,clocks_mean_min,clocks_mean_max,"
@@ -62,24 +63,24 @@ TEST(Csv, OfClocksWithAndWithoutAMean) {
 }
 
 TEST(Csv, OfHostTimesWhereOneHasNoChain) {
-  const CsvJson host{
+  const Json host{
       {"host",
        {{{"contender", "a"}, {"chain_ns", nullptr}, {"throughput_ns", {{"min", 1}}}},
         {{"contender", "b"}, {"chain_ns", {{"min", 3}}}, {"throughput_ns", {{"min", 2}}}}}},
-      {"vertices", CsvJson::array()}};
+      {"vertices", Json::array()}};
   EXPECT_EQ(text_of({{"host", host}}, "host.csv"),
             "contender,throughput_ns_min,chain_ns_min\r\na,1,\r\nb,2,3\r\n");
 }
 
 TEST(Csv, SteppingWithoutItsListsAndAlongSpans) {
-  const nlohmann::ordered_json row{
+  const Json row{
       {"value", "depth"},
       {"rule", "cut"},
       {"last", {{"max", 1}, {"bound", 2}}},
       {"along",
        {{{"pixel", 0}, {"max", 3}, {"bound", 4}}, {{"pixel", 9}, {"max", 5}, {"bound", 6}}}},
-      {"last_of", nlohmann::ordered_json::array()}};
-  const nlohmann::ordered_json stepping{{"stepping", nlohmann::ordered_json::array({row})}};
+      {"last_of", Json::array()}};
+  const Json stepping{{"stepping", Json::array({row})}};
   EXPECT_EQ(text_of({{"stepping", stepping}}, "stepping.csv"),
             "value,rule,last_max,last_bound\r\ndepth,cut,1,2\r\n");
   EXPECT_EQ(text_of({{"stepping", stepping}}, "along.csv"),

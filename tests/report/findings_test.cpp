@@ -7,12 +7,13 @@
 #include <string>
 
 #include "support/file.hpp"
+#include "support/json.hpp"
 
 namespace {
 
 using fixproof::cli::computed_findings;
 
-std::string answer(const nlohmann::ordered_json& findings, std::size_t number, std::size_t place) {
+std::string answer(const fixproof::support::Json& findings, std::size_t number, std::size_t place) {
   for (const auto& finding : findings) {
     if (finding.at("number") != number) continue;
     return finding.at("cases").at(place).at("answer").get<std::string>();
