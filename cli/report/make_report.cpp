@@ -6,7 +6,6 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -18,7 +17,7 @@
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/host/provenance.hpp"
@@ -28,7 +27,7 @@ namespace fixproof::cli {
 
 namespace {
 
-using PageJson = nlohmann::ordered_json;
+using support::Json;
 
 /// What stands behind `start` in the line that begins with it; empty where none does.
 std::string line_of(const std::string& text, std::string_view start) {
@@ -98,7 +97,7 @@ class ReportRun {
   }
 
   void write_page() {
-    PageJson report{{"made", made()}, {"commands", commands()}};
+    Json report{{"made", made()}, {"commands", commands()}};
     for (const char* part : {"verify", "accuracy", "clocks", "host", "drift", "stepping"}) {
       report[part] = data_of(part);
     }
@@ -170,8 +169,8 @@ class ReportRun {
     return !sum.empty() && sum == found->left ? &*found : nullptr;
   }
 
-  [[nodiscard]] PageJson made() const {
-    PageJson names = PageJson::array();
+  [[nodiscard]] Json made() const {
+    Json names = Json::array();
     for (const xsharp::Scene& scene : scenes_) names.push_back(scene.name);
     return {{"version", program_version()},       {"seed", request_.seed},
             {"compiler", trade::compiler_name()}, {"processor", trade::processor_name()},
@@ -179,8 +178,8 @@ class ReportRun {
             {"scenes", std::move(names)}};
   }
 
-  [[nodiscard]] PageJson commands() const {
-    PageJson list = PageJson::array();
+  [[nodiscard]] Json commands() const {
+    Json list = Json::array();
     for (const StepRecord& r : records_) {
       list.push_back({{"command", r.command}, {"date", r.date}, {"seconds", r.seconds}});
     }
@@ -188,9 +187,9 @@ class ReportRun {
   }
 
   /// The file of that step; null where this build, or a quick report, does not have it.
-  [[nodiscard]] PageJson data_of(const std::string& part) const {
+  [[nodiscard]] Json data_of(const std::string& part) const {
     for (const ReportStep& step : steps_) {
-      if (step.name == part) return PageJson::parse(support::read_file(step.files.front()));
+      if (step.name == part) return Json::parse(support::read_file(step.files.front()));
     }
     return {};
   }
