@@ -1,4 +1,6 @@
 // fixproof drift: how long the objects of a scene keep their shape.
+#include "cli/drift.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +16,6 @@
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/drift/drift_json.hpp"
-#include "trade/drift/run.hpp"
 #include "trade/drift/strip.hpp"
 #include "xsharp/files/scene_json.hpp"
 
@@ -24,14 +25,12 @@ namespace {
 
 struct DriftOptions {
   std::string scene;
-  std::uint64_t minutes = 30;
-  std::int32_t restore_every = 60;
+  DriftRequest request;
   std::string strip;
   std::string json;
-  std::size_t object = 0;
 };
 
-/// The rates at which the same frames are looked at.
+/// Frame rates at which the same frames are shown.
 constexpr std::uint64_t slow = 15;
 constexpr std::uint64_t fast = 60;
 
@@ -79,10 +78,25 @@ void print(const std::vector<trade::DriftCase>& cases,
   }
 }
 
-std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
+/// The scene without its own way of restoring orthogonality.
+xsharp::Scene unrestored(xsharp::Scene scene) {
+  scene.restore_every = 0;
+  scene.from_scratch = false;
+  return scene;
+}
+
+void check_output(std::string_view option, const std::string& file, const xsharp::Scene& scene) {
+  if (file.empty()) return;
+  player::refuse_inputs(option, file, scene.files);
+  support::check_replaceable(file);
+}
+
+}  // namespace
+
+std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request) {
   std::vector<trade::StripRow> rows;
   const auto add = [&](std::string name, auto change) {
-    rows.push_back({std::move(name), scene});
+    rows.push_back({std::move(name), unrestored(scene)});
     change(rows.back().scene);
   };
   for (const bool on : {true, false}) {
@@ -93,9 +107,9 @@ std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
       });
     }
   }
-  add(fmt::format("i386 on, restored every {}", options.restore_every), [&](xsharp::Scene& s) {
+  add(fmt::format("i386 on, restored every {}", request.restore_every), [&](xsharp::Scene& s) {
     s.arithmetic = {"type", "i386", true, true};
-    s.restore_every = options.restore_every;
+    s.restore_every = request.restore_every;
   });
   add("i386 on, from scratch", [](xsharp::Scene& s) {
     s.arithmetic = {"type", "i386", true, true};
@@ -109,23 +123,33 @@ std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
     frames.push_back(minutes * 60 * fast);
     labels.push_back(minutes == 0 ? "start" : fmt::format("{} min", minutes));
   }
-  return trade::drift_strip(rows, options.object, frames, labels);
+  return trade::drift_strip(rows, request.object, frames, labels);
 }
 
-void check_output(std::string_view option, const std::string& file, const xsharp::Scene& scene) {
-  if (file.empty()) return;
-  player::refuse_inputs(option, file, scene.files);
-  support::check_replaceable(file);
+DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request) {
+  DriftFigures figures{.scene = scene.name, .wanted = request.minutes * 60 * fast};
+  figures.frames = figures.wanted;
+  figures.cases = cases_of(request.restore_every);
+  support::FrameProgress progress(figures.wanted);
+  figures.results =
+      trade::run_drift(unrestored(scene), figures.cases, figures.frames, support::Interrupt::flag(),
+                       [&](std::uint64_t done) { progress.show(done); });
+  return figures;
 }
+
+support::Json to_json(const DriftFigures& figures) {
+  return trade::drift_json(figures.scene, figures.frames, fast, figures.cases, figures.results);
+}
+
+namespace {
 
 int run(const DriftOptions& options) {
-  xsharp::Scene scene = xsharp::read_scene(options.scene);
-  scene.restore_every = 0;
-  scene.from_scratch = false;
+  const xsharp::Scene scene = xsharp::read_scene(options.scene);
   if (scene.objects.empty()) throw support::UsageError(scene.name + " has no objects");
-  if (options.object >= scene.objects.size()) {
-    throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}", options.object,
-                                          scene.name, scene.objects.size() - 1));
+  if (options.request.object >= scene.objects.size()) {
+    throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}",
+                                          options.request.object, scene.name,
+                                          scene.objects.size() - 1));
   }
   check_output("--strip", options.strip, scene);
   check_output("--json", options.json, scene);
@@ -134,16 +158,12 @@ int run(const DriftOptions& options) {
     throw support::UsageError(fmt::format("--json {}: is the file of --strip", options.json));
   }
 
-  const auto cases = cases_of(options.restore_every);
-  std::uint64_t frames = options.minutes * 60 * fast;
-  const std::uint64_t wanted = frames;
-  std::vector<trade::DriftResult> results;
+  DriftFigures figures;
   {
     const support::Interrupt interrupt;
-    support::FrameProgress progress(frames);
-    results = trade::run_drift(scene, cases, frames, support::Interrupt::flag(),
-                               [&](std::uint64_t done) { progress.show(done); });
+    figures = measure_drift(scene, options.request);
   }
+  const std::uint64_t frames = figures.frames;
   std::cout << fmt::format(
       "{}: {} frames, {} at {} frames a second, {} at {}.\n"
       "Worst of any object: skew of its axes, edges and volume too large or small, pixels from "
@@ -153,21 +173,21 @@ int run(const DriftOptions& options) {
       support::printable(scene.name), support::grouped(frames),
       support::duration(static_cast<double>(frames) / static_cast<double>(slow)), slow,
       support::duration(static_cast<double>(frames) / static_cast<double>(fast)), fast);
-  print(cases, results);
-  if (frames < wanted) {
+  print(figures.cases, figures.results);
+  if (!figures.complete()) {
     std::cout << fmt::format(
-        "\nSTOPPED after {} of {} frames{}\n", support::grouped(frames), support::grouped(wanted),
+        "\nSTOPPED after {} of {} frames{}\n", support::grouped(frames),
+        support::grouped(figures.wanted),
         options.strip.empty() && options.json.empty() ? "" : "; no file is written");
     return support::interrupted_status;
   }
   if (!options.json.empty()) {
-    support::replace_file(options.json,
-                          trade::drift_json(scene.name, frames, fast, cases, results));
+    support::replace_file(options.json, support::json_text(to_json(figures)));
   }
   if (!options.strip.empty()) {
-    support::replace_file(options.strip, strip_of(scene, options));
+    support::replace_file(options.strip, drift_strip(scene, options.request));
     std::cout << fmt::format("\n{}: {}\n", options.strip,
-                             support::printable(scene.objects[options.object].name));
+                             support::printable(scene.objects[options.request.object].name));
   }
   return 0;
 }
@@ -182,12 +202,12 @@ void add_drift(CLI::App& app, int& status) {
       ->required()
       ->check(not_empty());
   command
-      ->add_option("--minutes", options->minutes,
+      ->add_option("--minutes", options->request.minutes,
                    "of animation at 60 frames a second; four times as many at 15")
       ->transform(whole_number(1, 10'000))
       ->capture_default_str();
   command
-      ->add_option("--reortho", options->restore_every,
+      ->add_option("--reortho", options->request.restore_every,
                    "rotations between two restorings of orthogonality, in the rows that have any")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
@@ -201,7 +221,7 @@ void add_drift(CLI::App& app, int& status) {
       ->add_option("--json", options->json,
                    "a file for the same figures, and for their way through time, as JSON")
       ->check(not_empty());
-  command->add_option("--object", options->object, "of the strip, by its index")
+  command->add_option("--object", options->request.object, "of the strip, by its index")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str()
       ->needs(strip);

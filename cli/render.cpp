@@ -1,4 +1,6 @@
 // fixproof render: draws a scene into files, or into a window.
+#include "cli/render.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +24,6 @@
 #include "cli/surface_options.hpp"
 #include "player/beside_exact.hpp"
 #include "player/canvas.hpp"
-#include "player/outputs.hpp"
 #include "player/players.hpp"
 #include "player/show.hpp"
 #include "support/frame_progress.hpp"
@@ -161,64 +162,81 @@ int render(const RenderOptions& options) {
 
   const std::uint64_t frames = options.frames.value_or(
       std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
-  const auto player = player::make_player(scene, scene.arithmetic, threads);
+  DrawnFrames drawn;
+  {
+    const support::Interrupt interrupt;
+    drawn = draw_frames(scene, frames, {options.outputs, options.true_color, threads});
+  }
+  std::cout << fmt::format(
+      "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n",
+      support::printable(scene.name), player::name_of(scene.arithmetic),
+      support::grouped(drawn.frames),
+      support::grouped(static_cast<std::uint64_t>(drawn.count.polygons)),
+      support::grouped(static_cast<std::uint64_t>(drawn.count.pixels)),
+      support::grouped(drawn.tally.faults),
+      support::grouped(drawn.frames == 0 ? 0
+                                         : static_cast<std::uint64_t>(
+                                               static_cast<double>(drawn.frames) / drawn.seconds)));
+  std::cout << drawn.clocks;
+  if (!drawn.differences.empty()) std::cout << "Beside exact: " << drawn.differences << '\n';
+  if (drawn.tally.out_of_reach > 0) {
+    std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
+                             support::grouped(drawn.tally.out_of_reach));
+  }
+  if (!drawn.older_frame.empty()) {
+    std::cout << fmt::format("{} and what follows it are an earlier run's\n", drawn.older_frame);
+  }
+  if (drawn.frames == frames) return 0;
+  std::cout << fmt::format("STOPPED after {} of {} frames; what is written is complete\n",
+                           support::grouped(drawn.frames), support::grouped(frames));
+  return support::interrupted_status;
+}
+
+}  // namespace
+
+DrawnFrames draw_frames(const xsharp::Scene& scene, std::uint64_t frames,
+                        const DrawOptions& options) {
+  const auto player = player::make_player(scene, scene.arithmetic, options.threads);
   const auto canvas = player::make_canvas(scene, options.true_color);
   player::Outputs outputs(options.outputs, scene.files, scene.frames_per_second);
   std::optional<player::BesideExact> beside;
   if (!options.outputs.beside.empty()) beside.emplace(scene, options.outputs.beside);
 
+  DrawnFrames drawn;
   xsharp::Picture picture;
-  xsharp::Tally tally;
-  std::uint64_t done = 0;
   std::chrono::duration<double> drawing{};
-  const support::Interrupt interrupt;
   support::FrameProgress progress(frames);
   ClockMeter meter(scene.arithmetic, xsharp::interpolates(scene));
   player::OperandLog log;
-  for (; done < frames && !support::Interrupt::flag(); ++done) {
+  for (; drawn.frames < frames && !support::Interrupt::flag(); ++drawn.frames) {
     const auto begin = std::chrono::steady_clock::now();
     try {
       std::optional<player::Recording> recording;
-      if (meter.wants(done)) recording.emplace(log);
-      if (done > 0) player->move();
-      tally = tally + player->draw(picture);
+      if (meter.wants(drawn.frames)) recording.emplace(log);
+      if (drawn.frames > 0) player->move();
+      drawn.tally = drawn.tally + player->draw(picture);
       canvas->show(picture);
     } catch (const std::exception& error) {
-      throw std::runtime_error(fmt::format("{}, frame {}: {}", scene.name, done, error.what()));
+      throw std::runtime_error(
+          fmt::format("{}, frame {}: {}", scene.name, drawn.frames, error.what()));
     }
     drawing += std::chrono::steady_clock::now() - begin;
-    if (meter.wants(done)) meter.count(std::exchange(log, {}));
-    outputs.add(*canvas, *player, done);
+    if (meter.wants(drawn.frames)) meter.count(std::exchange(log, {}));
+    outputs.add(*canvas, *player, drawn.frames);
     if (beside) beside->show(picture);
-    progress.show(done + 1);
+    progress.show(drawn.frames + 1);
   }
-  outputs.finish(done);
-  if (beside) beside->finish();
-
-  const xsharp::DrawingCount count = canvas->count();
-  std::cout << fmt::format(
-      "{}, {}: {} frames, {} polygons, {} pixels, {} faults, {} frames a second\n",
-      support::printable(scene.name), player::name_of(scene.arithmetic), support::grouped(done),
-      support::grouped(static_cast<std::uint64_t>(count.polygons)),
-      support::grouped(static_cast<std::uint64_t>(count.pixels)), support::grouped(tally.faults),
-      support::grouped(
-          done == 0 ? 0 : static_cast<std::uint64_t>(static_cast<double>(done) / drawing.count())));
-  std::cout << meter.text();
-  if (beside) std::cout << beside->text();
-  if (tally.out_of_reach > 0) {
-    std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
-                             support::grouped(tally.out_of_reach));
+  outputs.finish(drawn.frames);
+  if (beside) {
+    beside->finish();
+    drawn.differences = beside->differences();
   }
-  if (const std::string older = outputs.older_frame(done); !older.empty()) {
-    std::cout << fmt::format("{} and what follows it are an earlier run's\n", older);
-  }
-  if (done == frames) return 0;
-  std::cout << fmt::format("STOPPED after {} of {} frames; what is written is complete\n",
-                           support::grouped(done), support::grouped(frames));
-  return support::interrupted_status;
+  drawn.count = canvas->count();
+  drawn.seconds = drawing.count();
+  drawn.clocks = meter.text();
+  drawn.older_frame = outputs.older_frame(drawn.frames);
+  return drawn;
 }
-
-}  // namespace
 
 void add_render(CLI::App& app, int& status) {
   auto options = std::make_shared<RenderOptions>();

@@ -48,7 +48,7 @@ void add_report(CLI::App& app, int& status) {
       "the same processor");
   command->footer(
       "Runs verify, measure, drift and render, and keeps what they say in the folder `data` in\n"
-      "DIR, with their figures as JSON and CSV. The page needs nothing but itself.\n\n"
+      "DIR, with their figures as JSON. The page needs nothing but itself.\n\n"
       "Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage, a scene that is\n"
       "refused or a step that does not succeed, 130 stopped before the end.\n\n"
       "Examples:\n"

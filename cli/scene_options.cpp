@@ -45,8 +45,9 @@ void SceneOptions::add_to(CLI::App& command) {
                    "work every orientation out anew instead of appending rotations");
 }
 
-xsharp::Scene SceneOptions::read() const {
-  xsharp::Scene scene = xsharp::read_scene(file);
+xsharp::Scene SceneOptions::read() const { return applied_to(xsharp::read_scene(file)); }
+
+xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
   xsharp::ArithmeticChoice& choice = scene.arithmetic;
   if (by) choice.by = *by;
   // The model has no other rules than the listings'.

@@ -31,6 +31,8 @@ struct SceneOptions {
   /// @throws xsharp::SceneError for a scene that is refused, UsageError for options that contradict
   ///         one another
   [[nodiscard]] xsharp::Scene read() const;
+  /// The same for a scene that is read already.
+  [[nodiscard]] xsharp::Scene applied_to(xsharp::Scene scene) const;
 };
 
 }  // namespace fixproof::cli

@@ -75,9 +75,9 @@ void BesideExact::finish() const {
   if (pictures_ > 0) support::replace_file(file_, png());
 }
 
-std::string BesideExact::text() const {
+std::string BesideExact::differences() const {
   if (pictures_ == 0) return "";
-  return fmt::format("Beside exact: {} of {} pixels differ, indices of the palette by {} at most\n",
+  return fmt::format("{} of {} pixels differ, indices of the palette by {} at most",
                      support::grouped(differing_),
                      support::grouped(pictures_ * exact_.pixels().size()), most_);
 }

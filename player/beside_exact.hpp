@@ -25,8 +25,8 @@ class BesideExact {
   void show(const xsharp::Picture& picture);
   /// Writes the file; nothing without pictures.
   void finish() const;
-  /// `Beside exact: …`, a line; empty without pictures.
-  [[nodiscard]] std::string text() const;
+  /// `3 of 230,400 pixels differ, …`; empty without pictures.
+  [[nodiscard]] std::string differences() const;
 
  private:
   [[nodiscard]] std::string png() const;

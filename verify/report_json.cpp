@@ -5,17 +5,17 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::verify {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using support::Json;
 
 constexpr std::string_view format_name = "fixproof report";
 /// Version 1 expected a carry in the printed 8088 ConcatXforms: its rows cannot be added to these.

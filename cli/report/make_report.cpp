@@ -6,21 +6,18 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 
 #include "cli/command_line.hpp"
-#include "cli/report/csv.hpp"
-#include "cli/report/findings.hpp"
 #include "cli/report/page.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/host/provenance.hpp"
@@ -30,7 +27,7 @@ namespace fixproof::cli {
 
 namespace {
 
-using PageJson = nlohmann::ordered_json;
+using support::Json;
 
 /// What stands behind `start` in the line that begins with it; empty where none does.
 std::string line_of(const std::string& text, std::string_view start) {
@@ -64,7 +61,6 @@ class ReportRun {
       for (const std::string& file : step.files) check(file);
       check(text_file(step));
     }
-    for (const char* name : csv_names) check(fmt::format("{}/data/{}", request.folder, name));
     made_from_ = fingerprint(scenes_, trade::processor_name());
     if (request.resume) earlier_ = read_records(records_file());
   }
@@ -101,11 +97,10 @@ class ReportRun {
   }
 
   void write_page() {
-    PageJson report{{"made", made()}, {"commands", commands()}};
+    Json report{{"made", made()}, {"commands", commands()}};
     for (const char* part : {"verify", "accuracy", "clocks", "host", "drift", "stepping"}) {
       report[part] = data_of(part);
     }
-    report["findings"] = computed_findings();
 
     std::vector<PagePicture> pictures;
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
@@ -117,9 +112,6 @@ class ReportRun {
     }
     const std::string page = assemble_page(page_parts(), report, pictures,
                                            support::read_file(request_.folder + "/data/drift.svg"));
-    for (const auto& [name, text] : csv_files(report)) {
-      support::replace_file(request_.folder + "/data/" + name, text);
-    }
     support::replace_file(request_.folder + "/report.json", support::json_text(report));
     support::replace_file(request_.folder + "/report.html", page);
   }
@@ -177,8 +169,8 @@ class ReportRun {
     return !sum.empty() && sum == found->left ? &*found : nullptr;
   }
 
-  [[nodiscard]] PageJson made() const {
-    PageJson names = PageJson::array();
+  [[nodiscard]] Json made() const {
+    Json names = Json::array();
     for (const xsharp::Scene& scene : scenes_) names.push_back(scene.name);
     return {{"version", program_version()},       {"seed", request_.seed},
             {"compiler", trade::compiler_name()}, {"processor", trade::processor_name()},
@@ -186,8 +178,8 @@ class ReportRun {
             {"scenes", std::move(names)}};
   }
 
-  [[nodiscard]] PageJson commands() const {
-    PageJson list = PageJson::array();
+  [[nodiscard]] Json commands() const {
+    Json list = Json::array();
     for (const StepRecord& r : records_) {
       list.push_back({{"command", r.command}, {"date", r.date}, {"seconds", r.seconds}});
     }
@@ -195,9 +187,9 @@ class ReportRun {
   }
 
   /// The file of that step; null where this build, or a quick report, does not have it.
-  [[nodiscard]] PageJson data_of(const std::string& part) const {
+  [[nodiscard]] Json data_of(const std::string& part) const {
     for (const ReportStep& step : steps_) {
-      if (step.name == part) return PageJson::parse(support::read_file(step.files.front()));
+      if (step.name == part) return Json::parse(support::read_file(step.files.front()));
     }
     return {};
   }
@@ -219,8 +211,7 @@ int make_report(const ReportRequest& request) {
   if (failed != 0) return failed;
   run.write_page();
   std::cout << fmt::format(
-      "{0}/report.html is the page; {0}/report.json and the tables in "
-      "{0}/data have its figures\n",
+      "{0}/report.html is the page; {0}/report.json and the files in {0}/data have its figures\n",
       support::printable(request.folder));
   return run.status();
 }

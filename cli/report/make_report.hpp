@@ -1,5 +1,5 @@
 /// @file
-/// Runs what the report shows and writes the page, its data and its tables.
+/// Runs what the report shows and writes the page and its data.
 #pragma once
 
 #include "cli/report/steps.hpp"

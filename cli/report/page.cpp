@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "support/json.hpp"
+
 namespace fixproof::cli {
 
 namespace {
@@ -70,11 +72,11 @@ std::string escaped_html(std::string_view text) {
   return escaped;
 }
 
-std::string script_json(const nlohmann::ordered_json& json) {
+std::string script_json(const support::Json& json) {
   // Only strings can have it, and they have another way to write it. Bytes that are no UTF-8, as in
   // the name of a file, are replaced.
   std::string text;
-  for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
+  for (const char c : json.dump(-1, ' ', false, support::Json::error_handler_t::replace)) {
     if (c == '<') {
       text += "\\u003c";
     } else {
@@ -103,7 +105,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string assemble_page(const PageParts& parts, const nlohmann::ordered_json& report,
+std::string assemble_page(const PageParts& parts, const support::Json& report,
                           const std::vector<PagePicture>& pictures, std::string_view strip) {
   std::string shown;
   std::string beside;

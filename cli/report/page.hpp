@@ -2,12 +2,12 @@
 /// The page: its parts, the figures and the pictures in one file that needs no other.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/report/page_parts.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::cli {
 
@@ -24,7 +24,7 @@ struct PagePicture {
 std::string escaped_html(std::string_view text);
 
 /// JSON as it may stand in a script: nothing in it can end the script or begin a comment.
-std::string script_json(const nlohmann::ordered_json& json);
+std::string script_json(const support::Json& json);
 
 /// Bytes as RFC 4648 writes them.
 std::string base64(std::string_view bytes);
@@ -32,7 +32,7 @@ std::string base64(std::string_view bytes);
 /// @param strip an SVG, or empty
 /// @throws std::logic_error for a part that would break the page: a script that ends early, a place
 ///         that is not there exactly once
-std::string assemble_page(const PageParts& parts, const nlohmann::ordered_json& report,
+std::string assemble_page(const PageParts& parts, const support::Json& report,
                           const std::vector<PagePicture>& pictures, std::string_view strip);
 
 }  // namespace fixproof::cli

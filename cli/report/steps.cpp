@@ -5,20 +5,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "cli/command_line.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
 
 namespace {
 
-using StepJson = nlohmann::ordered_json;
+using support::Json;
 
 /// Of --quick.
 constexpr const char* few_operands = "300";
@@ -147,27 +146,27 @@ std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::str
 }
 
 std::string as_recorded(const std::string& command) {
-  return StepJson::parse(support::json_text(command)).get<std::string>();
+  return Json::parse(support::json_text(command)).get<std::string>();
 }
 
 std::vector<StepRecord> read_records(const std::string& file) {
   std::vector<StepRecord> records;
   if (!std::filesystem::is_regular_file(file)) return records;
   try {
-    for (const StepJson& json : StepJson::parse(support::read_file(file))) {
+    for (const Json& json : Json::parse(support::read_file(file))) {
       records.push_back({json.at("name").get<std::string>(), json.at("command").get<std::string>(),
                          json.at("made_from").get<std::string>(),
                          json.at("date").get<std::string>(), json.at("seconds").get<double>(),
                          json.at("status").get<int>(), json.at("left").get<std::string>()});
     }
-  } catch (const StepJson::exception&) {
+  } catch (const Json::exception&) {
     records.clear();
   }
   return records;
 }
 
 void write_records(const std::string& file, const std::vector<StepRecord>& records) {
-  StepJson json = StepJson::array();
+  Json json = Json::array();
   for (const StepRecord& r : records) {
     json.push_back({{"name", r.name},
                     {"command", r.command},

@@ -1,4 +1,4 @@
-// Verdicts and findings: text with figures from the data.
+// The verdicts on published claims, and the commands.
 
 const verdictKinds = { holds: "holds", "does not hold": "fails" };
 const verdictNode = (text) => element("span", { class: `verdict ${verdictKinds[text] ?? "unsure"}` }, text);
@@ -26,22 +26,6 @@ function showClaims() {
       { title: "bus", of: (f) => figure(f.bus), number: true },
       { title: "limit", of: (f) => f.limit },
     ], report.clocks.frames_8088));
-}
-
-// Four words a line, a row of a transform; the columns of a trace closer together.
-const shortened = (answer) => /^[0-9a-f ]+$/.test(answer)
-  ? answer.replace(/((?:\S+ ){3}\S+) /g, "$1\n") : answer.replace(/^ +/gm, "").replace(/ {2,}/g, "  ");
-
-function showFindings() {
-  const cards = report.findings.map((finding) => element("article", { class: "finding" },
-    element("h3", {}, `${finding.number}. ${finding.title}`),
-    element("p", {}, finding.says),
-    table(`Asked when this page was made; test ${finding.test}`, [
-      { title: "who", of: (c) => c.who },
-      { title: "answer", of: (c) => shortened(c.answer), words: true },
-      { title: "asked", of: (c) => c.asked, asked: true },
-    ], finding.cases)));
-  section("findings").append(element("div", { class: "cards" }, ...cards));
 }
 
 function showCommands() {

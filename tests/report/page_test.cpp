@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "support/json.hpp"
+
 namespace {
 
 using namespace fixproof;
@@ -29,10 +31,10 @@ TEST(Page, WritesBase64) {
 }
 
 TEST(Page, DataCannotEndItsScript) {
-  const nlohmann::ordered_json json{{"name", "</script><!-- \"x\\"}, {"value", 0.25}};
+  const support::Json json{{"name", "</script><!-- \"x\\"}, {"value", 0.25}};
   const std::string text = cli::script_json(json);
   EXPECT_EQ(text.find('<'), std::string::npos) << text;
-  EXPECT_EQ(nlohmann::ordered_json::parse(text), json);
+  EXPECT_EQ(support::Json::parse(text), json);
 }
 
 TEST(Page, TakesNamesThatAreNoUtf8) {
@@ -75,7 +77,7 @@ TEST(Page, RefusesPartsThatWouldBreakIt) {
 // Nothing in the page as it is built is loaded from elsewhere.
 TEST(Page, IsSelfContained) {
   const cli::PageParts parts = cli::page_parts();
-  const std::string page = cli::assemble_page(parts, nlohmann::ordered_json::object(), {}, "");
+  const std::string page = cli::assemble_page(parts, support::Json::object(), {}, "");
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"}) {
     EXPECT_EQ(std::string(parts.page).find(outside), std::string::npos) << outside;
     EXPECT_EQ(std::string(parts.style).find(outside), std::string::npos) << outside;

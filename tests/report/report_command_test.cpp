@@ -34,11 +34,7 @@ class Folder {
   std::string path_;
 };
 
-std::size_t lines(const std::string& file) {
-  return command::split(fixproof::support::read_file(file), '\n').size() - 1;
-}
-
-TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
+TEST(ReportCommand, MeasuresAndWritesPageAndData) {
   const Folder out("report_command_test");
   const std::string command =
       std::string("report ") + cubes + " " SCENES "/phong.json --quick --out " + out.path();
@@ -50,12 +46,8 @@ TEST(ReportCommand, MeasuresAndWritesPageDataAndTables) {
   EXPECT_TRUE(json.at("made").at("quick"));
   EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes", "phong"}));
   EXPECT_FALSE(json.at("host").at("host").empty());
-  EXPECT_EQ(json.at("findings").size(), 21U);
   EXPECT_GT(json.at("verify").at("cases").get<int>(), 65'536);
   EXPECT_EQ(json.at("verify").at("mismatches"), 0);
-  // One line more for the names.
-  EXPECT_EQ(lines(out.file("data/accuracy.csv")), json.at("accuracy").at("accuracy").size() + 1);
-  EXPECT_EQ(lines(out.file("data/drift.csv")), json.at("drift").at("cases").size() * 200 + 1);
   for (const auto& step : json.at("commands")) {
     EXPECT_EQ(step.at("command").get<std::string>().substr(0, 9), "fixproof ");
   }
@@ -198,8 +190,7 @@ TEST(ReportCommand, SaysWhatIsWrong) {
 TEST(ReportCommand, WritesOverNoScene) {
   const Folder out("report_scene_test");
   fs::create_directories(out.file("data"));
-  // A step's file, and a table that is written at the end.
-  for (const std::string name : {"host.json", "drift.csv"}) {
+  for (const std::string name : {"host.json", "drift.svg"}) {
     const std::string scene = out.file("data/" + name);
     fs::copy_file(cubes, scene);
     const auto run = command::fixproof("report " + scene + " --quick --out " + out.path());

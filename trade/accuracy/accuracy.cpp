@@ -18,13 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "trade/accuracy/accuracy_run.hpp"
 #include "trade/accuracy/pixel_error.hpp"
@@ -37,7 +36,7 @@ namespace fixproof::trade {
 
 namespace {
 
-using AccuracyJson = nlohmann::ordered_json;
+using support::Json;
 
 constexpr std::uint64_t default_accuracy_cases = 500'000;
 /// Points of an octave of distance for every operand of the other measurements.
@@ -69,7 +68,7 @@ void print(const AccuracyRow& row) {
       fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
 }
 
-AccuracyJson json_of(const AccuracyRow& row) {
+Json json_of(const AccuracyRow& row) {
   const ErrorStatistics& e = row.errors;
   return {{"operation", row.operation},
           {"operands", row.operands},
@@ -86,8 +85,8 @@ AccuracyJson json_of(const AccuracyRow& row) {
           {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
 }
 
-AccuracyJson json_of(const PixelErrors& errors) {
-  AccuracyJson octaves = AccuracyJson::array();
+Json json_of(const PixelErrors& errors) {
+  Json octaves = Json::array();
   for (const DistanceOctave& o : errors.octaves) {
     octaves.push_back({{"from", o.nearest},
                        {"to", 2 * o.nearest},
@@ -157,14 +156,14 @@ class AccuracyRun {
   }
 
   void write_json() const {
-    AccuracyJson json{{"made", made_by_json(request_.seed, "measure --accuracy")}};
+    Json json{{"made", made_by_json(request_.seed, "measure --accuracy")}};
     json["scenes"] = scenes_;
     json["libfixmath"] = has_libfixmath();
     json["FreeType"] = has_freetype();
-    json["accuracy"] = AccuracyJson::array();
+    json["accuracy"] = Json::array();
     for (const AccuracyRow& row : rows_) json["accuracy"].push_back(json_of(row));
     json["pixels"] = {{"constant", page_.constant}, {"half_width", page_.half_width}};
-    json["pixels"]["variants"] = AccuracyJson::array();
+    json["pixels"]["variants"] = Json::array();
     for (const PixelErrors& e : pixels_) json["pixels"]["variants"].push_back(json_of(e));
     support::replace_file(request_.json, support::json_text(json));
   }

@@ -1,6 +1,5 @@
-#include <nlohmann/json.hpp>
 
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "trade/advice/advice_text.hpp"
 #include "trade/host/provenance.hpp"
 
@@ -8,11 +7,11 @@ namespace fixproof::trade {
 
 namespace {
 
-using AdviceJson = nlohmann::ordered_json;
+using support::Json;
 
-AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
+Json json_of(const Tried& tried, const AdviceReport& report) {
   const Choice& choice = tried.choice;
-  AdviceJson json;
+  Json json;
   json["name"] = name_of(choice);
   json["target"] = cases::name_of(choice.target);
   json["mul_round"] = choice.mul_round;
@@ -23,7 +22,7 @@ AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
   json["cost_most"] = tried.cost.most;
   json["cost_ranked"] = tried.cost.ranked;
   json["cost_spread"] = tried.cost.spread;
-  json["cost_bus"] = tried.cost.bus ? AdviceJson(*tried.cost.bus) : AdviceJson();
+  json["cost_bus"] = tried.cost.bus ? Json(*tried.cost.bus) : Json();
   json["worst_pixels"] = tried.error.pixels;
   json["worst_frame"] = tried.error.frame;
   json["worst_object"] = tried.error.object;
@@ -33,30 +32,28 @@ AdviceJson json_of(const Tried& tried, const AdviceReport& report) {
   return json;
 }
 
-AdviceJson place(const std::optional<std::size_t>& index) {
-  return index ? AdviceJson(*index) : AdviceJson();
-}
+Json place(const std::optional<std::size_t>& index) { return index ? Json(*index) : Json(); }
 
 }  // namespace
 
 std::string json_of(const AdviceReport& report) {
   const Advice advice = advise(report.tried, report.budget);
-  AdviceJson json;
+  Json json;
   json["made"] = made_by_json("advise");
-  json["made"]["processor"] = report.cpu ? AdviceJson() : AdviceJson(processor_name());
+  json["made"]["processor"] = report.cpu ? Json() : Json(processor_name());
   json["scene"] = report.scene;
   json["frames"] = report.frames;
   json["frames_per_second"] = advised_rate;
   json["budget_pixels"] = report.budget;
-  json["cpu"] = report.cpu ? AdviceJson(x86model::name_of(*report.cpu)) : AdviceJson();
+  json["cpu"] = report.cpu ? Json(x86model::name_of(*report.cpu)) : Json();
   json["repaired"] = report.repaired;
   json["cost_unit"] = report.cpu ? "clocks a frame" : "ns a frame";
-  json["variants"] = AdviceJson::array();
+  json["variants"] = Json::array();
   for (const Tried& tried : report.tried) json["variants"].push_back(json_of(tried, report));
   json["take"] = place(advice.take);
   json["runner_up"] = place(advice.runner_up);
   json["next_cheaper"] = place(advice.next_cheaper);
-  json["drift_pixels"] = report.drift_pixels ? AdviceJson(*report.drift_pixels) : AdviceJson();
+  json["drift_pixels"] = report.drift_pixels ? Json(*report.drift_pixels) : Json();
   return support::json_text(json);
 }
 

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "trade/figures.hpp"
 
@@ -11,14 +12,14 @@ namespace fixproof::trade {
 
 namespace {
 
-using ClaimJson = nlohmann::ordered_json;
+using support::Json;
 
-ClaimJson json_of(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
+Json json_of(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
 
 }  // namespace
 
-ClaimJson json_of_claim(const Claim& claim) {
-  ClaimJson figures = ClaimJson::array();
+Json json_of_claim(const Claim& claim) {
+  Json figures = Json::array();
   for (const ClaimFigure& f : claim.figures) {
     figures.push_back(
         {{"where", f.where}, {"measured", json_of(f.measured)}, {"verdict", name_of(f.verdict)}});
@@ -42,8 +43,8 @@ void print_claim(const Claim& claim) {
   }
 }
 
-ClaimJson not_judged_json() {
-  ClaimJson json = ClaimJson::array();
+Json not_judged_json() {
+  Json json = Json::array();
   for (const NotJudged& statement : not_judged()) {
     json.push_back(
         {{"claim", statement.text}, {"place", statement.place}, {"reason", statement.reason}});

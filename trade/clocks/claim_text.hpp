@@ -2,8 +2,7 @@
 /// Claims as tables print them, and as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "support/json.hpp"
 #include "trade/clocks/claims.hpp"
 
 namespace fixproof::trade {
@@ -13,10 +12,10 @@ void print_claim(const Claim& claim);
 
 /// {claim, place, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured:
 /// {min, max}, verdict}}. Infinite bounds become null: JSON has no number for them.
-nlohmann::ordered_json json_of_claim(const Claim& claim);
+support::Json json_of_claim(const Claim& claim);
 
 /// What is not judged, to standard output, and as a list of {claim, place, reason}.
 void print_not_judged();
-nlohmann::ordered_json not_judged_json();
+support::Json not_judged_json();
 
 }  // namespace fixproof::trade

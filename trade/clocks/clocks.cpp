@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "trade/clocks/call_clocks.hpp"
 #include "trade/clocks/claim_text.hpp"
@@ -23,7 +22,7 @@ namespace fixproof::trade {
 
 namespace {
 
-using ClockJson = nlohmann::ordered_json;
+using support::Json;
 
 constexpr std::uint64_t default_cases = 1000;
 /// A transform takes up to 36 products.
@@ -51,16 +50,16 @@ void print(const CallClocks& row) {
   }
 }
 
-ClockJson json_of(const Spread& s) {
-  ClockJson json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
+Json json_of(const Spread& s) {
+  Json json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
   if (s.calls() > 0) json["mean"] = {{"min", s.mean_min()}, {"max", s.mean_max()}};
   return json;
 }
 
-ClockJson json_of(const CallClocks& row) {
-  ClockJson processors = ClockJson::array();
+Json json_of(const CallClocks& row) {
+  Json processors = Json::array();
   for (const ProcessorClocks& on : row.processors) {
-    ClockJson one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", json_of(on.clocks)}};
+    Json one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", json_of(on.clocks)}};
     if (on.bus) {
       one["bus"] = json_of(*on.bus);
       one["limit"] = on.bus_limits() ? "bus" : "table";
@@ -124,8 +123,8 @@ void print(const std::vector<FrameOn8088>& frames) {
   }
 }
 
-ClockJson json_of(const std::vector<FrameOn8088>& frames) {
-  ClockJson json = ClockJson::array();
+Json json_of(const std::vector<FrameOn8088>& frames) {
+  Json json = Json::array();
   for (const FrameOn8088& f : frames) {
     json.push_back({{"scene", f.scene},
                     {"rounds", f.rounds},
@@ -211,12 +210,12 @@ class ClockRun {
   }
 
   void write_json() const {
-    ClockJson json{{"made", made_by_json(request_.seed, "measure --clocks")}};
-    json["scenes"] = ClockJson::array();
+    Json json{{"made", made_by_json(request_.seed, "measure --clocks")}};
+    json["scenes"] = Json::array();
     for (const RecordedScene& scene : scenes_) json["scenes"].push_back(scene.name);
-    json["clocks"] = ClockJson::array();
+    json["clocks"] = Json::array();
     for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
-    json["claims"] = ClockJson::array();
+    json["claims"] = Json::array();
     for (const Claim& claim : claims_) json["claims"].push_back(json_of_claim(claim));
     json["not_judged"] = not_judged_json();
     json["frames_8088"] = json_of(frames_);

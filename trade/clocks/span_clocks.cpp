@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
 #include "machine_code/programs.hpp"
+#include "support/json.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/count_clocks.hpp"
 #include "x86model/text.hpp"
@@ -194,8 +194,8 @@ std::string span_clocks_text() {
   return text;
 }
 
-nlohmann::ordered_json span_clocks_json() {
-  using Json = nlohmann::ordered_json;
+support::Json span_clocks_json() {
+  using support::Json;
   Json rows = Json::array();
   each_row([&](const LoopForm& form, Pixels pixels) {
     Json processors = Json::array();

@@ -2,11 +2,11 @@
 /// What a pixel of every inner loop takes by Intel's tables, and what its source says of that.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "support/json.hpp"
 #include "x86model/clocks.hpp"
 #include "x86model/loop.hpp"
 
@@ -44,6 +44,6 @@ std::vector<LoopClaim> loop_claims();
 
 /// Both as tables, and as JSON.
 std::string span_clocks_text();
-nlohmann::ordered_json span_clocks_json();
+support::Json span_clocks_json();
 
 }  // namespace fixproof::trade

@@ -1,24 +1,23 @@
 #include "trade/drift/drift_json.hpp"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "trade/host/provenance.hpp"
 
 namespace fixproof::trade {
 
 namespace {
 
-using DriftJson = nlohmann::ordered_json;
+using support::Json;
 
-DriftJson frame_or_null(const std::optional<std::uint64_t>& frame) {
-  return frame ? DriftJson(*frame) : DriftJson();
+Json frame_or_null(const std::optional<std::uint64_t>& frame) {
+  return frame ? Json(*frame) : Json();
 }
 
-DriftJson json_of(const DriftCase& c, const DriftResult& r) {
-  DriftJson length = DriftJson::array();
-  DriftJson pixels = DriftJson::array();
+Json json_of(const DriftCase& c, const DriftResult& r) {
+  Json length = Json::array();
+  Json pixels = Json::array();
   for (const Distortion& d : r.series) {
     length.push_back(d.length);
     pixels.push_back(d.pixels);
@@ -44,10 +43,9 @@ DriftJson json_of(const DriftCase& c, const DriftResult& r) {
 
 }  // namespace
 
-std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
-                       const std::vector<DriftCase>& cases,
-                       const std::vector<DriftResult>& results) {
-  DriftJson json{
+Json drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
+                const std::vector<DriftCase>& cases, const std::vector<DriftResult>& results) {
+  Json json{
       {"made", made_by_json("drift")},
       {"scene", scene},
       {"frames", frames},
@@ -55,11 +53,11 @@ std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint
       {"frames_a_point", frames_a_point(frames)},
       {"thresholds",
        {{"pixels", Thresholds::pixels}, {"some", Thresholds::some}, {"much", Thresholds::much}}},
-      {"cases", DriftJson::array()}};
+      {"cases", Json::array()}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     json["cases"].push_back(json_of(cases[i], results[i]));
   }
-  return support::json_text(json);
+  return json;
 }
 
 }  // namespace fixproof::trade

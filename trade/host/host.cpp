@@ -21,12 +21,11 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "trade/figures.hpp"
 #include "trade/host/host_run.hpp"
@@ -37,7 +36,7 @@ namespace fixproof::trade {
 
 namespace {
 
-using HostJson = nlohmann::ordered_json;
+using support::Json;
 
 constexpr std::uint64_t default_host_cases = 100'000;
 constexpr const char* vertex = "vertex";
@@ -92,12 +91,12 @@ void print_operation(const HostOperation& operation, const std::vector<HostRow>&
   }
 }
 
-HostJson json_of(const Times& times) {
+Json json_of(const Times& times) {
   return {{"min", times.min}, {"median", times.median}, {"spread", times.spread}};
 }
 
 /// What rows of operations and of vertices end with.
-void add_judged(HostJson& json, const HostRow& row) {
+void add_judged(Json& json, const HostRow& row) {
   json["cases"] = row.cases;
   json["exceptions"] = row.exceptions;
   json["accuracy"] = {{"max", row.errors.max()},
@@ -106,8 +105,8 @@ void add_judged(HostJson& json, const HostRow& row) {
                       {"correct", row.errors.correct()}};
 }
 
-HostJson json_of(const HostRow& row) {
-  HostJson json;
+Json json_of(const HostRow& row) {
+  Json json;
   const bool vertices = row.operation == vertex;
   if (!vertices) json["operation"] = row.operation;
   json["contender"] = row.name;
@@ -119,7 +118,7 @@ HostJson json_of(const HostRow& row) {
     json["per_second"] = {{"most", 1e9 / row.each.min}, {"median", 1e9 / row.each.median}};
   } else {
     json["throughput_ns"] = json_of(row.each);
-    json["chain_ns"] = row.chain ? json_of(*row.chain) : HostJson(nullptr);
+    json["chain_ns"] = row.chain ? json_of(*row.chain) : Json(nullptr);
   }
   add_judged(json, row);
   return json;
@@ -141,8 +140,8 @@ void print_host(const MeasureRequest& request, const std::vector<HostOperation>&
   for (const HostOperation& operation : operations) print_operation(operation, rows);
 }
 
-HostJson json_of(const std::vector<HostOperation>& operations) {
-  HostJson json{{"arrays", HostJson::object()}, {"chains", HostJson::object()}};
+Json json_of(const std::vector<HostOperation>& operations) {
+  Json json{{"arrays", Json::object()}, {"chains", Json::object()}};
   for (const HostOperation& o : operations) {
     json["arrays"][o.name] = o.operands.block / o.words;
     if (!o.chain_is.empty()) json["chains"][o.name] = o.operands.taken.size();
@@ -152,14 +151,14 @@ HostJson json_of(const std::vector<HostOperation>& operations) {
 
 void write_host_json(const MeasureRequest& request, const std::vector<HostOperation>& operations,
                      const std::vector<HostRow>& rows) {
-  HostJson json{{"made", made_by_json(request.seed, "measure --host")}};
+  Json json{{"made", made_by_json(request.seed, "measure --host")}};
   json["made"]["flags"] = compiler_flags();
   json["made"]["processor"] = processor_name();
   json["libraries"] = {{"libfixmath", has_libfixmath()}, {"FreeType", has_freetype()}};
   json["rounds"] = request.rounds;
   json["operands"] = json_of(operations);
-  json["host"] = HostJson::array();
-  json["vertices"] = HostJson::array();
+  json["host"] = Json::array();
+  json["vertices"] = Json::array();
   for (const HostRow& row : rows) {
     json[row.operation == vertex ? "vertices" : "host"].push_back(json_of(row));
   }

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <fstream>
 
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::trade {
@@ -41,13 +42,13 @@ std::string made_by(std::uint64_t seed) {
   return fmt::format("seed {}, {}", seed, compiler_name());
 }
 
-nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& command) {
+support::Json made_by_json(std::uint64_t seed, const std::string& command) {
   return {
       {"command", command}, {"seed", seed}, {"compiler", compiler_name()}, {"date", date_now()}};
 }
 
-nlohmann::ordered_json made_by_json(const std::string& command) {
-  nlohmann::ordered_json made = made_by_json(0, command);
+support::Json made_by_json(const std::string& command) {
+  support::Json made = made_by_json(0, command);
   made.erase("seed");
   return made;
 }

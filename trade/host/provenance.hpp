@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "support/json.hpp"
 
 namespace fixproof::trade {
 
@@ -24,9 +25,9 @@ std::string date_now();
 std::string made_by(std::uint64_t seed);
 
 /// The same as JSON, with the command, and the date in UTC as ISO 8601 writes it.
-nlohmann::ordered_json made_by_json(std::uint64_t seed, const std::string& command);
+support::Json made_by_json(std::uint64_t seed, const std::string& command);
 
 /// Where nothing is drawn at random.
-nlohmann::ordered_json made_by_json(const std::string& command);
+support::Json made_by_json(const std::string& command);
 
 }  // namespace fixproof::trade

@@ -1,6 +1,5 @@
-#include <nlohmann/json.hpp>
 
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "trade/host/provenance.hpp"
 #include "trade/profile/places.hpp"
 #include "trade/profile/profile_text.hpp"
@@ -10,10 +9,10 @@ namespace fixproof::trade {
 
 namespace {
 
-using ProfileJson = nlohmann::ordered_json;
+using support::Json;
 
-ProfileJson json_of(std::string_view name, const ValueRange& range) {
-  ProfileJson json;
+Json json_of(std::string_view name, const ValueRange& range) {
+  Json json;
   json["name"] = name;
   if (range.empty()) return json;
   json["least"] = range.least();
@@ -22,16 +21,15 @@ ProfileJson json_of(std::string_view name, const ValueRange& range) {
   return json;
 }
 
-ProfileJson json_of(std::span<const std::string_view> names,
-                    const std::vector<ValueRange>& ranges) {
-  ProfileJson json = ProfileJson::array();
+Json json_of(std::span<const std::string_view> names, const std::vector<ValueRange>& ranges) {
+  Json json = Json::array();
   for (std::size_t i = 0; i < names.size(); ++i) json.push_back(json_of(names[i], ranges[i]));
   return json;
 }
 
-ProfileJson json_of(const RoutineProfile& routine) {
+Json json_of(const RoutineProfile& routine) {
   const cases::Operation operation = routine.variant.operation;
-  ProfileJson json;
+  Json json;
   json["operation"] = cases::name_of(operation);
   json["calls"] = routine.calls;
   json["least_in_frame"] = routine.least_in_frame;
@@ -41,7 +39,7 @@ ProfileJson json_of(const RoutineProfile& routine) {
   json["instructions_executed"] = routine.instructions;
   json["operands"] = json_of(operand_names(operation), routine.operands);
   json["results"] = json_of(result_names(operation), routine.results);
-  json["never_executed"] = ProfileJson::array();
+  json["never_executed"] = Json::array();
   for (std::size_t at = 0; at < routine.program.size; ++at) {
     if (routine.executed[at]) continue;
     json["never_executed"].push_back(
@@ -51,14 +49,14 @@ ProfileJson json_of(const RoutineProfile& routine) {
 }
 
 template <class Number>
-ProfileJson number(const std::optional<Number>& value) {
-  return value ? ProfileJson(*value) : ProfileJson();
+Json number(const std::optional<Number>& value) {
+  return value ? Json(*value) : Json();
 }
 
 }  // namespace
 
 std::string json_of(const SceneProfile& profile, const std::string& scene) {
-  ProfileJson json;
+  Json json;
   json["made"] = made_by_json("profile");
   json["scene"] = scene;
   json["target"] = profile.arithmetic.target;
@@ -67,7 +65,7 @@ std::string json_of(const SceneProfile& profile, const std::string& scene) {
   json["repaired"] = profile.arithmetic.repaired;
   json["frames"] = profile.frames;
   json["unit"] = "2^-16; angles: tenths of a degree";
-  json["routines"] = ProfileJson::array();
+  json["routines"] = Json::array();
   for (const RoutineProfile& r : profile.routines) json["routines"].push_back(json_of(r));
   json["least_divisor"] = number(profile.divides.least_divisor);
   json["greatest_quotient"] = number(profile.divides.greatest_quotient);

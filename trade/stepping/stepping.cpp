@@ -21,12 +21,11 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
-#include "support/json_text.hpp"
+#include "support/json.hpp"
 #include "support/plain_text.hpp"
 #include "trade/host/host_run.hpp"
 #include "trade/host/provenance.hpp"
@@ -38,7 +37,7 @@ namespace fixproof::trade {
 
 namespace {
 
-using SteppingJson = nlohmann::ordered_json;
+using support::Json;
 
 constexpr std::uint64_t default_spans = 200;
 
@@ -97,16 +96,16 @@ void print_pictures(const std::vector<SteppingRow>& rows) {
   }
 }
 
-SteppingJson json_of(const SteppingRow& row, const SteppingCost& cost) {
+Json json_of(const SteppingRow& row, const SteppingCost& cost) {
   const auto ns = nanoseconds_a_pixel(row.variant.value, row.variant.rule, cost.times);
   const SteppingStatistics& s = row.statistics;
-  SteppingJson along = SteppingJson::array();
+  Json along = Json::array();
   for (std::size_t i = 0; i < SteppingStatistics::places; ++i) {
     along.push_back({{"pixel", SteppingStatistics::pixel_at(i)},
                      {"max", s.along().at(i).error},
                      {"bound", s.along().at(i).bound}});
   }
-  SteppingJson last_of = SteppingJson::array();
+  Json last_of = Json::array();
   for (std::size_t i = 0; i < SteppingStatistics::lengths; ++i) {
     last_of.push_back({{"pixels", SteppingStatistics::length(i)},
                        {"max", s.last_of().at(i).error},
@@ -133,7 +132,7 @@ SteppingJson json_of(const SteppingRow& row, const SteppingCost& cost) {
             {"wrong", s.bands().wrong},
             {"widest", s.bands().widest}}},
           {"missed", part_of(s.missed(), s.wanted())},
-          {"ns", ns ? SteppingJson(*ns) : SteppingJson(nullptr)}};
+          {"ns", ns ? Json(*ns) : Json(nullptr)}};
 }
 
 void print_stepping(const MeasureRequest& request, std::uint64_t spans,
@@ -194,9 +193,9 @@ int measure_stepping(const MeasureRequest& request) {
   print_stepping(request, spans, rows);
   print_cost(cost);
   if (!request.json.empty()) {
-    SteppingJson json{{"made", made_by_json(request.seed, "measure --stepping")},
-                      {"lengths", {{"least", 1}, {"most", xsharp::longest_span}, {"spans", spans}}},
-                      {"stepping", SteppingJson::array()}};
+    Json json{{"made", made_by_json(request.seed, "measure --stepping")},
+              {"lengths", {{"least", 1}, {"most", xsharp::longest_span}, {"spans", spans}}},
+              {"stepping", Json::array()}};
     for (const SteppingRow& row : rows) json["stepping"].push_back(json_of(row, cost));
     add_cost(json, cost);
     support::replace_file(request.json, support::json_text(json));

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "support/json.hpp"
 #include "trade/clocks/claim_text.hpp"
 #include "trade/figures.hpp"
 #include "trade/host/provenance.hpp"
@@ -13,10 +14,10 @@ namespace fixproof::trade {
 
 namespace {
 
-using CostJson = nlohmann::ordered_json;
+using support::Json;
 
 std::string clocks_text(const Bounds& b) { return between(b.min, b.max, 1); }
-CostJson bounds_json(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
+Json bounds_json(const Bounds& b) { return {{"min", b.min}, {"max", b.max}}; }
 
 void print_setups(const std::vector<SetupClocks>& setups) {
   std::cout << fmt::format(
@@ -68,16 +69,16 @@ void print_cost(const SteppingCost& cost) {
   for (const Claim& claim : cost.claims) print_claim(claim);
 }
 
-void add_cost(nlohmann::ordered_json& json, const SteppingCost& cost) {
-  json["setups"] = CostJson::array();
+void add_cost(Json& json, const SteppingCost& cost) {
+  json["setups"] = Json::array();
   for (const SetupClocks& s : cost.setups) {
     json["setups"].push_back({{"cpu", x86model::name_of(s.cpu)},
                               {"divide", bounds_json(s.divide)},
                               {"multiply", bounds_json(s.multiply)}});
   }
-  json["pixels"] = CostJson::array();
+  json["pixels"] = Json::array();
   for (const PixelCost& p : cost.pixels) {
-    CostJson of_span = CostJson::array();
+    Json of_span = Json::array();
     for (std::size_t i = 0; i < costed_lengths.size(); ++i) {
       of_span.push_back({{"pixels", costed_lengths.at(i)},
                          {"min", p.of_span.at(i).min},
@@ -92,14 +93,14 @@ void add_cost(nlohmann::ordered_json& json, const SteppingCost& cost) {
   json["times"] = {{"rounds", cost.rounds},
                    {"processor", processor_name()},
                    {"flags", compiler_flags()},
-                   {"loops", CostJson::array()}};
+                   {"loops", Json::array()}};
   for (const SteppingTimes& t : cost.times) {
     json["times"]["loops"].push_back(
         {{"what", t.what},
          {"of", t.of},
          {"ns", {{"min", t.times.min}, {"median", t.times.median}, {"spread", t.times.spread}}}});
   }
-  json["claims"] = CostJson::array();
+  json["claims"] = Json::array();
   for (const Claim& claim : cost.claims) json["claims"].push_back(json_of_claim(claim));
 }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "support/json.hpp"
 #include "trade/clocks/claims.hpp"
 #include "trade/stepping/stepping_clocks.hpp"
 #include "trade/stepping/stepping_times.hpp"
@@ -31,6 +31,6 @@ void print_cost(const SteppingCost& cost);
 ///     times   {rounds, processor, flags; loops: a list of {what, of: pixel or value; ns: {min,
 ///             median, spread}}}
 ///     claims  as of --clocks
-void add_cost(nlohmann::ordered_json& json, const SteppingCost& cost);
+void add_cost(support::Json& json, const SteppingCost& cost);
 
 }  // namespace fixproof::trade
