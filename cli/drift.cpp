@@ -161,8 +161,8 @@ int run(const DriftOptions& options) {
     return support::interrupted_status;
   }
   if (!options.json.empty()) {
-    support::replace_file(options.json,
-                          trade::drift_json(scene.name, frames, fast, cases, results));
+    support::replace_file(options.json, support::json_text(trade::drift_json(
+                                            scene.name, frames, fast, cases, results)));
   }
   if (!options.strip.empty()) {
     support::replace_file(options.strip, strip_of(scene, options));

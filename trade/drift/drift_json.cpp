@@ -43,9 +43,8 @@ Json json_of(const DriftCase& c, const DriftResult& r) {
 
 }  // namespace
 
-std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
-                       const std::vector<DriftCase>& cases,
-                       const std::vector<DriftResult>& results) {
+Json drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
+                const std::vector<DriftCase>& cases, const std::vector<DriftResult>& results) {
   Json json{
       {"made", made_by_json("drift")},
       {"scene", scene},
@@ -58,7 +57,7 @@ std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint
   for (std::size_t i = 0; i < cases.size(); ++i) {
     json["cases"].push_back(json_of(cases[i], results[i]));
   }
-  return support::json_text(json);
+  return json;
 }
 
 }  // namespace fixproof::trade

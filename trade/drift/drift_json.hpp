@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "support/json.hpp"
 #include "trade/drift/run.hpp"
 
 namespace fixproof::trade {
 
 /// @param rate of the frames, a second: what times are to be counted by
-std::string drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
-                       const std::vector<DriftCase>& cases,
-                       const std::vector<DriftResult>& results);
+support::Json drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
+                         const std::vector<DriftCase>& cases,
+                         const std::vector<DriftResult>& results);
 
 }  // namespace fixproof::trade
