@@ -17,7 +17,7 @@ Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model:
   const FrameClocks clocks = clocks_of(operands.log, operands.choice, cpu);
   x86model::Range all = clocks.at_least();
   if (fetching == Fetching::waiting) {
-    const std::uint64_t code = x86model::bus_clocks_a_byte * clocks.bus.code;
+    const std::uint64_t code = x86model::bus_clocks_per_byte * clocks.bus.code;
     all = {clocks.table.min + code, clocks.table.max + code};
   }
   const auto frames = static_cast<double>(operands.frames);
