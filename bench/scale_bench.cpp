@@ -87,7 +87,7 @@ bool is_right(const xsharp::Scene& scene) {
 }
 
 /// Cached per size, because a benchmark is called again for every repetition.
-bool is_known_right(const xsharp::Scene& scene) {
+bool is_correct(const xsharp::Scene& scene) {
   static std::map<std::size_t, bool> known;
   const auto found = known.find(scene.objects.size());
   if (found != known.end()) return found->second;
@@ -98,7 +98,7 @@ template <class N>
 void frame(benchmark::State& state) {
   const auto threads = static_cast<std::size_t>(state.range(1));
   const xsharp::Scene& scene = cloud(state.range(0));
-  if (!is_known_right(scene)) {
+  if (!is_correct(scene)) {
     state.SkipWithError("the pictures are wrong");
     return;
   }

@@ -256,7 +256,7 @@ void add_render(CLI::App& app, int& status) {
       ->add_option("--switch-spot", options->switched_spots,
                    "switches a spot, counted from 0: on if the scene has it off, else off")
       ->allow_extra_args(false)
-      ->transform(whole_number(0, xsharp::most_spots - 1));
+      ->transform(whole_number(0, xsharp::max_spots - 1));
   CLI::Option* true_color = command->add_flag("--true-color", options->true_color,
                                               "24 bits a pixel instead of the palette");
   command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")

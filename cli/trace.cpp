@@ -96,7 +96,7 @@ void trace(const Traced& traced) {
   const auto code = traced.program.instructions();
   x86::CallMachine<routine, 16> machine;
   // A mistake may show only where registers hold what a caller has left; else zeros read better.
-  if (!traced.mistake.empty()) x86::leave_junk<routine>(machine, traced.in);
+  if (!traced.mistake.empty()) x86::fill_with_junk<routine>(machine, traced.in);
   x86::enter<routine>(machine, traced.in);
   const auto size = traced.key.target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
 

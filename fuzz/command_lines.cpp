@@ -30,12 +30,12 @@ using namespace fixproof;
 namespace {
 
 /// The output of a command, its status, and its error, if any.
-struct Said {
+struct Answer {
   std::string out;
   int status = 0;
   std::string refused;
 
-  friend bool operator==(const Said&, const Said&) = default;
+  friend bool operator==(const Answer&, const Answer&) = default;
 };
 
 /// One command of `fixproof`. Parsing the whole command line would take most of the time.
@@ -43,12 +43,12 @@ class Command {
  public:
   explicit Command(void (*add)(CLI::App&, int&)) { add(app_, status_); }
 
-  Said run(const std::string& arguments, const std::string& input) {
+  Answer run(const std::string& arguments, const std::string& input) {
     std::istringstream in(input);
     std::ostringstream out;
     std::streambuf* const cin = std::cin.rdbuf(in.rdbuf());
     std::streambuf* const cout = std::cout.rdbuf(out.rdbuf());
-    Said said;
+    Answer said;
     try {
       app_.parse(arguments);
       said.status = status_;
@@ -95,8 +95,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 void step(const std::string& input) {
   static Command command(cli::add_step);
-  const Said narrow = command.run("step --cpu 8088", input);
-  const Said wide = command.run("step --cpu 386", input);
+  const Answer narrow = command.run("step --cpu 8088", input);
+  const Answer wide = command.run("step --cpu 386", input);
   command.run("step --cpu 386 --clocks 486", input);
   const auto narrow_lines = lines_of(narrow.out);
   const auto wide_lines = lines_of(wide.out);
@@ -120,8 +120,8 @@ std::optional<std::uint32_t> right(cases::Operation operation,
 }
 
 /// Whether every result is correct; nothing if a line is invalid or one input ends early.
-std::optional<bool> all_right(cases::Operation operation, const std::string& cases,
-                              const std::string& results) {
+std::optional<bool> all_correct(cases::Operation operation, const std::string& cases,
+                                const std::string& results) {
   const fuzz::MemoryFile file(cases);
   check::FileCases source(operation, file.path());
   std::istringstream in(results);
@@ -154,8 +154,8 @@ void check(cases::Operation operation, const std::string& input) {
   const fuzz::MemoryFile file(cases);
   const std::string arguments =
       fmt::format("check {} --rounding half-up --from {}", cases::name_of(operation), file.path());
-  const Said said = command.run(arguments, results);
-  const auto expected = all_right(operation, cases, results);
+  const Answer said = command.run(arguments, results);
+  const auto expected = all_correct(operation, cases, results);
   const bool refused = !said.refused.empty();
   if (refused == expected.has_value() || (expected && (said.status == 0) != *expected)) {
     report(arguments, "the oracle", input,

@@ -28,7 +28,7 @@ namespace {
 
 using oracle::Word;
 
-constexpr std::size_t longest_text = 600;
+constexpr std::size_t max_text = 600;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -145,7 +145,7 @@ void write_word(Word word) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // The oracle's time is quadratic in the number of digits.
-  const std::string text(data, data + std::min(size, longest_text));
+  const std::string text(data, data + std::min(size, max_text));
   read_text<fixed::q16_16>(text);
   read_text<fixed::q16_16_saturating>(text);
   read_text<fixed::q16_16_i8088>(text);

@@ -12,7 +12,7 @@ namespace fixproof::fuzz {
 [[noreturn]] void report_finding(const std::string& text);
 
 /// Reports the finding, if there is one.
-inline void demand_none(const std::optional<std::string>& finding) {
+inline void report_if_any(const std::optional<std::string>& finding) {
   if (finding) report_finding(*finding);
 }
 

@@ -59,8 +59,8 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
     const std::string name(seat.parties[i]->name());
     text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
     // The party for the rerun command comes first.
-    const bool first_liar = answers[i] != answers.front() && row.parties.front() == "oracle";
-    row.parties.insert(first_liar ? row.parties.begin() : row.parties.end(), name);
+    const bool first_differs = answers[i] != answers.front() && row.parties.front() == "oracle";
+    row.parties.insert(first_differs ? row.parties.begin() : row.parties.end(), name);
   }
   return text + fmt::format("  found with  {}\n  replay:     {}\n  must print  {}",
                             cases::hex_words(words, bits), verify::replay(row, smallest),

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const auto& seats = fuzz::seats_of(fuzz::WordTarget::multiply);
   std::array<std::uint32_t, 2> words{};
   fuzz::read_words({data, size}, words);
-  fuzz::demand_none(fuzz::disagreement(seats, words));
+  fuzz::report_if_any(fuzz::disagreement(seats, words));
   return 0;
 }
 

@@ -18,8 +18,8 @@
 namespace {
 
 /// Draws frames only if that is fast.
-constexpr std::size_t most_faces_drawn = 200;
-constexpr std::int32_t longest_side_drawn = 400;
+constexpr std::size_t max_faces_drawn = 200;
+constexpr std::int32_t max_side_drawn = 400;
 
 std::size_t faces_of(const xsharp::Scene& scene) {
   std::size_t faces = 0;
@@ -54,8 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!scene) return 0;
   try {
     xsharp::validate(*scene);
-    if (faces_of(*scene) <= most_faces_drawn && scene->width <= longest_side_drawn &&
-        scene->height <= longest_side_drawn) {
+    if (faces_of(*scene) <= max_faces_drawn && scene->width <= max_side_drawn &&
+        scene->height <= max_side_drawn) {
       draw(*scene);
     }
   } catch (const std::exception& error) {

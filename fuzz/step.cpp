@@ -28,7 +28,7 @@ using x86::Register;
 using x86::Size;
 
 /// The end of an instruction, and the state after it.
-struct Left {
+struct End {
   bool divide_error = false;
   std::optional<std::size_t> length;  ///< empty if it did not complete
   x86::Registers<16> registers;
@@ -41,8 +41,8 @@ class Executor {
  public:
   /// @param length of the instruction in bytes; Unicorn may not be able to translate the random
   /// bytes after it
-  Left execute(const fuzz::StepCase& step, std::size_t length) {
-    Left left = execute_once(step, length);
+  End execute(const fuzz::StepCase& step, std::size_t length) {
+    End left = execute_once(step, length);
     // An emulator that has run thousands of instructions may reject one that a new emulator runs.
     if (!left.length && !left.divide_error) {
       renew();
@@ -52,7 +52,7 @@ class Executor {
   }
 
  private:
-  Left execute_once(const fuzz::StepCase& step, std::size_t length) {
+  End execute_once(const fuzz::StepCase& step, std::size_t length) {
     if (place_ + place_size > machine_code::segment_size) renew();
     const std::size_t place = place_;
     place_ += place_size;
@@ -63,7 +63,7 @@ class Executor {
     machine_code::SegmentMachine m(emulator_->memory());
     m.registers.write(Register::sp, Size::dword, stack);
     m.registers.write(Register::ax, Size::dword, static_cast<std::uint32_t>(place));
-    Left left;
+    End left;
     std::size_t steps = 0;
     const auto ending = emulator_->trace(
         m,
@@ -107,7 +107,7 @@ std::string text_of(const x86::Registers<16>& registers, std::uint16_t flags) {
   return text + fmt::format("fl={:04x}", flags);
 }
 
-std::optional<std::string> difference(const Left& model, const Left& unicorn) {
+std::optional<std::string> difference(const End& model, const End& unicorn) {
   if (model.divide_error != unicorn.divide_error) {
     return fmt::format("divide error: model {}, unicorn {}", model.divide_error,
                        unicorn.divide_error);
@@ -148,7 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::StepCase step = fuzz::read_step_case({data, size});
   const auto decoded = step.decoded();
   if (!decoded) return 0;
-  Left model;
+  End model;
   model.length = decoded->length;
   singlestep::StepMachine machine = step.machine;
   const x86::Outcome outcome = x86::execute_any(decoded->instruction, machine);
@@ -160,7 +160,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                          step.replay(decoded->instruction));
   }
   static Executor unicorn;
-  Left expected;
+  End expected;
   if (ends_unicorn(decoded->instruction, step.machine)) {
     expected.divide_error = true;
   } else {

@@ -19,7 +19,7 @@ namespace {
 
 namespace x86 = x86model;
 
-constexpr std::size_t flags_at = 1 + longest_code;
+constexpr std::size_t flags_at = 1 + max_code_bytes;
 constexpr std::size_t registers_at = flags_at + 2;
 
 /// The part of a register that an instruction can change.
@@ -105,7 +105,7 @@ StepCase read_step_case(std::span<const std::uint8_t> bytes) {
   std::copy_n(bytes.begin(), std::min(bytes.size(), whole.size()), whole.begin());
   StepCase step;
   step.cpu = (whole[0] & 1U) != 0 ? x86::Target::i8088 : x86::Target::i386;
-  std::copy_n(whole.begin() + 1, longest_code, step.code.begin());
+  std::copy_n(whole.begin() + 1, max_code_bytes, step.code.begin());
   const auto flags = static_cast<std::uint16_t>(whole[flags_at] << 8U | whole[flags_at + 1]);
   step.machine.flags = {static_cast<std::uint16_t>(flags & x86::arithmetic_flags), 0};
   std::array<std::uint32_t, x86::register_count> registers{};

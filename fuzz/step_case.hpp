@@ -17,13 +17,14 @@
 namespace fixproof::fuzz {
 
 /// The maximum length of a modelled instruction.
-inline constexpr std::size_t longest_code = 8;
+inline constexpr std::size_t max_code_bytes = 8;
 /// A byte for the processor, the code, two bytes of flags, and four per register.
-inline constexpr std::size_t step_input_size = 1 + longest_code + 2 + 4 * x86model::register_count;
+inline constexpr std::size_t step_input_size =
+    1 + max_code_bytes + 2 + 4 * x86model::register_count;
 
 struct StepCase {
   x86model::Target cpu = x86model::Target::i386;
-  std::array<std::uint8_t, longest_code> code{};
+  std::array<std::uint8_t, max_code_bytes> code{};
   /// Every flag is defined. On an 8088 the upper halves of the registers are 0.
   singlestep::StepMachine machine;
 

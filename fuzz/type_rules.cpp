@@ -23,11 +23,11 @@ using fixed::policy;
 using oracle::Integer;
 using oracle::Word;
 /// A word, or nothing for an exception.
-using Said = std::optional<Word>;
+using Answer = std::optional<Word>;
 using Words = std::span<const std::uint32_t, 3>;
 
 /// The operations on a, b and c, in the order of the answers below.
-constexpr auto questions = std::to_array<std::string_view>({
+constexpr auto operation_names = std::to_array<std::string_view>({
     "a / b",
     "try_divide(a, b)",
     "a /= b",
@@ -74,20 +74,20 @@ class TypeAnswers {
   using Number = fixed::number<F, P>;
   using Other = fixed::number<24 - F, P>;
 
-  static std::vector<Said> quotients(Words words) {
+  static std::vector<Answer> quotients(Words words) {
     const Number a = number(words[0]);
     const Number b = number(words[1]);
     const auto tried = fixed::try_divide(a, b);
-    return {said([=] { return a / b; }), tried ? Said(word(*tried)) : Said(),
+    return {said([=] { return a / b; }), tried ? Answer(word(*tried)) : Answer(),
             said([=] { return Number(a) /= b; })};
   }
 
-  static std::vector<Said> all(Words words) {
+  static std::vector<Answer> all(Words words) {
     auto answers = quotients(words);
     const Number a = number(words[0]);
     const Number b = number(words[1]);
     const Number c = number(words[2]);
-    const auto add = [&](Said answer) { answers.push_back(answer); };
+    const auto add = [&](Answer answer) { answers.push_back(answer); };
     add(said([=] { return a + b; }));
     add(said([=] { return Number(a) += b; }));
     add(said([=] { return a - b; }));
@@ -129,7 +129,7 @@ class TypeAnswers {
     return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
   }
   template <class Make>
-  static Said said(Make make) {
+  static Answer said(Make make) {
     try {
       return word(make());
     } catch (const fixed::overflow_error&) {
@@ -154,20 +154,20 @@ class OracleAnswers {
     }
   }
 
-  [[nodiscard]] std::vector<Said> quotients() const {
+  [[nodiscard]] std::vector<Answer> quotients() const {
     const auto exact =
         oracle::exact_quotient(words_[0], words_[1], oracle_rule(rules_.divide), fraction_bits_);
     if (!exact) {
-      const Said limit = traps() || units_[0] != 0 ? end(units_[0] < 0) : Said(0);
+      const Answer limit = traps() || units_[0] != 0 ? end(units_[0] < 0) : Answer(0);
       return {limit, std::nullopt, limit};
     }
     return {in_range(*exact), in_range(*exact), in_range(*exact)};
   }
 
-  [[nodiscard]] std::vector<Said> all() const {
+  [[nodiscard]] std::vector<Answer> all() const {
     using enum oracle::Rounding;
     auto answers = quotients();
-    const auto add = [&](Said answer) { answers.push_back(answer); };
+    const auto add = [&](Answer answer) { answers.push_back(answer); };
     const auto add_twice = [&](const Integer& exact) {
       add(in_range(exact));
       add(in_range(exact));
@@ -189,7 +189,7 @@ class OracleAnswers {
     add(in_range(oracle::rounded(x, one, multiply_ == half_away ? half_away : half_up) * one));
     add(in_range(abs(x)));
     const auto root = oracle::exact_root(a, half_up, f);
-    add(root ? in_range(*root) : traps() ? Said() : Said(0));
+    add(root ? in_range(*root) : traps() ? Answer() : Answer(0));
     add(oracle::wrap(oracle::rounded(x, one, multiply_), 32));
     add(oracle::wrap(oracle::rounded(x, one, truncate), 32));
     add(x < y ? 1 : 0);
@@ -211,21 +211,21 @@ class OracleAnswers {
   [[nodiscard]] int bits() const { return 2 * fraction_bits_; }
   [[nodiscard]] bool traps() const { return rules_.range == overflow::trap; }
 
-  [[nodiscard]] Said in_range(const Integer& exact) const {
+  [[nodiscard]] Answer in_range(const Integer& exact) const {
     if (rules_.range == overflow::saturate) return oracle::saturate(exact, bits());
     if (traps() && !oracle::fits(exact, bits())) return std::nullopt;
     return oracle::wrap(exact, bits());
   }
 
   /// The end of the range, for results that have no value.
-  [[nodiscard]] Said end(bool negative) const {
+  [[nodiscard]] Answer end(bool negative) const {
     if (traps()) return std::nullopt;
     const Integer far = Integer(1) << bits();
     return oracle::saturate(negative ? -far : far, bits());
   }
 
-  [[nodiscard]] Said of_float(double value) const {
-    if (std::isnan(value)) return traps() ? Said() : Said(0);
+  [[nodiscard]] Answer of_float(double value) const {
+    if (std::isnan(value)) return traps() ? Answer() : Answer(0);
     const auto exact = oracle::from_double(value, multiply_, fraction_bits_);
     return exact ? in_range(*exact) : end(value < 0);
   }
@@ -239,17 +239,19 @@ class OracleAnswers {
 };
 
 std::optional<std::string> difference(int fraction_bits, const policy& rules, Words words,
-                                      const std::vector<Said>& type,
-                                      const std::vector<Said>& oracle) {
-  const auto text = [](Said word) { return word ? fmt::format("{:08x}", *word) : "an exception"; };
+                                      const std::vector<Answer>& type,
+                                      const std::vector<Answer>& oracle) {
+  const auto text = [](Answer word) {
+    return word ? fmt::format("{:08x}", *word) : "an exception";
+  };
   for (std::size_t i = 0; i < type.size(); ++i) {
     if (type[i] == oracle[i]) continue;
     return fmt::format(
         "fixed::number<{}, policy{{.multiply = rounding({}), .divide = rounding({}), .range = "
         "overflow({})}}>: {}\n  a b c      {:08x} {:08x} {:08x}\n  type       {}\n  must be    {}",
         fraction_bits, static_cast<int>(rules.multiply), static_cast<int>(rules.divide),
-        static_cast<int>(rules.range), questions.at(i), words[0], words[1], words[2], text(type[i]),
-        text(oracle[i]));
+        static_cast<int>(rules.range), operation_names.at(i), words[0], words[1], words[2],
+        text(type[i]), text(oracle[i]));
   }
   return std::nullopt;
 }

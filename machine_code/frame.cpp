@@ -15,7 +15,9 @@ template <Routine routine>
 constexpr Frame frame{
     [](SegmentMachine& m, std::span<const std::uint32_t> in) { x86model::enter<routine>(m, in); },
     [](const SegmentMachine& m, std::span<std::uint32_t> out) { x86model::leave<routine>(m, out); },
-    [](SegmentMachine& m, std::uint32_t junk) { x86model::spoil_results<routine>(m, junk); }};
+    [](SegmentMachine& m, std::uint32_t junk) {
+      x86model::fill_results_with_junk<routine>(m, junk);
+    }};
 
 }  // namespace
 
@@ -44,7 +46,7 @@ void scramble(SegmentMachine& m, const Frame& frame, std::uint64_t call) {
   }
   m.registers.write(Register::sp, Size::word, sp);
   m.flags = {static_cast<std::uint16_t>(draw.bits() & x86model::arithmetic_flags), 0};
-  frame.spoil_results(m, static_cast<std::uint32_t>(draw.bits()));
+  frame.fill_results_with_junk(m, static_cast<std::uint32_t>(draw.bits()));
 }
 
 bool kept_for_caller(const x86model::Registers<16>& entered, const x86model::Registers<16>& left) {

@@ -11,13 +11,13 @@
 
 namespace fixproof::machine_code {
 
-/// A routine's way of taking operands and giving results: enter(), leave() and spoil_results() of
-/// x86model/call.hpp.
+/// A routine's way of taking operands and giving results: enter(), leave() and
+/// fill_results_with_junk() of x86model/call.hpp.
 struct Frame {
   void (*enter)(SegmentMachine& m, std::span<const std::uint32_t> in);
   void (*leave)(const SegmentMachine& m, std::span<std::uint32_t> out);
   /// Puts words that count up from `junk` where results in memory are to come.
-  void (*spoil_results)(SegmentMachine& m, std::uint32_t junk);
+  void (*fill_results_with_junk)(SegmentMachine& m, std::uint32_t junk);
 };
 
 Frame frame_of(x86model::Routine routine);

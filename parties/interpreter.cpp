@@ -18,7 +18,7 @@ namespace x86 = x86model;
 template <x86::Routine routine, int word_bits>
 Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, word_bits>& m,
               std::span<const std::uint32_t> in, std::span<std::uint32_t> out) {
-  x86::leave_junk<routine>(m, in);
+  x86::fill_with_junk<routine>(m, in);
   x86::enter<routine>(m, in);
   const auto entered = m.registers;
   const Ending ending = ending_of(x86::run(code, m).outcome);

@@ -122,7 +122,7 @@ std::uint32_t pixels_of(std::span<const std::uint8_t> out) {
   return static_cast<std::uint32_t>(out.size());
 }
 
-static_assert(xsharp::longest_span == x86::loops::most_pixels);
+static_assert(xsharp::longest_span == x86::loops::max_pixels);
 
 }  // namespace
 

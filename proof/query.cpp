@@ -136,7 +136,7 @@ std::vector<std::string> questions(const cases::Variant& v, std::span<const x86:
     std::vector<sym::Term> roots{path.condition, path.in_table};
     std::string right;
     if (path.outcome == x86::Outcome::returned) {
-      roots.push_back(sym::keeps_what_it_must(terms, routine, start, path.state));
+      roots.push_back(sym::preserves_state(terms, routine, start, path.state));
       right = fmt::format("(not {}) {}", wanted.faults, sym::name_in_smt(terms, roots.back()));
       const auto words = sym::results(terms, routine, path.state);
       for (std::size_t i = 0; i < words.size(); ++i) {
@@ -186,7 +186,7 @@ bool has_same_terms(const cases::Variant& v, std::span<const x86::Instruction> c
       std::vector<sym::Term> left;
       if (path.outcome == x86::Outcome::returned) {
         left = sym::results(terms, routine, path.state);
-        left.push_back(sym::keeps_what_it_must(terms, routine, start, path.state));
+        left.push_back(sym::preserves_state(terms, routine, start, path.state));
       }
       ways.emplace(path.condition, path.in_table, path.outcome, left);
     }

@@ -146,9 +146,9 @@ struct Trial {
 
 std::vector<LoopCall> span_cases(const LoopForm& form, std::uint64_t seed) {
   std::vector<LoopCall> spans;
-  const std::uint32_t turn = x86::pixels_a_turn(form.loop);
+  const std::uint32_t turn = x86::pixels_per_iteration(form.loop);
   const std::uint32_t fewest = form.counting == Counting::unrolled ? 0 : turn;
-  for (std::uint32_t pixels = fewest; pixels <= x86::loops::most_pixels; pixels += turn) {
+  for (std::uint32_t pixels = fewest; pixels <= x86::loops::max_pixels; pixels += turn) {
     cases::Draw draw(seed, pixels + 1);
     const auto word = [&] { return static_cast<std::uint32_t>(draw.bits()); };
     // Steps as large as they come, and such as pictures have.

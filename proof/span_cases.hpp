@@ -12,7 +12,7 @@
 
 namespace fixproof::proof {
 
-/// The spans, for `seed`: every length from 1 to loops::most_pixels (of words the even ones, and of
+/// The spans, for `seed`: every length from 1 to loops::max_pixels (of words the even ones, and of
 /// unrolled loops 0 too), with words, places and colours that differ from span to span.
 std::vector<x86model::LoopCall> span_cases(const x86model::LoopForm& form, std::uint64_t seed);
 

@@ -44,13 +44,13 @@ rc::Gen<Raw> power_raw() {
 
 /// Random bits, of which a random number is kept: uniform in value and in magnitude.
 template <class Raw>
-rc::Gen<Raw> uniform_raw(int least_dropped, int most_dropped) {
+rc::Gen<Raw> uniform_raw(int min_dropped, int max_dropped) {
   constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
   constexpr std::int64_t beyond = std::int64_t{std::numeric_limits<Raw>::max()} + 1;
   return rc::gen::apply(
       [](std::int64_t bits, int dropped) { return static_cast<Raw>(bits >> dropped); },
       rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(lowest, beyond))),
-      rc::gen::noShrink(rc::gen::inRange(least_dropped, most_dropped + 1)));
+      rc::gen::noShrink(rc::gen::inRange(min_dropped, max_dropped + 1)));
 }
 
 }  // namespace fixed::detail

@@ -38,7 +38,7 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
   for (const auto& [stream, cases] : streams_of(subject.rules.operation)) {
     register_test(
         subject.name, std::string(cases::name_of(stream)), file, line,
-        [subject, stream = stream, cases = cases] { return wrong_over(subject, stream, cases); });
+        [subject, stream = stream, cases = cases] { return failures_in(subject, stream, cases); });
   }
   return true;
 }

@@ -30,7 +30,7 @@ struct Subject {
 namespace detail {
 
 template <class Result>
-check::Said said_of(Result result) {
+check::Said answer_of(Result result) {
   if constexpr (std::is_same_v<Result, std::optional<std::int32_t>>) {
     if (!result) return std::nullopt;
     return static_cast<std::uint32_t>(*result);
@@ -51,11 +51,11 @@ Subject subject(std::string name, const check::Rules& rules, Function function) 
   Subject one{std::move(name), rules, {}};
   if constexpr (std::is_invocable_v<Function, std::int32_t, std::int32_t>) {
     one.ask = [function](std::span<const std::uint32_t> words) {
-      return detail::said_of(function(operand(words[0]), operand(words[1])));
+      return detail::answer_of(function(operand(words[0]), operand(words[1])));
     };
   } else {
     one.ask = [function](std::span<const std::uint32_t> words) {
-      return detail::said_of(function(operand(words[0])));
+      return detail::answer_of(function(operand(words[0])));
     };
   }
   return one;
@@ -80,7 +80,7 @@ inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Op
 
 /// Describes the failures in a stream of cases, listing only the first ones; empty if there are
 /// none.
-inline std::string wrong_over(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
+inline std::string failures_in(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
   const cases::Variant variant{.operation = subject.rules.operation,
                                .target = cases::Target::standard};
   const std::size_t arity = cases::words_in(subject.rules.operation);

@@ -21,14 +21,16 @@
 
 namespace x86model {
 
-inline constexpr std::uint64_t bus_clocks_a_byte = 4;
+inline constexpr std::uint64_t bus_clocks_per_byte = 4;
 
 /// The bytes that pass over the bus.
 struct BusBytes {
   std::uint64_t code = 0;  ///< of the executed instructions
   std::uint64_t data = 0;  ///< memory operands, the stack and return addresses, read and written
 
-  [[nodiscard]] constexpr std::uint64_t clocks() const { return bus_clocks_a_byte * (code + data); }
+  [[nodiscard]] constexpr std::uint64_t clocks() const {
+    return bus_clocks_per_byte * (code + data);
+  }
   constexpr BusBytes& operator+=(const BusBytes& other) {
     code += other.code;
     data += other.data;

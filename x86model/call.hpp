@@ -93,7 +93,7 @@ X86MODEL_INLINE void push_pointer(M& m, std::int32_t address) {
 /// Fills the memory of the results with words that count up from `junk`, so that a routine that
 /// fails to write one cannot be right by chance.
 template <Routine routine, class M>
-X86MODEL_INLINE void spoil_results(M& m, std::uint32_t junk) {
+X86MODEL_INLINE void fill_results_with_junk(M& m, std::uint32_t junk) {
   if constexpr (routine == Routine::mul || routine == Routine::div) return;
   for (int i = 0; i < arity(routine).out; ++i) {
     detail::store(m, detail::data + (arity(routine).in + i) * detail::bytes_of_value,
@@ -104,14 +104,14 @@ X86MODEL_INLINE void spoil_results(M& m, std::uint32_t junk) {
 /// Fills the registers and the memory of the results with values that depend on the operands,
 /// because no routine may depend on what its caller leaves there.
 template <Routine routine, class M>
-X86MODEL_INLINE void leave_junk(M& m, std::span<const std::uint32_t> in) {
+X86MODEL_INLINE void fill_with_junk(M& m, std::span<const std::uint32_t> in) {
   std::uint32_t word = 0x9E3779B9U;
   for (const std::uint32_t operand : in) word = (word ^ operand) * 0x01000193U + 1U;
   for (std::size_t r = 0; r < register_count; ++r) {
     m.registers.write(static_cast<Register>(r), Size::dword, word);
     word = word * 0x85EBCA6BU + 0xC2B2AE35U;
   }
-  spoil_results<routine>(m, word);
+  fill_results_with_junk<routine>(m, word);
 }
 
 /// Sets up the stack and the operands as a C caller of `routine` does, last argument first. Leaves
@@ -166,7 +166,7 @@ template <Routine routine, int WordBits, class Observer>
 Ending call(std::span<const Instruction> code, std::span<const std::uint32_t> in,
             std::span<std::uint32_t> out, Observer&& observe) {
   CallMachine<routine, WordBits> m;
-  leave_junk<routine>(m, in);
+  fill_with_junk<routine>(m, in);
   enter<routine>(m, in);
   const Ending ending = run(code, m, observe);
   leave<routine>(m, out);
@@ -193,12 +193,12 @@ void call_compiled(std::span<const std::uint32_t> in, std::span<std::uint32_t> o
     if constexpr (routine == Routine::mul || routine == Routine::div) {
       // A new machine per case stays in processor registers.
       CallMachine<routine, WordBits> m;
-      leave_junk<routine>(m, in.subspan(i * taken, taken));
+      fill_with_junk<routine>(m, in.subspan(i * taken, taken));
       enter<routine>(m, in.subspan(i * taken, taken));
       outcomes[i] = run_compiled<program<routine, target, build>>(m);
       leave<routine>(m, out.subspan(i * given, given));
     } else {
-      leave_junk<routine>(ready, in.subspan(i * taken, taken));
+      fill_with_junk<routine>(ready, in.subspan(i * taken, taken));
       enter<routine>(ready, in.subspan(i * taken, taken));
       outcomes[i] = run_compiled<program<routine, target, build>>(ready);
       leave<routine>(ready, out.subspan(i * given, given));

@@ -48,7 +48,7 @@ std::uint32_t entry_of(const LoopForm& form, std::uint32_t pixels) {
   for (std::size_t i = 1; i + 1 < program.size; ++i) {
     pixel_bytes += static_cast<std::uint32_t>(encoding_of(program.code.at(i)).bytes());
   }
-  const std::uint32_t left_out = copies_of(form.loop) - pixels / pixels_a_turn(form.loop);
+  const std::uint32_t left_out = copies_of(form.loop) - pixels / pixels_per_iteration(form.loop);
   return static_cast<std::uint32_t>(encoding_of(program.code.front()).bytes()) +
          left_out * pixel_bytes;
 }

@@ -49,9 +49,13 @@ constexpr Listing listing(const LoopForm& form) {
 }
 
 /// The pixels drawn per iteration.
-constexpr std::uint32_t pixels_a_turn(Loop loop) { return loop == Loop::gouraud_word ? 2 : 1; }
+constexpr std::uint32_t pixels_per_iteration(Loop loop) {
+  return loop == Loop::gouraud_word ? 2 : 1;
+}
 /// The number of copies in an unrolled loop.
-constexpr std::uint32_t copies_of(Loop loop) { return loops::most_pixels / pixels_a_turn(loop); }
+constexpr std::uint32_t copies_of(Loop loop) {
+  return loops::max_pixels / pixels_per_iteration(loop);
+}
 
 /// All forms that exist.
 std::vector<LoopForm> all_loop_forms();

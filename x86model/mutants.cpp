@@ -11,7 +11,7 @@ namespace x86model {
 namespace {
 
 /// The replacements for each mnemonic, with the same operands.
-constexpr auto mistakes = [] {
+constexpr auto confusable = [] {
   using enum Mnemonic;
   return std::to_array<std::pair<Mnemonic, Mnemonic>>({
       {mov, add},     {push, pop},    {pop, push},  {add, adc},  {add, sub},  {add, and_},
@@ -127,9 +127,9 @@ Program spliced(const Program& program, std::size_t at, std::size_t count,
 }
 
 /// Builds the mutants of one program.
-class Workshop {
+class MutantBuilder {
  public:
-  explicit Workshop(const Program& sound) : sound_(sound) {}
+  explicit MutantBuilder(const Program& sound) : sound_(sound) {}
 
   std::vector<Mutant> all() {
     for (std::size_t at = 0; at < sound_.size; ++at) {
@@ -159,7 +159,7 @@ class Workshop {
   }
 
   void mnemonics(std::size_t at) {
-    for (const auto& [right, wrong] : mistakes) {
+    for (const auto& [right, wrong] : confusable) {
       Instruction by = sound_.code.at(at);
       if (by.mnemonic != right) continue;
       by.mnemonic = wrong;
@@ -205,6 +205,6 @@ class Workshop {
 
 }  // namespace
 
-std::vector<Mutant> mutants(const Program& sound) { return Workshop(sound).all(); }
+std::vector<Mutant> mutants(const Program& sound) { return MutantBuilder(sound).all(); }
 
 }  // namespace x86model

@@ -141,7 +141,7 @@ std::string source_comment(Routine routine, Target target, const Build& build) {
   std::string text = "; source: ";
   text.append(source.printed).append("\n; digest: ");
   if (source.digest.instructions == 0) return text.append("none recorded\n");
-  text.append(source.digest.sha256).append(source.is_the_authors ? ", the author's, " : ", ours, ");
+  text.append(source.digest.sha256).append(source.is_original ? ", the author's, " : ", ours, ");
   return text.append(std::to_string(source.digest.instructions)).append(" instructions\n");
 }
 

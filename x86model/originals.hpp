@@ -23,7 +23,7 @@ struct Source {
   /// 0 instructions if no digest is recorded.
   Digest digest;
   /// Whether the digest is of the author's routine; otherwise it is of our own variant.
-  bool is_the_authors = false;
+  bool is_original = false;
 };
 
 Source source_of(Routine routine, Target target, const Build& build);

@@ -61,7 +61,7 @@ std::optional<Operand> register_named(std::string_view name) {
 }
 
 /// Registers and size words that no routine uses as operands.
-bool is_foreign(std::string_view name) {
+bool is_unmodelled_name(std::string_view name) {
   constexpr std::array<std::string_view, 6> known{"cs", "ds", "es", "ss", "fs", "gs"};
   const bool memory = name.back() == ']' && name.find('[') != std::string_view::npos;
   return memory || std::find(known.begin(), known.end(), name) != known.end();
@@ -121,7 +121,7 @@ std::optional<Instruction> parse(std::string_view line) {
                  .value = static_cast<std::int32_t>(static_cast<std::uint32_t>(*value))};
     } else if (jump && text.find_first_not_of(label_characters) == std::string_view::npos) {
       operand = {.kind = Operand::Kind::label};
-    } else if (is_foreign(text)) {
+    } else if (is_unmodelled_name(text)) {
       known = false;
     } else {
       throw ParseError(quoted(text) + " is no operand");

@@ -11,7 +11,7 @@
 namespace xsharp {
 
 /// The maximum number of vertices of a face.
-inline constexpr std::size_t longest_polygon = 16;
+inline constexpr std::size_t max_polygon_vertices = 16;
 
 /// A convex polygon whose vertices run clockwise seen from outside, in a right-handed object space.
 /// It is visible if the screen-space cross product of (vertex 1 - vertex 0) and (last vertex -

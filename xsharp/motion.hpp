@@ -134,10 +134,10 @@ class Motion {
   /// Keeps the position within one page to either side.
   void turn_page(std::size_t i) {
     const N page = from_whole<N>(page_size);
-    if (place(i) >= page && page_[i] < most_pages) {
+    if (place(i) >= page && page_[i] < max_pages) {
       place(i) = place(i) - page;
       ++page_[i];
-    } else if (place(i) <= -page && page_[i] > -most_pages) {
+    } else if (place(i) <= -page && page_[i] > -max_pages) {
       place(i) = place(i) + page;
       --page_[i];
     }
@@ -153,7 +153,7 @@ class Motion {
     }
   }
 
-  static constexpr std::int32_t most_pages = 1 << 30;
+  static constexpr std::int32_t max_pages = 1 << 30;
 
   RotationStyle style_;
   Spin spin_;

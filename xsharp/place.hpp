@@ -96,16 +96,16 @@ Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
 
 /// Transforms only to view space: ends of normals are invisible and need no divides.
 template <Scalar N>
-void bring_to_view(const Transform<N>& to_view, std::span<const Vec3<N>> points,
-                   std::span<Vec3<N>> view) {
+void transform_to_view(const Transform<N>& to_view, std::span<const Vec3<N>> points,
+                       std::span<Vec3<N>> view) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     view[i] = Arithmetic<N>::apply(to_view, points[i]);
   }
 }
 template <fixed::policy P>
-void bring_to_view(const Transform<fixed::number<16, P>>& to_view,
-                   std::span<const Vec3<fixed::number<16, P>>> points,
-                   std::span<Vec3<fixed::number<16, P>>> view) {
+void transform_to_view(const Transform<fixed::number<16, P>>& to_view,
+                       std::span<const Vec3<fixed::number<16, P>>> points,
+                       std::span<Vec3<fixed::number<16, P>>> view) {
   fixed::batch::transform(to_view.rows, points, view);
 }
 

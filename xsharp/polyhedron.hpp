@@ -127,7 +127,7 @@ class Polyhedron final : public Object<N> {
     const std::size_t placed = faces_.vertex_count();
     const Unplaced unplaced = place(to_view_, vertices.first(placed), view.projection,
                                     Places<N>{to.first(placed), screen_});
-    bring_to_view(to_view_, vertices.subspan(placed), to.subspan(placed));
+    transform_to_view(to_view_, vertices.subspan(placed), to.subspan(placed));
     // The centre is the origin of object space. Chapter 53 transforms it along with the vertices.
     center_z_ =
         view.sorts_by_center ? Arithmetic<N>::apply(to_view_, Vec3<N>{}).z : to_view_.rows[2][3];

@@ -38,7 +38,7 @@ namespace xsharp {
 }
 
 /// The maximum number of bands of a ball; one more would exceed the face limit of a scene.
-inline constexpr int most_bands = 45;
+inline constexpr int max_bands = 45;
 
 /// A ball about the origin: `bands` of equal latitude from the pole at +y to that at -y, with 2 *
 /// bands faces each. Faces are ordered by band, and within a band in a full turn from -x towards
@@ -46,7 +46,7 @@ inline constexpr int most_bands = 45;
 /// are the pole at +y, the circles between bands downward, and the pole at -y.
 /// @throws std::invalid_argument unless there are 2 to max_bands bands
 [[nodiscard]] inline Mesh ball(double radius, int bands) {
-  if (bands < 2 || bands > most_bands) throw std::invalid_argument("a ball has 2 to 45 bands");
+  if (bands < 2 || bands > max_bands) throw std::invalid_argument("a ball has 2 to 45 bands");
   const auto latitudes = static_cast<std::size_t>(bands);
   const std::size_t meridians = 2 * latitudes;
   const double step = std::numbers::pi / bands;

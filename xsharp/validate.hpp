@@ -19,22 +19,22 @@
 
 namespace xsharp {
 
-inline constexpr std::size_t most_objects = 256;
-inline constexpr std::size_t most_faces_in_scene = 65536;
-inline constexpr std::size_t most_spots = 16;
+inline constexpr std::size_t max_objects = 256;
+inline constexpr std::size_t max_faces_in_scene = 65536;
+inline constexpr std::size_t max_spots = 16;
 inline constexpr std::int32_t longest_side = 4096;
 /// The projection uses half the width, a whole number.
 inline constexpr std::int32_t narrowest = 2;
 /// The limit of each component of a position in its page: with half a page of body, it stays in
 /// 16.16.
-inline constexpr double farthest_position = 16384;
-inline constexpr std::int32_t farthest_page = 1000000;
+inline constexpr double max_position = 16384;
+inline constexpr std::int32_t max_page = 1000000;
 
 namespace detail {
 
 /// Throws unless the value is in range. Written so that NaN is always out of range.
 template <class Number>
-void demand_range(const std::string& what, Number value, Number least, Number most) {
+void require_range(const std::string& what, Number value, Number least, Number most) {
   if (value >= least && value <= most) return;
   // A number just out of range must not print as the end of the range.
   std::string is = text_of(value);
@@ -42,29 +42,30 @@ void demand_range(const std::string& what, Number value, Number least, Number mo
   throw SceneError(text_of(what, " is ", is, ", must be from ", least, " to ", most));
 }
 
-inline void demand_range(const std::string& what, const Triple& values, double least, double most) {
-  for (const double value : values) demand_range(what, value, least, most);
+inline void require_range(const std::string& what, const Triple& values, double least,
+                          double most) {
+  for (const double value : values) require_range(what, value, least, most);
 }
 
 /// Angles are arguments of CosSin, which takes 16 bits.
-inline void demand_angle(const std::string& what, std::int32_t tenths) {
-  demand_range<std::int32_t>(what, tenths, INT16_MIN, INT16_MAX);
+inline void require_angle(const std::string& what, std::int32_t tenths) {
+  require_range<std::int32_t>(what, tenths, INT16_MIN, INT16_MAX);
 }
 
-inline void demand_place(const std::array<std::int32_t, 3>& page, const Triple& position) {
+inline void require_place(const std::array<std::int32_t, 3>& page, const Triple& position) {
   for (const std::int32_t component : page) {
-    demand_range("page", component, -farthest_page, farthest_page);
+    require_range("page", component, -max_page, max_page);
   }
-  demand_range("position", position, -farthest_position, farthest_position);
+  require_range("position", position, -max_position, max_position);
 }
 
-inline void demand_delay(const std::string& what, const Delay& delay) {
-  demand_range(what + ".delay, first", delay.first, 1, INT32_MAX);
-  demand_range(what + ".delay, base", delay.base, 1, INT32_MAX);
+inline void require_delay(const std::string& what, const Delay& delay) {
+  require_range(what + ".delay, first", delay.first, 1, INT32_MAX);
+  require_range(what + ".delay, base", delay.base, 1, INT32_MAX);
 }
 
-inline void demand_word(const std::string& what, const std::string& value,
-                        std::initializer_list<std::string_view> words) {
+inline void require_word(const std::string& what, const std::string& value,
+                         std::initializer_list<std::string_view> words) {
   if (std::ranges::find(words, value) != words.end()) return;
   std::string known;
   for (const auto word : words) known.append(known.empty() ? "" : ", ").append(word);
@@ -72,13 +73,13 @@ inline void demand_word(const std::string& what, const std::string& value,
 }
 
 inline void validate_orbit(const Orbit& orbit) {
-  demand_range("orbit.radius", orbit.radius, 0.0, farthest_position);
+  require_range("orbit.radius", orbit.radius, 0.0, max_position);
   // The whole circle must be in the range of positions.
-  const double most = farthest_position - orbit.radius;
-  demand_range("orbit.about, with this radius,", orbit.about, -most, most);
-  demand_angle("orbit.start_tenths", orbit.start_tenths);
-  demand_angle("orbit.step_tenths", orbit.step_tenths);
-  demand_angle("orbit.tilt_tenths", orbit.tilt_tenths);
+  const double most = max_position - orbit.radius;
+  require_range("orbit.about, with this radius,", orbit.about, -most, most);
+  require_angle("orbit.start_tenths", orbit.start_tenths);
+  require_angle("orbit.step_tenths", orbit.step_tenths);
+  require_angle("orbit.tilt_tenths", orbit.tilt_tenths);
 }
 
 inline void validate_paints(const ObjectDescription& object) {
@@ -103,7 +104,7 @@ inline void validate_paints(const ObjectDescription& object) {
 
 inline void validate_surface(const ObjectDescription& object) {
   const Surface& surface = object.surface;
-  demand_range("surface.ramp", surface.ramp, 0, 1);
+  require_range("surface.ramp", surface.ramp, 0, 1);
   if (std::ranges::find(exact_choices, surface.exact_every) == exact_choices.end()) {
     throw SceneError(text_of("surface.exact_every is ", surface.exact_every,
                              ", must be 1, 8, 16 or 0 for never"));
@@ -147,47 +148,47 @@ inline void validate_ramp_light(const Scene& scene) {
 }
 
 inline void validate_lights(const Lights& lights) {
-  demand_range("lights.ambient", lights.ambient, 0, 100);
-  if (lights.spots.size() > most_spots) {
-    throw SceneError(text_of(lights.spots.size(), " spots, more than ", most_spots));
+  require_range("lights.ambient", lights.ambient, 0, 100);
+  if (lights.spots.size() > max_spots) {
+    throw SceneError(text_of(lights.spots.size(), " spots, more than ", max_spots));
   }
   for (std::size_t i = 0; i < lights.spots.size(); ++i) {
     const std::string name = text_of("spot ", i);
-    demand_range(name + ": direction", lights.spots[i].direction, -32768, 32768);
+    require_range(name + ": direction", lights.spots[i].direction, -32768, 32768);
     // Four units of 16.16: one component is at least 2, which no conversion rounds to 0.
-    demand_range(name + ": length of direction", length(lights.spots[i].direction),
-                 std::ldexp(1, -14), 65536.0);
-    demand_range(name + ": intensity", lights.spots[i].intensity, 0, 100);
+    require_range(name + ": length of direction", length(lights.spots[i].direction),
+                  std::ldexp(1, -14), 65536.0);
+    require_range(name + ": intensity", lights.spots[i].intensity, 0, 100);
   }
 }
 
 /// Checks the scene without its objects.
 inline void validate_setting(const Scene& scene) {
-  demand_range("width", scene.width, narrowest, longest_side);
-  demand_range("height", scene.height, 1, longest_side);
-  demand_range("frames_per_second", scene.frames_per_second, 0.001, 1000.0);
-  demand_range("projection_ratio", scene.projection_ratio, -1000.0, -0.01);
+  require_range("width", scene.width, narrowest, longest_side);
+  require_range("height", scene.height, 1, longest_side);
+  require_range("frames_per_second", scene.frames_per_second, 0.001, 1000.0);
+  require_range("projection_ratio", scene.projection_ratio, -1000.0, -0.01);
   // Beyond this the screen coordinates at the sides of a wide page approach the ends of 16.16.
-  demand_range("projection_ratio * (width / 2)", projection_constant(scene), -16000.0, -0.01);
-  demand_range("restore_every", scene.restore_every, 0, INT32_MAX);
-  demand_word("arithmetic.by", scene.arithmetic.by, {"type", "model", "double"});
+  require_range("projection_ratio * (width / 2)", projection_constant(scene), -16000.0, -0.01);
+  require_range("restore_every", scene.restore_every, 0, INT32_MAX);
+  require_word("arithmetic.by", scene.arithmetic.by, {"type", "model", "double"});
   if (scene.from_scratch && scene.restore_every > 0) {
     throw SceneError("from_scratch leaves restore_every nothing to restore");
   }
-  demand_word("arithmetic.target", scene.arithmetic.target,
-              {"i386", "i8088", "standard", "saturating", "trapping"});
+  require_word("arithmetic.target", scene.arithmetic.target,
+               {"i386", "i8088", "standard", "saturating", "trapping"});
   if (scene.arithmetic.by == "model" && !is_listing(scene.arithmetic)) {
     throw SceneError("arithmetic.by is \"model\", which has no target \"" +
                      scene.arithmetic.target + "\"");
   }
   try {
-    demand_place(scene.camera.page, scene.camera.position);
-    for (const std::int32_t tenths : scene.camera.turn_tenths) demand_angle("turn_tenths", tenths);
+    require_place(scene.camera.page, scene.camera.position);
+    for (const std::int32_t tenths : scene.camera.turn_tenths) require_angle("turn_tenths", tenths);
   } catch (const SceneError& error) {
     throw SceneError(text_of("camera: ", error.what()));
   }
   validate_lights(scene.lights);
-  demand_range("near", scene.near, 1.0, farthest_position);
+  require_range("near", scene.near, 1.0, max_position);
 }
 
 }  // namespace detail
@@ -197,24 +198,24 @@ inline void validate_object(const ObjectDescription& object) {
   validate_mesh(object.mesh);
   detail::validate_paints(object);
   detail::validate_surface(object);
-  detail::demand_place(object.page, object.position);
-  for (const std::int32_t tenths : object.spin.tenths) detail::demand_angle("spin.tenths", tenths);
-  detail::demand_delay("spin", object.spin.delay);
+  detail::require_place(object.page, object.position);
+  for (const std::int32_t tenths : object.spin.tenths) detail::require_angle("spin.tenths", tenths);
+  detail::require_delay("spin", object.spin.delay);
   if (object.drift) {
-    detail::demand_range("drift.step", object.drift->step, -farthest_position, farthest_position);
+    detail::require_range("drift.step", object.drift->step, -max_position, max_position);
     // Compared with the whole position, pages included.
-    const double most = farthest_page * farthest_position;
+    const double most = max_page * max_position;
     if (object.drift->stop_z) {
-      detail::demand_range("drift.stop_z", *object.drift->stop_z, -most, most);
+      detail::require_range("drift.stop_z", *object.drift->stop_z, -most, most);
     }
     if (const auto& bounce = object.drift->bounce_z) {
       if (object.drift->stop_z) {
         throw SceneError("drift must not have both stop_z and bounce_z");
       }
-      detail::demand_range("drift.bounce_z, least", bounce->least, -most, most);
-      detail::demand_range("drift.bounce_z, most", bounce->most, bounce->least, most);
+      detail::require_range("drift.bounce_z, least", bounce->least, -most, most);
+      detail::require_range("drift.bounce_z, most", bounce->most, bounce->least, most);
     }
-    detail::demand_delay("drift", object.drift->delay);
+    detail::require_delay("drift", object.drift->delay);
   }
   if (object.orbit) detail::validate_orbit(*object.orbit);
 }
@@ -226,13 +227,13 @@ inline void validate(const Scene& scene) {
   std::string place = "scene '" + scene.name + "': ";
   try {
     detail::validate_setting(scene);
-    if (scene.objects.size() > most_objects) {
-      throw SceneError(detail::text_of(scene.objects.size(), " objects, more than ", most_objects));
+    if (scene.objects.size() > max_objects) {
+      throw SceneError(detail::text_of(scene.objects.size(), " objects, more than ", max_objects));
     }
     std::size_t faces = 0;
     for (const ObjectDescription& object : scene.objects) faces += object.mesh.faces.size();
-    if (faces > most_faces_in_scene) {
-      throw SceneError(detail::text_of(faces, " faces, more than ", most_faces_in_scene));
+    if (faces > max_faces_in_scene) {
+      throw SceneError(detail::text_of(faces, " faces, more than ", max_faces_in_scene));
     }
     for (const ObjectDescription& object : scene.objects) {
       place = "scene '" + scene.name + "': object '" + object.name + "': ";

@@ -14,18 +14,18 @@
 
 namespace xsharp {
 
-inline constexpr std::size_t most_faces = 4096;
-inline constexpr std::size_t most_vertices = 8192;
+inline constexpr std::size_t max_faces = 4096;
+inline constexpr std::size_t max_vertices = 8192;
 /// Half a page: a body that rotates about its origin and is added to a position stays within 16.16,
 /// with a margin for the errors of many rotations.
-inline constexpr double farthest_vertex = 8192;
+inline constexpr double max_vertex = 8192;
 
 namespace detail {
 
 /// Checks one mesh; every check throws SceneError, without the name of the body.
-class MeshExamination {
+class MeshCheck {
  public:
-  explicit MeshExamination(const Mesh& mesh) : mesh_(mesh) {}
+  explicit MeshCheck(const Mesh& mesh) : mesh_(mesh) {}
 
   void run() {
     check_counts();
@@ -41,7 +41,7 @@ class MeshExamination {
 
  private:
   template <class... Words>
-  [[noreturn]] void refuse_face(const Words&... words) const {
+  [[noreturn]] void fail_face(const Words&... words) const {
     throw SceneError(text_of("face ", face_, words...));
   }
 
@@ -53,13 +53,13 @@ class MeshExamination {
 
   void check_counts() const {
     if (mesh_.faces.empty()) throw SceneError("the mesh has no faces");
-    if (mesh_.faces.size() > most_faces) {
+    if (mesh_.faces.size() > max_faces) {
       throw SceneError(
-          text_of("the mesh has ", mesh_.faces.size(), " faces, more than ", most_faces));
+          text_of("the mesh has ", mesh_.faces.size(), " faces, more than ", max_faces));
     }
-    if (mesh_.vertices.size() > most_vertices) {
+    if (mesh_.vertices.size() > max_vertices) {
       throw SceneError(
-          text_of("the mesh has ", mesh_.vertices.size(), " vertices, more than ", most_vertices));
+          text_of("the mesh has ", mesh_.vertices.size(), " vertices, more than ", max_vertices));
     }
   }
 
@@ -69,22 +69,22 @@ class MeshExamination {
       if (!std::isfinite(vertex[0]) || !std::isfinite(vertex[1]) || !std::isfinite(vertex[2])) {
         throw SceneError(text_of("vertex ", i, " is not finite"));
       }
-      if (length(vertex) > farthest_vertex) {
+      if (length(vertex) > max_vertex) {
         throw SceneError(text_of("vertex ", i, " is ", length(vertex),
-                                 " from the origin of the body, more than ", farthest_vertex));
+                                 " from the origin of the body, more than ", max_vertex));
       }
     }
   }
 
   void check_indices() const {
     const auto& vertices = face().vertices;
-    if (vertices.size() < 3) refuse_face(" has ", vertices.size(), " vertices, fewer than 3");
-    if (vertices.size() > longest_polygon) {
-      refuse_face(" has ", vertices.size(), " vertices, more than ", longest_polygon);
+    if (vertices.size() < 3) fail_face(" has ", vertices.size(), " vertices, fewer than 3");
+    if (vertices.size() > max_polygon_vertices) {
+      fail_face(" has ", vertices.size(), " vertices, more than ", max_polygon_vertices);
     }
     const auto in_range = [this](std::size_t index) {
       if (index < mesh_.vertices.size()) return;
-      refuse_face(" has vertex ", index, " of ", mesh_.vertices.size());
+      fail_face(" has vertex ", index, " of ", mesh_.vertices.size());
     };
     std::ranges::for_each(vertices, in_range);
     if (face().normal_end) in_range(*face().normal_end);
@@ -116,14 +116,14 @@ class MeshExamination {
       for (std::size_t j = i + 1; j < count; ++j) {
         const double distance = length(difference(corner(i), corner(j)));
         if (distance <= tolerance_) {
-          refuse_face(" has vertices ", face().vertices[i], " and ", face().vertices[j],
-                      " at one place");
+          fail_face(" has vertices ", face().vertices[i], " and ", face().vertices[j],
+                    " at one place");
         }
         widest = std::max(widest, distance);
       }
     }
     const Triple area = outward_area(mesh_, face());
-    if (length(area) <= tolerance_ * widest) refuse_face(" has no area");
+    if (length(area) <= tolerance_ * widest) fail_face(" has no area");
     out_ = scaled(area, 1 / length(area));
 
     middle_ = {};
@@ -132,7 +132,7 @@ class MeshExamination {
     for (std::size_t i = 0; i < count; ++i) {
       const double off = std::fabs(dot(out_, difference(corner(i), middle_)));
       if (off > tolerance_) {
-        refuse_face(" is not flat: vertex ", face().vertices[i], " is ", off, " off its plane");
+        fail_face(" is not flat: vertex ", face().vertices[i], " is ", off, " off its plane");
       }
     }
     for (std::size_t i = 0; i < count; ++i) {
@@ -140,8 +140,8 @@ class MeshExamination {
       const Triple in = scaled(cross(edge, out_), 1 / length(edge));
       for (std::size_t j = 0; j < count; ++j) {
         if (dot(in, difference(corner(j), corner(i))) < -tolerance_) {
-          refuse_face(" is not convex: vertex ", face().vertices[j],
-                      " is outside the edge that begins at vertex ", face().vertices[i]);
+          fail_face(" is not convex: vertex ", face().vertices[j],
+                    " is outside the edge that begins at vertex ", face().vertices[i]);
         }
       }
     }
@@ -149,7 +149,7 @@ class MeshExamination {
     const Triple first = difference(corner(1), corner(0));
     const Triple last = difference(corner(count - 1), corner(0));
     if (length(cross(first, last)) <= tolerance_ * length(difference(first, last))) {
-      refuse_face(" begins at vertex ", face().vertices[0], ", where it has no corner");
+      fail_face(" begins at vertex ", face().vertices[0], ", where it has no corner");
     }
   }
 
@@ -166,18 +166,18 @@ class MeshExamination {
     }
     if (before <= tolerance_) return;
     if (behind >= -tolerance_)
-      refuse_face(" faces into the body: its vertices run the wrong way round");
-    refuse_face(": the body is not convex: vertex ", worst, " is ", before, " before the face");
+      fail_face(" faces into the body: its vertices run the wrong way round");
+    fail_face(": the body is not convex: vertex ", worst, " is ", before, " before the face");
   }
 
   void check_normal() const {
     if (!face().normal_end) return;
     const Triple normal = difference(mesh_.vertices[*face().normal_end], corner(0));
     if (std::fabs(length(normal) - 1) > std::ldexp(1, -12)) {
-      refuse_face(" has a normal of length ", length(normal), " instead of 1");
+      fail_face(" has a normal of length ", length(normal), " instead of 1");
     }
     if (length(difference(normal, out_)) > std::ldexp(1, -8)) {
-      refuse_face(" has a normal that is not at right angles to it, outward");
+      fail_face(" has a normal that is not at right angles to it, outward");
     }
   }
 
@@ -196,6 +196,6 @@ class MeshExamination {
 /// is 2^-14 of (1 + the longest side of the body's bounding box) for positions, and 2^-12 in length
 /// and 2^-8 in direction for unit normals.
 /// @throws SceneError with the face or vertex
-inline void validate_mesh(const Mesh& mesh) { detail::MeshExamination(mesh).run(); }
+inline void validate_mesh(const Mesh& mesh) { detail::MeshCheck(mesh).run(); }
 
 }  // namespace xsharp

@@ -37,7 +37,7 @@ constexpr fault first_of(fault a, fault b) noexcept { return a != fault::none ? 
 /// The overflow rule inside a batch: wrap instead of throwing, because the report records the
 /// overflow.
 template <policy P>
-inline constexpr overflow quiet_range =
+inline constexpr overflow range_in_batch =
     P.range == overflow::saturate ? overflow::saturate : overflow::wrap;
 
 /// Narrows a result that may be out of range. Under overflow::wrap it reports no fault.
@@ -48,7 +48,7 @@ constexpr outcome<raw_t<F>> narrowed_element(Wide value) noexcept {
   if constexpr (P.range != overflow::wrap) {
     if (!fits<raw>(value)) what = fault::overflow;
   }
-  return {narrow<quiet_range<P>, raw>(value, [] {}), what};
+  return {narrow<range_in_batch<P>, raw>(value, [] {}), what};
 }
 
 template <int F, policy P>

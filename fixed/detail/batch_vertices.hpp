@@ -67,7 +67,7 @@ bool is_register_aligned(const void* base, std::size_t index) {
 /// \param index  of the next byte that is read
 /// \tparam block bytes read between two calls
 template <std::size_t block>
-FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
+FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
   constexpr std::uintptr_t distance = 1536;
   const auto at = reinterpret_cast<std::uintptr_t>(base) + index + distance;
   for (std::uintptr_t line = 0; line < block; line += 64) {
@@ -79,7 +79,7 @@ FIXED_LANE_FUNCTION void ask_ahead(const void* base, std::size_t index) {
 template <int F>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
   constexpr std::size_t vertex = 3 * sizeof(raw_t<F>);
-  ask_ahead<vertex * width>(base, vertex * index);
+  prefetch<vertex * width>(base, vertex * index);
   const i32 first = load<F>(base, 3 * index);
   const i32 second = load<F>(base, 3 * index + width);
   const i32 third = load<F>(base, 3 * index + 2 * width);

@@ -13,8 +13,8 @@ struct turn_lanes {
 
 /// The turns of the angles in the lower halves, in units of 2^-16 radians.
 FIXED_LANE_FUNCTION u64 turns_of_even(i64 angle, std::uint64_t ahead) {
-  constexpr auto lower_word = static_cast<std::int64_t>(turns_of_unit & 0xffffffff);
-  constexpr auto upper_word = static_cast<std::int64_t>(turns_of_unit >> 32);
+  constexpr auto lower_word = static_cast<std::int64_t>(turns_per_unit & 0xffffffff);
+  constexpr auto upper_word = static_cast<std::int64_t>(turns_per_unit >> 32);
   const u64 lower = u64(mul_even(angle, i64{} + lower_word));
   const u64 upper = unknown(u64(mul_even(angle, i64{} + upper_word)));
   return lower + (upper << 32) + turns_bias + ahead;
@@ -26,9 +26,9 @@ FIXED_LANE_FUNCTION turn_lanes turns_of(i32 raw, std::uint64_t ahead) {
   return {turns_of_even(i64(angle), ahead), turns_of_even(odd_lanes(angle), ahead)};
 }
 
-/// The vector form of detail::quick_cosine().
-FIXED_LANE_FUNCTION u64 quick_cosine_of(u64 d) {
-  const auto& c = quick_coefficients;
+/// The vector form of detail::fast_cosine().
+FIXED_LANE_FUNCTION u64 fast_cosine_of(u64 d) {
+  const auto& c = fast_coefficients;
   const u64 z = unknown(u64(mul_even(i64(d), i64(d))) >> 31);
   u64 factor = c[4] - (mul_even(z, u64{} + c[5]) >> 31);
   factor = c[3] - (mul_even(z, factor) >> 31);
@@ -40,11 +40,11 @@ FIXED_LANE_FUNCTION u64 quick_cosine_of(u64 d) {
 /// The sines of a block; sets `doubtful` if one of them may be wrong.
 template <int F>
 FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, bool& doubtful) {
-  using rounding = quick_rounding<F>;
+  using rounding = fast_rounding<F>;
   const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
-  const u64 even = quick_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
-  const u64 odd = quick_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
-  // The bits of quick_rounding::doubtful, shifted into 32.
+  const u64 even = fast_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
+  const u64 odd = fast_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
+  // The bits of fast_rounding::doubtful, shifted into 32.
   constexpr int unneeded = 34;
   constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
   doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask) != 0;

@@ -105,7 +105,7 @@ TEST(TypeRules, HoldOnTheEdges) {
 
 TEST(Finding, Aborts) {
   EXPECT_DEATH(fuzz::report_finding("of this"), "FINDING: of this");
-  fuzz::demand_none(std::nullopt);
+  fuzz::report_if_any(std::nullopt);
 }
 
 }  // namespace

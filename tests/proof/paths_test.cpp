@@ -31,7 +31,7 @@ TEST(Paths, ALoopMayJumpAsOftenAsIsSaid) {
   const Listing loop{sub(cx, cx), add(cx, 20), label("again"), dec(cx), jns("again"), ret()};
   for (const int most : {1, 20, 21}) {
     sym::Terms terms;
-    const auto paths = paths_of(terms, loop, {.most_jumps = most});
+    const auto paths = paths_of(terms, loop, {.max_jumps = most});
     ASSERT_EQ(paths.size(), 1U);
     EXPECT_EQ(paths[0].outcome, most < 21 ? Outcome::step_limit : Outcome::returned) << most;
   }
@@ -41,7 +41,7 @@ TEST(Paths, ALoopMayJumpAsOftenAsIsSaid) {
 TEST(Paths, AnOpenLoopEndsOnceForEveryJump) {
   sym::Terms terms;
   const auto paths =
-      paths_of(terms, {label("again"), dec(cx), jns("again"), ret()}, {.most_jumps = 3});
+      paths_of(terms, {label("again"), dec(cx), jns("again"), ret()}, {.max_jumps = 3});
   EXPECT_EQ(count(paths, Outcome::returned), 3U);
   EXPECT_EQ(count(paths, Outcome::step_limit), 1U);
   EXPECT_EQ(paths.size(), 4U);
@@ -59,7 +59,7 @@ TEST(Paths, ThereAreNoMoreThanIsSaid) {
   for (const auto& [most, least_given_up, most_returned] :
        {Limit{1000, 0, 8}, Limit{4, 1, 7}, Limit{0, 1, 0}}) {
     sym::Terms terms;
-    const auto paths = paths_of(terms, signs, {.most_paths = most});
+    const auto paths = paths_of(terms, signs, {.max_paths = most});
     EXPECT_GE(count(paths, Outcome::step_limit), least_given_up) << most;
     EXPECT_LE(count(paths, Outcome::returned), most_returned) << most;
     EXPECT_LE(paths.size(), std::min(most + 2, std::size_t{8})) << most;

@@ -26,7 +26,7 @@ std::set<std::string_view> streams_that_fail(const Subject& subject) {
     // A thousand suffice for what a stream is there for; the lattice is counted through.
     const auto few =
         stream == cases::Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
-    if (!property::wrong_over(subject, stream, few).empty()) names.insert(cases::name_of(stream));
+    if (!property::failures_in(subject, stream, few).empty()) names.insert(cases::name_of(stream));
   }
   return names;
 }
@@ -75,7 +75,7 @@ TEST(PropertySabotage, RapidCheckFindsAndShrinks) {
 TEST(PropertySabotage, WhatIsWrongIsSaid) {
   const auto subject =
       property::subject("none", mul_half_up, [](std::int32_t, std::int32_t) { return 1; });
-  const std::string said = property::wrong_over(subject, cases::Stream::product_ties, 10);
+  const std::string said = property::failures_in(subject, cases::Stream::product_ties, 10);
   EXPECT_EQ(said.rfind("10 of 10 cases are wrong:\ncase 1 (product_ties): ", 0), 0) << said;
 }
 

@@ -17,7 +17,7 @@ Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model:
   const FrameClocks clocks = clocks_of(operands.log, operands.choice, cpu);
   const auto frames = static_cast<double>(operands.frames);
   if (fetching == Fetching::meanwhile) return clocks.per_frame(frames).at_least();
-  const std::uint64_t code = x86model::bus_clocks_a_byte * clocks.bus.code;
+  const std::uint64_t code = x86model::bus_clocks_per_byte * clocks.bus.code;
   return {static_cast<double>(clocks.table.min + code) / frames,
           static_cast<double>(clocks.table.max + code) / frames};
 }

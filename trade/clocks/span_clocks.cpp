@@ -107,7 +107,7 @@ LoopClaim compared(std::string text, std::string place, Loop loop_from, Loop loo
 
 std::optional<Clocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu cpu) {
   if (!can_run(form, cpu)) return std::nullopt;
-  constexpr std::uint32_t most = x86::loops::most_pixels;
+  constexpr std::uint32_t most = x86::loops::max_pixels;
   const auto code = x86::code_of(form);
   const x86::ClockCounter whole = count_call(code, form, pixels, cpu, most);
   const x86::ClockCounter half = count_call(code, form, pixels, cpu, most / 2);

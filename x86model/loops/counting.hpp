@@ -20,7 +20,7 @@ namespace loops {
 
 /// The maximum number of pixels in a span: an unrolled loop has one copy per pixel or per two
 /// pixels.
-inline constexpr std::uint32_t most_pixels = 320;
+inline constexpr std::uint32_t max_pixels = 320;
 
 /// The registers of a loop; the 8088 uses the lower halves of the 386's.
 struct Registers {

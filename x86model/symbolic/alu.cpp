@@ -136,8 +136,8 @@ Result multiply(Terms& t, Mnemonic op, Term a, Term b) {
   const bool is_signed = op == Mnemonic::imul;
   const Term product = t.apply(sized(is_signed ? "smul" : "umul", bits), {a, b}, 2 * bits);
   const Term low = t.extract(product, 0, bits);
-  const Term low_alone = is_signed ? t.sign_extend(low, 2 * bits) : t.zero_extend(low, 2 * bits);
-  const Term high_matters = t.negation(t.equal(product, low_alone));
+  const Term low_extended = is_signed ? t.sign_extend(low, 2 * bits) : t.zero_extend(low, 2 * bits);
+  const Term high_matters = t.negation(t.equal(product, low_extended));
   return {product, {high_matters, std::nullopt, std::nullopt, high_matters}};
 }
 

@@ -105,7 +105,7 @@ std::vector<Term> results(Terms& terms, Routine routine, const State& end) {
   return all;
 }
 
-Term keeps_what_it_must(Terms& terms, Routine routine, const State& start, const State& end) {
+Term preserves_state(Terms& terms, Routine routine, const State& start, const State& end) {
   Term kept = terms.truth(true);
   for (const Register r : {Register::si, Register::di, Register::bp}) {
     kept = terms.both(

@@ -24,6 +24,6 @@ std::vector<Term> results(Terms& terms, Routine routine, const State& end);
 /// Whether the routine preserves what its caller relies on: SI, DI and BP; SP just past the return
 /// address; the operands of a transform; and for FixedMul the caller's stack, which the proofs of
 /// its callers rely on.
-Term keeps_what_it_must(Terms& terms, Routine routine, const State& start, const State& end);
+Term preserves_state(Terms& terms, Routine routine, const State& start, const State& end);
 
 }  // namespace x86model::symbolic

@@ -78,7 +78,7 @@ class Runner {
 
   /// Splits a thread at a jump and keeps the sides that some operand takes.
   void branch(Thread thread, Term condition, std::size_t to) {
-    if (paths_.size() + threads_.size() > options_.most_paths) {
+    if (paths_.size() + threads_.size() > options_.max_paths) {
       return end(thread, Outcome::step_limit);
     }
     Thread other = thread;
@@ -115,7 +115,7 @@ class Runner {
     const auto condition = i.mnemonic == Mnemonic::loop ? std::optional(count_down(thread))
                                                         : taken(t_, i.mnemonic, thread.state.flags);
     if (!condition) return end(thread, Outcome::undefined_flag), false;
-    if (++thread.jumps[thread.position] > options_.most_jumps) {
+    if (++thread.jumps[thread.position] > options_.max_jumps) {
       return end(thread, Outcome::step_limit), false;
     }
     if (i.mnemonic == Mnemonic::call &&

@@ -40,10 +40,10 @@ struct RunOptions {
   /// A path that reaches this position after its first instruction ends as proceeds.
   std::optional<std::size_t> stop{};
   /// The maximum number of jumps of a path at one position; one more ends it as step_limit.
-  int most_jumps = 12;
+  int max_jumps = 12;
   /// A thread that would branch when there are more paths than this ends as step_limit, because
   /// mutants may loop forever.
-  std::size_t most_paths = 1000;
+  std::size_t max_paths = 1000;
 };
 
 /// All paths through `code` from `start`. The caller sets up stack, arguments and SP; the return

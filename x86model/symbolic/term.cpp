@@ -156,9 +156,9 @@ Term Terms::extract(Term a, int low, int wanted) {
   }
   if (node.op == Op::concat) {
     const Term lower = node.arguments[1];
-    const int below_it = width(lower);
-    if (low + wanted <= below_it) return extract(lower, low, wanted);
-    if (low >= below_it) return extract(node.arguments[0], low - below_it, wanted);
+    const int lower_width = width(lower);
+    if (low + wanted <= lower_width) return extract(lower, low, wanted);
+    if (low >= lower_width) return extract(node.arguments[0], low - lower_width, wanted);
   }
   return make(Op::extract, wanted, {a}, static_cast<std::uint64_t>(low));
 }

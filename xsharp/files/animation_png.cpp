@@ -11,7 +11,7 @@ namespace xsharp {
 
 namespace {
 
-constexpr std::uint32_t most_numbers = std::numeric_limits<std::int32_t>::max();
+constexpr std::uint32_t max_sequence = std::numeric_limits<std::int32_t>::max();
 
 /// acTL follows the signature and the header chunk (13 bytes, plus 12 of framing).
 constexpr auto control_offset = static_cast<std::uint32_t>(png_signature.size() + 13 + 12);
@@ -85,7 +85,7 @@ void AnimationPng::add(std::string_view png) {
   if (frames_ != 0 && frame.header != header_) {
     throw std::invalid_argument("a frame of another size, kind or palette than the first");
   }
-  if (frame.pixels.size() >= most_numbers - sequence_) {
+  if (frame.pixels.size() >= max_sequence - sequence_) {
     throw std::length_error("an animation of more frames than an APNG can have");
   }
   std::string bytes;

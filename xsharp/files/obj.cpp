@@ -82,18 +82,18 @@ void add_vertex(Mesh& mesh, const Triple& place) {
   if (!std::ranges::all_of(place, [](double component) { return std::isfinite(component); })) {
     throw SceneError(detail::text_of("vertex ", mesh.vertices.size() + 1, " is not finite"));
   }
-  if (mesh.vertices.size() == most_vertices) {
-    throw SceneError(detail::text_of("more than ", most_vertices, " vertices"));
+  if (mesh.vertices.size() == max_vertices) {
+    throw SceneError(detail::text_of("more than ", max_vertices, " vertices"));
   }
   mesh.vertices.push_back(place);
 }
 
 void add_face(Mesh& mesh, std::span<const tinyobj::index_t> corners) {
   const std::size_t number = mesh.faces.size();
-  if (number == most_faces) throw SceneError(detail::text_of("more than ", most_faces, " faces"));
-  if (corners.size() < 3 || corners.size() > longest_polygon) {
+  if (number == max_faces) throw SceneError(detail::text_of("more than ", max_faces, " faces"));
+  if (corners.size() < 3 || corners.size() > max_polygon_vertices) {
     throw SceneError(detail::text_of("face ", number, " has ", corners.size(),
-                                     " vertices, must have 3 to ", longest_polygon));
+                                     " vertices, must have 3 to ", max_polygon_vertices));
   }
   Face face;
   for (const tinyobj::index_t& corner : corners) {

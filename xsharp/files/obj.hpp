@@ -14,8 +14,8 @@ namespace xsharp {
 /// file's units. Ignores texture coordinates, normals, materials, lines and points. Faces keep
 /// their first vertex; their order, counterclockwise in OBJ, is reversed to that of Face.
 /// @throws SceneError with the file if it cannot be read; a coordinate is missing or not a finite
-/// number; a face has fewer than 3 or more than longest_polygon vertices, or an invalid one; there
-/// are no faces; or there are more vertices or faces than validate_mesh() accepts
+/// number; a face has fewer than 3 or more than max_polygon_vertices vertices, or an invalid one;
+/// there are no faces; or there are more vertices or faces than validate_mesh() accepts
 Mesh read_obj(const std::filesystem::path& file);
 
 /// The same from the text of a file, without the file name in errors.

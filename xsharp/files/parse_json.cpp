@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 /// Detects duplicate keys and excessive depth. The library's parser would take the last duplicate,
 /// and its callbacks take quadratic time for a list of objects.
-class TwiceCheck final : public nlohmann::json_sax<Json> {
+class DuplicateKeyCheck final : public nlohmann::json_sax<Json> {
  public:
   bool key(std::string& name) override {
     if (open_.back().insert(name).second) return true;
@@ -50,8 +50,8 @@ class TwiceCheck final : public nlohmann::json_sax<Json> {
  private:
   /// Deep nesting never occurs in a scene, and could overflow the stack of a reader.
   bool deeper() {
-    constexpr int deepest = 16;
-    if (++depth_ > deepest) throw SceneError("nested too deeply");
+    constexpr int max_depth = 16;
+    if (++depth_ > max_depth) throw SceneError("nested too deeply");
     return true;
   }
 
@@ -62,7 +62,7 @@ class TwiceCheck final : public nlohmann::json_sax<Json> {
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text) {
-  TwiceCheck twice;
+  DuplicateKeyCheck twice;
   Json::sax_parse(text, &twice, Json::input_format_t::json, true, true);
   try {
     return Json::parse(text, nullptr, true, true);

@@ -37,7 +37,7 @@ std::array<std::int32_t, 3> three_tenths(const JsonNode& node) {
 }
 
 std::array<std::int32_t, 3> page(const JsonNode& node) {
-  return three_whole(node, -farthest_page, farthest_page);
+  return three_whole(node, -max_page, max_page);
 }
 
 /// The size of a body about its origin.
@@ -194,7 +194,7 @@ Shape shape(const JsonNode& node, Files& files) {
                   value.require("bands");
                   value.object({{"radius", [&](const JsonNode& number) { radius = size(number); }},
                                 {"bands", [&](const JsonNode& number) {
-                                   bands = number.whole(2, most_bands);
+                                   bands = number.whole(2, max_bands);
                                  }}});
                   read.push_back({ball(radius, bands), static_cast<std::size_t>(2 * bands)});
                 }}});
@@ -352,7 +352,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
             // validate() checks this too, but a small text can make a scene that does not fit in
             // memory.
             faces += objects.back().mesh.faces.size();
-            if (objects.size() > most_objects || faces > most_faces_in_scene) break;
+            if (objects.size() > max_objects || faces > max_faces_in_scene) break;
           }
         }}});
   read.files = std::move(files.read);

@@ -60,14 +60,15 @@ class DepthBuffer {
     StepWords words =
         words_of(depth, mode_ == DepthBuffering::no_clear ? dropped_bits + 2 : dropped_bits);
     if (reversed()) words = {0U - words.start, 0U - words.step};
-    if (mode_ == DepthBuffering::no_clear) words.start += (picture_ * apart + lowest) << 8U;
+    if (mode_ == DepthBuffering::no_clear)
+      words.start += (picture_ * picture_spacing + lowest) << 8U;
     return words;
   }
 
  private:
   static constexpr std::uint32_t pictures = 7;
   /// The distance between the zero depths of two pictures, out of 2^16.
-  static constexpr std::uint32_t apart = 8192 + 2 * 512;
+  static constexpr std::uint32_t picture_spacing = 8192 + 2 * 512;
   /// The zero depth of the first picture: 512 above -32768, the value of a cleared buffer.
   static constexpr std::uint32_t lowest = 512U - 32768U;
 

@@ -18,14 +18,14 @@ template <class T>
 concept PixelType = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint32_t>;
 
 /// The maximum width and height of a page.
-inline constexpr std::int32_t longest_page_side = 16384;
+inline constexpr std::int32_t max_page_side = 16384;
 
 /// Pixels in row-major order from the top left, without gaps.
 template <PixelType Pixel>
 class Page {
  public:
   /// A page with all pixels 0.
-  /// @throws std::invalid_argument unless both sides are from 1 to longest_page_side
+  /// @throws std::invalid_argument unless both sides are from 1 to max_page_side
   Page(std::int32_t width, std::int32_t height)
       : width_(checked(width, width, height)),
         height_(checked(height, width, height)),
@@ -52,10 +52,10 @@ class Page {
 
  private:
   static std::int32_t checked(std::int32_t side, std::int32_t width, std::int32_t height) {
-    if (side >= 1 && side <= longest_page_side) return side;
+    if (side >= 1 && side <= max_page_side) return side;
     throw std::invalid_argument("a page of " + std::to_string(width) + " x " +
                                 std::to_string(height) + " pixels: a side is from 1 to " +
-                                std::to_string(longest_page_side));
+                                std::to_string(max_page_side));
   }
 
   [[nodiscard]] std::size_t row_length() const { return static_cast<std::size_t>(width_); }

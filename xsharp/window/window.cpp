@@ -24,7 +24,7 @@ class Video {
     // Keeps the program's signal handlers.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("open a window");
-    if (nobody_would_see()) {
+    if (is_invisible()) {
       SDL_QuitSubSystem(SDL_INIT_VIDEO);
       throw std::runtime_error("cannot open a window: no display, neither X11 nor Wayland");
     }
@@ -37,7 +37,7 @@ class Video {
 
  private:
   /// Whether SDL fell back to a driver that draws into memory, without having been told to.
-  static bool nobody_would_see() {
+  static bool is_invisible() {
     return SDL_getenv("SDL_VIDEODRIVER") == nullptr &&
            std::string_view(SDL_GetCurrentVideoDriver()) == "offscreen";
   }

@@ -88,8 +88,8 @@ TEST(Ball, BeginsAtMinusXAndGoesRoundByPlusZ) {
 TEST(Ball, RefusesOtherBands) {
   EXPECT_THROW(static_cast<void>(ball(1, 1)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(ball(1, -6)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(ball(1, most_bands + 1)), std::invalid_argument);
-  EXPECT_EQ(ball(1, most_bands).faces.size(), 4050U);
+  EXPECT_THROW(static_cast<void>(ball(1, max_bands + 1)), std::invalid_argument);
+  EXPECT_EQ(ball(1, max_bands).faces.size(), 4050U);
 }
 
 struct AnyBall {

@@ -28,7 +28,7 @@ TEST(ValidateMesh, AcceptsShapes) {
   EXPECT_EQ(said(with_normals(cube(15))), "accepted");
   EXPECT_EQ(said(cube(4729)), "accepted");
   EXPECT_EQ(said(cube(0.001)), "accepted");
-  for (int bands = 2; bands <= most_bands; ++bands) {
+  for (int bands = 2; bands <= max_bands; ++bands) {
     EXPECT_EQ(said(with_normals(ball(60, bands))), "accepted") << bands;
   }
   // One face alone, of as many corners as can be.
