@@ -82,16 +82,17 @@ static_assert(dot(term_a, term_b).raw() == 0);
 static_assert(round(q16_16(-0.5)) == q16_16() && round(q16_16(0.5)) == q16_16(1));
 
 // The ends of the range.
-constexpr auto lowest = std::numeric_limits<q16_16>::lowest();
-static_assert(-lowest == lowest && abs(lowest) == lowest);
-static_assert(lowest / q16_16(-1) == lowest);
-static_assert(lowest * q16_16(-1) == lowest);
+constexpr auto lowest_wrapping = std::numeric_limits<q16_16>::lowest();
+static_assert(-lowest_wrapping == lowest_wrapping && abs(lowest_wrapping) == lowest_wrapping);
+static_assert(lowest_wrapping / q16_16(-1) == lowest_wrapping);
+static_assert(lowest_wrapping * q16_16(-1) == lowest_wrapping);
 constexpr auto lowest_saturating = std::numeric_limits<q16_16_saturating>::lowest();
 constexpr auto highest_saturating = std::numeric_limits<q16_16_saturating>::max();
 static_assert(-lowest_saturating == highest_saturating);
 static_assert(lowest_saturating / q16_16_saturating(-1) == highest_saturating);
 static_assert(highest_saturating + highest_saturating == highest_saturating);
-static_assert(!try_divide(q16_16(1), q16_16()) && try_divide(lowest, q16_16(-1)) == lowest);
+static_assert(!try_divide(q16_16(1), q16_16()) &&
+              try_divide(lowest_wrapping, q16_16(-1)) == lowest_wrapping);
 static_assert(!try_divide(std::numeric_limits<q16_16_trapping>::lowest(), q16_16_trapping(-1)));
 
 // Functions.

@@ -26,24 +26,24 @@ std::string text_of(const Call& call) {
   return "nothing thrown";
 }
 
-constexpr trapping highest = std::numeric_limits<trapping>::max();
-constexpr trapping lowest = std::numeric_limits<trapping>::lowest();
+constexpr trapping highest_trapping = std::numeric_limits<trapping>::max();
+constexpr trapping lowest_trapping = std::numeric_limits<trapping>::lowest();
 
 TEST(Errors, SayTheOperationAndTheOperands) {
   const auto overflow = [](const auto& call) { return text_of<overflow_error>(call); };
   EXPECT_EQ(overflow([] { return trapping(32767) + trapping(2.5); }),
             "fixed-point overflow: operator+(32767, 2.5)");
-  EXPECT_EQ(overflow([] { return lowest - trapping(1); }),
+  EXPECT_EQ(overflow([] { return lowest_trapping - trapping(1); }),
             "fixed-point overflow: operator-(-32768, 1)");
-  EXPECT_EQ(overflow([] { return -lowest; }), "fixed-point overflow: operator-(-32768)");
+  EXPECT_EQ(overflow([] { return -lowest_trapping; }), "fixed-point overflow: operator-(-32768)");
   EXPECT_EQ(overflow([] { return trapping(200) * trapping(-300.5); }),
             "fixed-point overflow: operator*(200, -300.5)");
   EXPECT_EQ(overflow([] { return trapping(200) / trapping::from_raw(1); }),
             "fixed-point overflow: operator/(200, 0.0000152587890625)");
-  EXPECT_EQ(overflow([] { return abs(lowest); }), "fixed-point overflow: abs(-32768)");
-  EXPECT_EQ(overflow([] { return ceil(highest); }),
+  EXPECT_EQ(overflow([] { return abs(lowest_trapping); }), "fixed-point overflow: abs(-32768)");
+  EXPECT_EQ(overflow([] { return ceil(highest_trapping); }),
             "fixed-point overflow: ceil(32767.9999847412109375)");
-  EXPECT_EQ(overflow([] { return round(highest); }),
+  EXPECT_EQ(overflow([] { return round(highest_trapping); }),
             "fixed-point overflow: round(32767.9999847412109375)");
   EXPECT_EQ(overflow([] { return mul_add(trapping(200), trapping(200), trapping(1)); }),
             "fixed-point overflow: mul_add(200, 200, 1)");
@@ -79,17 +79,17 @@ TEST(Errors, DomainErrors) {
 }
 
 TEST(Errors, AreOfTheStandard) {
-  EXPECT_THROW(static_cast<void>(highest + highest), std::overflow_error);
-  EXPECT_THROW(static_cast<void>(highest / trapping()), std::domain_error);
-  EXPECT_THROW(static_cast<void>(sqrt(lowest)), std::domain_error);
+  EXPECT_THROW(static_cast<void>(highest_trapping + highest_trapping), std::overflow_error);
+  EXPECT_THROW(static_cast<void>(highest_trapping / trapping()), std::domain_error);
+  EXPECT_THROW(static_cast<void>(sqrt(lowest_trapping)), std::domain_error);
 }
 
 TEST(Errors, LeaveTheOperandAsItWas) {
-  trapping x = highest;
+  trapping x = highest_trapping;
   EXPECT_THROW(x += trapping(1), overflow_error);
   EXPECT_THROW(x *= trapping(2), overflow_error);
   EXPECT_THROW(x /= trapping(), divide_error);
-  EXPECT_EQ(x, highest);
+  EXPECT_EQ(x, highest_trapping);
 }
 
 }  // namespace

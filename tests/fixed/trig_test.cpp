@@ -12,12 +12,12 @@
 namespace {
 
 using namespace fixed;
-using real = boost::multiprecision::cpp_dec_float_50;
+using decimal_real = boost::multiprecision::cpp_dec_float_50;
 
 /// cos(step / steps of a right angle) in units of 2^-bits, to nearest.
 std::int32_t nearest_cosine(int step, int steps, int bits) {
-  const real angle = boost::math::constants::half_pi<real>() * step / steps;
-  return floor(ldexp(cos(angle), bits) + real(0.5)).convert_to<std::int32_t>();
+  const decimal_real angle = boost::math::constants::half_pi<decimal_real>() * step / steps;
+  return floor(ldexp(cos(angle), bits) + decimal_real(0.5)).convert_to<std::int32_t>();
 }
 
 template <int Bits, int StepsPerDegree>

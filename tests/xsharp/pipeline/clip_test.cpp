@@ -70,7 +70,7 @@ bool for_triangles(Check holds) {
 
 template <class N>
 struct Clip : testing::Test {};
-TYPED_TEST_SUITE(Clip, pipeline::all_types, );
+TYPED_TEST_SUITE(Clip, pipeline::multiplying_types, );
 
 TYPED_TEST(Clip, OnlyWhatIsInsideIsLeft) {
   using N = TypeParam;
@@ -193,7 +193,11 @@ Projection<N> projection(double ratio, std::int32_t width) {
   return projection_of<N>(scene);
 }
 
-TYPED_TEST(Clip, WhatIsLeftIsProjectedWithoutAFaultAndWithin16Bits) {
+template <class N>
+struct ClippedProjection : testing::Test {};
+TYPED_TEST_SUITE(ClippedProjection, pipeline::all_types, );
+
+TYPED_TEST(ClippedProjection, WhatIsLeftIsProjectedWithoutAFaultAndWithin16Bits) {
   using N = TypeParam;
   // Projection constants from -0.01 to -16000, the least and greatest a scene may have.
   for (const auto& [ratio, width] :
@@ -212,7 +216,7 @@ TYPED_TEST(Clip, WhatIsLeftIsProjectedWithoutAFaultAndWithin16Bits) {
   }
 }
 
-TYPED_TEST(Clip, AProjectedPointIsWhereTheQuotientIs) {
+TYPED_TEST(ClippedProjection, AProjectedPointIsWhereTheQuotientIs) {
   using N = TypeParam;
   // Whole z: the 8088 divide drops no fraction then.
   const Projection<N> p = projection<N>(-2, 320);

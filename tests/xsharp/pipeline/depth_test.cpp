@@ -101,7 +101,7 @@ void sort_raws(Order& order, const std::vector<std::int32_t>& raws) {
 
 template <class N>
 struct Depth : testing::Test {};
-TYPED_TEST_SUITE(Depth, pipeline::all_types, );
+TYPED_TEST_SUITE(Depth, pipeline::comparing_types, );
 
 TYPED_TEST(Depth, TheFarthestComesFirst) {
   Order order = from_zero(5);

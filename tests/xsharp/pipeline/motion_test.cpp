@@ -44,7 +44,7 @@ std::vector<int> frames_of_change(const ObjectDescription& object, int count) {
 
 template <class N>
 struct MotionOf : testing::Test {};
-TYPED_TEST_SUITE(MotionOf, pipeline::all_types, );
+TYPED_TEST_SUITE(MotionOf, pipeline::multiplying_types, );
 
 TYPED_TEST(MotionOf, DelaysCountDownFromTheFirstThenFromTheBase) {
   ObjectDescription spinning;

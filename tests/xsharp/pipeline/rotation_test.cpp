@@ -52,7 +52,7 @@ double step_error(Trigonometry trigonometry, Conversion conversion) {
 
 template <class N>
 struct Rotation : testing::Test {};
-TYPED_TEST_SUITE(Rotation, pipeline::all_types, );
+TYPED_TEST_SUITE(Rotation, pipeline::multiplying_types, );
 
 TYPED_TEST(Rotation, QuarterTurnsAreCounterclockwise) {
   using N = TypeParam;

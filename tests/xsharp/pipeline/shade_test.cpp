@@ -76,7 +76,7 @@ Lighting<N> lighting_of_draw(const Integers& d) {
 
 template <class N>
 struct Shade : testing::Test {};
-TYPED_TEST_SUITE(Shade, pipeline::all_types, );
+TYPED_TEST_SUITE(Shade, pipeline::multiplying_types, );
 
 /// With products within p: a cosine is within 3 p, times an intensity of at most 2 within 7 p, the
 /// light of three spots within 21 p, 255 times that below 0.1. The last product is in 255ths, and

@@ -20,6 +20,27 @@ using all_types =
                    fixed::q16_16_i8088, fixed::q16_16_i8088_mul_rounded,
                    fixed::q16_16_i8088_div_rounded, fixed::q16_16_i8088_unrounded>;
 
+/// One type for each arithmetic without division, for code that never divides.
+using multiplying_types = testing::Types<double, fixed::q16_16, fixed::q16_16_saturating,
+                                         fixed::q16_16_trapping, fixed::q16_16_i386_unrounded,
+                                         fixed::q16_16_i8088, fixed::q16_16_i8088_unrounded>;
+
+/// Whether two policies differ at most in division.
+constexpr bool multiply_alike(fixed::policy a, const fixed::policy& b) {
+  a.divide = b.divide;
+  a.fault = b.fault;
+  return a == b;
+}
+// The presets that multiplying_types leaves out multiply, add and subtract like one that it has.
+static_assert(multiply_alike(fixed::policies::i386_rounded, fixed::policies::wrapping));
+static_assert(multiply_alike(fixed::policies::i386_mul_rounded, fixed::policies::wrapping));
+static_assert(multiply_alike(fixed::policies::i386_div_rounded, fixed::policies::i386_unrounded));
+static_assert(multiply_alike(fixed::policies::i8088_mul_rounded, fixed::policies::i8088_rounded));
+static_assert(multiply_alike(fixed::policies::i8088_div_rounded, fixed::policies::i8088_unrounded));
+
+/// For code that only compares: the comparison of 16.16 numbers ignores the policy.
+using comparing_types = testing::Types<double, fixed::q16_16>;
+
 /// Those with a divide of their own, for what takes long.
 using some_types = testing::Types<double, fixed::q16_16, fixed::q16_16_trapping, fixed::q16_16_i386,
                                   fixed::q16_16_i8088_unrounded>;
