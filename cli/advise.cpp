@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "cli/advice_text.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/surface_options.hpp"
@@ -16,7 +17,7 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "trade/advice/advice_text.hpp"
+#include "trade/advice/advice.hpp"
 #include "trade/drift/run.hpp"
 #include "xsharp/files/scene_json.hpp"
 
@@ -146,7 +147,7 @@ int advise_on(const AdviseOptions& options) {
     report.tried.push_back({choices[i], costs[i], errors[i]});
   }
   trade::sort_by_cost(report.tried);
-  std::cout << heading(report) << trade::table_of(report) << '\n';
+  std::cout << heading(report) << table_of(report) << '\n';
   if (report.frames < wanted) return stopped(report.frames, wanted, options);
 
   const trade::Advice advice = trade::advise(report.tried, budget);
@@ -155,8 +156,9 @@ int advise_on(const AdviseOptions& options) {
     report.drift_pixels = drift_of(scene, report.tried[*advice.take].choice, frames);
     if (frames < wanted) return stopped(frames, wanted, options);
   }
-  std::cout << trade::sentences_of(report);
-  if (!options.json.empty()) support::replace_file(options.json, trade::json_of(report));
+  std::cout << sentences_of(report);
+  if (!options.json.empty())
+    support::replace_file(options.json, support::json_text(trade::to_json(report)));
   return advice.take ? 0 : 1;
 }
 

@@ -1,21 +1,94 @@
-// fixproof measure: what accuracy costs.
-#include "trade/measure.hpp"
+// fixproof measure: the errors and the speed of the arithmetic.
+#include <fmt/format.h>
 
+#include <iostream>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/measure_text.hpp"
+#include "player/outputs.hpp"
+#include "support/file.hpp"
+#include "support/interrupt.hpp"
+#include "support/json.hpp"
+#include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
 
+namespace {
+
+struct MeasureOptions {
+  bool accuracy = false;
+  bool clocks = false;
+  bool host = false;
+  bool stepping = false;
+  std::vector<std::string> scenes;
+  std::string json;
+  trade::MeasureRequest request;
+};
+
+/// Reads the scenes and checks that the JSON file can be written, before anything takes long.
+/// @throws xsharp::SceneError, UsageError if the file is one of a scene's, std::runtime_error if it
+///         cannot be written
+trade::MeasureRequest read_request(const MeasureOptions& options) {
+  trade::MeasureRequest request = options.request;
+  for (const std::string& file : options.scenes) {
+    request.scenes.push_back(xsharp::read_scene(file));
+    if (!options.json.empty()) {
+      player::refuse_inputs("--json", options.json, request.scenes.back().files);
+    }
+  }
+  if (!options.json.empty()) support::check_replaceable(options.json);
+  return request;
+}
+
+/// Errors beyond the derived bounds, which only stepped values have.
+template <class Result>
+std::vector<std::string> broken_bounds(const Result& /*result*/) {
+  return {};
+}
+std::vector<std::string> broken_bounds(const trade::SteppingResult& result) {
+  std::vector<std::string> lines;
+  for (const trade::SteppingRow& row : result.rows) {
+    if (row.statistics.beyond().empty()) continue;
+    lines.push_back(
+        fmt::format("{}, {}: {}", row.variant.value, row.variant.rule, row.statistics.beyond()));
+  }
+  return lines;
+}
+
+template <class Result>
+int run(const MeasureOptions& options,
+        std::optional<Result> (*measure)(const trade::MeasureRequest&, trade::MeasureProgress&)) {
+  const trade::MeasureRequest request = read_request(options);
+  std::optional<Result> result;
+  try {
+    const support::Interrupt interrupt;
+    trade::MeasureProgress progress(support::Interrupt::flag());
+    result = measure(request, progress);
+    progress.end();
+    if (!result) {
+      std::cout << fmt::format("STOPPED after {} of {} {}{}\n", progress.done(), progress.all(),
+                               progress.unit(),
+                               options.json.empty() ? "" : "; " + options.json + " is not written");
+      return support::interrupted_status;
+    }
+  } catch (const trade::WrongContender& wrong) {
+    fmt::print(stderr, "fixproof: {}\n", wrong.what());
+    return 1;
+  }
+  std::cout << text_of(*result);
+  if (!options.json.empty()) {
+    support::replace_file(options.json, support::json_text(to_json(*result)));
+  }
+  const std::vector<std::string> broken = broken_bounds(*result);
+  for (const std::string& line : broken) fmt::print(stderr, "fixproof: {}\n", line);
+  return broken.empty() ? 0 : 1;
+}
+
+}  // namespace
+
 void add_measure(CLI::App& app, int& status) {
-  struct MeasureOptions {
-    bool accuracy = false;
-    bool clocks = false;
-    bool host = false;
-    bool stepping = false;
-    trade::MeasureRequest request;
-  };
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command = app.add_subcommand("measure", "measure what the arithmetic costs");
   CLI::Option_group* what = command->add_option_group("what", "one of these");
@@ -34,7 +107,7 @@ void add_measure(CLI::App& app, int& status) {
       "clocks and nanoseconds of the loops");
   what->require_option(1);
   command
-      ->add_option("scene", options->request.scenes,
+      ->add_option("scene", options->scenes,
                    "scenes whose operands are recorded, such as scenes/twelve_cubes.json")
       ->check(not_empty())
       ->excludes(host)
@@ -53,7 +126,7 @@ void add_measure(CLI::App& app, int& status) {
       ->capture_default_str()
       ->excludes(accuracy)
       ->excludes(clocks);
-  command->add_option("--json", options->request.json, "a file for the same figures, as JSON")
+  command->add_option("--json", options->json, "a file for the same figures, as JSON")
       ->check(not_empty());
   command->footer(
       "--accuracy sets results against exact integers; by default 500,000 operands of one kind.\n"
@@ -73,10 +146,10 @@ void add_measure(CLI::App& app, int& status) {
       "  fixproof measure --host --json host.json\n"
       "  fixproof measure --stepping --json stepping.json");
   command->callback([options, &status] {
-    status = options->accuracy   ? trade::measure_accuracy(options->request)
-             : options->host     ? trade::measure_host(options->request)
-             : options->stepping ? trade::measure_stepping(options->request)
-                                 : trade::measure_clocks(options->request);
+    status = options->accuracy   ? run(*options, trade::measure_accuracy)
+             : options->host     ? run(*options, trade::measure_host)
+             : options->stepping ? run(*options, trade::measure_stepping)
+                                 : run(*options, trade::measure_clocks);
   });
 }
 

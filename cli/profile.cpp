@@ -10,6 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/profile_text.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/surface_options.hpp"
 #include "player/canvas.hpp"
@@ -19,7 +20,6 @@
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
-#include "trade/profile/profile_text.hpp"
 
 namespace fixproof::cli {
 
@@ -67,7 +67,7 @@ int run_profile(const ProfileOptions& options) {
   const trade::SceneProfile& profile = profiler.profile();
   std::cout << fmt::format("{}, {}: {} frames\n\n", support::printable(scene.name),
                            player::name_of(scene.arithmetic), support::grouped(done))
-            << trade::text_of(profile);
+            << text_of(profile);
   if (done < frames) {
     std::cout << fmt::format("\nSTOPPED after {} of {} frames{}\n", support::grouped(done),
                              support::grouped(frames),
@@ -75,7 +75,7 @@ int run_profile(const ProfileOptions& options) {
     return support::interrupted_status;
   }
   if (!options.json.empty())
-    support::replace_file(options.json, trade::json_of(profile, scene.name));
+    support::replace_file(options.json, support::json_text(trade::to_json(profile, scene.name)));
   return 0;
 }
 

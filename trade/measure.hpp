@@ -1,35 +1,54 @@
 /// @file
-/// What `fixproof measure` can measure. Each function prints its tables, writes the file that was
-/// asked for, and returns the exit status.
+/// The options of a measurement, and how it reports progress.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
+#include "support/frame_progress.hpp"
 #include "xsharp/scene.hpp"
 
 namespace fixproof::trade {
 
-/// What was asked, whatever is measured.
+/// The options of `fixproof measure`. Each measurement has its own default for `cases`.
 struct MeasureRequest {
-  std::vector<std::string> scenes;     ///< files whose operands are recorded
+  std::vector<xsharp::Scene> scenes;   ///< their operands are recorded
   std::uint64_t seed = 1994;           ///< of random operands
-  std::optional<std::uint64_t> cases;  ///< random cases of one kind; by default as many as serve
-  std::uint64_t rounds = 101;          ///< in which every loop is timed
-  std::string json;                    ///< a file for the same figures; empty for none
+  std::optional<std::uint64_t> cases;  ///< random cases of each kind
+  std::uint64_t rounds = 101;          ///< in each round, every loop is timed once
 };
 
-/// The scenes that were asked for. Before anything long begins it is known that the file can be
-/// written, and is none of theirs.
-/// @throws xsharp::SceneError for a scene that is refused, UsageError for such a file,
-///         std::runtime_error for one that cannot be written
-std::vector<xsharp::Scene> read_scenes(const MeasureRequest& request);
+/// Counts the finished parts of a measurement, shows them on the terminal, and says when to stop.
+/// A measurement that stops early returns nothing.
+class MeasureProgress {
+ public:
+  explicit MeasureProgress(const std::atomic<bool>& stop) : stop_(stop) {}
 
-int measure_accuracy(const MeasureRequest& request);
-int measure_clocks(const MeasureRequest& request);
-int measure_host(const MeasureRequest& request);
-int measure_stepping(const MeasureRequest& request);
+  /// @param unit what the parts are, in the plural
+  void begin(std::uint64_t all, std::string_view unit) {
+    all_ = all;
+    unit_ = unit;
+    line_.emplace(all, unit);
+  }
+  void show(std::uint64_t done) { line_->show(done_ = done); }
+  void add_part() { show(done_ + 1); }
+  /// Removes the line from the terminal.
+  void end() { line_.reset(); }
+
+  [[nodiscard]] const std::atomic<bool>& stop() const { return stop_; }
+  [[nodiscard]] std::uint64_t done() const { return done_; }
+  [[nodiscard]] std::uint64_t all() const { return all_; }
+  [[nodiscard]] std::string_view unit() const { return unit_; }
+
+ private:
+  const std::atomic<bool>& stop_;
+  std::uint64_t done_ = 0;
+  std::uint64_t all_ = 0;
+  std::string_view unit_;
+  std::optional<support::FrameProgress> line_;
+};
 
 }  // namespace fixproof::trade

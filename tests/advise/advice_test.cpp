@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "trade/advice/advice_text.hpp"
+#include "trade/advice/advice.hpp"
 #include "trade/host/provenance.hpp"
 
 namespace fixproof {
@@ -70,14 +70,14 @@ TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
 TEST(Advice, SaysWhatCostsTheSame) {
   trade::AdviceReport report{
       .scene = "a scene", .budget = 0.5, .tried = {timed(200, 5, 0.4), timed(204, 5, 0.3)}};
-  EXPECT_NE(trade::sentences_of(report).find("1 other within the budget costs the same"),
+  EXPECT_NE(cli::sentences_of(report).find("1 other within the budget costs the same"),
             std::string::npos)
-      << trade::sentences_of(report);
-  EXPECT_NE(trade::sentences_of(report).find("which costs the same, at most 0.400"),
+      << cli::sentences_of(report);
+  EXPECT_NE(cli::sentences_of(report).find("which costs the same, at most 0.400"),
             std::string::npos);
   report.tried = {timed(200, 1, 0.4), timed(204, 1, 0.3)};
-  EXPECT_EQ(trade::sentences_of(report).find("the same"), std::string::npos)
-      << trade::sentences_of(report);
+  EXPECT_EQ(cli::sentences_of(report).find("the same"), std::string::npos)
+      << cli::sentences_of(report);
 }
 
 TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
@@ -85,7 +85,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
       .scene = "a scene",
       .budget = 0.5,
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
-  const auto json = nlohmann::json::parse(trade::json_of(report));
+  const auto json = trade::to_json(report);
   EXPECT_EQ(json.at("made").at("command"), "advise");
   EXPECT_EQ(json.at("made").at("processor"), trade::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
@@ -93,7 +93,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);
   EXPECT_EQ(json.at("variants").at(1).at("cost_spread"), 5);
   report.cpu = x86model::Cpu::i386;
-  EXPECT_TRUE(nlohmann::json::parse(trade::json_of(report)).at("made").at("processor").is_null());
+  EXPECT_TRUE(trade::to_json(report).at("made").at("processor").is_null());
 }
 
 TEST(Advice, IsNoneWhereNoneFits) {
@@ -103,8 +103,8 @@ TEST(Advice, IsNoneWhereNoneFits) {
   EXPECT_FALSE(advice.take);
   EXPECT_FALSE(advice.runner_up);
   EXPECT_EQ(advice.nearest, 1U);
-  EXPECT_EQ(trade::sentences_of(report).rfind("None stays within 0.5 pixels.", 0), 0U);
-  EXPECT_NE(trade::sentences_of(report).find("0.750 pixels off"), std::string::npos);
+  EXPECT_EQ(cli::sentences_of(report).rfind("None stays within 0.5 pixels.", 0), 0U);
+  EXPECT_NE(cli::sentences_of(report).find("0.750 pixels off"), std::string::npos);
 }
 
 // Only drift has those.
@@ -112,7 +112,7 @@ TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
   trade::AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
   const auto names_them = [&report](double pixels) {
     report.drift_pixels = pixels;
-    return trade::sentences_of(report).find("corners that are clipped") != std::string::npos;
+    return cli::sentences_of(report).find("corners that are clipped") != std::string::npos;
   };
   EXPECT_FALSE(names_them(0.5));
   EXPECT_TRUE(names_them(0.75));

@@ -17,8 +17,8 @@ void expect(const LoopForm& form, Cpu cpu, double min, double max,
             trade::Pixels pixels = trade::Pixels::drawn) {
   const auto clocks = trade::pixel_clocks(form, pixels, cpu);
   ASSERT_TRUE(clocks) << name_of(cpu);
-  EXPECT_DOUBLE_EQ(clocks->min, min) << name_of(cpu);
-  EXPECT_DOUBLE_EQ(clocks->max, max) << name_of(cpu);
+  EXPECT_DOUBLE_EQ(clocks->table.min, min) << name_of(cpu);
+  EXPECT_DOUBLE_EQ(clocks->table.max, max) << name_of(cpu);
 }
 
 // mov al,dh  add dx,bp  stosb: 2 3 11 on an 8088, 2 2 3 on a 286, 2 2 4 on a 386, 1 1 5 on a 486.

@@ -207,7 +207,8 @@ TEST(SteppingRun, LinearTextureBesideTrueOne) {
     EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
   EXPECT_GT(of_rule(rows, "never (affine)").all().error, 43);
   EXPECT_LT(of_rule(rows, "never (affine)").all().error, 43.75 + 0.63);
-  for (const trade::LargestError& e : of_rule(rows, "every 16th").along()) EXPECT_LT(e.error, 0.25);
+  for (const trade::ErrorAndBound& e : of_rule(rows, "every 16th").along())
+    EXPECT_LT(e.error, 0.25);
   EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.01);
 }
 

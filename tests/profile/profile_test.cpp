@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/profile_text.hpp"
 #include "player/players.hpp"
-#include "trade/profile/profile_text.hpp"
 #include "x86model/forms.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -176,7 +176,7 @@ TEST(Profile, SaysWhichRoutinesAreNeverCalled) {
   xsharp::Scene scene = still_cube(1, -10);
   scene.objects[0].spin.tenths = {0, 10, 0};
   const auto says_so = [&scene] {
-    return trade::text_of(profile_of(scene, "i386", true, 2)).find("CosSin: never called") !=
+    return cli::text_of(profile_of(scene, "i386", true, 2)).find("CosSin: never called") !=
            std::string::npos;
   };
   EXPECT_FALSE(says_so());

@@ -153,16 +153,4 @@ std::vector<MeasuredOperation> measured_operations() {
   return all;
 }
 
-std::string libraries_left_out() {
-  std::string text;
-  const auto line = [&text](bool built_in, const char* library) {
-    if (built_in) return;
-    text += library;
-    text += " was not found when this program was built, and is left out.\n";
-  };
-  line(has_libfixmath(), "libfixmath");
-  line(has_freetype(), "FreeType");
-  return text;
-}
-
 }  // namespace fixproof::trade

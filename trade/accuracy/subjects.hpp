@@ -60,8 +60,4 @@ std::optional<Subject> freetype_subject(const std::string& operation);
 bool has_libfixmath();
 bool has_freetype();
 
-/// Says of each library that is not built in that it is left out, a line each; nothing where both
-/// are.
-std::string libraries_left_out();
-
 }  // namespace fixproof::trade

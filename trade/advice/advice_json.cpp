@@ -1,6 +1,5 @@
 
-#include "support/json.hpp"
-#include "trade/advice/advice_text.hpp"
+#include "trade/advice/advice.hpp"
 #include "trade/host/provenance.hpp"
 
 namespace fixproof::trade {
@@ -9,7 +8,7 @@ namespace {
 
 using support::Json;
 
-Json json_of(const Tried& tried, const AdviceReport& report) {
+Json to_json(const Tried& tried, const AdviceReport& report) {
   const Choice& choice = tried.choice;
   Json json;
   json["name"] = name_of(choice);
@@ -36,7 +35,7 @@ Json place(const std::optional<std::size_t>& index) { return index ? Json(*index
 
 }  // namespace
 
-std::string json_of(const AdviceReport& report) {
+Json to_json(const AdviceReport& report) {
   const Advice advice = advise(report.tried, report.budget);
   Json json;
   json["made"] = made_by_json("advise");
@@ -47,14 +46,14 @@ std::string json_of(const AdviceReport& report) {
   json["budget_pixels"] = report.budget;
   json["cpu"] = report.cpu ? Json(x86model::name_of(*report.cpu)) : Json();
   json["repaired"] = report.repaired;
-  json["cost_unit"] = report.cpu ? "clocks a frame" : "ns a frame";
+  json["cost_unit"] = cost_unit(report);
   json["variants"] = Json::array();
-  for (const Tried& tried : report.tried) json["variants"].push_back(json_of(tried, report));
+  for (const Tried& tried : report.tried) json["variants"].push_back(to_json(tried, report));
   json["take"] = place(advice.take);
   json["runner_up"] = place(advice.runner_up);
   json["next_cheaper"] = place(advice.next_cheaper);
   json["drift_pixels"] = report.drift_pixels ? Json(*report.drift_pixels) : Json();
-  return support::json_text(json);
+  return json;
 }
 
 }  // namespace fixproof::trade

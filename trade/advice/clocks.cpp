@@ -57,23 +57,15 @@ class FromAngles {
   std::vector<Turned> objects_;
 };
 
-/// Of a frame on average, by Intel's tables and on the bus of an 8088.
-struct Counted {
-  double least = 0;
-  double most = 0;
-  double bus = 0;
-};
-
-Cost cost_of(const Counted& c, x86model::Cpu cpu) {
-  const double least = std::max(c.least, c.bus);
-  const double most = std::max(c.most, c.bus);
+Cost cost_of(const Clocks& c, x86model::Cpu cpu) {
+  const auto [least, most] = c.at_least();
   Cost cost{least, most, (least + most) / 2};
   if (cpu == x86model::Cpu::i8088) cost.bus = c.bus;
   return cost;
 }
 
 /// The clocks of the sampled frames, as counted.
-Counted sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
+Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto player = player::make_player(scene, scene.arithmetic);
   const auto canvas = player::canvas_of_surfaces(scene);
   std::optional<FromAngles> angles;
@@ -98,15 +90,14 @@ Counted sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
     }
   }
   constexpr double frames = ClockSample::places * ClockSample::in_a_row;
-  return {static_cast<double>(sum.table.min) / frames, static_cast<double>(sum.table.max) / frames,
-          static_cast<double>(sum.bus.clocks()) / frames};
+  return sum.per_frame(frames);
 }
 
 /// Of the motions between always and never restoring.
-Counted shared_out(const Counted& never, const Counted& always, double rotations) {
-  return {never.least + (always.least - never.least) / rotations,
-          never.most + (always.most - never.most) / rotations,
-          never.bus + (always.bus - never.bus) / rotations};
+Clocks shared_out(const Clocks& never, const Clocks& always, double rotations) {
+  const auto mean = [rotations](double a, double b) { return a + (b - a) / rotations; };
+  return {{mean(never.table.min, always.table.min), mean(never.table.max, always.table.max)},
+          mean(never.bus, always.bus)};
 }
 
 /// Counts each scene once.
@@ -118,13 +109,13 @@ class ClockMemory {
     const std::int32_t every = choice.turning.restore_every;
     if (every <= 1) return cost_of(counted(choice), cpu_);
     choice.turning.restore_every = 0;
-    const Counted never = counted(choice);
+    const Clocks never = counted(choice);
     choice.turning.restore_every = 1;
     return cost_of(shared_out(never, counted(choice), every), cpu_);
   }
 
  private:
-  Counted counted(const Choice& choice) {
+  Clocks counted(const Choice& choice) {
     for (const auto& [known, clocks] : counted_) {
       if (known == choice) return clocks;
     }
@@ -134,7 +125,7 @@ class ClockMemory {
 
   const xsharp::Scene& scene_;
   x86model::Cpu cpu_;
-  std::vector<std::pair<Choice, Counted>> counted_;
+  std::vector<std::pair<Choice, Clocks>> counted_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/variant.hpp"
+#include "trade/clocks/bounds.hpp"
 #include "x86model/clocks.hpp"
 
 namespace fixproof::trade {
@@ -55,8 +56,9 @@ struct ProcessorClocks {
   Spread clocks{};              ///< by Intel's table
   std::optional<Spread> bus{};  ///< of an 8088; see x86model/bus.hpp
 
-  /// Whether the bus time exceeds the table time on average: then the bus limits the processor.
-  [[nodiscard]] bool bus_limits() const { return bus && bus->mean_min() > clocks.mean_max(); }
+  [[nodiscard]] Clocks mean() const {
+    return {{clocks.mean_min(), clocks.mean_max()}, bus ? bus->mean_min() : 0};
+  }
 };
 
 /// Of one routine. A call that ends in a divide error is counted as that alone.

@@ -15,13 +15,11 @@ Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model:
                       Fetching fetching) {
   const SceneOperands& operands = operands_of(scene, build);
   const FrameClocks clocks = clocks_of(operands.log, operands.choice, cpu);
-  x86model::Range all = clocks.at_least();
-  if (fetching == Fetching::waiting) {
-    const std::uint64_t code = x86model::bus_clocks_a_byte * clocks.bus.code;
-    all = {clocks.table.min + code, clocks.table.max + code};
-  }
   const auto frames = static_cast<double>(operands.frames);
-  return {static_cast<double>(all.min) / frames, static_cast<double>(all.max) / frames};
+  if (fetching == Fetching::meanwhile) return clocks.per_frame(frames).at_least();
+  const std::uint64_t code = x86model::bus_clocks_a_byte * clocks.bus.code;
+  return {static_cast<double>(clocks.table.min + code) / frames,
+          static_cast<double>(clocks.table.max + code) / frames};
 }
 
 Bounds ratio(const Bounds& a, const Bounds& b) { return {a.min / b.max, a.max / b.min}; }

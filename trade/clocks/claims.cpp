@@ -125,6 +125,23 @@ std::string name_of(Verdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
+support::Json to_json(const Bounds& bounds) { return {{"min", bounds.min}, {"max", bounds.max}}; }
+
+support::Json to_json(const Claim& claim) {
+  support::Json figures = support::Json::array();
+  for (const ClaimFigure& f : claim.figures) {
+    figures.push_back(
+        {{"where", f.where}, {"measured", to_json(f.measured)}, {"verdict", name_of(f.verdict)}});
+  }
+  return {{"claim", claim.text},
+          {"place", claim.place},
+          {"means", claim.means},
+          {"unit", claim.unit},
+          {"verdict", name_of(verdict_on(claim))},
+          {"allowed", to_json(claim.allowed)},
+          {"figures", std::move(figures)}};
+}
+
 std::vector<xsharp::ArithmeticChoice> recorded_builds() {
   return {listing_choice("i386", true),
           listing_choice("i386", false),

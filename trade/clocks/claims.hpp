@@ -7,16 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "support/json.hpp"
 #include "trade/accuracy/scene_operands.hpp"
+#include "trade/clocks/bounds.hpp"
 #include "x86model/clocks.hpp"
 
 namespace fixproof::trade {
-
-/// A figure that is known within bounds, both included.
-struct Bounds {
-  double min = 0;
-  double max = 0;
-};
 
 enum class Verdict { holds, does_not_hold, not_refuted, open, in_part };
 
@@ -77,5 +73,11 @@ std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes);
 Verdict verdict_on(const Claim& claim);
 
 std::string name_of(Verdict verdict);
+
+support::Json to_json(const Bounds& bounds);
+
+/// {claim, place, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured:
+/// {min, max}, verdict}}. Infinite bounds become null, because JSON has no number for them.
+support::Json to_json(const Claim& claim);
 
 }  // namespace fixproof::trade

@@ -1,22 +1,11 @@
-// fixproof measure --clocks.
-#include <fmt/format.h>
+#include "trade/clocks/clocks.hpp"
 
-#include <iostream>
-#include <optional>
+#include <utility>
 
-#include "support/file.hpp"
-#include "support/frame_progress.hpp"
-#include "support/interrupt.hpp"
-#include "support/json.hpp"
-#include "support/plain_text.hpp"
-#include "trade/clocks/call_clocks.hpp"
-#include "trade/clocks/claim_text.hpp"
-#include "trade/clocks/claims.hpp"
+#include "machine_code/programs.hpp"
 #include "trade/clocks/frame_clocks.hpp"
-#include "trade/clocks/span_clocks.hpp"
-#include "trade/figures.hpp"
 #include "trade/host/provenance.hpp"
-#include "trade/measure.hpp"
+#include "x86model/text.hpp"
 
 namespace fixproof::trade {
 
@@ -25,55 +14,8 @@ namespace {
 using support::Json;
 
 constexpr std::uint64_t default_cases = 1000;
-/// A transform takes up to 36 products.
+/// Transforms get a tenth of the cases, because they take up to 36 products each.
 constexpr std::uint64_t transforms_share = 10;
-
-void print(const CallClocks& row) {
-  for (const ProcessorClocks& on : row.processors) {
-    const bool has_switch = row.variant.operation != cases::Operation::cossin;
-    const auto mean = [](const Spread& s) {
-      return s.calls() == 0 ? "-" : between(s.mean_min(), s.mean_max(), 1);
-    };
-    std::string bus;
-    if (on.bus) bus = fmt::format("  {:>9}  {}", mean(*on.bus), on.bus_limits() ? "bus" : "table");
-    std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}{}\n",
-                             cases::name_of(row.variant.operation),
-                             fmt::format("{}{}", cases::name_of(row.variant.target),
-                                         row.variant.chapter_52 ? " ch52" : ""),
-                             !has_switch                  ? "-"
-                             : cases::rounds(row.variant) ? "on"
-                                                          : "off",
-                             x86model::name_of(on.cpu), support::grouped(row.instructions.least()),
-                             mean(row.instructions), support::grouped(row.instructions.most()),
-                             support::grouped(on.clocks.least()), mean(on.clocks),
-                             support::grouped(on.clocks.most()), bus);
-  }
-}
-
-Json json_of(const Spread& s) {
-  Json json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
-  if (s.calls() > 0) json["mean"] = {{"min", s.mean_min()}, {"max", s.mean_max()}};
-  return json;
-}
-
-Json json_of(const CallClocks& row) {
-  Json processors = Json::array();
-  for (const ProcessorClocks& on : row.processors) {
-    Json one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", json_of(on.clocks)}};
-    if (on.bus) {
-      one["bus"] = json_of(*on.bus);
-      one["limit"] = on.bus_limits() ? "bus" : "table";
-    }
-    processors.push_back(std::move(one));
-  }
-  return {{"routine", cases::name_of(row.variant.operation)},
-          {"target", cases::name_of(row.variant.target)},
-          {"chapter", row.variant.chapter_52 ? 52 : 54},
-          {"rounds", cases::rounds(row.variant)},
-          {"instructions", json_of(row.instructions)},
-          {"processors", std::move(processors)},
-          {"faults", row.faults}};
-}
 
 /// The log of the build that a variant stands for.
 const player::OperandLog& log_of(const RecordedScene& scene, const cases::Variant& variant) {
@@ -81,190 +23,139 @@ const player::OperandLog& log_of(const RecordedScene& scene, const cases::Varian
   return scene.builds.at(target + (cases::rounds(variant) ? 0 : 1)).log;
 }
 
-/// What the listings take of a frame on an 8088, on average.
-struct FrameOn8088 {
-  std::string scene;
-  bool rounds = true;
-  double table = 0;
-  double code = 0;  ///< bytes
-  double data = 0;  ///< bytes
-  double bus = 0;   ///< clocks
-};
-
 std::vector<FrameOn8088> frames_on_8088(const std::vector<RecordedScene>& scenes) {
   std::vector<FrameOn8088> all;
   for (const RecordedScene& scene : scenes) {
     for (const SceneOperands& build : scene.builds) {
       if (build.choice.target != "i8088") continue;
       const FrameClocks clocks = clocks_of(build.log, build.choice, x86model::Cpu::i8088);
-      const auto a_frame = [&build](std::uint64_t sum) {
-        return static_cast<double>(sum) / static_cast<double>(build.frames);
-      };
-      all.push_back({scene.name, build.choice.mul_round, a_frame(clocks.table.max),
-                     a_frame(clocks.bus.code), a_frame(clocks.bus.data),
-                     a_frame(clocks.bus.clocks())});
+      const auto frames = static_cast<double>(build.frames);
+      all.push_back({scene.name, build.choice.mul_round,
+                     static_cast<double>(clocks.bus.code) / frames,
+                     static_cast<double>(clocks.bus.data) / frames, clocks.per_frame(frames)});
     }
   }
   return all;
 }
 
-const char* limit_of(const FrameOn8088& frame) { return frame.bus > frame.table ? "bus" : "table"; }
-
-void print(const std::vector<FrameOn8088>& frames) {
-  const auto whole = [](double x) { return support::grouped(static_cast<std::uint64_t>(x)); };
-  std::cout << fmt::format(
-      "\nA frame on an 8088: the clocks of the listings by Intel's table, bytes and clocks of the "
-      "bus, and\nwhich of the two limits.\n\n{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
-      "scene", "rounding", "table", "code", "data", "bus", "limit");
-  for (const FrameOn8088& f : frames) {
-    std::cout << fmt::format("{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
-                             support::printable(f.scene), f.rounds ? "on" : "off", whole(f.table),
-                             whole(f.code), whole(f.data), whole(f.bus), limit_of(f));
-  }
-}
-
-Json json_of(const std::vector<FrameOn8088>& frames) {
-  Json json = Json::array();
-  for (const FrameOn8088& f : frames) {
-    json.push_back({{"scene", f.scene},
-                    {"rounds", f.rounds},
-                    {"table", f.table},
-                    {"code_bytes", f.code},
-                    {"data_bytes", f.data},
-                    {"bus", f.bus},
-                    {"limit", limit_of(f)}});
-  }
+Json to_json(const Spread& s) {
+  Json json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
+  if (s.calls() > 0) json["mean"] = {{"min", s.mean_min()}, {"max", s.mean_max()}};
   return json;
 }
 
-class ClockRun {
- public:
-  explicit ClockRun(const MeasureRequest& request)
-      : request_(request),
-        variants_(timed_variants()),
-        all_(request.scenes.size() * recorded_builds().size() + variants_.size()),
-        progress_(std::in_place, all_, "parts") {}
-
-  /// @return false where it was stopped before its time
-  bool run() {
-    for (const xsharp::Scene& scene : read_scenes(request_)) record(scene);
-    for (const cases::Variant& variant : variants_) {
-      CallClocks row = no_calls(variant);
-      const std::uint64_t cases = request_.cases.value_or(default_cases);
-      const bool transforms = cases::words_in(variant.operation) > 2;
-      add_cases(row, request_.seed, transforms ? cases / transforms_share + 1 : cases,
-                scenes_.empty(), stop_);
-      for (const RecordedScene& scene : scenes_) {
-        add_calls(row, log_of(scene, variant).at(static_cast<std::size_t>(variant.operation)), true,
-                  stop_);
-      }
-      if (stop_) return false;
-      rows_.push_back(std::move(row));
-      done();
+Json to_json(const CallClocks& row) {
+  Json processors = Json::array();
+  for (const ProcessorClocks& on : row.processors) {
+    Json one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", to_json(on.clocks)}};
+    if (on.bus) {
+      one["bus"] = to_json(*on.bus);
+      one["limit"] = on.mean().limit();
     }
-    if (!scenes_.empty()) claims_ = judge_claims(scenes_);
-    frames_ = frames_on_8088(scenes_);
-    progress_.reset();
-    return !stop_;
+    processors.push_back(std::move(one));
   }
+  return {{"routine", cases::name_of(row.variant.operation)},
+          {"target", cases::name_of(row.variant.target)},
+          {"chapter", row.variant.chapter_52 ? 52 : 54},
+          {"rounds", cases::rounds(row.variant)},
+          {"instructions", to_json(row.instructions)},
+          {"processors", std::move(processors)},
+          {"faults", row.faults}};
+}
 
-  void print_all() const {
-    std::cout << made_by(request_.seed) << "\n\n";
-    if (scenes_.empty()) {
-      std::cout
-          << "Means are over the cases of level 1: without a SCENE there are no operands of a "
-             "scene,\nand no claim is judged.\n";
-    } else {
-      std::cout << "Means are over the operands of";
-      for (const RecordedScene& scene : scenes_) {
-        std::cout << fmt::format("{} {}", &scene == scenes_.data() ? "" : ",",
-                                 support::printable(scene.name));
-      }
-      std::cout << fmt::format(", {} frames of each.\n", recorded_frames);
-    }
-    std::cout
-        << "Least and most are those seen in these and in cases of level 1. Two numbers: "
-           "Intel's tables give\na range. The caller's PUSHes and CALL are not counted; calls "
-           "that end in #DE are left out.\n"
-           "Bus: the mean clocks that an 8088 needs for the bytes of code and data, 4 for each. "
-           "Its "
-           "bus fetches while\nit executes, so a call takes at least the larger of the two means. "
-           "The column limit names it. Code that\nis fetched and discarded at a jump is not "
-           "counted. Only an 8088 has bus time here: others have wider buses.\n\n";
-    std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>22}  {:>30}\n", "", "", "", "",
-                             "instructions", "clocks");
-    std::cout << fmt::format(
-        "{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}  {:>9}  {}\n", "routine",
-        "target", "rounding", "cpu", "least", "mean", "most", "least", "mean", "most", "bus",
-        "limit");
-    for (const CallClocks& row : rows_) print(row);
-    if (!scenes_.empty()) print(frames_);
-    if (!claims_.empty()) {
-      std::cout << "\nWhat is published, and what the listings alone show. \"About\" allows a "
-                   "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
-                   "possible, or the listings cannot decide.\n";
-    }
-    for (const Claim& claim : claims_) print_claim(claim);
-    if (!claims_.empty()) print_not_judged();
-    std::cout << '\n' << span_clocks_text();
+Json to_json(const NotJudged& statement) {
+  return {{"claim", statement.text}, {"place", statement.place}, {"reason", statement.reason}};
+}
+
+Json to_json(const FrameOn8088& f) {
+  return {{"scene", f.scene},           {"rounds", f.rounds},         {"table", f.clocks.table.max},
+          {"code_bytes", f.code_bytes}, {"data_bytes", f.data_bytes}, {"bus", f.clocks.bus},
+          {"limit", f.clocks.limit()}};
+}
+
+Json to_json(const LoopClocks& row) {
+  Json processors = Json::array();
+  for (std::size_t i = 0; i < row.on.size(); ++i) {
+    const auto& clocks = row.on.at(i);
+    if (!clocks) continue;
+    const x86model::Cpu cpu = loop_processors.at(i);
+    Json on{
+        {"cpu", x86model::name_of(cpu)}, {"min", clocks->table.min}, {"max", clocks->table.max}};
+    if (cpu == x86model::Cpu::i8088) on["bus"] = clocks->bus;
+    processors.push_back(std::move(on));
   }
+  return {{"loop", machine_code::name_of_loop(row.form.loop)},
+          {"counting", x86model::name_of(row.form.counting)},
+          {"target", target_name(row.form)},
+          {"as_printed", row.form.as_printed},
+          {"pixels", row.pixels == Pixels::drawn ? "drawn" : "hidden"},
+          {"clocks", std::move(processors)}};
+}
 
-  void write_json() const {
-    Json json{{"made", made_by_json(request_.seed, "measure --clocks")}};
-    json["scenes"] = Json::array();
-    for (const RecordedScene& scene : scenes_) json["scenes"].push_back(scene.name);
-    json["clocks"] = Json::array();
-    for (const CallClocks& row : rows_) json["clocks"].push_back(json_of(row));
-    json["claims"] = Json::array();
-    for (const Claim& claim : claims_) json["claims"].push_back(json_of_claim(claim));
-    json["not_judged"] = not_judged_json();
-    json["frames_8088"] = json_of(frames_);
-    json["loops"] = span_clocks_json();
-    support::replace_file(request_.json, support::json_text(json));
+Json to_json(const LoopClaim& claim) {
+  Json gains = Json::array();
+  for (const LoopGain& gain : claim.gains) {
+    gains.push_back({{"where", gain.where}, {"min", gain.min}, {"max", gain.max}});
   }
+  return {{"claim", claim.text}, {"place", claim.place}, {"gains", std::move(gains)}};
+}
 
-  [[nodiscard]] std::string how_far() const {
-    return fmt::format("STOPPED after {} of {} parts{}\n", done_, all_,
-                       request_.json.empty() ? "" : "; " + request_.json + " is not written");
-  }
-
- private:
-  void record(const xsharp::Scene& scene) {
-    RecordedScene recorded{scene.name, {}};
-    for (const auto& choice : recorded_builds()) {
-      if (stop_) return;
-      recorded.builds.push_back(record_scene(scene, choice, stop_));
-      done();
-    }
-    scenes_.push_back(std::move(recorded));
-  }
-
-  void done() { progress_->show(++done_); }
-
-  const MeasureRequest& request_;
-  const support::Interrupt interrupt_;
-  const std::atomic<bool>& stop_ = support::Interrupt::flag();
-  std::vector<cases::Variant> variants_;
-  std::uint64_t all_;
-  std::optional<support::FrameProgress> progress_;  ///< until all is done
-  std::uint64_t done_ = 0;
-  std::vector<RecordedScene> scenes_;
-  std::vector<CallClocks> rows_;
-  std::vector<Claim> claims_;
-  std::vector<FrameOn8088> frames_;
-};
+template <class Rows>
+Json list_of(const Rows& rows) {
+  Json json = Json::array();
+  for (const auto& row : rows) json.push_back(to_json(row));
+  return json;
+}
 
 }  // namespace
 
-int measure_clocks(const MeasureRequest& request) {
-  ClockRun run(request);
-  if (!run.run()) {
-    std::cout << run.how_far();
-    return support::interrupted_status;
+std::optional<ClockResult> measure_clocks(const MeasureRequest& request,
+                                          MeasureProgress& progress) {
+  const std::atomic<bool>& stop = progress.stop();
+  const std::vector<cases::Variant> variants = timed_variants();
+  const auto builds = recorded_builds();
+  ClockResult result;
+  result.seed = request.seed;
+  progress.begin(request.scenes.size() * builds.size() + variants.size(), "parts");
+  std::vector<RecordedScene> scenes;
+  for (const xsharp::Scene& scene : request.scenes) {
+    scenes.push_back({scene.name, {}});
+    result.scenes.push_back(scene.name);
+    for (const auto& choice : builds) {
+      scenes.back().builds.push_back(record_scene(scene, choice, stop));
+      if (stop) return std::nullopt;
+      progress.add_part();
+    }
   }
-  run.print_all();
-  if (!request.json.empty()) run.write_json();
-  return 0;
+  const std::uint64_t cases = request.cases.value_or(default_cases);
+  for (const cases::Variant& variant : variants) {
+    CallClocks row = no_calls(variant);
+    const bool transforms = cases::words_in(variant.operation) > 2;
+    add_cases(row, request.seed, transforms ? cases / transforms_share + 1 : cases, scenes.empty(),
+              stop);
+    for (const RecordedScene& scene : scenes) {
+      add_calls(row, log_of(scene, variant).at(static_cast<std::size_t>(variant.operation)), true,
+                stop);
+    }
+    if (stop) return std::nullopt;
+    result.rows.push_back(std::move(row));
+    progress.add_part();
+  }
+  if (!scenes.empty()) result.claims = judge_claims(scenes);
+  result.frames = frames_on_8088(scenes);
+  result.loops = loop_clocks();
+  result.loop_claims = loop_claims();
+  return result;
+}
+
+Json to_json(const ClockResult& result) {
+  return {{"made", made_by_json(result.seed, "measure --clocks")},
+          {"scenes", result.scenes},
+          {"clocks", list_of(result.rows)},
+          {"claims", list_of(result.claims)},
+          {"not_judged", list_of(not_judged())},
+          {"frames_8088", list_of(result.frames)},
+          {"loops", {{"pixels", list_of(result.loops)}, {"claims", list_of(result.loop_claims)}}}};
 }
 
 }  // namespace fixproof::trade

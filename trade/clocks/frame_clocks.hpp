@@ -2,9 +2,8 @@
 /// What the listings would cost on the processors of their time.
 #pragma once
 
-#include <algorithm>
-
 #include "player/model_call.hpp"
+#include "trade/clocks/bounds.hpp"
 #include "x86model/bus.hpp"
 #include "x86model/clocks.hpp"
 #include "xsharp/scene.hpp"
@@ -16,9 +15,10 @@ struct FrameClocks {
   x86model::Range table;   ///< by Intel's tables, which have ranges in places
   x86model::BusBytes bus;  ///< on an 8088; see x86model/bus.hpp
 
-  /// The larger of table and bus time: the two units of an 8088 work at the same time.
-  [[nodiscard]] x86model::Range at_least() const {
-    return {std::max(table.min, bus.clocks()), std::max(table.max, bus.clocks())};
+  /// The mean of so many frames.
+  [[nodiscard]] Clocks per_frame(double frames) const {
+    return {{static_cast<double>(table.min) / frames, static_cast<double>(table.max) / frames},
+            static_cast<double>(bus.clocks()) / frames};
   }
   FrameClocks& operator+=(const FrameClocks& other) {
     table += other.table;

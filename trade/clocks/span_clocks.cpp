@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "machine_code/programs.hpp"
-#include "support/json.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/count_clocks.hpp"
 #include "x86model/text.hpp"
@@ -23,8 +22,6 @@ using x86::Cpu;
 using x86::Loop;
 using x86::LoopForm;
 using x86::Target;
-
-constexpr std::array cpus{Cpu::i8088, Cpu::i286, Cpu::i386, Cpu::i486};
 
 bool can_run(const LoopForm& form, Cpu cpu) {
   return form.target == Target::i8088 || cpu >= Cpu::i386;
@@ -51,17 +48,10 @@ x86::ClockCounter count_call(std::span<const x86::Instruction> code, const LoopF
   return counter;
 }
 
-std::string name_of(Pixels pixels, Loop loop) {
-  if (loop != Loop::depth_test) return "";
-  return pixels == Pixels::drawn ? " drawn" : " hidden";
-}
-
 std::string form_name(const LoopForm& form) {
   return fmt::format("{}{}", machine_code::name_of_loop(form.loop),
                      form.as_printed ? " as printed" : "");
 }
-
-std::string_view target_name(Target target) { return target == Target::i386 ? "i386" : "i8088"; }
 
 /// The rows of the table: every form, of the depth test twice.
 template <class Visit>
@@ -72,15 +62,9 @@ void each_row(Visit visit) {
   }
 }
 
-std::string between(const std::optional<PixelClocks>& clocks) {
-  if (!clocks) return "-";
-  if (clocks->min == clocks->max) return fmt::format("{:.1f}", clocks->min);
-  return fmt::format("{:.1f}-{:.1f}", clocks->min, clocks->max);
-}
-
 /// Adds what `slow` takes more often than `fast`, on every processor that runs both.
 void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixels pixels) {
-  for (const Cpu cpu : cpus) {
+  for (const Cpu cpu : loop_processors) {
     const auto a = pixel_clocks(slow, pixels, cpu);
     const auto b = pixel_clocks(fast, pixels, cpu);
     if (!a || !b) continue;
@@ -89,17 +73,16 @@ void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixel
     // One loop has the same ranges in the same instructions: least against least, most against
     // most. Of two loops nothing is known but the bounds.
     const bool same = slow.loop == fast.loop;
-    const double least = a->min / (same ? b->min : b->max);
-    const double most = a->max / (same ? b->max : b->min);
+    const double least = a->table.min / (same ? b->table.min : b->table.max);
+    const double most = a->table.max / (same ? b->table.max : b->table.min);
     const std::string where = fmt::format(
-        "{}{}, {} to {}, on {} {}", form_name(slow), name_of(pixels, slow.loop),
-        x86::name_of(slow.counting),
+        "{}, {} to {}, on {} {}", name_of(slow, pixels), x86::name_of(slow.counting),
         slow.loop == fast.loop ? std::string(x86::name_of(fast.counting)) : form_name(fast),
         cpu == Cpu::i8088 ? "an" : "a", x86::name_of(cpu));
     claim.gains.push_back({where, std::min(least, most), std::max(least, most)});
     if (cpu != Cpu::i8088) continue;
     // The table gives an 8088 no ranges here.
-    const double with_bus = std::max(a->min, a->bus) / std::max(b->min, b->bus);
+    const double with_bus = a->at_least().min / b->at_least().min;
     claim.gains.push_back({where + " with its bus", with_bus, with_bus});
   }
 }
@@ -122,7 +105,7 @@ LoopClaim compared(std::string text, std::string place, Loop loop_from, Loop loo
 
 }  // namespace
 
-std::optional<PixelClocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu cpu) {
+std::optional<Clocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu cpu) {
   if (!can_run(form, cpu)) return std::nullopt;
   constexpr std::uint32_t most = x86::loops::most_pixels;
   const auto code = x86::code_of(form);
@@ -131,9 +114,29 @@ std::optional<PixelClocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu
   const auto a_pixel = [](std::uint64_t of_whole, std::uint64_t of_half) {
     return static_cast<double>(of_whole - of_half) / (most - most / 2);
   };
-  return PixelClocks{a_pixel(whole.total().min, half.total().min),
-                     a_pixel(whole.total().max, half.total().max),
-                     a_pixel(whole.bus().clocks(), half.bus().clocks())};
+  return Clocks{
+      {a_pixel(whole.total().min, half.total().min), a_pixel(whole.total().max, half.total().max)},
+      a_pixel(whole.bus().clocks(), half.bus().clocks())};
+}
+
+std::string name_of(const LoopForm& form, Pixels pixels) {
+  if (form.loop != Loop::depth_test) return form_name(form);
+  return form_name(form) + (pixels == Pixels::drawn ? " drawn" : " hidden");
+}
+
+std::string_view target_name(const LoopForm& form) {
+  return form.target == Target::i386 ? "i386" : "i8088";
+}
+
+std::vector<LoopClocks> loop_clocks() {
+  std::vector<LoopClocks> all;
+  each_row([&all](const LoopForm& form, Pixels pixels) {
+    all.push_back({form, pixels, {}});
+    for (std::size_t i = 0; i < loop_processors.size(); ++i) {
+      all.back().on.at(i) = pixel_clocks(form, pixels, loop_processors.at(i));
+    }
+  });
+  return all;
 }
 
 std::vector<LoopClaim> loop_claims() {
@@ -159,69 +162,6 @@ std::vector<LoopClaim> loop_claims() {
                             Loop::texture, Counting::dec_jnz,
                             [](LoopForm& form) { form.counting = Counting::unrolled; }));
   return claims;
-}
-
-std::string span_clocks_text() {
-  std::string text =
-      "Inner loops: clocks a pixel of a long span, by Intel's tables, and on the bus of an 8088.\n"
-      "An 8088 takes at least the larger of the two.\n\n" +
-      fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",
-                  "8088", "bus", "286", "386", "486");
-  each_row([&](const LoopForm& form, Pixels pixels) {
-    text += fmt::format("{:<24}{:<10}{:<7}", form_name(form) + name_of(pixels, form.loop),
-                        x86::name_of(form.counting), target_name(form.target));
-    for (const Cpu cpu : cpus) {
-      const auto clocks = pixel_clocks(form, pixels, cpu);
-      if (cpu == Cpu::i8088) {
-        text += fmt::format("{:>9}{:>6}", between(clocks),
-                            clocks ? fmt::format("{:.1f}", clocks->bus) : "-");
-      } else {
-        text += fmt::format("{:>{}}", between(clocks), cpu == Cpu::i486 ? 12 : 10);
-      }
-    }
-    text += '\n';
-  });
-  for (const LoopClaim& claim : loop_claims()) {
-    text += fmt::format("\n{} ({})\n", claim.text, claim.place);
-    for (const LoopGain& gain : claim.gains) {
-      const std::string verdict = gain.min > 1 ? "holds" : gain.max <= 1 ? "does not hold" : "open";
-      const std::string times = gain.min == gain.max
-                                    ? fmt::format("{:.2f}", gain.min)
-                                    : fmt::format("{:.2f}-{:.2f}", gain.min, gain.max);
-      text += fmt::format("  {:<65}{:>10} times  {}\n", gain.where, times, verdict);
-    }
-  }
-  return text;
-}
-
-support::Json span_clocks_json() {
-  using support::Json;
-  Json rows = Json::array();
-  each_row([&](const LoopForm& form, Pixels pixels) {
-    Json processors = Json::array();
-    for (const Cpu cpu : cpus) {
-      const auto clocks = pixel_clocks(form, pixels, cpu);
-      if (!clocks) continue;
-      Json on{{"cpu", x86::name_of(cpu)}, {"min", clocks->min}, {"max", clocks->max}};
-      if (cpu == Cpu::i8088) on["bus"] = clocks->bus;
-      processors.push_back(std::move(on));
-    }
-    rows.push_back({{"loop", machine_code::name_of_loop(form.loop)},
-                    {"counting", x86::name_of(form.counting)},
-                    {"target", target_name(form.target)},
-                    {"as_printed", form.as_printed},
-                    {"pixels", pixels == Pixels::drawn ? "drawn" : "hidden"},
-                    {"clocks", std::move(processors)}});
-  });
-  Json claims = Json::array();
-  for (const LoopClaim& claim : loop_claims()) {
-    Json gains = Json::array();
-    for (const LoopGain& gain : claim.gains) {
-      gains.push_back({{"where", gain.where}, {"min", gain.min}, {"max", gain.max}});
-    }
-    claims.push_back({{"claim", claim.text}, {"place", claim.place}, {"gains", std::move(gains)}});
-  }
-  return {{"pixels", std::move(rows)}, {"claims", std::move(claims)}};
 }
 
 }  // namespace fixproof::trade

@@ -40,6 +40,10 @@ nanoseconds thread_time() {
   return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
 }
 
+support::Json to_json(const Times& times) {
+  return {{"min", times.min}, {"median", times.median}, {"spread", times.spread}};
+}
+
 Times times_of(std::vector<double> samples) {
   std::ranges::sort(samples);
   const auto quartile = [&](std::size_t i) { return samples[i * (samples.size() - 1) / 4]; };

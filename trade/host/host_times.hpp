@@ -9,6 +9,8 @@
 #include <functional>
 #include <vector>
 
+#include "support/json.hpp"
+
 namespace fixproof::trade {
 
 /// What this thread has used of its processor. What others take meanwhile does not count.
@@ -20,6 +22,9 @@ struct Times {
   double median = 0;
   double spread = 0;  ///< the third quartile less the first, by the median
 };
+
+/// {min, median, spread}
+support::Json to_json(const Times& times);
 
 /// @param samples at least one, in any order
 Times times_of(std::vector<double> samples);

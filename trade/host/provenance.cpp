@@ -38,10 +38,6 @@ std::string date_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-std::string made_by(std::uint64_t seed) {
-  return fmt::format("seed {}, {}", seed, compiler_name());
-}
-
 support::Json made_by_json(std::uint64_t seed, const std::string& command) {
   return {
       {"command", command}, {"seed", seed}, {"compiler", compiler_name()}, {"date", date_now()}};

@@ -21,13 +21,10 @@ std::string processor_name();
 /// Now, in UTC, as ISO 8601 writes it.
 std::string date_now();
 
-/// `seed 1994, g++ 12.2.0`: the first line of what is printed.
-std::string made_by(std::uint64_t seed);
-
-/// The same as JSON, with the command, and the date in UTC as ISO 8601 writes it.
+/// {command, seed, compiler, date}
 support::Json made_by_json(std::uint64_t seed, const std::string& command);
 
-/// Where nothing is drawn at random.
+/// The same without a seed.
 support::Json made_by_json(const std::string& command);
 
 }  // namespace fixproof::trade

@@ -9,6 +9,7 @@
 
 #include "cases/variant.hpp"
 #include "player/model_call.hpp"
+#include "support/json.hpp"
 #include "trade/profile/value_range.hpp"
 #include "x86model/assemble.hpp"
 #include "xsharp/player.hpp"
@@ -78,5 +79,9 @@ struct FormUse {
   std::vector<std::string> never;
 };
 FormUse forms_of(const SceneProfile& profile);
+
+/// {made: {command, compiler, date}, scene, ...}
+/// @param scene the name of the scene
+support::Json to_json(const SceneProfile& profile, const std::string& scene);
 
 }  // namespace fixproof::trade

@@ -1,8 +1,7 @@
 
-#include "support/json.hpp"
 #include "trade/host/provenance.hpp"
 #include "trade/profile/places.hpp"
-#include "trade/profile/profile_text.hpp"
+#include "trade/profile/profile.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::trade {
@@ -11,7 +10,7 @@ namespace {
 
 using support::Json;
 
-Json json_of(std::string_view name, const ValueRange& range) {
+Json to_json(std::string_view name, const ValueRange& range) {
   Json json;
   json["name"] = name;
   if (range.empty()) return json;
@@ -21,13 +20,13 @@ Json json_of(std::string_view name, const ValueRange& range) {
   return json;
 }
 
-Json json_of(std::span<const std::string_view> names, const std::vector<ValueRange>& ranges) {
+Json to_json(std::span<const std::string_view> names, const std::vector<ValueRange>& ranges) {
   Json json = Json::array();
-  for (std::size_t i = 0; i < names.size(); ++i) json.push_back(json_of(names[i], ranges[i]));
+  for (std::size_t i = 0; i < names.size(); ++i) json.push_back(to_json(names[i], ranges[i]));
   return json;
 }
 
-Json json_of(const RoutineProfile& routine) {
+Json to_json(const RoutineProfile& routine) {
   const cases::Operation operation = routine.variant.operation;
   Json json;
   json["operation"] = cases::name_of(operation);
@@ -37,8 +36,8 @@ Json json_of(const RoutineProfile& routine) {
   json["faults"] = routine.faults;
   json["wrapped"] = routine.wrapped;
   json["instructions_executed"] = routine.instructions;
-  json["operands"] = json_of(operand_names(operation), routine.operands);
-  json["results"] = json_of(result_names(operation), routine.results);
+  json["operands"] = to_json(operand_names(operation), routine.operands);
+  json["results"] = to_json(result_names(operation), routine.results);
   json["never_executed"] = Json::array();
   for (std::size_t at = 0; at < routine.program.size; ++at) {
     if (routine.executed[at]) continue;
@@ -55,7 +54,7 @@ Json number(const std::optional<Number>& value) {
 
 }  // namespace
 
-std::string json_of(const SceneProfile& profile, const std::string& scene) {
+Json to_json(const SceneProfile& profile, const std::string& scene) {
   Json json;
   json["made"] = made_by_json("profile");
   json["scene"] = scene;
@@ -66,7 +65,7 @@ std::string json_of(const SceneProfile& profile, const std::string& scene) {
   json["frames"] = profile.frames;
   json["unit"] = "2^-16; angles: tenths of a degree";
   json["routines"] = Json::array();
-  for (const RoutineProfile& r : profile.routines) json["routines"].push_back(json_of(r));
+  for (const RoutineProfile& r : profile.routines) json["routines"].push_back(to_json(r));
   json["least_divisor"] = number(profile.divides.least_divisor);
   json["greatest_quotient"] = number(profile.divides.greatest_quotient);
   json["nearest_view_z"] = number(profile.view.nearest);
@@ -76,7 +75,7 @@ std::string json_of(const SceneProfile& profile, const std::string& scene) {
   const FormUse forms = forms_of(profile);
   json["forms_executed"] = forms.executed;
   json["forms_never_executed"] = forms.never;
-  return support::json_text(json);
+  return json;
 }
 
 }  // namespace fixproof::trade

@@ -26,13 +26,7 @@ x86::Target target_of(Cpu cpu) { return cpu < Cpu::i386 ? x86::Target::i8088 : x
 /// By DEC and JNZ. @throws std::bad_optional_access where the processor has no such loop
 Bounds clocks_by_count(Loop loop, Cpu cpu, Pixels pixels = Pixels::drawn) {
   const x86::LoopForm form{loop, x86::Counting::dec_jnz, target_of(cpu)};
-  const PixelClocks clocks = pixel_clocks(form, pixels, cpu).value();
-  return {std::max(clocks.min, clocks.bus), std::max(clocks.max, clocks.bus)};
-}
-
-Bounds clocks_of_calls(const ProcessorClocks& on) {
-  const double bus = on.bus ? on.bus->mean_min() : 0;
-  return {std::max(on.clocks.mean_min(), bus), std::max(on.clocks.mean_max(), bus)};
+  return pixel_clocks(form, pixels, cpu).value().at_least();
 }
 
 Bounds clocks_alone(Cpu cpu, std::initializer_list<x86::Instruction> instructions) {
@@ -102,7 +96,7 @@ std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
       const Cpu cpu = divide.processors[i].cpu;
       if ((target == cases::Target::i8088) != (cpu < Cpu::i386)) continue;
       all.push_back(
-          {cpu, clocks_of_calls(divide.processors[i]), clocks_of_calls(multiply.processors[i])});
+          {cpu, divide.processors[i].mean().at_least(), multiply.processors[i].mean().at_least()});
     }
   }
   return all;

@@ -32,7 +32,7 @@ std::int64_t apart(std::int64_t a, std::int64_t b, bool texels) {
 
 }  // namespace
 
-void LargestError::add(const SteppedValue& value) {
+void ErrorAndBound::add(const SteppedValue& value) {
   error = std::max(error, std::fabs(value.error));
   bound = std::max(bound, value.bound);
 }

@@ -12,19 +12,24 @@
 namespace fixproof::trade {
 
 /// The largest magnitude of an error, and the largest bound, at one place.
-struct LargestError {
+struct ErrorAndBound {
   double error = 0;
   double bound = 0;
 
   void add(const SteppedValue& value);
 };
 
-/// Runs of equal pixels, as wide as they are.
+/// 0 if there is no whole.
+inline double share_of(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// Runs of equal pixels, as wide as possible.
 struct BandCount {
-  std::uint64_t exact = 0;  ///< of the exact picture
+  std::uint64_t exact = 0;  ///< in the exact picture
   std::uint64_t drawn = 0;
-  std::uint64_t wrong = 0;  ///< of those drawn, that the exact picture does not have pixel by pixel
-  std::uint64_t widest = 0;  ///< pixels in a row that are not the exact picture's
+  std::uint64_t wrong = 0;   ///< drawn bands that the exact picture does not have pixel by pixel
+  std::uint64_t widest = 0;  ///< the longest run of wrong pixels
 };
 
 class SteppingStatistics {
@@ -46,23 +51,23 @@ class SteppingStatistics {
 
   [[nodiscard]] std::uint64_t spans() const { return spans_; }
   [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
-  [[nodiscard]] const LargestError& all() const { return all_; }
+  [[nodiscard]] const ErrorAndBound& all() const { return all_; }
   /// The largest part of its bound that an error takes.
   [[nodiscard]] double part_of_bound() const { return part_; }
-  [[nodiscard]] const LargestError& last() const { return last_; }
-  [[nodiscard]] const std::array<LargestError, places>& along() const { return along_; }
-  [[nodiscard]] const std::array<LargestError, lengths>& last_of() const { return last_of_; }
+  [[nodiscard]] const ErrorAndBound& last() const { return last_; }
+  [[nodiscard]] const std::array<ErrorAndBound, places>& along() const { return along_; }
+  [[nodiscard]] const std::array<ErrorAndBound, lengths>& last_of() const { return last_of_; }
   /// The first value that is beyond its bound, in words; empty where none is.
   [[nodiscard]] const std::string& beyond() const { return beyond_; }
 
   /// Pixels of pictures.
   [[nodiscard]] std::uint64_t drawn() const { return drawn_; }
-  /// Pixels that are not those of the exact picture, and the most that one is off: in what is
-  /// drawn; of texels, the columns or the rows.
+  /// Pixels that differ from the exact picture, and the largest difference: in what is drawn; of
+  /// texels, in columns or rows.
   [[nodiscard]] std::uint64_t wrong() const { return wrong_; }
   [[nodiscard]] std::int64_t most_off() const { return most_off_; }
   [[nodiscard]] const BandCount& bands() const { return bands_; }
-  /// Different values (texels) of the exact spans, and those of them that their spans do not draw.
+  /// Different values (texels) of exact spans, and how many of them are not drawn.
   [[nodiscard]] std::uint64_t wanted() const { return wanted_; }
   [[nodiscard]] std::uint64_t missed() const { return missed_; }
 
@@ -72,11 +77,11 @@ class SteppingStatistics {
 
   std::uint64_t spans_ = 0;
   std::uint64_t pixels_ = 0;
-  LargestError all_;
+  ErrorAndBound all_;
   double part_ = 0;
-  LargestError last_;
-  std::array<LargestError, places> along_{};
-  std::array<LargestError, lengths> last_of_{};
+  ErrorAndBound last_;
+  std::array<ErrorAndBound, places> along_{};
+  std::array<ErrorAndBound, lengths> last_of_{};
   std::string beyond_;
   std::uint64_t drawn_ = 0;
   std::uint64_t wrong_ = 0;

@@ -1,4 +1,4 @@
-#include "trade/profile/profile_text.hpp"
+#include "cli/profile_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include "trade/profile/places.hpp"
 #include "x86model/text.hpp"
 
-namespace fixproof::trade {
+namespace fixproof::cli {
 
 namespace {
 
@@ -24,10 +24,10 @@ int bits_there(cases::Operation operation, bool is_operand) {
   return operation == cases::Operation::cossin && is_operand ? word_bits / 2 : word_bits;
 }
 
-std::string calls_text(const SceneProfile& profile) {
+std::string calls_text(const trade::SceneProfile& profile) {
   std::string text = fmt::format("{:<10}{:>12}{:>12}{:>12}{:>12}{:>8}{:>16}\n", "", "calls",
                                  "least", "mean", "most", "#DE", "instructions");
-  for (const RoutineProfile& r : profile.routines) {
+  for (const trade::RoutineProfile& r : profile.routines) {
     const double frames = static_cast<double>(std::max<std::uint64_t>(1, profile.frames));
     text += fmt::format("{:<10}{:>12}{:>12}{:>12.1f}{:>12}{:>8}{:>16}\n",
                         cases::name_of(r.variant.operation), support::grouped(r.calls),
@@ -39,8 +39,8 @@ std::string calls_text(const SceneProfile& profile) {
          "Least, mean and most: calls in a frame; the first one has what is looked up once.\n";
 }
 
-std::string range_row(cases::Operation operation, std::string_view name, const ValueRange& range,
-                      bool is_operand) {
+std::string range_row(cases::Operation operation, std::string_view name,
+                      const trade::ValueRange& range, bool is_operand) {
   if (range.empty()) return "";
   const bool angle = operation == cases::Operation::cossin && is_operand;
   const auto shown = [angle](std::int64_t value) {
@@ -51,53 +51,53 @@ std::string range_row(cases::Operation operation, std::string_view name, const V
                      bits_there(operation, is_operand) - range.bits());
 }
 
-std::string ranges_text(const SceneProfile& profile) {
+std::string ranges_text(const trade::SceneProfile& profile) {
   std::string text =
       fmt::format("{:<30}{:>14}{:>14}{:>6}{:>10}\n", "", "least", "greatest", "bits", "to spare");
-  for (const RoutineProfile& r : profile.routines) {
+  for (const trade::RoutineProfile& r : profile.routines) {
     const cases::Operation operation = r.variant.operation;
     for (std::size_t i = 0; i < r.operands.size(); ++i) {
-      text += range_row(operation, operand_names(operation)[i], r.operands[i], true);
+      text += range_row(operation, trade::operand_names(operation)[i], r.operands[i], true);
     }
     for (std::size_t i = 0; i < r.results.size(); ++i) {
-      text += range_row(operation, fmt::format("= {}", result_names(operation)[i]), r.results[i],
-                        false);
+      text += range_row(operation, fmt::format("= {}", trade::result_names(operation)[i]),
+                        r.results[i], false);
     }
   }
   return text;
 }
 
-std::string wrapped_text(const SceneProfile& profile) {
+std::string wrapped_text(const trade::SceneProfile& profile) {
   std::uint64_t wrapped = 0;
-  for (const RoutineProfile& r : profile.routines) wrapped += r.wrapped;
+  for (const trade::RoutineProfile& r : profile.routines) wrapped += r.wrapped;
   if (wrapped == 0) return "Overflow: no result left 16.16";
   return fmt::format("Overflow: {} calls had a result outside 16.16", support::grouped(wrapped));
 }
 
 /// The most bits of any word but angles.
-int most_bits(const SceneProfile& profile) {
+int most_bits(const trade::SceneProfile& profile) {
   int bits = 0;
-  for (const RoutineProfile& r : profile.routines) {
-    for (const ValueRange& range : r.results) bits = std::max(bits, range.bits());
+  for (const trade::RoutineProfile& r : profile.routines) {
+    for (const trade::ValueRange& range : r.results) bits = std::max(bits, range.bits());
     if (r.variant.operation == cases::Operation::cossin) continue;
-    for (const ValueRange& range : r.operands) bits = std::max(bits, range.bits());
+    for (const trade::ValueRange& range : r.operands) bits = std::max(bits, range.bits());
   }
   return bits;
 }
 
 /// Where a quotient no longer fits: the rounded 386 divide wraps before it faults, as does the
 /// 8088's, which faults for its divisors alone.
-std::string quotient_limit(const SceneProfile& profile) {
+std::string quotient_limit(const trade::SceneProfile& profile) {
   if (profile.arithmetic.target == "i8088") return " (from 32768 they wrap)";
   return profile.arithmetic.div_round ? " (from 32768 they wrap, from 65536 they fault)"
                                       : " (from 32768 they fault)";
 }
 
-std::string closeness_text(const SceneProfile& profile) {
+std::string closeness_text(const trade::SceneProfile& profile) {
   const int bits = most_bits(profile);
   std::string text = fmt::format("{}; the widest word has {} bits, {} to spare.\n",
                                  wrapped_text(profile), bits, word_bits - bits);
-  const DivideProfile& divides = profile.divides;
+  const trade::DivideProfile& divides = profile.divides;
   if (divides.least_divisor) {
     text += fmt::format("Divide: divisors from {} in magnitude (below 1 the 8088 listing faults)",
                         in_units(*divides.least_divisor));
@@ -107,7 +107,7 @@ std::string closeness_text(const SceneProfile& profile) {
     }
     text += ".\n";
   }
-  const ViewProfile& view = profile.view;
+  const trade::ViewProfile& view = profile.view;
   if (view.nearest) {
     text += fmt::format("Near plane, z = -1: the nearest vertex not clipped is at z = {}.\n",
                         in_units(*view.nearest));
@@ -122,7 +122,7 @@ std::string closeness_text(const SceneProfile& profile) {
 }
 
 /// `FixedDiv: 2 of 40 instructions: neg edx; js .FD1`, or that it was never called.
-std::string unexecuted_text(const RoutineProfile& r) {
+std::string unexecuted_text(const trade::RoutineProfile& r) {
   const auto name = x86model::name_of(static_cast<x86model::Routine>(r.variant.operation));
   if (r.calls == 0) return fmt::format("  {}: never called\n", name);
   std::vector<std::string> never;
@@ -136,11 +136,11 @@ std::string unexecuted_text(const RoutineProfile& r) {
                      fmt::join(never, "; "));
 }
 
-std::string needless_text(const SceneProfile& profile) {
-  const FormUse forms = forms_of(profile);
+std::string needless_text(const trade::SceneProfile& profile) {
+  const trade::FormUse forms = forms_of(profile);
   const int bits = most_bits(profile);
   std::string text = "Never needed by this scene:\n";
-  for (const RoutineProfile& r : profile.routines) text += unexecuted_text(r);
+  for (const trade::RoutineProfile& r : profile.routines) text += unexecuted_text(r);
   if (!forms.never.empty()) {
     text += fmt::format("  {} of {} forms of instructions: {}\n", forms.never.size(),
                         forms.never.size() + forms.executed.size(), fmt::join(forms.never, "; "));
@@ -154,9 +154,9 @@ std::string needless_text(const SceneProfile& profile) {
 
 }  // namespace
 
-std::string text_of(const SceneProfile& profile) {
+std::string text_of(const trade::SceneProfile& profile) {
   return calls_text(profile) + '\n' + ranges_text(profile) + '\n' + closeness_text(profile) + '\n' +
          needless_text(profile);
 }
 
-}  // namespace fixproof::trade
+}  // namespace fixproof::cli

@@ -1,4 +1,4 @@
-#include "trade/advice/advice_text.hpp"
+#include "cli/advice_text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "support/plain_text.hpp"
 
-namespace fixproof::trade {
+namespace fixproof::cli {
 
 namespace {
 
@@ -14,19 +14,15 @@ std::string whole(double number) {
   return support::grouped(static_cast<std::uint64_t>(std::lround(number)));
 }
 
-std::string unit_of(const AdviceReport& report) {
-  return report.cpu ? "clocks a frame" : "ns a frame";
-}
-
-std::string cost_text(const AdviceReport& report, const Cost& cost) {
+std::string cost_text(const trade::AdviceReport& report, const trade::Cost& cost) {
   const std::string least = whole(cost.least);
   const std::string most = whole(cost.most);
   return fmt::format("{} {}", least == most ? least : fmt::format("{} to {}", least, most),
-                     unit_of(report));
+                     trade::cost_unit(report));
 }
 
 std::string after(std::uint64_t frame) {
-  return support::duration(static_cast<double>(frame) / static_cast<double>(advised_rate));
+  return support::duration(static_cast<double>(frame) / static_cast<double>(trade::advised_rate));
 }
 
 /// A share as `3.1 %`, small ones as `0.04 %`.
@@ -36,14 +32,14 @@ std::string percent_text(double share) {
 
 }  // namespace
 
-std::string table_of(const AdviceReport& report) {
+std::string table_of(const trade::AdviceReport& report) {
   const bool has_bus = report.cpu == x86model::Cpu::i8088;
   const auto bus_text = [has_bus](const std::string& text) {
     return has_bus ? fmt::format("{:>11}", text) : std::string{};
   };
   std::string text = fmt::format("{:>11}{:>11}{}{:>10}  {:<7}{:<15}{}\n", "least", "most",
                                  bus_text("bus"), "pixels", "budget", "over after", "variant");
-  for (const Tried& tried : report.tried) {
+  for (const trade::Tried& tried : report.tried) {
     const auto& over = tried.error.over;
     text += fmt::format("{:>11}{:>11}{}{:>10.3f}  {:<7}{:<15}{}\n", whole(tried.cost.least),
                         whole(tried.cost.most), bus_text(whole(tried.cost.bus.value_or(0))),
@@ -53,16 +49,16 @@ std::string table_of(const AdviceReport& report) {
   return text;
 }
 
-std::string sentences_of(const AdviceReport& report) {
-  const Advice advice = advise(report.tried, report.budget);
+std::string sentences_of(const trade::AdviceReport& report) {
+  const trade::Advice advice = trade::advise(report.tried, report.budget);
   const auto at = [&](std::size_t i) { return report.tried.at(i); };
   if (!advice.take) {
-    const Tried nearest = at(advice.nearest);
+    const trade::Tried nearest = at(advice.nearest);
     return fmt::format("None stays within {} pixels. The nearest is {}: {:.3f} pixels off, {}.\n",
                        report.budget, name_of(nearest.choice), nearest.error.pixels,
                        cost_text(report, nearest.cost));
   }
-  const Tried take = at(*advice.take);
+  const trade::Tried take = at(*advice.take);
   std::string text = fmt::format("Take {}: {}, at most {:.3f} pixels off.\n", name_of(take.choice),
                                  cost_text(report, take.cost), take.error.pixels);
   if (advice.as_cheap > 0 && take.cost.spread > 0) {
@@ -81,8 +77,9 @@ std::string sentences_of(const AdviceReport& report) {
         *report.drift_pixels > report.budget ? ", corners that are clipped among them" : "");
   }
   if (advice.runner_up) {
-    const Tried next = at(*advice.runner_up);
-    const bool same = next.cost.ranked <= take.cost.ranked || costs_the_same(next.cost, take.cost);
+    const trade::Tried next = at(*advice.runner_up);
+    const bool same =
+        next.cost.ranked <= take.cost.ranked || trade::costs_the_same(next.cost, take.cost);
     text += fmt::format("Runner-up: {}, {}, at most {:.3f} pixels off.\n", name_of(next.choice),
                         same ? "which costs the same"
                              : percent_text(next.cost.ranked / take.cost.ranked - 1) + " dearer",
@@ -91,7 +88,7 @@ std::string sentences_of(const AdviceReport& report) {
     text += "No other stays within the budget.\n";
   }
   if (!advice.next_cheaper) return text + "Nothing that was tried is cheaper.\n";
-  const Tried cheaper = at(*advice.next_cheaper);
+  const trade::Tried cheaper = at(*advice.next_cheaper);
   text += fmt::format(
       "The next cheaper, {}, saves {} and costs accuracy: {:.3f} pixels off at worst, over the "
       "budget after {}.\n",
@@ -100,4 +97,4 @@ std::string sentences_of(const AdviceReport& report) {
   return text;
 }
 
-}  // namespace fixproof::trade
+}  // namespace fixproof::cli

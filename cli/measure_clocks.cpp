@@ -1,0 +1,135 @@
+// The tables of `fixproof measure --clocks`.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/measure_text.hpp"
+#include "support/plain_text.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+std::string text_of(const trade::CallClocks& row) {
+  const bool has_switch = row.variant.operation != cases::Operation::cossin;
+  const auto mean = [](const trade::Spread& s) {
+    return s.calls() == 0 ? "-" : between(s.mean_min(), s.mean_max(), 1);
+  };
+  std::string text;
+  for (const trade::ProcessorClocks& on : row.processors) {
+    std::string bus;
+    if (on.bus) bus = fmt::format("  {:>9}  {}", mean(*on.bus), on.mean().limit());
+    text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}{}\n",
+                        cases::name_of(row.variant.operation),
+                        fmt::format("{}{}", cases::name_of(row.variant.target),
+                                    row.variant.chapter_52 ? " ch52" : ""),
+                        !has_switch                  ? "-"
+                        : cases::rounds(row.variant) ? "on"
+                                                     : "off",
+                        x86model::name_of(on.cpu), support::grouped(row.instructions.least()),
+                        mean(row.instructions), support::grouped(row.instructions.most()),
+                        support::grouped(on.clocks.least()), mean(on.clocks),
+                        support::grouped(on.clocks.most()), bus);
+  }
+  return text;
+}
+
+std::string text_of(const std::vector<trade::FrameOn8088>& frames) {
+  const auto whole = [](double x) { return support::grouped(static_cast<std::uint64_t>(x)); };
+  std::string text = fmt::format(
+      "\nA frame on an 8088: the clocks of the listings by Intel's table, bytes and clocks of the "
+      "bus, and\nwhich of the two limits.\n\n{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
+      "scene", "rounding", "table", "code", "data", "bus", "limit");
+  for (const trade::FrameOn8088& f : frames) {
+    text += fmt::format("{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n", support::printable(f.scene),
+                        f.rounds ? "on" : "off", whole(f.clocks.table.max), whole(f.code_bytes),
+                        whole(f.data_bytes), whole(f.clocks.bus), f.clocks.limit());
+  }
+  return text;
+}
+
+std::string not_judged_text() {
+  std::string text = "\nNot judged:\n";
+  for (const trade::NotJudged& statement : trade::not_judged()) {
+    text += fmt::format("\n{} ({})\n  {}\n", statement.text, statement.place, statement.reason);
+  }
+  return text;
+}
+
+std::string text_of(const trade::LoopClocks& row) {
+  std::string text = fmt::format("{:<24}{:<10}{:<7}", trade::name_of(row.form, row.pixels),
+                                 x86model::name_of(row.form.counting), trade::target_name(row.form));
+  for (std::size_t i = 0; i < row.on.size(); ++i) {
+    const auto& clocks = row.on.at(i);
+    const x86model::Cpu cpu = trade::loop_processors.at(i);
+    const std::string table = clocks ? between(clocks->table.min, clocks->table.max, 1) : "-";
+    if (cpu == x86model::Cpu::i8088) {
+      text += fmt::format("{:>9}{:>6}", table, clocks ? fmt::format("{:.1f}", clocks->bus) : "-");
+    } else {
+      text += fmt::format("{:>{}}", table, cpu == x86model::Cpu::i486 ? 12 : 10);
+    }
+  }
+  return text + '\n';
+}
+
+std::string text_of(const trade::LoopClaim& claim) {
+  std::string text = fmt::format("\n{} ({})\n", claim.text, claim.place);
+  for (const trade::LoopGain& gain : claim.gains) {
+    text += fmt::format("  {:<65}{:>10} times  {}\n", gain.where, between(gain.min, gain.max, 2),
+                        gain.min > 1    ? "holds"
+                        : gain.max <= 1 ? "does not hold"
+                                        : "open");
+  }
+  return text;
+}
+
+std::string means_text(const std::vector<std::string>& scenes) {
+  if (scenes.empty()) {
+    return "Means are over the cases of level 1: without a SCENE there are no operands of a "
+           "scene,\nand no claim is judged.\n";
+  }
+  std::vector<std::string> names;
+  for (const std::string& scene : scenes) names.push_back(support::printable(scene));
+  return fmt::format("Means are over the operands of {}, {} frames of each.\n",
+                     fmt::join(names, ", "), trade::recorded_frames);
+}
+
+}  // namespace
+
+std::string text_of(const trade::ClockResult& result) {
+  std::string text =
+      made_by(result.seed) + "\n\n" + means_text(result.scenes) +
+      "Least and most are those seen in these and in cases of level 1. Two numbers: "
+      "Intel's tables give\na range. The caller's PUSHes and CALL are not counted; calls "
+      "that end in #DE are left out.\n"
+      "Bus: the mean clocks that an 8088 needs for the bytes of code and data, 4 for each. "
+      "Its bus fetches while\nit executes, so a call takes at least the larger of the two means. "
+      "The column limit names it. Code that\nis fetched and discarded at a jump is not "
+      "counted. Only an 8088 has bus time here: others have wider buses.\n\n";
+  text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>22}  {:>30}\n", "", "", "", "",
+                      "instructions", "clocks");
+  text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}  {:>9}  {}\n",
+                      "routine", "target", "rounding", "cpu", "least", "mean", "most", "least",
+                      "mean", "most", "bus", "limit");
+  for (const trade::CallClocks& row : result.rows) text += text_of(row);
+  if (!result.scenes.empty()) text += text_of(result.frames);
+  if (!result.claims.empty()) {
+    text +=
+        "\nWhat is published, and what the listings alone show. \"About\" allows a "
+        "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
+        "possible, or the listings cannot decide.\n";
+    for (const trade::Claim& claim : result.claims) text += text_of(claim);
+    text += not_judged_text();
+  }
+  text +=
+      "\nInner loops: clocks a pixel of a long span, by Intel's tables, and on the bus of an "
+      "8088.\n"
+      "An 8088 takes at least the larger of the two.\n\n" +
+      fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",
+                  "8088", "bus", "286", "386", "486");
+  for (const trade::LoopClocks& row : result.loops) text += text_of(row);
+  for (const trade::LoopClaim& claim : result.loop_claims) text += text_of(claim);
+  return text;
+}
+
+}  // namespace fixproof::cli
