@@ -15,7 +15,7 @@ namespace {
 void put(std::string& page, std::string_view place, std::string_view contents) {
   const std::size_t at = page.find(place);
   if (at == std::string::npos || page.find(place, at + 1) != std::string::npos) {
-    throw std::logic_error(fmt::format("the page does not have {} once", place));
+    throw std::logic_error(fmt::format("the page must have {} exactly once", place));
   }
   page.replace(at, place.size(), contents);
 }
@@ -23,7 +23,7 @@ void put(std::string& page, std::string_view place, std::string_view contents) {
 std::string script(std::string_view code) {
   for (const std::string_view end : {"</script", "<!--"}) {
     if (code.find(end) != std::string_view::npos) {
-      throw std::logic_error(fmt::format("a script of the page has {} in it", end));
+      throw std::logic_error(fmt::format("a script of the page contains {}", end));
     }
   }
   return fmt::format("<script>\n{}\n</script>", code);
@@ -36,14 +36,14 @@ std::string figure_of(const PagePicture& picture) {
       escaped_html(picture.name), base64(picture.png));
 }
 
-/// In a box of its own, which scrolls: small, single pixels would not be seen.
+/// Full size in a box that scrolls: in a smaller picture, single pixels would disappear.
 std::string beside_of(const PagePicture& picture) {
   if (picture.beside.empty()) return {};
   return fmt::format(
       "<figure class=\"beside\"><div class=\"scroll\" tabindex=\"0\" role=\"group\" "
       "aria-label=\"{0}: as stepped, exact, and where they differ\"><img alt=\"{0}: as stepped, "
-      "exact, and where they differ\" src=\"data:image/png;base64,{1}\"></div><figcaption>{0}, its "
-      "last frame; in all frames {2}</figcaption></figure>\n",
+      "exact, and where they differ\" src=\"data:image/png;base64,{1}\"></div><figcaption>{0}, the "
+      "last frame. In all frames: {2}</figcaption></figure>\n",
       escaped_html(picture.name), base64(picture.beside), escaped_html(picture.beside_text));
 }
 
@@ -73,8 +73,8 @@ std::string escaped_html(std::string_view text) {
 }
 
 std::string script_json(const support::Json& json) {
-  // Only strings can have it, and they have another way to write it. Bytes that are no UTF-8, as in
-  // the name of a file, are replaced.
+  // In JSON, < occurs only in strings, where an escape may stand for it. Invalid UTF-8 is replaced,
+  // because file names may contain it.
   std::string text;
   for (const char c : json.dump(-1, ' ', false, support::Json::error_handler_t::replace)) {
     if (c == '<') {
@@ -114,10 +114,12 @@ std::string assemble_page(const PageParts& parts, const support::Json& report,
     beside += beside_of(picture);
   }
   std::string page(parts.page);
-  // The texts of the project first: what others have in them is not looked through for places.
+  // The project's own parts come first: their markers must not be sought in the texts of scenes and
+  // libraries.
   put(page, "<!--style-->", fmt::format("<style>\n{}</style>", parts.style));
   put(page, "<!--pictures-->", shown);
-  put(page, "<!--beside-->", beside.empty() ? "<p>None of these scenes is stepped.</p>" : beside);
+  put(page, "<!--beside-->",
+      beside.empty() ? "<p>None of these scenes has stepped surfaces.</p>" : beside);
   put(page, "<!--strip-->", strip);
   put(page, "<!--data-->",
       fmt::format("<script type=\"application/json\" id=\"data\">{}</script>",

@@ -1,5 +1,5 @@
 /// @file
-/// The page: its parts, the figures and the pictures in one file that needs no other.
+/// Assembles the page as one self-contained HTML file.
 #pragma once
 
 #include <string>
@@ -11,27 +11,26 @@
 
 namespace fixproof::cli {
 
-/// An animation to show.
+/// An animation of a scene.
 struct PagePicture {
   std::string name;
-  std::string png;  ///< the bytes of the file
-  /// As stepped, exact, and where they differ, in one picture, and what it says; or empty.
-  std::string beside;
+  std::string png;     ///< the bytes of the file
+  std::string beside;  ///< a PNG: stepped, exact, and their difference; may be empty
   std::string beside_text;
 };
 
-/// Text as it may stand in HTML, between tags or in quotes.
+/// Text escaped for HTML, between tags or in double quotes.
 std::string escaped_html(std::string_view text);
 
-/// JSON as it may stand in a script: nothing in it can end the script or begin a comment.
+/// JSON for a script element: it cannot end the script or begin a comment.
 std::string script_json(const support::Json& json);
 
-/// Bytes as RFC 4648 writes them.
+/// Base64 of RFC 4648.
 std::string base64(std::string_view bytes);
 
 /// @param strip an SVG, or empty
-/// @throws std::logic_error for a part that would break the page: a script that ends early, a place
-///         that is not there exactly once
+/// @throws std::logic_error if a script contains its own end, or if the page does not have each
+///         marker exactly once
 std::string assemble_page(const PageParts& parts, const support::Json& report,
                           const std::vector<PagePicture>& pictures, std::string_view strip);
 

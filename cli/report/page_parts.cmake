@@ -1,4 +1,4 @@
-# The page of `fixproof report`, report/, is part of the program.
+# Builds the files of report/ into the program.
 set(page_folder ${PROJECT_SOURCE_DIR}/report)
 set(page_charts base verification trade errors drift stepping claims main)
 list(TRANSFORM page_charts REPLACE "(.+)" "charts/\\1.js")

@@ -1,5 +1,5 @@
 /// @file
-/// The parts of the page, from `report/`, built into the program.
+/// The files of `report/`, built into the program.
 #pragma once
 
 #include <string_view>
@@ -7,13 +7,13 @@
 namespace fixproof::cli {
 
 struct PageParts {
-  std::string_view
-      page;  ///< HTML with places for the others: <!--style-->, <!--libraries-->,
-             ///< <!--pictures-->, <!--beside-->, <!--strip-->, <!--data-->, <!--charts-->
+  /// HTML with the markers <!--style-->, <!--libraries-->, <!--pictures-->, <!--beside-->,
+  /// <!--strip-->, <!--data--> and <!--charts-->
+  std::string_view page;
   std::string_view style;  ///< CSS
   std::string_view d3;
   std::string_view plot;
-  std::string_view charts;  ///< what draws, one file after the other
+  std::string_view charts;  ///< the project's scripts, concatenated
 };
 
 PageParts page_parts();

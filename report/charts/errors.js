@@ -1,4 +1,4 @@
-// Histograms of errors, and the pixels that a divide costs.
+// Histograms of errors, and the pixel errors of a divide.
 
 function histogramPlot(row, width) {
   const { span, counts } = row.histogram;
@@ -22,43 +22,38 @@ function histogramPlot(row, width) {
 }
 
 function showErrors() {
-  const parent = section("errors");
   const all = report.accuracy.accuracy.filter((row) => row.cases > 0);
-  const option = (value) => ({ value, text: value });
+  const operandsOf = (operation) => unique(all.filter((r) => r.operation === operation).map((r) => r.operands));
   const grid = element("div", { class: "multiples" });
-  const { box, tell } = controls({
-    operation: { label: "operation", values: unique(all.map((r) => r.operation)).map(option) },
-    operands: { label: "operands", values: unique(all.map((r) => r.operands)).map(option) },
-  }, (choice, fill) => {
-    fill("operands", unique(all.filter((r) => r.operation === choice.operation).map((r) => r.operands)).map(option));
-    const operands = box.querySelector("[name=operands]").value;
-    const rows = all.filter((r) => r.operation === choice.operation && r.operands === operands);
-    const plots = rows.map((row) => {
-      const { place, render } = chart(`Errors of ${row.operation}, ${row.variant}`, (width) => histogramPlot(row, width));
-      const facts = element("p", {}, `largest ${largest(row.max)}, bias ${figure(row.mean)}, rms ${figure(row.rms)} ulp; ` +
-        `${percent(row.correct)} correctly rounded`);
-      return { node: element("div", {}, element("h3", {}, row.variant), facts, place), render };
+  const { box, update } = controls({
+    operation: { label: "operation", values: unique(all.map((r) => r.operation)) },
+    operands: { label: "operands", values: [] },
+  }, ({ operation }, fill) => {
+    const operands = fill("operands", operandsOf(operation));
+    const plots = all.filter((r) => r.operation === operation && r.operands === operands).map((row) => {
+      const { place, render } = chart(`Errors of ${operation}, ${row.variant}`, (width) => histogramPlot(row, width));
+      const facts = `largest ${largest(row.max)}, bias ${figure(row.mean)}, rms ${figure(row.rms)} ulp; ` +
+        `${percent(row.correct)} correctly rounded`;
+      return { node: element("div", {}, element("h3", {}, row.variant), element("p", {}, facts), place), render };
     });
     grid.replaceChildren(...plots.map((p) => p.node));
     plots.forEach((p) => p.render());
   });
-  parent.append(box, grid);
-  tell();
-  parent.append(element("p", { class: "quiet" }, "Horizontal: error in ulp. Vertical: share of the results."));
+  section("errors").append(box, grid, note("Horizontal axis: error in ulp. Vertical axis: share of the results."));
+  update();
 }
 
 function distancePlot(variants, width) {
-  const narrow = width < 480;
   const points = variants.flatMap((v, i) => v.octaves.filter((o) => o.max > 0).map((o) => ({ ...o, i, name: v.variant })));
-  const crossings = variants.map((v, i) => ({ x: v.safe_from, i, name: v.variant })).filter((v) => v.x > 1);
+  const crossings = variants.map((v, i) => ({ x: v.safe_from, i })).filter((v) => v.x > 1);
   return {
-    // Points of two builds fall on one another: each says what all have at its distance.
+    // Points of two builds coincide, so each tip has the values of all builds at its distance.
     points: points.map((p) => ({ x: p.from, y: p.max,
       text: [`${p.name}, ${count(p.from)} to ${count(p.to)}`, `largest ${figure(p.max)} pixels, mean ${figure(p.mean)}`,
-        `${percent(p.half_a_pixel)} half a pixel off or more`,
+        `${percent(p.half_a_pixel)} off by half a pixel or more`,
         ...points.filter((q) => q !== p && q.from === p.from).map((q) => `${q.name}: ${figure(q.max)}`)].join("\n") })),
     options: {
-      height: narrow ? 320 : 380, marginLeft: 56, marginRight: 24, marginBottom: 42, marginTop: 28,
+      ...frame(width),
       x: logScale(points.map((p) => p.from), "distance of the point →", true),
       y: logScale(points.map((p) => p.max), "↑ largest error in pixels"),
       marks: [
@@ -69,8 +64,8 @@ function distancePlot(variants, width) {
         Plot.text(crossings.slice(0, 1), { x: "x", frameAnchor: "top", text: (c) => count(c.x), dx: 4, dy: 4, textAnchor: "start",
           fill: "currentColor" }),
         Plot.line(points, { x: "from", y: "max", z: "name", stroke: (p) => colours[p.i], className: "lines" }),
-        ...variants.map((v, i) => Plot.dot(points.filter((p) => p.i === i), { x: "from", y: "max", r: 4.5,
-          symbol: symbols[i], fill: colours[i], stroke: "var(--paper)", className: "points" })),
+        ...variants.map((_, i) => Plot.dot(points.filter((p) => p.i === i), { x: "from", y: "max", r: 4.5,
+          ...dotStyle(i), className: "points" })),
       ],
     },
   };
@@ -79,14 +74,13 @@ function distancePlot(variants, width) {
 function showDistance() {
   const parent = section("distance");
   const { constant, half_width: half, variants } = report.accuracy.pixels;
-  section("distance-says").append(` Points are x over z, times ${constant}, on a page that reaches ${half} pixels to each side.`);
-  parent.append(legend(variants.map((v) => v.variant)));
-  const crossed = variants.filter((v) => v.safe_from > 1)
-    .map((v) => `${v.variant} stays under half a pixel from a distance of ${count(v.safe_from)} on`);
+  section("distance-says").append(` A point is projected to x / z times ${constant}, onto a screen that extends ${half} pixels to each side.`);
   const always = variants.filter((v) => v.safe_from <= 1).map((v) => v.variant);
-  const { render } = charted(parent, "Pixel error against distance",
-    [...crossed, always.length ? `${always.join(" and ")} always ${always.length > 1 ? "do" : "does"}` : ""]
-      .filter(Boolean).join("; ") + ". Each point is the largest error in an octave of distance.",
-    (width) => distancePlot(variants, width));
-  render();
+  const limits = variants.filter((v) => v.safe_from > 1)
+    .map((v) => `${v.variant} stays below half a pixel from a distance of ${count(v.safe_from)} on`);
+  if (always.length > 0) limits.push(`${always.join(" and ")} always ${always.length > 1 ? "do" : "does"}`);
+  parent.append(legend(variants.map((v) => v.variant)));
+  figureWithCaption(parent, "Pixel error by distance",
+    `${limits.join("; ")}. Each point is the largest error in one octave of distance.`,
+    (width) => distancePlot(variants, width)).render();
 }

@@ -1,17 +1,17 @@
-// The speed–accuracy chart.
+// The chart of speed and accuracy.
 
 const kinds = { host: ["type", "library", "plain", "floating"], clocks: ["386 listing", "8088 listing"] };
-const kindNames = { type: "fixed::number", library: "libraries", plain: "64-bit product or quotient by hand", floating: "floating point" };
-const cpus = [["8088", "8088"], ["286", "286"], ["386", "386"], ["486", "486"]];
+const kindNames = { type: "fixed::number", library: "libraries", plain: "64-bit product or quotient in C++", floating: "floating point" };
+const cpus = ["486", "386", "286", "8088"];
 
-// All presets that a row stands for: alike has the endings of their names.
+// All presets that return what a row returns: `alike` has the suffixes of their names.
 function presetsOf(row) {
   const alike = (row.alike ?? "").split(" ").filter((a) => a.startsWith("_"));
   return [row.variant, ...alike.map((a) => "q16_16" + a)];
 }
 const presetOfListing = (call) => `q16_16_${call.target}${call.rounds ? "" : "_unrounded"}`;
 
-// Vertices stand among the operations: a transform of one has no chain.
+// The transform of a vertex counts as an operation, without a dependent chain.
 const hostRows = () => [...report.host.host,
   ...report.host.vertices.map((row) => ({ ...row, operation: "vertex", throughput_ns: row.ns, chain_ns: null }))];
 
@@ -31,7 +31,7 @@ function clockPoints(choice) {
       const on = call.processors.find((p) => p.cpu === choice.time);
       const row = errors.find((r) => presetsOf(r).includes(presetOfListing(call)));
       if (!on?.clocks.mean || !row) return [];
-      // An 8088 takes at least the larger of two times.
+      // An 8088 takes at least the larger of table and bus time.
       const bus = on.bus?.mean?.max;
       return [{ name: `${call.target === "i386" ? "386" : "8088"} listing, ${call.rounds ? "rounded" : "unrounded"}`,
         kind: call.target === "i386" ? "386 listing" : "8088 listing", alike: presetOfListing(call),
@@ -40,8 +40,8 @@ function clockPoints(choice) {
     });
 }
 
-// Those that are more exact, by a hundredth, than everything as fast or faster: how halves are rounded makes
-// less. Where a time is a range, its middle counts.
+// The points that are at least one percent more accurate than every faster point. Rules that differ only in how they
+// round halves differ by less. A time that is a range counts as its middle.
 const noticeable = 0.99;
 const middle = (p) => (p.time + p.most) / 2;
 function frontierOf(points) {
@@ -49,7 +49,7 @@ function frontierOf(points) {
   return d3.sort(points, middle, (p) => p.error).filter((p) => p.error < noticeable * best && ((best = p.error), true));
 }
 
-// The same without floating point, where that makes another line.
+// The same without floating point; empty if that is the same line.
 function fixedFrontierOf(points) {
   return points.some((p) => p.kind === "floating") ? frontierOf(points.filter((p) => p.kind !== "floating")) : [];
 }
@@ -58,11 +58,11 @@ function tradePlot(points, choice, width) {
   const unit = choice.from === "host" ? "ns" : "clocks";
   const frontier = frontierOf(points);
   const ofFixed = fixedFrontierOf(points);
-  const narrow = width < 480;
-  // What is exact stands on the floor of a logarithmic scale.
+  const narrow = isNarrow(width);
+  // A logarithmic scale has no place for 0, so exact points are at its lower end.
   const errors = points.map((p) => p.error);
   const least = d3.min(errors.filter((e) => e > 0)) ?? 1;
-  const scale = scaleFor(errors, "↑ error in ulp, less is more exact");
+  const scale = scaleFor(errors, "↑ error in ulp");
   if (scale.type === "log" && errors.includes(0)) {
     Object.assign(scale, logScale([least / 10, ...errors], scale.label));
     const { tickFormat, domain } = scale;
@@ -71,16 +71,16 @@ function tradePlot(points, choice, width) {
   const height = (p) => (p.error > 0 || scale.type !== "log" ? p.error : scale.domain[0]);
   const says = points.map((p) => ({ x: middle(p), y: height(p),
     text: [p.name, p.alike && p.alike !== p.name ? `like ${p.alike}` : null,
-      `${figure(p.time)}${p.most > p.time ? ` to ${figure(p.most)}` : ""} ${unit} a ${choice.operation}`,
+      `${figure(p.time)}${p.most > p.time ? ` to ${figure(p.most)}` : ""} ${unit} per ${choice.operation}`,
       p.bus ? `table ${figure(p.tabled.max)}, bus ${figure(p.bus)} clocks` : null,
       choice.error === "rms" ? `rms error ${figure(p.error)} ulp` : `largest error ${largest(p.error)} ulp`,
-      p.rule ? `rounds: ${p.rule}` : null].filter(Boolean).join("\n") }));
+      p.rule ? `rounding: ${p.rule}` : null].filter(Boolean).join("\n") }));
   const color = (p) => colours[kinds[choice.from].indexOf(p.kind)] ?? colours[5];
   return {
     points: says,
     options: {
-      height: narrow ? 320 : 380, marginLeft: 56, marginRight: narrow ? 20 : 40, marginBottom: 42, marginTop: 28,
-      x: scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} a call, less is faster →`, Math.floor(width / 80)),
+      ...frame(width), marginRight: narrow ? 20 : 40,
+      x: scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} per call →`, Math.floor(width / 80)),
       y: scale,
       marks: [
         Plot.line(frontier, { x: middle, y: height, curve: "step-after", stroke: "currentColor",
@@ -89,9 +89,8 @@ function tradePlot(points, choice, width) {
           strokeWidth: 2, strokeLinecap: "round", className: "frontier-fixed" }),
         Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: height, stroke: color }),
         ...kinds[choice.from].map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: height, r: 6,
-          symbol: symbols[i], fill: symbols[i] === "times" ? "none" : colours[i], stroke: "var(--paper)",
-          className: "points" })),
-        // Above where it is exact, so as not to stand on the axis.
+          ...dotStyle(i), className: "points" })),
+        // Names of exact points are above them, because the axis is below.
         ...[[-14, (p) => p.error === 0], [16, (p) => p.error > 0]].map(([dy, has]) =>
           Plot.text(narrow ? [] : unique([...frontier, ...ofFixed]).filter(has), { x: middle, y: height, text: "name", dy,
             dx: 4, textAnchor: "start", fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4, className: "names" })),
@@ -100,76 +99,57 @@ function tradePlot(points, choice, width) {
   };
 }
 
-function tradeControls() {
-  const option = (value, text) => ({ value, text: text ?? value });
-  const from = [option("host", "this machine"), option("clocks", "processors of the time")];
-  return {
-    from: { label: "speed on", values: from },
-    time: { label: "time", values: [] },
-    operation: { label: "operation", values: [] },
-    operands: { label: "operands", values: [] },
-    error: { label: "error", values: [option("rms", "root mean square"), option("max", "largest")] },
-  };
-}
-
-// What there is to choose, given where the speed is from.
-function tradeChoices(choice) {
-  const option = (value, text) => ({ value, text: text ?? value });
-  if (choice.from === "host") {
-    return { time: [option("throughput_ns", "throughput"), option("chain_ns", "dependent chain")],
-      operation: unique(hostRows().map((r) => r.operation)).map((o) => option(o)),
-      operands: [option("uniform")] };
+// The values to choose from, which depend on the processors.
+function tradeChoices({ from, operation }) {
+  if (from === "host") {
+    return { time: [{ value: "throughput_ns", text: "throughput" }, { value: "chain_ns", text: "latency (dependent chain)" }],
+      operation: unique(hostRows().map((r) => r.operation)), operands: ["uniform"] };
   }
-  return { time: cpus.map(([value, text]) => option(value, text)).reverse(),
-    operation: [option("mul"), option("div")],
-    operands: unique(report.accuracy.accuracy.filter((r) => r.operation === (choice.operation || "mul"))
-      .map((r) => r.operands)).map((o) => option(o)) };
+  const rows = report.accuracy.accuracy.filter((r) => r.operation === (operation || "mul"));
+  return { time: cpus, operation: ["mul", "div"], operands: unique(rows.map((r) => r.operands)) };
 }
 
 function showTrade() {
   const parent = section("trade");
+  const names = element("div", {});
+  const holder = element("div", {});
+  const listed = element("details", {});
   let choice = {};
   let points = [];
-  const { box, tell } = controls(tradeControls(), (chosen, fill) => {
+  const { box, update } = controls({
+    from: { label: "processor", values: [{ value: "host", text: "this machine" }, { value: "clocks", text: "8088 to 486" }] },
+    time: { label: "time", values: [] },
+    operation: { label: "operation", values: [] },
+    operands: { label: "operands", values: [] },
+    error: { label: "error", values: [{ value: "rms", text: "root mean square" }, { value: "max", text: "largest" }] },
+  }, (chosen, fill) => {
     choice = chosen;
-    // The operation decides which operands there are, so it comes first.
-    for (const name of ["time", "operation", "operands"]) {
-      fill(name, tradeChoices(choice)[name]);
-      choice[name] = box.querySelector(`[name=${name}]`).value;
-    }
-    points = choice.from === "host" ? hostPoints(choice) : clockPoints(choice);
-    if (shown) show();
-  });
-  const names = element("div", {});
-  parent.append(box, names);
-  const listed = element("details", {});
-  let shown = null;
-  const show = () => {
+    // In this order, because the operation decides which operands there are.
+    for (const name of ["time", "operation", "operands"]) choice[name] = fill(name, tradeChoices(choice)[name]);
+    const host = choice.from === "host";
+    points = host ? hostPoints(choice) : clockPoints(choice);
     names.replaceChildren(legend(kinds[choice.from].map((kind) => kindNames[kind] ?? kind)));
     shown.render();
     const ofFixed = fixedFrontierOf(points);
-    shown.caption.textContent = points.length === 0 ? "Nothing was measured for this choice."
+    shown.caption.textContent = points.length === 0 ? "There are no measurements for this choice."
       : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.` +
-        (ofFixed.length ? ` Of fixed point alone, dotted: ${ofFixed.map((p) => p.name).join("; ")}.` : "");
-    const unit = choice.from === "host" ? "ns" : "clocks";
-    listed.replaceChildren(element("summary", {}, "The same as a table"),
+        (ofFixed.length ? ` Fixed point alone, dotted: ${ofFixed.map((p) => p.name).join("; ")}.` : "");
+    listed.replaceChildren(element("summary", {}, "Show as a table"),
       table("Speed and accuracy, fastest first", [
         { title: "variant", of: (p) => p.name },
         { title: "kind", of: (p) => kindNames[p.kind] ?? p.kind },
-        { title: unit, of: (p) => between({ min: p.time, max: p.most }), number: true },
+        { title: host ? "ns" : "clocks", of: (p) => range({ min: p.time, max: p.most }), kind: "number" },
         ...(points.some((p) => p.bus) ? [
-          { title: "by the table", of: (p) => between(p.tabled), number: true },
-          { title: "by the bus", of: (p) => figure(p.bus), number: true },
+          { title: "by the table", of: (p) => range(p.tabled), kind: "number" },
+          { title: "by the bus", of: (p) => figure(p.bus), kind: "number" },
         ] : []),
-        { title: "error, ulp", of: (p) => (choice.error === "rms" ? figure : largest)(p.error), number: true },
+        { title: "error, ulp", of: (p) => (choice.error === "rms" ? figure : largest)(p.error), kind: "number" },
       ], d3.sort(points, middle)));
-  };
-  tell();
-  shown = charted(parent, "Speed and accuracy", "", (width) => tradePlot(points, choice, width));
-  show();
-  parent.append(listed);
+  });
+  const shown = figureWithCaption(holder, "Speed and accuracy", "", (width) => tradePlot(points, choice, width));
   const { made, rounds, libraries } = report.host;
-  const absent = Object.entries(libraries).filter(([, there]) => !there).map(([name]) => `${name} was not installed and is left out.`);
-  parent.append(element("p", { class: "quiet" }, `On this machine: ${made.processor}, ${made.compiler} ${made.flags}, ` +
-    `medians of ${count(rounds)} ${rounds === 1 ? "round" : "rounds"}. ${absent.join(" ")}`));
+  const missing = Object.entries(libraries).filter(([, built]) => !built).map(([name]) => `${name} was not installed.`);
+  parent.append(box, names, holder, listed, note(`This machine: ${made.processor}, ${made.compiler} ${made.flags}, ` +
+    `medians of ${count(rounds)} ${rounds === 1 ? "round" : "rounds"}. ${missing.join(" ")}`));
+  update();
 }

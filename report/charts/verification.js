@@ -1,4 +1,4 @@
-// The verification table, and what stands at the head of the page.
+// The head of the page and the verification table.
 
 function switchOf(row) {
   if (row.target === "standard") return "-";
@@ -16,20 +16,20 @@ function showVerification() {
   const faults = d3.sum(verify.rows, (row) => row.faults);
   section("verdict").textContent = verify.mismatches > 0
     ? `Parties DIFFER on ${count(verify.mismatches)} of ${count(verify.cases)} cases.`
-    : `All parties agree on every one of ${count(verify.cases)} cases.`;
-  section("made").textContent = [`Made ${made.date.replace("T", " ").replace("Z", " UTC")}`,
-    `fixproof ${made.version}`, made.compiler, `seed ${made.seed}`, made.processor].filter(Boolean).join(", ") +
+    : `All parties agree on all ${count(verify.cases)} cases.`;
+  section("made").textContent = [dateText(made.date), `fixproof ${made.version}`, made.compiler, `seed ${made.seed}`,
+    made.processor].filter(Boolean).join(", ") +
     (made.quick ? ". A quick run (--quick): too few cases to conclude from." : ".");
   section("verification").append(
-    table("Every row of the verification", [
+    table("All rows of the verification", [
       { title: "operation", of: (r) => r.operation },
       { title: "target", of: (r) => r.target + (r.chapter === 52 ? ", chapter 52" : r.repaired ? ", repaired" : "") },
       { title: "rounding", of: switchOf },
-      { title: "parties, first judged", of: (r) => r.parties.join(", ") },
-      { title: "cases", of: (r) => count(r.cases), number: true },
-      { title: "#DE", of: (r) => count(r.faults), number: true },
+      { title: "parties, the judged one first", of: (r) => r.parties.join(", ") },
+      { title: "cases", of: (r) => count(r.cases), kind: "number" },
+      { title: "#DE", of: (r) => count(r.faults), kind: "number" },
       { title: "result", of: resultOf },
     ], verify.rows),
-    element("p", { class: "quiet" }, `${count(verify.cases)} cases, ${count(faults)} of them divide errors, in ` +
-      `${figure(verify.seconds)} s; level ${verify.level}, seed ${verify.seed}.`));
+    note(`${count(verify.cases)} cases, of which ${count(faults)} are divide errors, in ${figure(verify.seconds)} s; ` +
+      `level ${verify.level}, seed ${verify.seed}.`));
 }

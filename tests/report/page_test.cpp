@@ -1,4 +1,4 @@
-// The page as text: what others have written cannot break out of its place.
+// The page as text: names and data cannot break out of their places.
 #include "cli/report/page.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(Page, HasEverythingInItsPlace) {
        {"<style>\nSTYLE</style>", "<script>\nD3\n</script>", "\nPLOT\n", "\nCHARTS\n",
         "<svg>STRIP</svg>", "{\"n\":7}", "alt=\"Animation: a &quot;&lt;b&gt;&quot; scene\"",
         "src=\"data:image/png;base64,Zm9vYmFy\"", "src=\"data:image/png;base64,Zm9v\"",
-        "in all frames 3 of &lt;4&gt;<"}) {
+        "In all frames: 3 of &lt;4&gt;<"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
   }
   EXPECT_LT(page.find("D3"), page.find("PLOT"));
@@ -62,7 +62,7 @@ TEST(Page, HasEverythingInItsPlace) {
 TEST(Page, SaysThatNothingIsStepped) {
   const std::string page =
       cli::assemble_page({places, "", "", "", ""}, {}, {{"flat", "foobar", "", ""}}, "");
-  EXPECT_NE(page.find("None of these scenes is stepped"), std::string::npos) << page;
+  EXPECT_NE(page.find("None of these scenes has stepped surfaces"), std::string::npos) << page;
   EXPECT_EQ(page.find("class=\"beside\""), std::string::npos) << page;
 }
 
