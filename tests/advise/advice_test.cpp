@@ -6,9 +6,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "trade/advice/advice.hpp"
+#include "cli/advice_text.hpp"
 #include "trade/host/provenance.hpp"
 
 namespace fixproof {
