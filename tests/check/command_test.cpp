@@ -4,56 +4,22 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace {
 
-/// A new empty folder, removed in the end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "check_test.XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder& operator=(Folder&&) = delete;
-
-  [[nodiscard]] std::string file(std::string_view name) const { return (path_ / name).string(); }
-  [[nodiscard]] std::string with(std::string_view name, std::string_view contents) const {
-    std::ofstream(file(name)) << contents;
-    return file(name);
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string contents_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
+using command::expect_usage_error;
 
 /// 1.5 x 2.5, minus an ulp x 0.5.
 constexpr std::string_view two_cases = "# two\n00018000 00028000\n\nffffffff 00008000\n";
 
 command::Run check_two(std::string_view options, std::string_view results) {
-  const Folder folder;
+  const ScratchFolder folder;
   return command::fixproof(
-      fmt::format("check mul --from {} {}", folder.with("cases", two_cases), options), results);
-}
-
-void expect_usage_error(const command::Run& run, std::string_view part) {
-  EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
-  EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+      fmt::format("check mul --from {} {}", folder.write("cases", two_cases), options), results);
 }
 
 TEST(CheckCommand, RightResults) {
@@ -80,8 +46,8 @@ TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
 }
 
 TEST(CheckCommand, ResultsInAFile) {
-  const Folder folder;
-  const auto results = folder.with("results", "0003c000\n00000000\n");
+  const ScratchFolder folder;
+  const auto results = folder.write("results", "0003c000\n00000000\n");
   const auto run = check_two("--rounding half-up " + results, "nothing is read here");
   EXPECT_EQ(run.status, 0) << run.err;
 }
@@ -118,12 +84,12 @@ TEST(CheckCommand, LinesThatAreNoResults) {
 }
 
 TEST(CheckCommand, LinesThatAreNoCases) {
-  const Folder folder;
-  const auto cases = folder.with("cases", "# comment\n00018000\n");
+  const ScratchFolder folder;
+  const auto cases = folder.write("cases", "# comment\n00018000\n");
   const auto run =
       command::fixproof("check mul --rounding floor --from " + cases, "00000000\n00000000\n");
   expect_usage_error(run, "cases, line 2: mul takes 2 words with single spaces between");
-  const auto none = folder.with("none", "# nothing\n");
+  const auto none = folder.write("none", "# nothing\n");
   expect_usage_error(command::fixproof("check mul --rounding floor --from " + none),
                      "there are no cases");
 }
@@ -157,9 +123,9 @@ TEST(CheckCommand, LineWithoutAnEnd) {
 // The root of 2 is 92681.9 ulps, and minus that lies between -92682 and -92681: the rules that are
 // one for roots are two for mirrored ones.
 TEST(CheckCommand, MirroredRootsAreTwoRules) {
-  const Folder folder;
+  const ScratchFolder folder;
   const std::string command = "check sqrt --negative-root mirror --from " +
-                              folder.with("roots", "00020000\nfffe0000\n") + " --rounding ";
+                              folder.write("roots", "00020000\nfffe0000\n") + " --rounding ";
   const auto cut = command::fixproof(command + "toward-zero", "00016a09\nfffe95f7\n");
   EXPECT_EQ(cut.status, 0) << cut.out << cut.err;
   EXPECT_NE(cut.out.find("rounded toward zero on all 1 negative operands"), std::string::npos)
@@ -226,11 +192,11 @@ TEST(GenCommand, OfEveryOperationOfEval) {
 }
 
 TEST(GenCommand, IntoAFile) {
-  const Folder folder;
-  const auto run = command::fixproof("gen sqrt --cases 100 -o " + folder.file("cases"));
+  const ScratchFolder folder;
+  const auto run = command::fixproof("gen sqrt --cases 100 -o " + folder.path("cases"));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_EQ(contents_of(folder.file("cases")), command::fixproof("gen sqrt --cases 100").out);
+  EXPECT_EQ(folder.read("cases"), command::fixproof("gen sqrt --cases 100").out);
 }
 
 TEST(GenCommand, AReaderThatHasGoneIsNoError) {

@@ -1,6 +1,8 @@
 #include "tests/cli/command.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -11,6 +13,8 @@
 #include <csignal>
 #include <system_error>
 #include <thread>
+
+#include "tests/support/scratch_folder.hpp"
 
 namespace command {
 
@@ -134,6 +138,32 @@ std::vector<std::string> command(std::string_view arguments) {
 
 Run fixproof(std::string_view arguments, std::string_view input, Output output) {
   return run(command(arguments), input, output);
+}
+
+void expect_usage_error(const Run& run, std::string_view part) {
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;
+  EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+}
+
+bool has(std::string_view program) {
+  return run({"sh", "-c", fmt::format("command -v {}", program)}).status == 0;
+}
+
+std::string assemble(std::string_view source) {
+  const ScratchFolder folder;
+  const auto nasm = run({"nasm", "-w+all", "-f", "bin", "-o", folder.path("code"),
+                         folder.write("source.asm", source)});
+  EXPECT_EQ(nasm.status, 0) << nasm.err;
+  EXPECT_EQ(nasm.err, "");
+  return folder.read("code");
+}
+
+std::string hex(std::string_view bytes) {
+  std::string text;
+  for (const char byte : bytes) text += fmt::format("{:02x} ", static_cast<unsigned char>(byte));
+  return text;
 }
 
 std::string repeated(std::size_t count, char c) {

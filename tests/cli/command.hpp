@@ -56,6 +56,18 @@ Run fixproof(std::string_view arguments, std::string_view input = {}, Output out
 /// The words of a command line of `fixproof`, the program first.
 std::vector<std::string> command(std::string_view arguments);
 
+/// Expects status 2 and one line on stderr that contains `part`.
+void expect_usage_error(const Run& run, std::string_view part);
+
+/// Whether the shell finds this program.
+bool has(std::string_view program);
+
+/// Assembles with nasm and returns the machine code; any warning fails the test.
+std::string assemble(std::string_view source);
+
+/// Two hexadecimal digits and a space for each byte.
+std::string hex(std::string_view bytes);
+
 /// `count` times `c`.
 std::string repeated(std::size_t count, char c);
 

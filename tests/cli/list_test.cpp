@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -13,40 +10,8 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Whether nasm can be run at all.
-bool has_nasm() {
-  static const bool has = command::run({"sh", "-c", "command -v nasm"}).status == 0;
-  return has;
-}
-
-class List : public testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  /// The machine code of a source; a test failure with nasm's words where there is none.
-  [[nodiscard]] std::string assemble(const std::string& source) const {
-    const std::string from = folder_ / "routine.asm";
-    const std::string to = folder_ / "routine.bin";
-    std::ofstream(from) << source;
-    const auto run = command::run({"nasm", "-w+all", "-f", "bin", "-o", to, from});
-    EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err, "");
-    std::ostringstream code;
-    code << std::ifstream(to, std::ios::binary).rdbuf();
-    return code.str();
-  }
-
- private:
-  static std::string name() {
-    return fmt::format("fixproof_list_{}",
-                       testing::UnitTest::GetInstance()->current_test_info()->name());
-  }
-
-  fs::path folder_ = fs::path(testing::TempDir()) / name();
-};
+using command::assemble;
+using command::hex;
 
 std::string list(std::string_view arguments) {
   const auto run = command::fixproof("list " + std::string(arguments));
@@ -55,14 +20,8 @@ std::string list(std::string_view arguments) {
   return run.out;
 }
 
-std::string hex(std::string_view bytes) {
-  std::string text;
-  for (const char byte : bytes) text += fmt::format("{:02x} ", static_cast<unsigned char>(byte));
-  return text;
-}
-
-TEST_F(List, EveryVariantAssembles) {
-  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+TEST(List, EveryVariantAssembles) {
+  if (!command::has("nasm")) GTEST_SKIP() << "nasm is not installed";
   for (const std::string_view routine : {"mul", "div", "cossin", "xformvec", "concat"}) {
     for (const std::string_view target : {"i386", "i8088"}) {
       for (const std::string_view round : {"on", "off"}) {
@@ -85,8 +44,8 @@ TEST_F(List, EveryVariantAssembles) {
 }
 
 // ADD BP,[SI+d] is 03 6c d, ADC 13 6c d.
-TEST_F(List, TheRepairedConcatAddsThreeCarries) {
-  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+TEST(List, TheRepairedConcatAddsThreeCarries) {
+  if (!command::has("nasm")) GTEST_SKIP() << "nasm is not installed";
   const std::string printed = assemble(list("concat --target i8088"));
   const std::string repaired = assemble(list("concat --target i8088 --repaired"));
   ASSERT_EQ(printed.size(), repaired.size());
@@ -99,8 +58,8 @@ TEST_F(List, TheRepairedConcatAddsThreeCarries) {
   EXPECT_EQ(changed, 3);
 }
 
-TEST_F(List, MultiplyFor386IsThisMachineCode) {
-  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+TEST(List, MultiplyFor386IsThisMachineCode) {
+  if (!command::has("nasm")) GTEST_SKIP() << "nasm is not installed";
   EXPECT_EQ(hex(assemble(list("mul --target i386"))),
             "55 "                 // push bp
             "89 e5 "              // mov  bp, sp
@@ -113,8 +72,8 @@ TEST_F(List, MultiplyFor386IsThisMachineCode) {
             "c3 ");               // ret
 }
 
-TEST_F(List, MultiplyFor8088BeginsWithThisMachineCode) {
-  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+TEST(List, MultiplyFor8088BeginsWithThisMachineCode) {
+  if (!command::has("nasm")) GTEST_SKIP() << "nasm is not installed";
   const std::string expected =
       "55 "        // push bp
       "89 e5 "     // mov  bp, sp
@@ -143,8 +102,8 @@ TEST_F(List, MultiplyFor8088BeginsWithThisMachineCode) {
   EXPECT_EQ(hex(assemble(list("mul --target i8088"))).substr(0, expected.size()), expected);
 }
 
-TEST_F(List, CosSinBringsItsTable) {
-  if (!has_nasm()) GTEST_SKIP() << "nasm is not installed";
+TEST(List, CosSinBringsItsTable) {
+  if (!command::has("nasm")) GTEST_SKIP() << "nasm is not installed";
   const std::string code = assemble(list("cossin --target i8088"));
   // 901 doublewords, from cos 0 = 1.0 to cos 90 = 0.
   ASSERT_GT(code.size(), 4 * 901);
@@ -154,7 +113,7 @@ TEST_F(List, CosSinBringsItsTable) {
   EXPECT_EQ(hex(table.substr(std::size_t{4} * 900)), "00 00 00 00 ");
 }
 
-TEST_F(List, BeginsWithSourceAndDigest) {
+TEST(List, BeginsWithSourceAndDigest) {
   const auto expect = [](std::string_view arguments, std::string_view source,
                          std::string_view digest) {
     const std::string text = list(arguments);
@@ -184,7 +143,7 @@ TEST_F(List, BeginsWithSourceAndDigest) {
          "none recorded\n");
 }
 
-TEST_F(List, RoundingIsARow) {
+TEST(List, RoundingIsARow) {
   EXPECT_NE(list("mul --round on").find("add eax, 0x8000"), std::string::npos);
   EXPECT_EQ(list("mul --round off").find("add eax, 0x8000"), std::string::npos);
 }

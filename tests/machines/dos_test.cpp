@@ -1,33 +1,20 @@
 // `fixproof dos`: the programs it writes, run in DOSBox, answer as the model does.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cases/streams.hpp"
 #include "machine_code/machine_code.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 using namespace fixproof;
-namespace fs = std::filesystem;
-
-bool has(std::string_view program) {
-  return command::run({"sh", "-c", fmt::format("command -v {}", program)}).status == 0;
-}
-
-std::string contents_of(const fs::path& file) {
-  std::ostringstream contents;
-  contents << std::ifstream(file, std::ios::binary).rdbuf();
-  return contents.str();
-}
 
 /// The options of fixproof that name a program.
 std::string arguments_of(const machine_code::ProgramKey& key) {
@@ -72,40 +59,28 @@ class Dos : public testing::Test {
   void SetUp() override {
     if (!machine_code::machine_code_absence().empty())
       GTEST_SKIP() << machine_code::machine_code_absence();
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
-
-  void write(const std::string& name, std::string_view text) const {
-    std::ofstream(file(name), std::ios::binary) << text;
   }
 
   /// Has a program written under a name that DOS can have; CON.COM, for one, is a device.
   void make(const std::string& name, std::string_view arguments) const {
-    const auto run = command::fixproof(fmt::format("dos {} -o {}", arguments, file(name).string()));
+    const auto run = command::fixproof(fmt::format("dos {} -o {}", arguments, folder_.path(name)));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.out + run.err, "");
   }
 
   /// Runs these commands of DOS in the folder, without a screen.
   void in_dosbox(const std::string& commands) const {
-    write("dosbox.cfg",
-          "[cpu]\ncore=normal\ncycles=max\n[mixer]\nnosound=true\n[autoexec]\n@echo off\n"
-          "mount c " +
-              folder_.string() + "\nc:\n" + commands + "exit\n");
-    const auto run = command::run({"env", "HOME=" + folder_.string(), "SDL_VIDEODRIVER=dummy",
+    folder_.write("dosbox.cfg",
+                  "[cpu]\ncore=normal\ncycles=max\n[mixer]\nnosound=true\n[autoexec]\n@echo off\n"
+                  "mount c " +
+                      folder_.path() + "\nc:\n" + commands + "exit\n");
+    const auto run = command::run({"env", "HOME=" + folder_.path(), "SDL_VIDEODRIVER=dummy",
                                    "SDL_AUDIODRIVER=dummy", "timeout", "200", "dosbox", "-conf",
-                                   file("dosbox.cfg").string()});
+                                   folder_.path("dosbox.cfg")});
     ASSERT_EQ(run.status, 0) << run.err;
   }
 
- private:
-  fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      fmt::format("fixproof_dos_{}_{}",
-                  testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
+  const ScratchFolder folder_;
 };
 
 /// DOS ends lines with CR LF.
@@ -115,7 +90,7 @@ std::string without_cr(std::string text) {
 }
 
 TEST_F(Dos, EveryProgramAnswersAsTheModel) {
-  if (!has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
+  if (!command::has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
   std::vector<machine_code::ProgramKey> keys;
   for (const machine_code::ProgramKey& key : machine_code::all_programs()) {
     if (!key.build.endif_as_scanned) keys.push_back(key);
@@ -123,7 +98,7 @@ TEST_F(Dos, EveryProgramAnswersAsTheModel) {
   std::string commands;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     make(fmt::format("P{}.COM", i), arguments_of(keys[i]));
-    write(fmt::format("P{}.IN", i), lines_for(keys[i]));
+    folder_.write(fmt::format("P{}.IN", i), lines_for(keys[i]));
     commands += fmt::format("P{0}.COM < P{0}.IN > P{0}.OUT\n", i);
   }
   in_dosbox(commands);
@@ -131,8 +106,7 @@ TEST_F(Dos, EveryProgramAnswersAsTheModel) {
     const auto model = command::fixproof("eval " + arguments_of(keys[i]), lines_for(keys[i]));
     ASSERT_EQ(model.status, 0) << model.err;
     // Not EXPECT_EQ: it would print thousands of lines.
-    const auto said =
-        command::split(without_cr(contents_of(file(fmt::format("P{}.OUT", i)))), '\n');
+    const auto said = command::split(without_cr(folder_.read(fmt::format("P{}.OUT", i))), '\n');
     const auto expected = command::split(model.out, '\n');
     ASSERT_EQ(said.size(), expected.size()) << machine_code::name_of(keys[i]);
     const auto [other, wanted] = std::mismatch(said.begin(), said.end(), expected.begin());
@@ -143,26 +117,27 @@ TEST_F(Dos, EveryProgramAnswersAsTheModel) {
 }
 
 TEST_F(Dos, AProgramReadsLinesAsEvalDoes) {
-  if (!has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
+  if (!command::has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
   make("DIV.COM", "div --target i8088");
   const std::string good = "# a comment\n\n \t\n00010000 00000000\r\n00030000 00020000";
   const std::vector<std::string> bad{
       "0003000 00020000",    "00030000  00020000", "00030000 00020000 ",
       "00030000 0002000A",   "00030000",           "00030000 00020000 1",
       std::string(300, '0'), "0003000g 00020000",  "/0030000 00020000"};
-  write("GOOD.IN", good);
+  folder_.write("GOOD.IN", good);
   std::string commands = "DIV.COM < GOOD.IN > GOOD.OUT\nif not errorlevel 1 echo 0 > GOOD.ST\n";
   for (std::size_t i = 0; i < bad.size(); ++i) {
-    write(fmt::format("BAD{}.IN", i), "00030000 00020000\n" + bad[i] + "\n00030000 00020000\n");
+    folder_.write(fmt::format("BAD{}.IN", i),
+                  "00030000 00020000\n" + bad[i] + "\n00030000 00020000\n");
     commands +=
         fmt::format("DIV.COM < BAD{0}.IN > BAD{0}.OUT\nif errorlevel 2 echo 2 > BAD{0}.ST\n", i);
   }
   in_dosbox(commands);
-  EXPECT_EQ(contents_of(file("GOOD.OUT")), "DE\r\n00018000\r\n");
-  EXPECT_TRUE(fs::exists(file("GOOD.ST")));
+  EXPECT_EQ(folder_.read("GOOD.OUT"), "DE\r\n00018000\r\n");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path("GOOD.ST")));
   for (std::size_t i = 0; i < bad.size(); ++i) {
-    EXPECT_EQ(contents_of(file(fmt::format("BAD{}.OUT", i))), "00018000\r\n") << bad[i];
-    EXPECT_TRUE(fs::exists(file(fmt::format("BAD{}.ST", i)))) << bad[i];
+    EXPECT_EQ(folder_.read(fmt::format("BAD{}.OUT", i)), "00018000\r\n") << bad[i];
+    EXPECT_TRUE(std::filesystem::exists(folder_.path(fmt::format("BAD{}.ST", i)))) << bad[i];
     EXPECT_EQ(command::fixproof("eval div --target i8088", bad[i] + "\n").status, 2) << bad[i];
   }
 }
@@ -171,14 +146,14 @@ TEST_F(Dos, WritesTheSameToAFileAndToAPipe) {
   make("MUL.COM", "mul");
   const auto run = command::fixproof("dos mul");
   EXPECT_EQ(run.status, 0);
-  EXPECT_EQ(run.out, contents_of(file("MUL.COM")));
+  EXPECT_EQ(run.out, folder_.read("MUL.COM"));
   EXPECT_NE(command::fixproof("dos mul --round off").out, run.out);
   EXPECT_NE(command::fixproof("dos div --target i8088 --round off --as-scanned").out,
             command::fixproof("dos div --target i8088 --round off").out);
 }
 
 TEST_F(Dos, WritesNothingToATerminal) {
-  if (!has("script")) GTEST_SKIP() << "script(1) is not installed";
+  if (!command::has("script")) GTEST_SKIP() << "script(1) is not installed";
   const auto run =
       command::run({"script", "-qec", std::string(FIXPROOF_COMMAND) + " dos mul", "/dev/null"});
   EXPECT_EQ(run.status, 2);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.hpp"
 #include "tests/xsharp/raster/read_png.hpp"
-#include "tests/xsharp/raster/scratch_folder.hpp"
 #include "xsharp/files/png.hpp"
 #include "xsharp/files/png_chunks.hpp"
 

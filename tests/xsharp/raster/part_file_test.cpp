@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/xsharp/raster/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace fixproof {
 namespace {

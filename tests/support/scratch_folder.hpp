@@ -1,25 +1,24 @@
 /// @file
-/// A folder for the files of one test.
+/// A temporary folder for the files of one test.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
-/// Empty at first; removed with all that is in it.
+/// Starts empty. The destructor removes it with its contents.
 class ScratchFolder {
  public:
   ScratchFolder() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("fixproof_") + test->test_suite_name() + "_" + test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    std::string name = (std::filesystem::temp_directory_path() / "fixproof_test.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot create " + name);
+    folder_ = name;
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -30,7 +29,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
   ScratchFolder& operator=(ScratchFolder&&) = delete;
 
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string path(const std::string& name = "") const { return folder_ / name; }
 
   [[nodiscard]] std::ptrdiff_t files() const {
     return std::distance(std::filesystem::directory_iterator(folder_), {});
@@ -43,8 +42,10 @@ class ScratchFolder {
     return text.str();
   }
 
-  void write(const std::string& name, const std::string& text) const {
+  /// Returns the path of the file.
+  std::string write(const std::string& name, std::string_view text) const {
     std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
   }
 
  private:
