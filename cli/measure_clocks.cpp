@@ -57,8 +57,9 @@ std::string not_judged_text() {
 }
 
 std::string text_of(const trade::LoopClocks& row) {
-  std::string text = fmt::format("{:<24}{:<10}{:<7}", trade::name_of(row.form, row.pixels),
-                                 x86model::name_of(row.form.counting), trade::target_name(row.form));
+  std::string text =
+      fmt::format("{:<24}{:<10}{:<7}", trade::name_of(row.form, row.pixels),
+                  x86model::name_of(row.form.counting), trade::target_name(row.form));
   for (std::size_t i = 0; i < row.on.size(); ++i) {
     const auto& clocks = row.on.at(i);
     const x86model::Cpu cpu = trade::loop_processors.at(i);
