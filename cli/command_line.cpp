@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <sstream>
 
 #include "cli/commands.hpp"
 #include "proof/process.hpp"
@@ -41,21 +40,6 @@ void add_all(CLI::App& app, int& status) {
   add_advise(app, status);
   add_report(app, status);
 }
-
-/// While it lives, a stream of the library reads from or writes to another buffer.
-class Redirected {
- public:
-  Redirected(std::ios& stream, std::streambuf* to) : stream_(stream), before_(stream.rdbuf(to)) {}
-  ~Redirected() { stream_.rdbuf(before_); }
-  Redirected(const Redirected&) = delete;
-  Redirected(Redirected&&) = delete;
-  Redirected& operator=(const Redirected&) = delete;
-  Redirected& operator=(Redirected&&) = delete;
-
- private:
-  std::ios& stream_;
-  std::streambuf* before_;
-};
 
 }  // namespace
 
@@ -97,17 +81,6 @@ int run_command_line(std::vector<std::string> arguments) {
     return 2;
   }
   return status;
-}
-
-Captured run_captured(std::vector<std::string> arguments, const std::string& input) {
-  std::istringstream in(input);
-  std::ostringstream out;
-  const Redirected read(std::cin, in.rdbuf());
-  const Redirected written(std::cout, out.rdbuf());
-  Captured captured;
-  captured.status = run_command_line(std::move(arguments));
-  captured.out = out.str();
-  return captured;
 }
 
 std::string_view program_version() { return FIXPROOF_VERSION; }

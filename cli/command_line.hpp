@@ -1,5 +1,5 @@
 /// @file
-/// The command line as a whole, for main() and for commands that run others.
+/// The whole command line.
 #pragma once
 
 #include <string>
@@ -8,20 +8,11 @@
 
 namespace fixproof::cli {
 
-/// Runs `fixproof ARGUMENT...`; what goes wrong is said in one line on stderr.
+/// Runs `fixproof ARGUMENT...`, and prints an error as one line on stderr.
 /// @return the exit status
 int run_command_line(std::vector<std::string> arguments);
 
-/// What a command left behind.
-struct Captured {
-  int status = 0;
-  std::string out;
-};
-
-/// As run_command_line(), with `input` to read, keeping what it writes to standard output.
-Captured run_captured(std::vector<std::string> arguments, const std::string& input = {});
-
-/// As `fixproof --version` says it.
+/// The version that `fixproof --version` prints.
 std::string_view program_version();
 
 }  // namespace fixproof::cli

@@ -127,8 +127,9 @@ std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request)
 }
 
 DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request) {
-  DriftFigures figures{.scene = scene.name, .wanted = request.minutes * 60 * fast};
-  figures.frames = figures.wanted;
+  DriftFigures figures;
+  figures.scene = scene.name;
+  figures.frames = figures.wanted = request.minutes * 60 * fast;
   figures.cases = cases_of(request.restore_every);
   support::FrameProgress progress(figures.wanted);
   figures.results =

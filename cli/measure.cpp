@@ -1,4 +1,6 @@
 // fixproof measure: the errors and the speed of the arithmetic.
+#include "cli/measure.hpp"
+
 #include <fmt/format.h>
 
 #include <iostream>
@@ -42,11 +44,32 @@ trade::MeasureRequest read_request(const MeasureOptions& options) {
   return request;
 }
 
-/// Errors beyond the derived bounds, which only stepped values have.
 template <class Result>
-std::vector<std::string> broken_bounds(const Result& /*result*/) {
-  return {};
+int run(const MeasureOptions& options, Measurement<Result> measure) {
+  const trade::MeasureRequest request = read_request(options);
+  trade::MeasureProgress progress(support::Interrupt::flag());
+  Measured<Result> measured;
+  {
+    const support::Interrupt interrupt;
+    measured = run_measurement(measure, request, progress);
+  }
+  if (measured.status == support::interrupted_status) {
+    std::cout << fmt::format("STOPPED after {} of {} {}{}\n", progress.done(), progress.all(),
+                             progress.unit(),
+                             options.json.empty() ? "" : "; " + options.json + " is not written");
+  }
+  if (measured.result) {
+    std::cout << text_of(*measured.result);
+    if (!options.json.empty()) {
+      support::replace_file(options.json, support::json_text(to_json(*measured.result)));
+    }
+  }
+  for (const std::string& line : measured.errors) fmt::print(stderr, "fixproof: {}\n", line);
+  return measured.status;
 }
+
+}  // namespace
+
 std::vector<std::string> broken_bounds(const trade::SteppingResult& result) {
   std::vector<std::string> lines;
   for (const trade::SteppingRow& row : result.rows) {
@@ -56,37 +79,6 @@ std::vector<std::string> broken_bounds(const trade::SteppingResult& result) {
   }
   return lines;
 }
-
-template <class Result>
-int run(const MeasureOptions& options,
-        std::optional<Result> (*measure)(const trade::MeasureRequest&, trade::MeasureProgress&)) {
-  const trade::MeasureRequest request = read_request(options);
-  std::optional<Result> result;
-  try {
-    const support::Interrupt interrupt;
-    trade::MeasureProgress progress(support::Interrupt::flag());
-    result = measure(request, progress);
-    progress.end();
-    if (!result) {
-      std::cout << fmt::format("STOPPED after {} of {} {}{}\n", progress.done(), progress.all(),
-                               progress.unit(),
-                               options.json.empty() ? "" : "; " + options.json + " is not written");
-      return support::interrupted_status;
-    }
-  } catch (const trade::WrongContender& wrong) {
-    fmt::print(stderr, "fixproof: {}\n", wrong.what());
-    return 1;
-  }
-  std::cout << text_of(*result);
-  if (!options.json.empty()) {
-    support::replace_file(options.json, support::json_text(to_json(*result)));
-  }
-  const std::vector<std::string> broken = broken_bounds(*result);
-  for (const std::string& line : broken) fmt::print(stderr, "fixproof: {}\n", line);
-  return broken.empty() ? 0 : 1;
-}
-
-}  // namespace
 
 void add_measure(CLI::App& app, int& status) {
   auto options = std::make_shared<MeasureOptions>();

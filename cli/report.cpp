@@ -1,5 +1,4 @@
-// fixproof report: everything measured, on one page.
-#include <algorithm>
+// fixproof report: all measurements on one page.
 #include <filesystem>
 #include <memory>
 
@@ -12,8 +11,8 @@ namespace fixproof::cli {
 
 namespace {
 
-/// The scenes of the tree, where the command runs in its root.
-std::vector<std::string> scenes_here() {
+/// The default scenes that exist in the current directory.
+std::vector<std::string> default_scenes() {
   std::vector<std::string> scenes;
   for (const char* name :
        {"scenes/twelve_cubes.json", "scenes/ball_and_cubes.json", "scenes/shaded_ball.json",
@@ -29,11 +28,11 @@ void add_report(CLI::App& app, int& status) {
   auto options = std::make_shared<ReportRequest>();
   options->folder = "out";
   CLI::App* command =
-      app.add_subcommand("report", "measure everything and show it on a page for a browser");
+      app.add_subcommand("report", "measure everything and write a page for a browser");
   command
       ->add_option("scene", options->scenes,
-                   "scenes to measure with, the first of them for the drift; by default those of "
-                   "the folder scenes, where the command runs beside it")
+                   "scenes to measure and draw; the drift is that of the first. By default the "
+                   "scenes in ./scenes")
       ->check(not_empty());
   command->add_option("--out", options->folder, "the folder for report.html and its data")
       ->check(not_empty())
@@ -41,24 +40,22 @@ void add_report(CLI::App& app, int& status) {
   command->add_option("--seed", options->seed, "of the random operands")
       ->transform(whole_number(0, ~std::uint64_t{0}))
       ->capture_default_str();
-  command->add_flag("--quick", options->quick, "a little of everything, in seconds, to try it");
-  command->add_flag(
-      "--resume", options->resume,
-      "keep what an earlier run of the same program has measured of the same scenes on "
-      "the same processor");
+  command->add_flag("--quick", options->quick,
+                    "a trial in seconds, with too few cases to conclude from");
   command->footer(
-      "Runs verify, measure, drift and render, and keeps what they say in the folder `data` in\n"
-      "DIR, with their figures as JSON. The page needs nothing but itself.\n\n"
-      "Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage, a scene that is\n"
-      "refused or a step that does not succeed, 130 stopped before the end.\n\n"
+      "Does what `verify`, `measure`, `drift` and `render` do. Writes report.html, which needs no\n"
+      "other file and no network, report.json with all figures, and a JSON file or picture for\n"
+      "each step in the subfolder `data`.\n\n"
+      "Exit status: 0 the page is written, 1 the page is written and shows that parties differ,\n"
+      "2 bad usage, a scene that cannot be read, or a measurement that breaks its own rule,\n"
+      "130 interrupted.\n\n"
       "Examples:\n"
       "  fixproof report\n"
       "  fixproof report scenes/shaded_ball.json --out ball --quick");
   command->callback([options, &status] {
-    if (options->scenes.empty()) options->scenes = scenes_here();
+    if (options->scenes.empty()) options->scenes = default_scenes();
     if (options->scenes.empty()) {
-      throw support::UsageError(
-          "report: name a scene; there is no folder scenes here to take them from");
+      throw support::UsageError("report: name a scene, because there are none in ./scenes");
     }
     status = make_report(*options);
   });

@@ -1,15 +1,17 @@
 /// @file
-/// Runs what the report shows and writes the page and its data.
+/// Measures everything that the report shows and writes the page and its data.
 #pragma once
 
 #include "cli/report/steps.hpp"
 
 namespace fixproof::cli {
 
-/// Says on standard output how far it is.
-/// @return the exit status: 1 where parties differ, 130 where it was stopped and 2 where a step did
-///         not succeed, both without a page
-/// @throws UsageError, xsharp::SceneError or std::runtime_error for what cannot be read or written
+/// Prints each step and its time to standard output.
+/// @return the exit status: 0, 1 if parties differ, or, without a page, 130 after an interrupt and
+/// 2
+///         if a measurement breaks its own rule
+/// @throws UsageError, xsharp::SceneError or std::runtime_error for a file that cannot be read or
+///         written
 int make_report(const ReportRequest& request);
 
 }  // namespace fixproof::cli

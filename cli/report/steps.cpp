@@ -1,49 +1,157 @@
 #include "cli/report/steps.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <stdexcept>
+#include <optional>
+#include <string_view>
+#include <utility>
 
-#include "cli/command_line.hpp"
+#include "cli/drift.hpp"
+#include "cli/measure.hpp"
+#include "cli/progress.hpp"
+#include "cli/render.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/selection.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
-#include "support/json.hpp"
-#include "support/plain_text.hpp"
+#include "trade/accuracy/accuracy.hpp"
+#include "trade/clocks/clocks.hpp"
+#include "trade/host/host.hpp"
+#include "trade/stepping/stepping.hpp"
+#include "verify/engine.hpp"
+#include "verify/report_json.hpp"
 
 namespace fixproof::cli {
 
 namespace {
 
 using support::Json;
+using Words = std::vector<std::string>;
 
-/// Of --quick.
-constexpr const char* few_operands = "300";
-constexpr const char* few_frames = "3";
-/// Two seconds of an animation.
-constexpr const char* shown_frames = "120";
+/// Two seconds.
+constexpr std::uint64_t animation_frames = 120;
+/// What --quick takes instead.
+constexpr std::uint64_t quick_frames = 3;
+constexpr std::uint64_t quick_cases = 300;
+constexpr std::uint64_t quick_spans = 4;
 
-uLong sum_of(uLong sum, const std::string& text) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): zlib's bytes are unsigned
-  return crc32_z(sum, reinterpret_cast<const Bytef*>(text.data()), text.size());
-}
-
-void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
-
-/// A word of a command line, in quotes where a shell would not take it as it stands.
+/// A word of a command line as a POSIX shell takes it, quoted if necessary.
 std::string shell_word(const std::string& word) {
-  const auto plain = [](char c) {
+  const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("_-./=,+:@").find(c) != std::string_view::npos;
   };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string command_line(const Words& arguments) {
+  std::string line = "fixproof";
+  for (const std::string& argument : arguments) line += ' ' + shell_word(argument);
+  return line;
+}
+
+void append(Words& words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+ReportStep verify_step(const ReportRequest& request, const std::string& stem) {
+  Selection selection;
+  // The smallest routines alone.
+  if (request.quick) selection.operations = {"cossin", "sqrt"};
+  const std::string json = stem + ".json";
+  Words arguments{"verify"};
+  append(arguments, selection.operations);
+  append(arguments, {"--seed", fmt::to_string(request.seed), "--report", json});
+  return {"verify", command_line(arguments), {json}, [=, seed = request.seed](ReportData& data) {
+            constexpr std::size_t max_mismatches = 10;
+            const auto parties = chosen_parties(selection);
+            verify::Report report(
+                cases::Plan(selection.level, seed, chosen_rows(selection, parties)), {},
+                max_mismatches);
+            Progress progress;
+            const auto observe = [&](const verify::Report& state) { progress.show(state); };
+            verify::run(report, parties, {.stop = &support::Interrupt::flag(), .observe = observe});
+            if (!report.complete()) return support::interrupted_status;
+            const std::string text = verify::to_json(report);
+            support::replace_file(json, text);
+            data.parts["verify"] = Json::parse(text);
+            return report.mismatches() > 0 ? 1 : 0;
+          }};
+}
+
+/// @param options those of the command beside --seed and --json
+template <class Result>
+ReportStep measure_step(const std::string& name, Measurement<Result> measure, const Words& options,
+                        trade::MeasureRequest request, const std::string& stem) {
+  const std::string json = stem + ".json";
+  Words arguments{"measure", "--" + name};
+  append(arguments, options);
+  append(arguments, {"--seed", fmt::to_string(request.seed), "--json", json});
+  return {name, command_line(arguments), {json}, [=](ReportData& data) {
+            trade::MeasureProgress progress(support::Interrupt::flag());
+            const Measured<Result> measured = run_measurement(measure, request, progress);
+            for (const std::string& line : measured.errors) {
+              fmt::print(stderr, "fixproof: {}\n", line);
+            }
+            if (measured.status != 0) return measured.status;
+            data.parts[name] = to_json(*measured.result);
+            support::replace_file(json, support::json_text(data.parts[name]));
+            return 0;
+          }};
+}
+
+ReportStep drift_step(const ReportRequest& request, const xsharp::Scene& scene,
+                      const std::string& stem) {
+  const std::string json = stem + ".json";
+  const std::string svg = stem + ".svg";
+  DriftRequest drift;
+  Words arguments{"drift", request.scenes.front()};
+  if (request.quick) {
+    drift.minutes = 1;
+    append(arguments, {"--minutes", "1"});
+  }
+  append(arguments, {"--json", json, "--strip", svg});
+  return {"drift", command_line(arguments), {json, svg}, [=, &scene](ReportData& data) {
+            const DriftFigures figures = measure_drift(scene, drift);
+            if (!figures.complete()) return support::interrupted_status;
+            data.parts["drift"] = to_json(figures);
+            support::replace_file(json, support::json_text(data.parts["drift"]));
+            data.strip = drift_strip(scene, drift);
+            support::replace_file(svg, data.strip);
+            return 0;
+          }};
+}
+
+ReportStep render_step(const ReportRequest& request, std::size_t index,
+                       const xsharp::Scene& read_scene, const std::string& data_folder) {
+  const std::string name = fmt::format("scene_{}", index + 1);
+  const std::uint64_t frames = request.quick ? quick_frames : animation_frames;
+  player::OutputNames names;
+  names.animation = data_folder + name + ".png";
+  Words arguments{"render",    request.scenes[index], "--frames", fmt::to_string(frames),
+                  "--animate", names.animation};
+  Words files{names.animation};
+  if (has_beside(read_scene)) {
+    names.beside = data_folder + name + "_beside.png";
+    append(arguments, {"--beside", names.beside});
+    files.push_back(names.beside);
+  }
+  return {name, command_line(arguments), files, [=, &read_scene](ReportData& data) {
+            const xsharp::Scene scene = SceneOptions().applied_to(read_scene);
+            const DrawnFrames drawn = draw_frames(scene, frames, {.outputs = names});
+            if (drawn.frames < frames) return support::interrupted_status;
+            PagePicture picture{scene.name, support::read_file(names.animation), "", ""};
+            if (!names.beside.empty()) {
+              picture.beside = support::read_file(names.beside);
+              picture.beside_text = drawn.differences;
+            }
+            data.pictures.push_back(std::move(picture));
+            return 0;
+          }};
 }
 
 }  // namespace
@@ -54,59 +162,41 @@ bool has_beside(const xsharp::Scene& scene) {
 
 std::vector<ReportStep> report_steps(const ReportRequest& request,
                                      const std::vector<xsharp::Scene>& scenes) {
-  const auto file = [&](const std::string& name) { return request.folder + "/data/" + name; };
-  const std::string seed = fmt::to_string(request.seed);
-  std::vector<ReportStep> steps;
-
-  // The smallest routine alone for a quick page.
-  steps.push_back({"verify", {"verify"}, {file("verify.json")}});
-  if (request.quick) append(steps.back().arguments, {"cossin", "sqrt"});
-  append(steps.back().arguments, {"--seed", seed, "--report", file("verify.json")});
-
-  for (const std::string what : {"accuracy", "clocks"}) {
-    steps.push_back({what, {"measure", "--" + what}, {file(what + ".json")}});
-    // Clocks take seconds a scene.
-    if (request.quick) {
-      append(steps.back().arguments, {request.scenes.front(), "--cases", few_operands});
-    } else {
-      append(steps.back().arguments, request.scenes);
-    }
-    append(steps.back().arguments, {"--seed", seed, "--json", file(what + ".json")});
+  const std::string data = request.folder + "/data/";
+  trade::MeasureRequest with_scenes;
+  trade::MeasureRequest without_scenes;
+  trade::MeasureRequest spans;
+  with_scenes.seed = without_scenes.seed = spans.seed = request.seed;
+  Words scene_options = request.scenes;
+  Words host_options;
+  Words span_options;
+  with_scenes.scenes = scenes;
+  if (request.quick) {
+    // Clocks take seconds for each scene.
+    with_scenes.scenes.resize(1);
+    with_scenes.cases = without_scenes.cases = quick_cases;
+    spans.cases = quick_spans;
+    without_scenes.rounds = spans.rounds = 1;
+    scene_options = {request.scenes.front(), "--cases", fmt::to_string(quick_cases)};
+    host_options = {"--cases", fmt::to_string(quick_cases), "--rounds", "1"};
+    span_options = {"--cases", fmt::to_string(quick_spans), "--rounds", "1"};
   }
-  steps.push_back({"host", {"measure", "--host"}, {file("host.json")}});
-  if (request.quick) append(steps.back().arguments, {"--cases", few_operands, "--rounds", "1"});
-  append(steps.back().arguments, {"--seed", seed, "--json", file("host.json")});
 
-  steps.push_back({"stepping", {"measure", "--stepping"}, {file("stepping.json")}});
-  if (request.quick) append(steps.back().arguments, {"--cases", "4", "--rounds", "1"});
-  append(steps.back().arguments, {"--seed", seed, "--json", file("stepping.json")});
-
-  steps.push_back({"drift", {"drift", request.scenes.front()}, {file("drift.json")}});
-  if (request.quick) append(steps.back().arguments, {"--minutes", "1"});
-  append(steps.back().arguments, {"--json", file("drift.json"), "--strip", file("drift.svg")});
-  steps.back().files.push_back(file("drift.svg"));
-
-  for (std::size_t i = 0; i < request.scenes.size(); ++i) {
-    const std::string name = fmt::format("scene_{}", i + 1);
-    steps.push_back({name,
-                     {"render", request.scenes[i], "--frames",
-                      request.quick ? few_frames : shown_frames, "--animate", file(name + ".png")},
-                     {file(name + ".png")}});
-    if (!has_beside(scenes[i])) continue;
-    append(steps.back().arguments, {"--beside", file(name + "_beside.png")});
-    steps.back().files.push_back(file(name + "_beside.png"));
+  std::vector<ReportStep> steps{
+      verify_step(request, data + "verify"),
+      measure_step("accuracy", trade::measure_accuracy, scene_options, with_scenes,
+                   data + "accuracy"),
+      measure_step("clocks", trade::measure_clocks, scene_options, with_scenes, data + "clocks"),
+      measure_step("host", trade::measure_host, host_options, without_scenes, data + "host"),
+      measure_step("stepping", trade::measure_stepping, span_options, spans, data + "stepping"),
+      drift_step(request, scenes.front(), data + "drift")};
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    steps.push_back(render_step(request, i, scenes[i], data));
   }
   return steps;
 }
 
-std::string command_line_of(const ReportStep& step) {
-  std::string line = "fixproof";
-  for (const std::string& argument : step.arguments) line += ' ' + shell_word(argument);
-  return line;
-}
-
-bool page_shows(const ReportStep& step, int status) {
-  // verify has found a mismatch.
+bool shows_on_page(const ReportStep& step, int status) {
   return status == 0 || (step.name == "verify" && status == 1);
 }
 
@@ -114,69 +204,12 @@ int report_status(int status) { return status == support::interrupted_status ? s
 
 std::string stopped_text(const ReportStep& step, int status, std::size_t done, std::size_t all) {
   std::string text = fmt::format("STOPPED after {} of {} steps; no page is written.", done, all);
-  if (status == support::interrupted_status)
-    return text + " With --resume the same command goes on.\n";
-  text += fmt::format(" It ended with status {}: {}", status,
-                      support::printable(command_line_of(step)));
-  if (step.name == "host" && status == 1) text += "\nA number that it times breaks its own rule.";
-  if (step.name == "stepping" && status == 1) text += "\nA stepped value is beyond its bound.";
+  if (status != support::interrupted_status) {
+    text += fmt::format(" Step {} ended with status {}: {}", step.name, status,
+                        step.name == "host" ? "an implementation breaks its own rounding rule."
+                                            : "a stepped value exceeds its bound.");
+  }
   return text + '\n';
-}
-
-std::string sum_of_files(const std::vector<std::string>& files) {
-  uLong sum = 0;
-  for (const std::string& file : files) {
-    if (!std::filesystem::is_regular_file(file)) return {};
-    const std::string contents = support::read_file(file);
-    sum = sum_of(sum, fmt::format("{} ", contents.size()) + contents);
-  }
-  return fmt::format("{:08x}", sum);
-}
-
-std::string fingerprint(const std::vector<xsharp::Scene>& scenes, const std::string& processor) {
-  uLong sum = sum_of(0, std::string(program_version()));
-  sum = sum_of(sum, processor);
-  // Linux has the running program there; elsewhere the version has to do.
-  const std::string program = "/proc/self/exe";
-  if (std::filesystem::exists(program)) sum = sum_of(sum, support::read_file(program));
-  for (const xsharp::Scene& scene : scenes) {
-    for (const auto& read : scene.files) sum = sum_of(sum, support::read_file(read.string()));
-  }
-  return fmt::format("{:08x}", sum);
-}
-
-std::string as_recorded(const std::string& command) {
-  return Json::parse(support::json_text(command)).get<std::string>();
-}
-
-std::vector<StepRecord> read_records(const std::string& file) {
-  std::vector<StepRecord> records;
-  if (!std::filesystem::is_regular_file(file)) return records;
-  try {
-    for (const Json& json : Json::parse(support::read_file(file))) {
-      records.push_back({json.at("name").get<std::string>(), json.at("command").get<std::string>(),
-                         json.at("made_from").get<std::string>(),
-                         json.at("date").get<std::string>(), json.at("seconds").get<double>(),
-                         json.at("status").get<int>(), json.at("left").get<std::string>()});
-    }
-  } catch (const Json::exception&) {
-    records.clear();
-  }
-  return records;
-}
-
-void write_records(const std::string& file, const std::vector<StepRecord>& records) {
-  Json json = Json::array();
-  for (const StepRecord& r : records) {
-    json.push_back({{"name", r.name},
-                    {"command", r.command},
-                    {"made_from", r.made_from},
-                    {"date", r.date},
-                    {"seconds", r.seconds},
-                    {"status", r.status},
-                    {"left", r.left}});
-  }
-  support::replace_file(file, support::json_text(json));
 }
 
 }  // namespace fixproof::cli

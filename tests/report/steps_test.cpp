@@ -1,4 +1,4 @@
-// What the steps of a report leave behind, and when it is kept.
+// The list of steps, their command lines, and how a step ends a report.
 #include "cli/report/steps.hpp"
 
 #include <gtest/gtest.h>
@@ -8,36 +8,38 @@
 namespace fixproof {
 namespace {
 
-cli::ReportStep step(const std::string& name) { return {name, {"measure", "--" + name}, {}}; }
+cli::ReportStep step(const std::string& name) { return {name, "", {}, {}}; }
 
 TEST(ReportSteps, OnlyMismatchesAreStatusOne) {
-  EXPECT_TRUE(cli::page_shows(step("host"), 0));
-  EXPECT_TRUE(cli::page_shows(step("verify"), 1));
-  EXPECT_FALSE(cli::page_shows(step("verify"), 2));
-  EXPECT_FALSE(cli::page_shows(step("host"), 1));
+  EXPECT_TRUE(cli::shows_on_page(step("host"), 0));
+  EXPECT_TRUE(cli::shows_on_page(step("verify"), 1));
+  EXPECT_FALSE(cli::shows_on_page(step("verify"), 2));
+  EXPECT_FALSE(cli::shows_on_page(step("host"), 1));
   EXPECT_EQ(cli::report_status(1), 2);
   EXPECT_EQ(cli::report_status(2), 2);
   EXPECT_EQ(cli::report_status(130), 130);
 }
 
-TEST(ReportSteps, GoOnOnlyWhereTheyWereStopped) {
-  const auto says = [](int status, const std::string& what) {
-    return cli::stopped_text(step("host"), status, 3, 9).find(what) != std::string::npos;
+TEST(ReportSteps, SayWhereAndWhyTheReportEnds) {
+  const auto says = [](const char* name, int status, const char* text) {
+    return cli::stopped_text(step(name), status, 3, 9).find(text) != std::string::npos;
   };
-  EXPECT_TRUE(says(130, "STOPPED after 3 of 9 steps"));
-  EXPECT_TRUE(says(130, "goes on"));
-  EXPECT_FALSE(says(1, "goes on"));
-  EXPECT_FALSE(says(2, "goes on"));
-  EXPECT_TRUE(says(1, "breaks its own rule"));
-  EXPECT_FALSE(says(2, "breaks its own rule"));
-  EXPECT_TRUE(says(2, "fixproof measure --host"));
-  EXPECT_NE(cli::stopped_text(step("stepping"), 1, 3, 9).find("beyond its bound"),
-            std::string::npos);
+  EXPECT_TRUE(says("host", 130, "STOPPED after 3 of 9 steps"));
+  EXPECT_FALSE(says("host", 130, "rule"));
+  EXPECT_TRUE(says("host", 1, "breaks its own rounding rule"));
+  EXPECT_TRUE(says("stepping", 1, "exceeds its bound"));
 }
 
-TEST(ReportSteps, AreOfOneProcessor) {
-  EXPECT_EQ(cli::fingerprint({}, "one"), cli::fingerprint({}, "one"));
-  EXPECT_NE(cli::fingerprint({}, "one"), cli::fingerprint({}, "another"));
+TEST(ReportSteps, QuoteWhatAShellWouldSplit) {
+  const std::vector<xsharp::Scene> scenes(1);
+  cli::ReportRequest request;
+  request.scenes = {"a b's.json"};
+  request.folder = "out";
+  const auto steps = cli::report_steps(request, scenes);
+  ASSERT_EQ(steps.size(), 7U);
+  EXPECT_EQ(
+      steps[5].command,
+      "fixproof drift 'a b'\\''s.json' --json out/data/drift.json --strip out/data/drift.svg");
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+/// @file
+/// Running one measurement, as `fixproof measure` and the report do it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/interrupt.hpp"
+#include "trade/host/host_run.hpp"
+#include "trade/measure.hpp"
+#include "trade/stepping/stepping.hpp"
+
+namespace fixproof::cli {
+
+template <class Result>
+using Measurement = std::optional<Result> (*)(const trade::MeasureRequest&,
+                                              trade::MeasureProgress&);
+
+template <class Result>
+struct Measured {
+  std::optional<Result> result;
+  int status = 0;                   ///< the exit status: 0, 1 with `errors`, or 130
+  std::vector<std::string> errors;  ///< rules and bounds that the measured arithmetic breaks
+};
+
+/// Errors beyond the derived bounds, one line each. Only stepped values have such bounds.
+std::vector<std::string> broken_bounds(const trade::SteppingResult& result);
+template <class Result>
+std::vector<std::string> broken_bounds(const Result& /*result*/) {
+  return {};
+}
+
+template <class Result>
+Measured<Result> run_measurement(Measurement<Result> measure, const trade::MeasureRequest& request,
+                                 trade::MeasureProgress& progress) {
+  Measured<Result> measured;
+  try {
+    measured.result = measure(request, progress);
+    if (!measured.result) measured.status = support::interrupted_status;
+  } catch (const trade::WrongContender& wrong) {
+    measured.errors = {wrong.what()};
+  }
+  progress.end();
+  if (measured.result) measured.errors = broken_bounds(*measured.result);
+  if (!measured.errors.empty()) measured.status = 1;
+  return measured;
+}
+
+}  // namespace fixproof::cli
