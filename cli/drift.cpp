@@ -13,6 +13,7 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
+#include "trade/advice/choice.hpp"
 #include "trade/drift/drift_json.hpp"
 #include "trade/drift/run.hpp"
 #include "trade/drift/strip.hpp"
@@ -35,21 +36,20 @@ struct DriftOptions {
 constexpr std::uint64_t slow = 15;
 constexpr std::uint64_t fast = 60;
 
-std::vector<trade::DriftCase> cases_of(std::int32_t restore_every) {
-  using enum trade::Multiply;
-  std::vector<trade::DriftCase> cases;
-  for (const trade::Multiply multiply : {i386_on, i386_off, i8088_on, i8088_off}) {
+std::vector<trade::DriftCase> drift_cases(std::int32_t restore_every) {
+  std::vector<trade::DriftCase> rows;
+  for (const cases::Build& build : cases::uniform_builds) {
     for (const trade::Without without : {trade::Without::nothing, trade::Without::offset,
                                          trade::Without::step, trade::Without::products}) {
-      cases.push_back({multiply, without});
+      rows.push_back({build, without});
     }
-    cases.push_back({multiply, trade::Without::nothing, restore_every});
-    cases.push_back(
-        {multiply, trade::Without::nothing, restore_every, false, xsharp::RestoredRows::one});
+    rows.push_back({build, trade::Without::nothing, restore_every});
+    rows.push_back(
+        {build, trade::Without::nothing, restore_every, false, xsharp::RestoredRows::one});
   }
-  cases.push_back({i386_on, trade::Without::nothing, 0, true});
-  cases.push_back({i386_on, trade::Without::all});
-  return cases;
+  rows.push_back({{}, trade::Without::nothing, 0, true});
+  rows.push_back({{}, trade::Without::all});
+  return rows;
 }
 
 std::string percent(double share) {
@@ -86,20 +86,19 @@ std::string strip_of(const xsharp::Scene& scene, const DriftOptions& options) {
     change(rows.back().scene);
   };
   for (const bool on : {true, false}) {
-    for (const char* target : {"i386", "i8088"}) {
-      add(fmt::format("{}, rounding {}", target, on ? "on" : "off"), [&](xsharp::Scene& s) {
-        const bool repaired = s.arithmetic.repaired && target == std::string_view("i8088");
-        s.arithmetic = {"type", target, on, on, repaired};
-      });
+    for (const auto target : {cases::Target::i386, cases::Target::i8088}) {
+      const cases::Build build{target, on, on};
+      add(fmt::format("{}, rounding {}", cases::name_of(target), on ? "on" : "off"),
+          [&](xsharp::Scene& s) {
+            s = trade::scene_with(s, {build, {}}, "type");
+          });
     }
   }
   add(fmt::format("i386 on, restored every {}", options.restore_every), [&](xsharp::Scene& s) {
-    s.arithmetic = {"type", "i386", true, true};
-    s.restore_every = options.restore_every;
+    s = trade::scene_with(s, {{}, {.restore_every = options.restore_every}}, "type");
   });
   add("i386 on, from scratch", [](xsharp::Scene& s) {
-    s.arithmetic = {"type", "i386", true, true};
-    s.from_scratch = true;
+    s = trade::scene_with(s, {{}, {.from_scratch = true}}, "type");
   });
   add("double", [](xsharp::Scene& s) { s.arithmetic = {"double", "", true, true}; });
 
@@ -134,7 +133,7 @@ int run(const DriftOptions& options) {
     throw support::UsageError(fmt::format("--json {}: is the file of --strip", options.json));
   }
 
-  const auto cases = cases_of(options.restore_every);
+  const auto cases = drift_cases(options.restore_every);
   std::uint64_t frames = options.minutes * 60 * fast;
   const std::uint64_t wanted = frames;
   std::vector<trade::DriftResult> results;

@@ -70,7 +70,8 @@ inline bool holds(const Subject& subject, std::span<const std::uint32_t> words) 
 /// The streams of cases that a verification has of the operation at level 1, and how many cases of
 /// each.
 inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Operation operation) {
-  const cases::Variant variant{.operation = operation, .target = cases::Target::standard};
+  const cases::Variant variant{.operation = operation,
+                               .build = {.target = cases::Target::standard}};
   // Two parties: a plan has no cases of what is not compared.
   const cases::Plan plan(1, 1994, {{variant, {"a", "b"}}});
   std::vector<std::pair<cases::Stream, std::uint64_t>> streams;
@@ -81,7 +82,7 @@ inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Op
 /// What is wrong over a stream of cases, the first of them in lines of text; empty where all holds.
 inline std::string wrong_over(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
   const cases::Variant variant{.operation = subject.rules.operation,
-                               .target = cases::Target::standard};
+                               .build = {.target = cases::Target::standard}};
   const std::size_t arity = cases::words_in(subject.rules.operation);
   std::array<std::uint32_t, 2048> room{};
   check::FirstCases wrong;

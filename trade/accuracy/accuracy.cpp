@@ -112,7 +112,7 @@ class AccuracyRun {
   bool run() {
     for (const xsharp::Scene& scene : read_scenes(request_)) {
       scenes_.push_back(scene.name);
-      logs_.push_back(record_scene(scene, listing_choice("i386", true), stop_).log);
+      logs_.push_back(record_scene(scene, cases::Build{}, stop_).log);
       done();
     }
     for (const MeasuredOperation& operation : operations_) {

@@ -11,6 +11,7 @@
 #include "support/json_text.hpp"
 #include "support/plain_text.hpp"
 #include "trade/clocks/call_clocks.hpp"
+#include "trade/clocks/claim_clocks.hpp"
 #include "trade/clocks/claim_text.hpp"
 #include "trade/clocks/claims.hpp"
 #include "trade/clocks/frame_clocks.hpp"
@@ -39,8 +40,8 @@ void print(const CallClocks& row) {
     if (on.bus) bus = fmt::format("  {:>9}  {}", mean(*on.bus), on.bus_limits() ? "bus" : "table");
     std::cout << fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}{}\n",
                              cases::name_of(row.variant.operation),
-                             fmt::format("{}{}", cases::name_of(row.variant.target),
-                                         row.variant.chapter_52 ? " ch52" : ""),
+                             fmt::format("{}{}", cases::name_of(row.variant.build.target),
+                                         row.variant.build.chapter_52 ? " ch52" : ""),
                              !has_switch                  ? "-"
                              : cases::rounds(row.variant) ? "on"
                                                           : "off",
@@ -68,8 +69,8 @@ ClockJson json_of(const CallClocks& row) {
     processors.push_back(std::move(one));
   }
   return {{"routine", cases::name_of(row.variant.operation)},
-          {"target", cases::name_of(row.variant.target)},
-          {"chapter", row.variant.chapter_52 ? 52 : 54},
+          {"target", cases::name_of(row.variant.build.target)},
+          {"chapter", row.variant.build.chapter_52 ? 52 : 54},
           {"rounds", cases::rounds(row.variant)},
           {"instructions", json_of(row.instructions)},
           {"processors", std::move(processors)},
@@ -78,8 +79,8 @@ ClockJson json_of(const CallClocks& row) {
 
 /// The log of the build that a variant stands for.
 const player::OperandLog& log_of(const RecordedScene& scene, const cases::Variant& variant) {
-  const std::size_t target = variant.target == cases::Target::i386 ? 0 : 2;
-  return scene.builds.at(target + (cases::rounds(variant) ? 0 : 1)).log;
+  const bool round = cases::rounds(variant);
+  return operands_of(scene, {variant.build.target, round, round}).log;
 }
 
 /// What the listings take of a frame on an 8088, on average.
@@ -95,13 +96,13 @@ struct FrameOn8088 {
 std::vector<FrameOn8088> frames_on_8088(const std::vector<RecordedScene>& scenes) {
   std::vector<FrameOn8088> all;
   for (const RecordedScene& scene : scenes) {
-    for (const SceneOperands& build : scene.builds) {
-      if (build.choice.target != "i8088") continue;
-      const FrameClocks clocks = clocks_of(build.log, build.choice, x86model::Cpu::i8088);
-      const auto a_frame = [&build](std::uint64_t sum) {
-        return static_cast<double>(sum) / static_cast<double>(build.frames);
+    for (const SceneOperands& operands : scene.builds) {
+      if (operands.build.target != cases::Target::i8088) continue;
+      const FrameClocks clocks = clocks_of(operands.log, operands.build, x86model::Cpu::i8088);
+      const auto a_frame = [&operands](std::uint64_t sum) {
+        return static_cast<double>(sum) / static_cast<double>(operands.frames);
       };
-      all.push_back({scene.name, build.choice.mul_round, a_frame(clocks.table.max),
+      all.push_back({scene.name, operands.build.mul_round, a_frame(clocks.table.max),
                      a_frame(clocks.bus.code), a_frame(clocks.bus.data),
                      a_frame(clocks.bus.clocks())});
     }
@@ -232,9 +233,9 @@ class ClockRun {
  private:
   void record(const xsharp::Scene& scene) {
     RecordedScene recorded{scene.name, {}};
-    for (const auto& choice : recorded_builds()) {
+    for (const cases::Build& build : recorded_builds()) {
       if (stop_) return;
-      recorded.builds.push_back(record_scene(scene, choice, stop_));
+      recorded.builds.push_back(record_scene(scene, build, stop_));
       done();
     }
     scenes_.push_back(std::move(recorded));
