@@ -147,7 +147,7 @@ std::optional<Variant> at_level(int level, const Variant& variant) {
   switch (v.operation) {
     case Operation::mul:
     case Operation::div:
-      if (v.chapter_52) return std::nullopt;
+      if (v.build.chapter_52) return std::nullopt;
       v.fraction_bits = 8;
       return v;
     case Operation::xformvec:

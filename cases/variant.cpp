@@ -24,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, Operation>, 10> operations{{
     {"binary64", Operation::binary64},
 }};
 
-/// The one of that name among `known`.
+/// The operation called `name` among `known`; `kind` is for the error message.
 Operation named(std::string_view name, std::string_view kind,
                 std::span<const std::pair<std::string_view, Operation>> known) {
   std::string all;
@@ -63,33 +63,33 @@ std::vector<Variant> all_variants() {
                             Operation::concat}) {
     for (const Target t : {Target::i386, Target::i8088}) {
       for (const bool round : {true, false}) {
-        all.push_back({.operation = o, .target = t, .mul_round = round, .div_round = round});
+        all.push_back(
+            {.operation = o, .build = {.target = t, .mul_round = round, .div_round = round}});
       }
     }
   }
   for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
-    all.push_back({.operation = o, .target = Target::i386, .chapter_52 = true});
+    all.push_back({.operation = o, .build = {.target = Target::i386, .chapter_52 = true}});
   }
   for (const bool round : {true, false}) {
-    all.push_back({.operation = Operation::concat,
-                   .target = Target::i8088,
-                   .mul_round = round,
-                   .div_round = round,
-                   .repaired = true});
+    all.push_back(
+        {.operation = Operation::concat,
+         .build = {
+             .target = Target::i8088, .mul_round = round, .div_round = round, .repaired = true}});
   }
   for (const Operation o :
        {Operation::mul, Operation::div, Operation::xformvec, Operation::concat, Operation::sqrt,
         Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {
-    all.push_back({.operation = o, .target = Target::standard});
+    all.push_back({.operation = o, .build = {.target = Target::standard}});
   }
   return all;
 }
 
 std::string name_of(const Variant& v) {
-  std::string name = fmt::format("{} {}", name_of(v.operation), name_of(v.target));
-  if (v.target != Target::standard) name += fmt::format(" {}", rounds(v) ? "on" : "off");
-  if (v.chapter_52) name += ", chapter 52";
-  if (v.repaired) name += ", repaired";
+  std::string name = fmt::format("{} {}", name_of(v.operation), name_of(v.build.target));
+  if (v.build.target != Target::standard) name += fmt::format(" {}", rounds(v) ? "on" : "off");
+  if (v.build.chapter_52) name += ", chapter 52";
+  if (v.build.repaired) name += ", repaired";
   if (v.fraction_bits == 8) name += ", 8.8";
   return name;
 }

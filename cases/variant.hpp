@@ -1,5 +1,5 @@
 /// @file
-/// What is asked: an operation in one of its variants.
+/// The operations and their variants.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "cases/build.hpp"
 
 namespace fixproof::cases {
 
@@ -24,36 +26,22 @@ enum class Operation : std::uint8_t {
   binary64,  ///< to double and back: the identity
 };
 
-/// Whose rules apply.
-enum class Target : std::uint8_t {
-  i386,
-  i8088,
-  standard,  ///< the rules of fixed::q16_16: nearest, halves up, wrapping; only a zero divisor
-             ///< faults
-};
-
-/// One operation under one set of rules. `mul_round` and `div_round` say what the code does.
+/// One operation under one set of rules, at one width.
 struct Variant {
   Operation operation = Operation::mul;
-  Target target = Target::i386;
-  bool mul_round = true;
-  bool div_round = true;
-  /// The routine as chapter 52 has it (386, rounded): see ConcatXforms.
-  bool chapter_52 = false;
-  /// The 8088 ConcatXforms with the carry that its listing loses: see docs/findings.md, 18.
-  bool repaired = false;
+  Build build{};
   /// 16 for 16.16 words, 8 for 8.8 words.
   int fraction_bits = 16;
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-/// Whether the code rounds: the switch that matters to the operation. CosSin has none.
+/// Whether the operation rounds. Its own switch decides; CosSin has none.
 constexpr bool rounds(const Variant& v) {
-  return v.operation == Operation::div ? v.div_round : v.mul_round;
+  return v.operation == Operation::div ? v.build.div_round : v.build.mul_round;
 }
 
-/// Words a case of the operation takes and gives.
+/// The number of operand words of a case.
 constexpr std::size_t words_in(Operation o) {
   switch (o) {
     case Operation::mul:
@@ -67,6 +55,7 @@ constexpr std::size_t words_in(Operation o) {
       return 1;
   }
 }
+/// The number of result words of a case.
 constexpr std::size_t words_out(Operation o) {
   switch (o) {
     case Operation::cossin:
@@ -79,33 +68,47 @@ constexpr std::size_t words_out(Operation o) {
       return 1;
   }
 }
-inline constexpr std::size_t most_words_in = 24;
-inline constexpr std::size_t most_words_out = 12;
+inline constexpr std::size_t max_words_in = 24;
+inline constexpr std::size_t max_words_out = 12;
+
+/// Whether there is a repaired form: only the 8088 ConcatXforms loses a carry.
+constexpr bool can_be_repaired(Operation operation, Target target) {
+  return operation == Operation::concat && target == Target::i8088;
+}
 
 /// Whether the sum in the fourth column loses the carry from the fraction to the whole part.
 constexpr bool loses_carry(const Variant& v) {
-  return v.operation == Operation::concat && v.target == Target::i8088 && !v.repaired;
+  return can_be_repaired(v.operation, v.build.target) && !v.build.repaired;
 }
 
-/// Bits of each operand: the angle of cossin has half as many as a word.
+/// One routine of a build at full width. `repaired` applies only to the routine that has a repaired
+/// form.
+constexpr Variant variant_of(Operation operation, const Build& build) {
+  Variant variant{.operation = operation, .build = build};
+  variant.build.repaired = build.repaired && can_be_repaired(operation, build.target);
+  return variant;
+}
+
+/// Bits of each operand. The angle of cossin has half as many as a word.
 constexpr int operand_bits(const Variant& v) {
   return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
 }
 
-/// Whether FIXED.ASM has it.
+/// Whether the operation is a routine of FIXED.ASM.
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
 
 std::string_view name_of(Operation o);
 std::string_view name_of(Target t);
-/// A variant in a few words: `mul i8088 off`, `sqrt standard`, `div i386 on, chapter 52, 8.8`.
+/// A short description: `mul i8088 off`, `sqrt standard`, `div i386 on, chapter 52, 8.8`.
 std::string name_of(const Variant& variant);
-/// The name on the command line; throws std::invalid_argument for any other.
+/// The operation with this name on the command line.
+/// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
-/// As operation_named(), of the routines alone.
+/// Like operation_named(), but only for the routines of FIXED.ASM.
 Operation routine_named(std::string_view name);
 
-/// Every variant of 16.16, in the order of the verification table: each routine on both processors
-/// under both roundings, the forms of chapter 52, the repaired 8088 ConcatXforms, then the
+/// Every 16.16 variant, in the order of the verification table: each routine on both processors
+/// with and without rounding, the forms of chapter 52, the repaired 8088 ConcatXforms, and the
 /// operations under the type's standard rules.
 std::vector<Variant> all_variants();
 

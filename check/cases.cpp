@@ -20,7 +20,7 @@ constexpr std::uint64_t cases_of_batch = 1024;
 
 /// The rules of the variant have no say in its cases.
 cases::Variant variant_of(cases::Operation operation) {
-  return {.operation = operation, .target = cases::Target::standard};
+  return {.operation = operation, .build = {.target = cases::Target::standard}};
 }
 
 /// Two parties: a plan has no cases of what is not compared.

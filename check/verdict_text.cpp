@@ -63,7 +63,8 @@ std::string wrong_cases(const Judge& judge) {
 std::string text_of(const JudgedCase& one, const Rules& rules) {
   const std::size_t arity = cases::words_in(rules.operation);
   const auto words = std::span(one.words).first(arity);
-  const cases::Variant variant{.operation = rules.operation, .target = cases::Target::standard};
+  const cases::Variant variant{.operation = rules.operation,
+                               .build = {.target = cases::Target::standard}};
   const Expected expected = expected_of(rules, words);
   const ExactPlace place = exact_place(rules.operation, words);
   const auto ulps = rounded_result(rules.operation, words, rules.rounding);

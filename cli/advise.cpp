@@ -56,10 +56,7 @@ double pixels_of(std::string_view text) {
 
 /// The worst of the choice's motion, as drift has it.
 double drift_of(const xsharp::Scene& scene, const trade::Choice& choice, std::uint64_t& frames) {
-  using enum trade::Multiply;
-  const trade::DriftCase motion{.multiply = choice.target == cases::Target::i386
-                                                ? (choice.mul_round ? i386_on : i386_off)
-                                                : (choice.mul_round ? i8088_on : i8088_off),
+  const trade::DriftCase motion{.build = choice.build,
                                 .restore_every = choice.turning.restore_every,
                                 .from_scratch = choice.turning.from_scratch};
   support::FrameProgress progress(frames);

@@ -15,6 +15,7 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
+#include "trade/advice/choice.hpp"
 #include "trade/drift/drift_json.hpp"
 #include "trade/drift/strip.hpp"
 #include "xsharp/files/scene_json.hpp"
@@ -34,21 +35,20 @@ struct DriftOptions {
 constexpr std::uint64_t slow = 15;
 constexpr std::uint64_t fast = 60;
 
-std::vector<trade::DriftCase> cases_of(std::int32_t restore_every) {
-  using enum trade::Multiply;
-  std::vector<trade::DriftCase> cases;
-  for (const trade::Multiply multiply : {i386_on, i386_off, i8088_on, i8088_off}) {
+std::vector<trade::DriftCase> drift_cases(std::int32_t restore_every) {
+  std::vector<trade::DriftCase> rows;
+  for (const cases::Build& build : cases::uniform_builds) {
     for (const trade::Without without : {trade::Without::nothing, trade::Without::offset,
                                          trade::Without::step, trade::Without::products}) {
-      cases.push_back({multiply, without});
+      rows.push_back({build, without});
     }
-    cases.push_back({multiply, trade::Without::nothing, restore_every});
-    cases.push_back(
-        {multiply, trade::Without::nothing, restore_every, false, xsharp::RestoredRows::one});
+    rows.push_back({build, trade::Without::nothing, restore_every});
+    rows.push_back(
+        {build, trade::Without::nothing, restore_every, false, xsharp::RestoredRows::one});
   }
-  cases.push_back({i386_on, trade::Without::nothing, 0, true});
-  cases.push_back({i386_on, trade::Without::all});
-  return cases;
+  rows.push_back({{}, trade::Without::nothing, 0, true});
+  rows.push_back({{}, trade::Without::all});
+  return rows;
 }
 
 std::string percent(double share) {
@@ -100,20 +100,19 @@ std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request)
     change(rows.back().scene);
   };
   for (const bool on : {true, false}) {
-    for (const char* target : {"i386", "i8088"}) {
-      add(fmt::format("{}, rounding {}", target, on ? "on" : "off"), [&](xsharp::Scene& s) {
-        const bool repaired = s.arithmetic.repaired && target == std::string_view("i8088");
-        s.arithmetic = {"type", target, on, on, repaired};
-      });
+    for (const auto target : {cases::Target::i386, cases::Target::i8088}) {
+      const cases::Build build{target, on, on};
+      add(fmt::format("{}, rounding {}", cases::name_of(target), on ? "on" : "off"),
+          [&](xsharp::Scene& s) {
+            s = trade::scene_with(s, {build, {}}, "type");
+          });
     }
   }
   add(fmt::format("i386 on, restored every {}", request.restore_every), [&](xsharp::Scene& s) {
-    s.arithmetic = {"type", "i386", true, true};
-    s.restore_every = request.restore_every;
+    s = trade::scene_with(s, {{}, {.restore_every = request.restore_every}}, "type");
   });
   add("i386 on, from scratch", [](xsharp::Scene& s) {
-    s.arithmetic = {"type", "i386", true, true};
-    s.from_scratch = true;
+    s = trade::scene_with(s, {{}, {.from_scratch = true}}, "type");
   });
   add("double", [](xsharp::Scene& s) { s.arithmetic = {"double", "", true, true}; });
 
@@ -130,7 +129,7 @@ DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& reque
   DriftFigures figures;
   figures.scene = scene.name;
   figures.frames = figures.wanted = request.minutes * 60 * fast;
-  figures.cases = cases_of(request.restore_every);
+  figures.cases = drift_cases(request.restore_every);
   support::FrameProgress progress(figures.wanted);
   figures.results =
       trade::run_drift(unrestored(scene), figures.cases, figures.frames, support::Interrupt::flag(),

@@ -41,10 +41,7 @@ cases::Variant chosen(const EvalOptions& options) {
   const VariantOptions& v = options.variant;
   if (cases::is_routine(operation)) {
     const cases::Variant variant = v.choose(operation);
-    if (v.as_printed && operation == cases::Operation::cossin &&
-        variant.target == cases::Target::i8088) {
-      throw support::UsageError(no_printed_shift);
-    }
+    if (v.has_printed_shift(variant)) throw support::UsageError(no_printed_shift);
     return variant;
   }
   if (v.repaired) throw support::UsageError(only_repaired);
@@ -52,7 +49,7 @@ cases::Variant chosen(const EvalOptions& options) {
     throw support::UsageError(fmt::format(
         "{} is no routine: it has neither target, rounding nor chapter", options.operation));
   }
-  return {.operation = operation, .target = cases::Target::standard};
+  return {.operation = operation, .build = {.target = cases::Target::standard}};
 }
 
 int run(const EvalOptions& options) {
@@ -66,8 +63,8 @@ int run(const EvalOptions& options) {
     throw support::UsageError(
         fmt::format("{} does not answer this variant of {}", by, options.operation));
   }
-  std::array<std::uint32_t, cases::most_words_in> in{};
-  std::array<std::uint32_t, cases::most_words_out> out{};
+  std::array<std::uint32_t, cases::max_words_in> in{};
+  std::array<std::uint32_t, cases::max_words_out> out{};
   const auto taken = std::span(in).first(cases::words_in(operation));
   const auto given = std::span(out).first(cases::words_out(operation));
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {

@@ -69,9 +69,10 @@ int generate(const GenOptions& options) {
   if (all == 0)
     throw support::UsageError(fmt::format("--shard {}: has no cases", options.cases.shard));
   LineOutput output(options.file);
-  const cases::Variant variant{.operation = operation, .target = cases::Target::standard};
+  const cases::Variant variant{.operation = operation,
+                               .build = {.target = cases::Target::standard}};
   const auto digits = static_cast<std::size_t>(cases::operand_bits(variant) / 4);
-  std::array<std::uint32_t, cases::most_words_in> room{};
+  std::array<std::uint32_t, cases::max_words_in> room{};
   const auto words = std::span(room).first(cases::words_in(operation));
   const support::Interrupt interrupt;
   support::FrameProgress progress(all, "cases");

@@ -21,8 +21,8 @@ std::string text_of(const trade::CallClocks& row) {
     if (on.bus) bus = fmt::format("  {:>9}  {}", mean(*on.bus), on.mean().limit());
     text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}{}\n",
                         cases::name_of(row.variant.operation),
-                        fmt::format("{}{}", cases::name_of(row.variant.target),
-                                    row.variant.chapter_52 ? " ch52" : ""),
+                        fmt::format("{}{}", cases::name_of(row.variant.build.target),
+                                    row.variant.build.chapter_52 ? " ch52" : ""),
                         !has_switch                  ? "-"
                         : cases::rounds(row.variant) ? "on"
                                                      : "off",

@@ -29,7 +29,7 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
           of_rows ? "whose rules: i386, i8088, both of these, or standard (those of the type)"
                   : "which half of the listing: i386 or i8088")
       ->check(named(of_rows ? targets_of_rows : targets_of_programs));
-  // Which of two that contradict each other is meant, nobody can know.
+  // Contradicting options exclude each other, because neither is more likely to be meant.
   auto* both =
       command
           .add_option_function<std::string>(
@@ -64,27 +64,35 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
       ->excludes(chapter);
 }
 
+cases::Build VariantOptions::build_for(cases::Target target) const {
+  const bool multiply = mul_round.value_or(true);
+  // Chapter 52 has no switches: both routines round.
+  cases::Build build = as_printed
+                           ? cases::printed_build(target, multiply, div_round.value_or(chapter_52))
+                           : cases::Build{target, multiply, div_round.value_or(true)};
+  build.chapter_52 = chapter_52;
+  build.repaired = repaired;
+  return build;
+}
+
+bool VariantOptions::has_printed_shift(const cases::Variant& variant) const {
+  return as_printed && variant.operation == cases::Operation::cossin &&
+         variant.build.target == cases::Target::i8088;
+}
+
 cases::Variant VariantOptions::choose(cases::Operation operation) const {
-  cases::Variant v{.operation = operation,
-                   .target = targets.empty() ? cases::Target::i386 : targets.front()};
-  v.mul_round = mul_round.value_or(true);
-  // The listings of chapter 54 print rounded multiplies and unrounded divides; chapter 52 has no
-  // switch.
-  v.div_round = div_round.value_or(!as_printed || chapter_52);
-  if (as_printed) v.div_round = div_round_as_printed(v.target, v.div_round);
-  v.chapter_52 = chapter_52;
-  const bool printed_there = operation == cases::Operation::mul ||
+  const cases::Build build = build_for(targets.empty() ? cases::Target::i386 : targets.front());
+  const bool in_chapter_52 = operation == cases::Operation::mul ||
                              operation == cases::Operation::div ||
                              operation == cases::Operation::concat;
-  if (chapter_52 &&
-      (!printed_there || v.target != cases::Target::i386 || !v.mul_round || !v.div_round)) {
+  if (chapter_52 && (!in_chapter_52 || build.target != cases::Target::i386 || !build.mul_round ||
+                     !build.div_round)) {
     throw support::UsageError("--chapter 52 has only mul, div and concat, for the 386, rounded");
   }
-  v.repaired = repaired;
-  if (repaired && (operation != cases::Operation::concat || v.target != cases::Target::i8088)) {
+  if (repaired && !cases::can_be_repaired(operation, build.target)) {
     throw support::UsageError(only_repaired);
   }
-  return v;
+  return {.operation = operation, .build = build};
 }
 
 }  // namespace fixproof::cli

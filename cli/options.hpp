@@ -1,5 +1,5 @@
 /// @file
-/// The options that name a variant, shared by the commands.
+/// The options that select a variant, shared by the commands.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,16 +11,16 @@
 
 namespace fixproof::cli {
 
-/// Why --repaired is refused.
+/// The error for --repaired with an operation or target that has no repaired form.
 inline constexpr const char* only_repaired =
     "--repaired is for concat --target i8088: no other routine loses a carry";
 
-/// Why CosSin for the 8088 is refused as printed.
+/// The error for VariantOptions::has_printed_shift().
 inline constexpr const char* no_printed_shift =
     "cossin as printed has 'shl bx, 2', which an 8088 does not have and no party models; "
     "without --as-printed it shifts twice by one (docs/findings.md, 8)";
 
-/// What was given on the command line to choose a variant; what was not given is empty.
+/// The variant options of a command line. Options that were not given are empty.
 struct VariantOptions {
   std::vector<cases::Target> targets;
   std::optional<bool> mul_round;
@@ -31,20 +31,22 @@ struct VariantOptions {
 
   /// Adds --target, --round, --mul-round, --div-round, --as-printed, --chapter and --repaired to a
   /// command.
-  /// `of_rows`: whether rows are chosen, so that the target may be both processors too, or the
-  /// rules of the type.
+  /// @param of_rows whether the command chooses rows of the verification table; then the target may
+  ///        also be both processors, or the rules of the type
   void add_to(CLI::App& command, bool of_rows = false);
 
-  /// The variant of `operation` that was chosen. The target defaults to i386; both roundings to on,
-  /// or with --as-printed to what the listings print (multiply on, divide off).
+  /// The build that the options select for a target. Both roundings default to on. With
+  /// --as-printed, the roundings are settings of the printed switches and default to the printed
+  /// ones; see cases::printed_build().
+  [[nodiscard]] cases::Build build_for(cases::Target target) const;
+
+  /// The variant of `operation` that the options select. The target defaults to i386.
   /// @throws UsageError for a combination that does not exist
   [[nodiscard]] cases::Variant choose(cases::Operation operation) const;
 
-  /// What the divide code of `target` does when its printed switch reads `printed`: the 8088 divide
-  /// tests it the wrong way round.
-  static bool div_round_as_printed(cases::Target target, bool printed) {
-    return target == cases::Target::i8088 ? !printed : printed;
-  }
+  /// Whether the options ask for the printed 8088 CosSin, whose SHL BX,2 only `list` and `trace`
+  /// know.
+  [[nodiscard]] bool has_printed_shift(const cases::Variant& variant) const;
 };
 
 }  // namespace fixproof::cli

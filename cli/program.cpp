@@ -59,13 +59,12 @@ std::optional<x86model::LoopForm> ProgramOptions::choose_loop() const {
 machine_code::ProgramKey ProgramOptions::choose() const {
   const cases::Operation chosen = cases::routine_named(operation);
   const cases::Variant v = variant.choose(chosen);
-  if (as_scanned && (chosen != cases::Operation::div || v.target != cases::Target::i8088)) {
+  if (as_scanned && (chosen != cases::Operation::div || v.build.target != cases::Target::i8088)) {
     throw support::UsageError("--as-scanned is a reading of div --target i8088");
   }
   machine_code::ProgramKey key = machine_code::key_of(v);
   key.build.endif_as_scanned = as_scanned;
-  key.build.shl_as_printed =
-      variant.as_printed && chosen == cases::Operation::cossin && v.target == cases::Target::i8088;
+  key.build.shl_as_printed = variant.has_printed_shift(v);
   return key;
 }
 

@@ -81,7 +81,7 @@ std::span<const proof::Lemma> lemmas_for(const Programs& programs) {
 std::vector<bool> lost_carries(const ProveOptions& options, const Programs& programs) {
   std::vector<bool> roundings;
   for (const cases::Variant& v : programs.routines) {
-    if (v.repaired && options.mutant == 0) roundings.push_back(v.mul_round);
+    if (v.build.repaired && options.mutant == 0) roundings.push_back(v.build.mul_round);
   }
   return roundings;
 }

@@ -92,10 +92,10 @@ void switch_spots(xsharp::Scene& scene, const std::vector<std::uint64_t>& spots)
 /// Clocks of the listings in a frame, on the processors that people would ask about.
 class ClockMeter {
  public:
-  ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops)
-      : choice_(choice), has_loops_(has_loops) {
+  ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops) : has_loops_(has_loops) {
     if (choice.by != "model") return;
-    if (choice.target == "i8088") totals_.push_back({x86model::Cpu::i8088});
+    build_ = player::build_of(choice).value();
+    if (build_.target == cases::Target::i8088) totals_.push_back({x86model::Cpu::i8088});
     totals_.push_back({x86model::Cpu::i386});
   }
 
@@ -106,7 +106,7 @@ class ClockMeter {
 
   void count(const player::OperandLog& log) {
     for (Total& total : totals_) {
-      const trade::FrameClocks clocks = trade::clocks_of(log, choice_, total.cpu);
+      const trade::FrameClocks clocks = trade::clocks_of(log, build_, total.cpu);
       total.least += clocks.table.min;
       total.most += clocks.table.max;
       total.bus += clocks.bus.clocks();
@@ -146,7 +146,7 @@ class ClockMeter {
   };
   static constexpr std::uint64_t every = 10;
 
-  xsharp::ArithmeticChoice choice_;
+  cases::Build build_{};
   bool has_loops_;
   std::vector<Total> totals_;
   std::uint64_t counted_ = 0;

@@ -63,9 +63,9 @@ xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
     }
     choice.mul_round = choice.div_round = true;
   }
-  if (choice.by == "double" || choice.target != "i8088") choice.repaired = false;
+  if (!xsharp::can_be_repaired(choice)) choice.repaired = false;
   if (repaired) {
-    if (choice.by == "double" || choice.target != "i8088") {
+    if (!xsharp::can_be_repaired(choice)) {
       throw support::UsageError(
           "--repaired is for --target i8088: no other ConcatXforms loses a carry");
     }

@@ -13,32 +13,29 @@ namespace fixproof::cli {
 
 namespace {
 
-/// Whether a rounding that was given fits the variant's. The standard rules have none to choose:
-/// they fit only where none is asked for, or rounding, and nothing of them was printed.
+/// Whether the variant rounds as the options say, if they say anything about its operation. The
+/// standard rules always round, and they were never printed.
 bool rounding_fits(const VariantOptions& options, const cases::Variant& v) {
-  if (options.as_printed && v.target == cases::Target::standard) return false;
-  if (v.operation == cases::Operation::div) {
-    auto wanted = options.div_round;
-    // As in VariantOptions::choose(): the listings print rounded multiplies and unrounded divides.
-    if (options.as_printed) {
-      wanted = VariantOptions::div_round_as_printed(v.target, wanted.value_or(false));
-    }
-    return !wanted || *wanted == v.div_round;
-  }
-  const auto wanted = options.as_printed ? options.mul_round.value_or(true) : options.mul_round;
-  return !wanted || *wanted == v.mul_round;
+  if (options.as_printed && v.build.target == cases::Target::standard) return false;
+  const auto& given = v.operation == cases::Operation::div ? options.div_round : options.mul_round;
+  if (!given && !options.as_printed) return true;
+  const cases::Variant wanted{.operation = v.operation, .build = options.build_for(v.build.target)};
+  return cases::rounds(wanted) == cases::rounds(v);
 }
 
 /// @throws UsageError for --repaired with an operation or a target that has no repaired routine
 void check_repaired(const Selection& selection) {
   const VariantOptions& options = selection.variant;
   if (!options.repaired) return;
-  const bool only_concat = std::all_of(selection.operations.begin(), selection.operations.end(),
-                                       [](const std::string& name) { return name == "concat"; });
-  const bool has_8088 =
-      options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
-                                           cases::Target::i8088) != options.targets.end();
-  if (!only_concat || !has_8088) throw support::UsageError(only_repaired);
+  constexpr auto repairable = cases::Operation::concat;
+  const bool only_concat =
+      std::all_of(selection.operations.begin(), selection.operations.end(),
+                  [](const std::string& name) { return name == cases::name_of(repairable); });
+  const bool has_target =
+      options.targets.empty() ||
+      std::any_of(options.targets.begin(), options.targets.end(),
+                  [](cases::Target target) { return cases::can_be_repaired(repairable, target); });
+  if (!only_concat || !has_target) throw support::UsageError(only_repaired);
 }
 
 bool fits(const Selection& selection, const std::vector<cases::Operation>& operations,
@@ -47,9 +44,10 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
   return (operations.empty() ||
           std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
          (options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
-                                               v.target) != options.targets.end()) &&
-         (!selection.chapter_given || (options.chapter_52 == v.chapter_52 && !v.repaired)) &&
-         (!options.repaired || v.repaired) && !(options.as_printed && v.repaired) &&
+                                               v.build.target) != options.targets.end()) &&
+         (!selection.chapter_given ||
+          (options.chapter_52 == v.build.chapter_52 && !v.build.repaired)) &&
+         (!options.repaired || v.build.repaired) && !(options.as_printed && v.build.repaired) &&
          rounding_fits(options, v);
 }
 
@@ -91,7 +89,8 @@ std::vector<cases::Variant> chosen_routines(const Selection& selection) {
     static_cast<void>(cases::routine_named(name));
   std::vector<cases::Variant> variants = chosen_variants(selection);
   std::erase_if(variants, [](const cases::Variant& v) {
-    return !parties::has_program(v) || (v.operation == cases::Operation::cossin && !v.mul_round);
+    return !parties::has_program(v) ||
+           (v.operation == cases::Operation::cossin && !v.build.mul_round);
   });
   if (variants.empty()) throw support::UsageError("no routine has these operations and options");
   return variants;

@@ -38,15 +38,15 @@ std::string result_of(const cases::Row& row, const verify::Findings& found, bool
 
 Line line_of(const cases::Row& row, const verify::Findings& found, bool unfinished) {
   const cases::Variant& v = row.variant;
-  std::string target(cases::name_of(v.target));
-  if (v.chapter_52) target += " ch52";
-  if (v.repaired) target += " repaired";
+  std::string target(cases::name_of(v.build.target));
+  if (v.build.chapter_52) target += " ch52";
+  if (v.build.repaired) target += " repaired";
   if (v.fraction_bits == 8) target += " 8.8";
   return {std::string(cases::name_of(v.operation)),
           target,
-          v.target == cases::Target::standard ? "-"
-          : cases::rounds(v)                  ? "on"
-                                              : "off",
+          v.build.target == cases::Target::standard ? "-"
+          : cases::rounds(v)                        ? "on"
+                                                    : "off",
           row.parties.empty() ? "none" : fmt::format("{}", fmt::join(row.parties, " ")),
           support::grouped(found.cases),
           support::grouped(found.faults),

@@ -126,7 +126,7 @@ void trace(const Traced& traced) {
     print_end(ending.position, code[ending.position], machine.flags, reason(ending.outcome));
     return;
   }
-  std::array<std::uint32_t, cases::most_words_out> out{};
+  std::array<std::uint32_t, cases::max_words_out> out{};
   const auto given = std::span(out).first(static_cast<std::size_t>(x86::arity(routine).out));
   x86::leave<routine>(machine, given);
   fmt::print(std::cout, "{} instructions; result", ending.steps);

@@ -16,7 +16,7 @@ using namespace fixproof;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto& seats = fuzz::seats_of(fuzz::WordTarget::agreement);
   if (size == 0) return 0;
-  std::array<std::uint32_t, cases::most_words_in> words{};
+  std::array<std::uint32_t, cases::max_words_in> words{};
   fuzz::read_words(std::span(data, size).subspan(1), words);
   fuzz::report_if_any(fuzz::disagreement(seats[data[0] % seats.size()], words));
   fuzz::report_if_any(fuzz::type_difference(std::span(words).first<3>()));

@@ -23,27 +23,23 @@ std::vector<parties::Answer> answers_of(const Seat& seat, std::span<const std::u
   return answers;
 }
 
-/// Whether all parties give the same answer, a value or #DE. Like agree(), but without allocation,
-/// because it runs for every input.
+/// Whether all parties agree. Without allocation, because it runs for every input.
 bool all_agree(const Seat& seat, std::span<const std::uint32_t> words) {
-  using Out = std::array<std::uint32_t, cases::most_words_out>;
-  Out expected{};
-  parties::Ending expected_ending{};
-  for (const parties::Party* party : seat.parties) {
-    Out out{};
+  using Out = std::array<std::uint32_t, cases::max_words_out>;
+  const std::size_t size = cases::words_out(seat.variant.operation);
+  const auto ask = [&](const parties::Party& party, Out& out) {
     std::array<parties::Ending, 1> ending{parties::Ending::broken};
-    const auto used = std::span(out).first(cases::words_out(seat.variant.operation));
-    party->answer(seat.variant, {words, used, ending});
-    if (ending[0] != parties::Ending::value) out = {};
-    if (party == seat.parties.front()) {
-      expected = out;
-      expected_ending = ending[0];
-    }
-    const bool answered =
-        ending[0] == parties::Ending::value || ending[0] == parties::Ending::divide_error;
-    if (!answered || ending[0] != expected_ending || out != expected) return false;
-  }
-  return true;
+    const auto used = std::span(out).first(size);
+    party.answer(seat.variant, {words, used, ending});
+    return parties::AnswerView{ending[0], used};
+  };
+  Out first_out{};
+  const parties::AnswerView first = ask(*seat.parties.front(), first_out);
+  return std::all_of(seat.parties.begin() + 1, seat.parties.end(),
+                     [&](const parties::Party* party) {
+                       Out out{};
+                       return parties::agree(first, ask(*party, out));
+                     });
 }
 
 std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
@@ -59,7 +55,8 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
     const std::string name(seat.parties[i]->name());
     text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
     // The party for the rerun command comes first.
-    const bool first_differs = answers[i] != answers.front() && row.parties.front() == "oracle";
+    const bool first_differs =
+        !parties::agree(std::array{answers[i], answers.front()}) && row.parties.front() == "oracle";
     row.parties.insert(first_differs ? row.parties.begin() : row.parties.end(), name);
   }
   return text + fmt::format("  found with  {}\n  replay:     {}\n  must print  {}",
@@ -96,7 +93,7 @@ std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
 }
 
 std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words) {
-  std::array<std::uint32_t, cases::most_words_in> own{};
+  std::array<std::uint32_t, cases::max_words_in> own{};
   const auto one_case = std::span(own).first(cases::words_in(seat.variant.operation));
   const std::uint32_t mask = ~std::uint32_t{0} >> (32 - cases::operand_bits(seat.variant));
   for (std::size_t i = 0; i < one_case.size() && i < words.size(); ++i) {

@@ -14,7 +14,7 @@ using namespace fixproof;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto& seats = fuzz::seats_of(fuzz::WordTarget::matrix);
-  std::array<std::uint32_t, cases::most_words_in> words{};
+  std::array<std::uint32_t, cases::max_words_in> words{};
   fuzz::read_words({data, size}, words);
   fuzz::report_if_any(fuzz::disagreement(seats, words));
   return 0;

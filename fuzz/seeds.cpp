@@ -100,8 +100,8 @@ void write_steps(const fs::path& root) {
 
 void write_decimals(const fs::path& root) {
   Corpus corpus(root, "decimal_text");
-  some_cases({.operation = cases::Operation::decimal, .target = cases::Target::standard}, 40,
-             [&](std::span<const std::uint32_t> words) {
+  some_cases({.operation = cases::Operation::decimal, .build = {.target = cases::Target::standard}},
+             40, [&](std::span<const std::uint32_t> words) {
                const std::string text = oracle::to_decimal(words[0], 16);
                corpus.add(text);
                // Half an ulp above it, exactly and slightly more.

@@ -105,7 +105,7 @@ const std::vector<Seat>& seats_of(WordTarget target) {
 
 std::size_t input_size(WordTarget target) {
   const bool pair = target == WordTarget::divide || target == WordTarget::multiply;
-  const std::size_t words = pair ? 2 : cases::most_words_in;
+  const std::size_t words = pair ? 2 : cases::max_words_in;
   return (target == WordTarget::agreement ? 1 : 0) + words * bytes_of_word;
 }
 
@@ -151,7 +151,7 @@ std::size_t mutate_input(WordTarget target, std::span<std::uint8_t> room, std::s
     seat = bytes[0] % seats.size();
     bytes = bytes.subspan(1);
   }
-  std::array<std::uint32_t, cases::most_words_in> words{};
+  std::array<std::uint32_t, cases::max_words_in> words{};
   const auto all = std::span(words).first(bytes.size() / bytes_of_word);
   read_words(bytes, all);
   const cases::Variant& variant = seats[seat].variant;

@@ -37,15 +37,11 @@ std::string machine_code_absence() {
 }
 
 ProgramKey key_of(const cases::Variant& variant) {
-  // The model's routines and the first operations are the same five, in the same order.
+  // The first five operations are the model's routines, in the same order.
   static_assert(static_cast<int>(cases::Operation::concat) ==
                 static_cast<int>(x86model::Routine::concat));
-  return {static_cast<x86model::Routine>(variant.operation),
-          variant.target == cases::Target::i386 ? x86model::Target::i386 : x86model::Target::i8088,
-          {.mul_rounding = variant.mul_round,
-           .div_rounding = variant.div_round,
-           .chapter_52 = variant.chapter_52,
-           .repaired = variant.repaired}};
+  return {static_cast<x86model::Routine>(variant.operation), model_target(variant.build.target),
+          model_build(variant.build)};
 }
 
 }  // namespace fixproof::machine_code

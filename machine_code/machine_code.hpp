@@ -26,7 +26,18 @@ std::span<const std::uint8_t> dos_command(const ProgramKey& key);
 /// Why there is no machine code in this build; empty where there is.
 std::string machine_code_absence();
 
-/// The program of a variant that is one of FIXED.ASM's at full width.
+/// The model's description of a build of FIXED.ASM, for a target other than `standard`.
+constexpr x86model::Build model_build(const cases::Build& build) {
+  return {.mul_rounding = build.mul_round,
+          .div_rounding = build.div_round,
+          .chapter_52 = build.chapter_52,
+          .repaired = build.repaired};
+}
+constexpr x86model::Target model_target(cases::Target target) {
+  return target == cases::Target::i386 ? x86model::Target::i386 : x86model::Target::i8088;
+}
+
+/// The program of a routine of FIXED.ASM at full width.
 ProgramKey key_of(const cases::Variant& variant);
 
 }  // namespace fixproof::machine_code

@@ -23,7 +23,7 @@ std::string Answer::text(int word_bits) const {
 
 Answer ask(const Party& party, const cases::Variant& variant,
            std::span<const std::uint32_t> words) {
-  std::array<std::uint32_t, cases::most_words_out> out{};
+  std::array<std::uint32_t, cases::max_words_out> out{};
   std::array<Ending, 1> ending{Ending::broken};
   const auto used = std::span(out).first(cases::words_out(variant.operation));
   party.answer(variant, {words, used, ending});
@@ -33,8 +33,7 @@ Answer ask(const Party& party, const cases::Variant& variant,
 
 bool agree(std::span<const Answer> answers) {
   return std::all_of(answers.begin(), answers.end(), [&](const Answer& answer) {
-    return answer == answers.front() &&
-           (answer.ending == Ending::value || answer.ending == Ending::divide_error);
+    return agree({answers.front().ending, answers.front().words}, {answer.ending, answer.words});
   });
 }
 

@@ -43,10 +43,11 @@ void answer_compiled(const cases::Variant& v, const Batch& batch) {
   if constexpr (target == x86::Target::i386 && round &&
                 (routine == x86::Routine::mul || routine == x86::Routine::div ||
                  routine == x86::Routine::concat)) {
-    if (v.chapter_52) return answer_compiled<routine, target, round, Form::chapter_52, 16>(batch);
+    if (v.build.chapter_52)
+      return answer_compiled<routine, target, round, Form::chapter_52, 16>(batch);
   }
   if constexpr (target == x86::Target::i8088 && routine == x86::Routine::concat) {
-    if (v.repaired) return answer_compiled<routine, target, round, Form::repaired, 16>(batch);
+    if (v.build.repaired) return answer_compiled<routine, target, round, Form::repaired, 16>(batch);
   }
   if constexpr (routine == x86::Routine::mul || routine == x86::Routine::div) {
     if (v.fraction_bits == 8)
@@ -58,7 +59,7 @@ void answer_compiled(const cases::Variant& v, const Batch& batch) {
 template <x86::Routine routine>
 void answer_compiled(const cases::Variant& v, const Batch& batch) {
   using enum x86::Target;
-  if (v.target == cases::Target::i386) {
+  if (v.build.target == cases::Target::i386) {
     cases::rounds(v) ? answer_compiled<routine, i386, true>(v, batch)
                      : answer_compiled<routine, i386, false>(v, batch);
   } else {

@@ -21,11 +21,11 @@ using oracle::Rounding;
 using oracle::Word;
 
 Rounding multiply_rule(const cases::Variant& v) {
-  switch (v.target) {
+  switch (v.build.target) {
     case cases::Target::i386:
-      return v.mul_round ? Rounding::half_up : Rounding::floor;
+      return v.build.mul_round ? Rounding::half_up : Rounding::floor;
     case cases::Target::i8088:
-      return v.mul_round ? Rounding::half_away : Rounding::truncate;
+      return v.build.mul_round ? Rounding::half_away : Rounding::truncate;
     case cases::Target::standard:
       break;
   }
@@ -33,15 +33,15 @@ Rounding multiply_rule(const cases::Variant& v) {
 }
 
 DivideRule divide_rule(const cases::Variant& v) {
-  if (v.target == cases::Target::i386) {
-    return v.div_round ? DivideRule::i386_rounded : DivideRule::i386_unrounded;
+  if (v.build.target == cases::Target::i386) {
+    return v.build.div_round ? DivideRule::i386_rounded : DivideRule::i386_unrounded;
   }
-  return v.div_round ? DivideRule::i8088_rounded : DivideRule::i8088_unrounded;
+  return v.build.div_round ? DivideRule::i8088_rounded : DivideRule::i8088_unrounded;
 }
 
 oracle::TranslationRule translation(const cases::Variant& v) {
   if (cases::loses_carry(v)) return oracle::TranslationRule::fourth_in_parts;
-  return v.chapter_52 ? oracle::TranslationRule::every : oracle::TranslationRule::fourth;
+  return v.build.chapter_52 ? oracle::TranslationRule::every : oracle::TranslationRule::fourth;
 }
 
 /// Asks `one_case(in, out)` for each case; it returns whether there is a value.
@@ -92,7 +92,7 @@ class Oracle final : public Party {
         case cases::Operation::mul:
           return store(oracle::mul(in[0], in[1], rounding, bits), out);
         case cases::Operation::div:
-          return store(v.target == cases::Target::standard
+          return store(v.build.target == cases::Target::standard
                            ? oracle::quotient(in[0], in[1], rounding, bits)
                            : oracle::div(in[0], in[1], divide_rule(v), bits),
                        out);
@@ -143,7 +143,7 @@ class FastOracle final : public Party {
           return store(oracle::fast::mul(in[0], in[1], rounding, bits), out);
         });
       case cases::Operation::div:
-        if (v.target == cases::Target::standard) {
+        if (v.build.target == cases::Target::standard) {
           return each_case(v, batch, [&](auto in, auto out) {
             return store(oracle::fast::quotient(in[0], in[1], rounding, bits), out);
           });

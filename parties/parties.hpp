@@ -1,5 +1,5 @@
 /// @file
-/// How each party is made; see party.hpp for what they are.
+/// Functions that make the parties of party.hpp.
 #pragma once
 
 #include <memory>
@@ -14,28 +14,27 @@ std::unique_ptr<Party> make_interpreter();
 std::unique_ptr<Party> make_oracle();
 std::unique_ptr<Party> make_fast_oracle();
 std::unique_ptr<Party> make_type();
-/// fixed/batch.hpp on every path there is, the best one first.
+/// One party for each path of fixed/batch.hpp, the best path first.
 std::vector<std::unique_ptr<Party>> make_batch_parties();
 std::unique_ptr<Party> make_silicon();
 std::unique_ptr<Party> make_unicorn();
 
-/// Whether the variant is one of FIXED.ASM's: a routine on a processor.
+/// Whether the variant is a routine of FIXED.ASM on a processor.
 constexpr bool is_routine(const cases::Variant& v) {
-  return v.target != cases::Target::standard && v.operation <= cases::Operation::concat;
+  return v.build.target != cases::Target::standard && cases::is_routine(v.operation);
 }
 
-/// Whether the model has a program for the variant, at its width: chapter 52 has a form of three
-/// routines, the 8088 ConcatXforms has a repaired one, and what runs on 8-bit registers is the
-/// multiply and the divide.
+/// Whether the model has a program for the variant at its width. Chapter 52 has three of the
+/// routines. Only the multiply and the divide run on 8-bit registers.
 constexpr bool has_program(const cases::Variant& v) {
   if (!is_routine(v)) return false;
   const bool binary = v.operation == cases::Operation::mul || v.operation == cases::Operation::div;
   const bool full = v.fraction_bits == 16;
-  const bool in_chapter_52 = v.target == cases::Target::i386 && cases::rounds(v) && full &&
+  const bool in_chapter_52 = v.build.target == cases::Target::i386 && cases::rounds(v) && full &&
                              (binary || v.operation == cases::Operation::concat);
-  const bool has_repaired =
-      v.operation == cases::Operation::concat && v.target == cases::Target::i8088 && full;
-  return (full || binary) && (!v.chapter_52 || in_chapter_52) && (!v.repaired || has_repaired);
+  const bool has_repaired = cases::can_be_repaired(v.operation, v.build.target) && full;
+  return (full || binary) && (!v.build.chapter_52 || in_chapter_52) &&
+         (!v.build.repaired || has_repaired);
 }
 
 }  // namespace fixproof::parties

@@ -40,7 +40,7 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
         for (std::size_t k = 0; k < 3; ++k) {
           sum += operand(4 * row + k) * operand(12 + 4 * k + column);
         }
-        const Number moved = column == 3 || v.chapter_52 ? operand(4 * row + 3) : Number();
+        const Number moved = column == 3 || v.build.chapter_52 ? operand(4 * row + 3) : Number();
         const bool in_parts = column == 3 && cases::loses_carry(v);
         out[4 * row + column] = word_of(in_parts ? xsharp::sum_in_parts(sum, moved) : sum + moved);
       }

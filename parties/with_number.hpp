@@ -1,5 +1,5 @@
 /// @file
-/// The number type whose policy is to be bit-identical to a variant.
+/// From a build to the number type with the same rules.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +10,66 @@
 
 namespace fixproof::parties {
 
-namespace with_number_detail {
-
-template <fixed::policy both, fixed::policy mul_only, fixed::policy div_only, fixed::policy neither,
-          int bits, class Call>
-void with_switches(const cases::Variant& v, const Call& call) {
-  if (v.mul_round) {
-    v.div_round ? call(std::type_identity<fixed::number<bits, both>>())
-                : call(std::type_identity<fixed::number<bits, mul_only>>());
-  } else {
-    v.div_round ? call(std::type_identity<fixed::number<bits, div_only>>())
-                : call(std::type_identity<fixed::number<bits, neither>>());
-  }
-}
-
-template <int bits, class Call>
-void with_policy(const cases::Variant& v, const Call& call) {
+/// The policy whose results are bit-identical to those of a build.
+constexpr fixed::policy policy_of(const cases::Build& build) {
   namespace p = fixed::policies;
-  switch (v.target) {
+  const auto choose = [&build](const fixed::policy& both, const fixed::policy& mul_only,
+                               const fixed::policy& div_only, const fixed::policy& neither) {
+    if (build.mul_round) return build.div_round ? both : mul_only;
+    return build.div_round ? div_only : neither;
+  };
+  switch (build.target) {
     case cases::Target::i386:
-      return with_switches<p::i386_rounded, p::i386_mul_rounded, p::i386_div_rounded,
-                           p::i386_unrounded, bits>(v, call);
+      return choose(p::i386_rounded, p::i386_mul_rounded, p::i386_div_rounded, p::i386_unrounded);
     case cases::Target::i8088:
-      return with_switches<p::i8088_rounded, p::i8088_mul_rounded, p::i8088_div_rounded,
-                           p::i8088_unrounded, bits>(v, call);
+      return choose(p::i8088_rounded, p::i8088_mul_rounded, p::i8088_div_rounded,
+                    p::i8088_unrounded);
     case cases::Target::standard:
-      return call(std::type_identity<fixed::number<bits, p::wrapping>>());
+      break;
   }
+  return p::wrapping;
 }
 
-}  // namespace with_number_detail
+template <cases::Build build, int fraction_bits = 16>
+using NumberOf = fixed::number<fraction_bits, policy_of(build)>;
 
-/// call(std::type_identity<N>()), where N is the type that the variant's rules name.
+/// call.operator()<B>(), where B has the target and the roundings of `build`. The chapter and the
+/// repair are left out: they change ConcatXforms, not the numbers.
+template <class Call>
+decltype(auto) with_build(const cases::Build& build, const Call& call) {
+  using cases::Build;
+  using enum cases::Target;
+  const auto with_target = [&]<cases::Target target>() -> decltype(auto) {
+    if (build.mul_round) {
+      return build.div_round ? call.template operator()<Build{target, true, true}>()
+                             : call.template operator()<Build{target, true, false}>();
+    }
+    return build.div_round ? call.template operator()<Build{target, false, true}>()
+                           : call.template operator()<Build{target, false, false}>();
+  };
+  switch (build.target) {
+    case i386:
+      return with_target.template operator()<i386>();
+    case i8088:
+      return with_target.template operator()<i8088>();
+    case standard:
+      break;
+  }
+  return call.template operator()<Build{standard}>();
+}
+
+/// call(std::type_identity<N>()), where N is the type with the rules of `build`.
+template <int fraction_bits = 16, class Call>
+decltype(auto) with_number(const cases::Build& build, const Call& call) {
+  return with_build(build, [&]<cases::Build constant>() -> decltype(auto) {
+    return call(std::type_identity<NumberOf<constant, fraction_bits>>());
+  });
+}
+
+/// The same at the width of a variant.
 template <class Call>
 void with_number(const cases::Variant& v, const Call& call) {
-  v.fraction_bits == 8 ? with_number_detail::with_policy<8>(v, call)
-                       : with_number_detail::with_policy<16>(v, call);
+  v.fraction_bits == 8 ? with_number<8>(v.build, call) : with_number<16>(v.build, call);
 }
 
 template <class Number>

@@ -1,6 +1,5 @@
 /// @file
-/// A number whose multiplies, divides, sines and transforms are runs of the listings:
-/// register-level X-Sharp.
+/// A number whose multiplies, divides, sines and transforms run the listings on the model.
 #pragma once
 
 #include <array>
@@ -15,9 +14,9 @@
 
 namespace fixproof::player {
 
-/// 16.16. What C does itself on these numbers (sums, differences, comparisons) wraps as on the
+/// A 16.16 number. Sums, differences and comparisons, which C does itself, wrap as they do on the
 /// processors.
-template <cases::Target target, bool mul_round, bool div_round>
+template <cases::Build build>
 class ModelNumber {
  public:
   constexpr ModelNumber() = default;
@@ -31,8 +30,7 @@ class ModelNumber {
   [[nodiscard]] constexpr std::int32_t raw() const { return static_cast<std::int32_t>(word_); }
 
   static constexpr cases::Variant variant(cases::Operation operation) {
-    return {
-        .operation = operation, .target = target, .mul_round = mul_round, .div_round = div_round};
+    return cases::variant_of(operation, build);
   }
 
   friend constexpr ModelNumber operator+(ModelNumber a, ModelNumber b) {
@@ -60,9 +58,9 @@ class ModelNumber {
 
 namespace xsharp {
 
-template <fixproof::cases::Target target, bool mul_round, bool div_round>
-struct Arithmetic<fixproof::player::ModelNumber<target, mul_round, div_round>> {
-  using N = fixproof::player::ModelNumber<target, mul_round, div_round>;
+template <fixproof::cases::Build build>
+struct Arithmetic<fixproof::player::ModelNumber<build>> {
+  using N = fixproof::player::ModelNumber<build>;
   using Operation = fixproof::cases::Operation;
 
   static std::int32_t raw(N x) { return x.raw(); }
@@ -76,7 +74,7 @@ struct Arithmetic<fixproof::player::ModelNumber<target, mul_round, div_round>> {
     if (!fixproof::player::call_model(N::variant(Operation::div), in, out)) return std::nullopt;
     return N::from_word(out[0]);
   }
-  static constexpr bool divides_by_whole_part = target == fixproof::cases::Target::i8088;
+  static constexpr bool divides_by_whole_part = build.target == fixproof::cases::Target::i8088;
   static Turn<N> turn(std::int32_t tenths) {
     const std::array in{static_cast<std::uint32_t>(tenths) & 0xFFFFU};
     std::array<std::uint32_t, 2> out{};
@@ -102,9 +100,9 @@ struct Arithmetic<fixproof::player::ModelNumber<target, mul_round, div_round>> {
     put(first, in.data());
     put(second, in.data() + 12);
     std::array<std::uint32_t, 12> out{};
-    fixproof::cases::Variant variant = N::variant(Operation::concat);
-    variant.repaired = target == fixproof::cases::Target::i8088 && how == Concatenation::repaired;
-    fixproof::player::call_model(variant, in, out);
+    fixproof::cases::Build chosen = build;
+    chosen.repaired = how == Concatenation::repaired;
+    fixproof::player::call_model(fixproof::cases::variant_of(Operation::concat, chosen), in, out);
     Transform<N> result;
     for (std::size_t i = 0; i < 12; ++i) result.rows[i / 4][i % 4] = N::from_word(out[i]);
     return result;

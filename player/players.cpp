@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "cases/variant.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/animation.hpp"
 
@@ -26,6 +29,23 @@ std::vector<ArithmeticChoice> all_arithmetics() {
   }
   all.push_back({"double", "", true, true});
   return all;
+}
+
+std::optional<cases::Build> build_of(const ArithmeticChoice& choice) {
+  if (choice.by == "double") return std::nullopt;
+  for (const auto target : {cases::Target::i386, cases::Target::i8088, cases::Target::standard}) {
+    if (cases::name_of(target) != choice.target) continue;
+    return cases::Build{.target = target,
+                        .mul_round = choice.mul_round,
+                        .div_round = choice.div_round,
+                        .repaired = choice.repaired};
+  }
+  return std::nullopt;
+}
+
+ArithmeticChoice arithmetic_of(const cases::Build& build, std::string by) {
+  return {std::move(by), std::string(cases::name_of(build.target)), build.mul_round,
+          build.div_round, build.repaired};
 }
 
 std::string name_of(const ArithmeticChoice& choice) {

@@ -1,38 +1,47 @@
 /// @file
-/// A scene under the arithmetic that is chosen.
+/// Players of a scene in each arithmetic.
 #pragma once
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/build.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/player.hpp"
 #include "xsharp/scene.hpp"
 
 namespace fixproof::player {
 
-/// Every arithmetic that a scene can be drawn with: the type under its presets, the model under the
-/// builds of the listings, both for the 8088 with the printed ConcatXforms and the repaired one,
-/// double.
+/// Every arithmetic that can draw a scene: the type with each of its presets, the model with each
+/// build of the listings, and double. The 8088 builds come with the printed ConcatXforms and with
+/// the repaired one.
 std::vector<xsharp::ArithmeticChoice> all_arithmetics();
+
+/// The build whose rules a choice names. Empty for double and for the saturating and trapping
+/// types.
+std::optional<cases::Build> build_of(const xsharp::ArithmeticChoice& choice);
+/// The arithmetic of a build of FIXED.ASM.
+/// @param by "type" or "model"
+xsharp::ArithmeticChoice arithmetic_of(const cases::Build& build, std::string by);
 
 /// `type i386, multiply on, divide off`, `type saturating`, `double`.
 std::string name_of(const xsharp::ArithmeticChoice& choice);
 
-/// That there is none of this choice, and which there are.
+/// The error for a choice that all_arithmetics() does not have. It lists the targets.
 support::UsageError no_arithmetic(const xsharp::ArithmeticChoice& choice);
 
-/// @param threads that move, prepare and draw objects; the pictures do not depend on how many
+/// @param threads how many threads move, prepare and draw objects; the pictures do not depend on it
 /// @throws UsageError for a choice that all_arithmetics() does not have, and for the model on more
-///         than one thread: its calls are recorded on that of the caller
+///         than one thread, because its calls are recorded on the caller's thread
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const xsharp::ArithmeticChoice& choice,
                                             std::size_t threads = 1);
 
-/// The players of one party, which have a file each: they take long to compile. Null if there is
-/// none.
+/// The players of one party. Each has its own file, because they take long to compile. Null if the
+/// party has no such arithmetic.
 std::unique_ptr<xsharp::Player> make_type_player(const xsharp::Scene& scene,
                                                  const xsharp::ArithmeticChoice& choice,
                                                  std::size_t threads);

@@ -1,4 +1,5 @@
-// The pipeline on the register-level model, under each build of the listings.
+// The players and surface fillers of the register-level model, one for each build of the listings.
+#include "parties/with_number.hpp"
 #include "player/model_number.hpp"
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
@@ -12,37 +13,36 @@ namespace {
 using xsharp::ArithmeticChoice;
 using xsharp::Scene;
 
-template <cases::Target target, class Make>
-auto of_model_target(const ArithmeticChoice& choice, const Make& make) {
-  if (choice.mul_round && choice.div_round) {
-    return make.template operator()<ModelNumber<target, true, true>>();
-  }
-  if (choice.mul_round) return make.template operator()<ModelNumber<target, true, false>>();
-  if (choice.div_round) return make.template operator()<ModelNumber<target, false, true>>();
-  return make.template operator()<ModelNumber<target, false, false>>();
+/// make.operator()<N>() for the model's number N; null unless the choice is a build of the
+/// listings.
+template <class Result, class Make>
+std::unique_ptr<Result> with_model(const ArithmeticChoice& choice, const Make& make) {
+  const auto build = build_of(choice);
+  if (!build) return nullptr;
+  return parties::with_build(*build, [&]<cases::Build constant>() -> std::unique_ptr<Result> {
+    if constexpr (constant.target == cases::Target::standard) {
+      return nullptr;
+    } else {
+      return make.template operator()<ModelNumber<constant>>();
+    }
+  });
 }
 
 }  // namespace
 
 std::unique_ptr<xsharp::Player> make_model_player(const Scene& scene,
                                                   const ArithmeticChoice& choice) {
-  const auto make = [&]<class N>() -> std::unique_ptr<xsharp::Player> {
+  return with_model<xsharp::Player>(choice, [&]<class N>() {
     return std::make_unique<xsharp::Animation<N>>(scene, 1, xsharp::concatenation_of(choice));
-  };
-  if (choice.target == "i386") return of_model_target<cases::Target::i386>(choice, make);
-  if (choice.target == "i8088") return of_model_target<cases::Target::i8088>(choice, make);
-  return nullptr;
+  });
 }
 
 std::unique_ptr<xsharp::SurfaceFiller> make_model_surfaces(
     const Scene& scene, const ArithmeticChoice& choice,
     std::unique_ptr<const xsharp::SpanLoops> loops) {
-  const auto make = [&]<class N>() -> std::unique_ptr<xsharp::SurfaceFiller> {
+  return with_model<xsharp::SurfaceFiller>(choice, [&]<class N>() {
     return std::make_unique<xsharp::StepFiller<N>>(scene, std::move(loops));
-  };
-  if (choice.target == "i386") return of_model_target<cases::Target::i386>(choice, make);
-  if (choice.target == "i8088") return of_model_target<cases::Target::i8088>(choice, make);
-  return nullptr;
+  });
 }
 
 }  // namespace fixproof::player

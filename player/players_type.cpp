@@ -1,4 +1,5 @@
-// The pipeline on the type, under each of its presets.
+// The players and surface fillers of the type, one for each preset.
+#include "parties/with_number.hpp"
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
 #include "xsharp/animation.hpp"
@@ -11,30 +12,13 @@ namespace {
 using xsharp::ArithmeticChoice;
 using xsharp::Scene;
 
-template <class Both, class Mul, class Div, class None, class Make>
-auto of_type_target(const ArithmeticChoice& choice, const Make& make) {
-  if (choice.mul_round && choice.div_round) return make.template operator()<Both>();
-  if (choice.mul_round) return make.template operator()<Mul>();
-  if (choice.div_round) return make.template operator()<Div>();
-  return make.template operator()<None>();
-}
-
-/// @param make makes something of a number type; @return null for a target that the type has not
+/// make(std::type_identity<N>()) for the type's arithmetic N; null if the type has no such target.
 template <class Make>
-auto of_type(const ArithmeticChoice& choice, const Make& make)
-    -> decltype(make.template operator()<double>()) {
-  using namespace fixed;
-  if (choice.target == "i386") {
-    return of_type_target<q16_16_i386, q16_16_i386_mul_rounded, q16_16_i386_div_rounded,
-                          q16_16_i386_unrounded>(choice, make);
-  }
-  if (choice.target == "i8088") {
-    return of_type_target<q16_16_i8088, q16_16_i8088_mul_rounded, q16_16_i8088_div_rounded,
-                          q16_16_i8088_unrounded>(choice, make);
-  }
-  if (choice.target == "standard") return make.template operator()<q16_16>();
-  if (choice.target == "saturating") return make.template operator()<q16_16_saturating>();
-  if (choice.target == "trapping") return make.template operator()<q16_16_trapping>();
+auto with_type(const ArithmeticChoice& choice, const Make& make)
+    -> decltype(make(std::type_identity<double>())) {
+  if (const auto build = build_of(choice)) return parties::with_number(*build, make);
+  if (choice.target == "saturating") return make(std::type_identity<fixed::q16_16_saturating>());
+  if (choice.target == "trapping") return make(std::type_identity<fixed::q16_16_trapping>());
   return nullptr;
 }
 
@@ -42,17 +26,21 @@ auto of_type(const ArithmeticChoice& choice, const Make& make)
 
 std::unique_ptr<xsharp::Player> make_type_player(const Scene& scene, const ArithmeticChoice& choice,
                                                  std::size_t threads) {
-  return of_type(choice, [&]<class N>() -> std::unique_ptr<xsharp::Player> {
-    return std::make_unique<xsharp::Animation<N>>(scene, threads, xsharp::concatenation_of(choice));
-  });
+  return with_type(choice,
+                   [&]<class N>(std::type_identity<N> /*type*/) -> std::unique_ptr<xsharp::Player> {
+                     return std::make_unique<xsharp::Animation<N>>(
+                         scene, threads, xsharp::concatenation_of(choice));
+                   });
 }
 
 std::unique_ptr<xsharp::SurfaceFiller> make_type_surfaces(
     const Scene& scene, const ArithmeticChoice& choice,
     std::unique_ptr<const xsharp::SpanLoops> loops) {
-  return of_type(choice, [&]<class N>() -> std::unique_ptr<xsharp::SurfaceFiller> {
-    return std::make_unique<xsharp::StepFiller<N>>(scene, std::move(loops));
-  });
+  return with_type(
+      choice,
+      [&]<class N>(std::type_identity<N> /*type*/) -> std::unique_ptr<xsharp::SurfaceFiller> {
+        return std::make_unique<xsharp::StepFiller<N>>(scene, std::move(loops));
+      });
 }
 
 }  // namespace fixproof::player

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "cases/plan.hpp"
+#include "parties/answer.hpp"
 #include "parties/interpreter.hpp"
 #include "proof/process.hpp"
 #include "proof/span_cases.hpp"
@@ -43,12 +44,9 @@ class Duel {
       reference_.answer(v_, {in, std::span(expected_).first(cases * given),
                              std::span(ends_wanted_).first(cases)});
       for (std::size_t i = 0; i < cases; ++i) {
-        const auto at = static_cast<std::ptrdiff_t>(i * given);
         const bool same =
-            ends_.at(i) == ends_wanted_.at(i) &&
-            (ends_.at(i) != parties::Ending::value ||
-             std::equal(out_.begin() + at, out_.begin() + at + static_cast<std::ptrdiff_t>(given),
-                        expected_.begin() + at));
+            parties::agree({ends_.at(i), std::span(out_).subspan(i * given, given)},
+                           {ends_wanted_.at(i), std::span(expected_).subspan(i * given, given)});
         if (!same) return done + i;
       }
     }

@@ -1,5 +1,7 @@
 #include "proof/prove.hpp"
 
+#include <array>
+
 #include "parties/answer.hpp"
 #include "parties/interpreter.hpp"
 #include "proof/lost_carry.hpp"
@@ -40,10 +42,9 @@ Proof prove(const x86model::LoopForm& form, const x86model::Program& program, co
 
 std::vector<std::string> lost_carry_questions(bool mul_round) {
   const auto program = [mul_round](bool repaired) {
-    return parties::program_of({.operation = cases::Operation::concat,
-                                .target = cases::Target::i8088,
-                                .mul_round = mul_round,
-                                .repaired = repaired});
+    return parties::program_of(
+        {.operation = cases::Operation::concat,
+         .build = {.target = cases::Target::i8088, .mul_round = mul_round, .repaired = repaired}});
   };
   return lost_carry_questions(program(false), program(true));
 }
@@ -65,7 +66,7 @@ Proof prove(const cases::Variant& v, const x86model::Program& program, const Sol
     const auto operands = operands_in(v, answer.text);
     proof.given = parties::ask(*party, v, operands);
     proof.wanted = parties::ask(parties::party_named("oracle"), v, operands);
-    if (proof.given != proof.wanted) {
+    if (!parties::agree(std::array{proof.given, proof.wanted})) {
       proof.standing = Standing::disproven;
       proof.counterexample = operands;
       return proof;

@@ -22,7 +22,7 @@ namespace x86 = x86model;
 namespace sym = x86model::symbolic;
 
 bool calls_fixed_mul(const cases::Variant& v) {
-  return v.target == cases::Target::i8088 &&
+  return v.build.target == cases::Target::i8088 &&
          (v.operation == cases::Operation::xformvec || v.operation == cases::Operation::concat);
 }
 
@@ -103,7 +103,7 @@ std::vector<std::string> body(std::span<const x86::Instruction> code, std::strin
 }
 
 void expect_proven_fixed_mul(const cases::Variant& v, std::span<const x86::Instruction> code) {
-  const x86::Build build{.mul_rounding = v.mul_round};
+  const x86::Build build{.mul_rounding = v.build.mul_round};
   const x86::Program alone =
       x86::assemble(x86::listing(x86::Routine::mul, x86::Target::i8088), build);
   if (body(code, "FixedMul") != body(alone.instructions(), "FixedMul")) {

@@ -39,8 +39,8 @@ constexpr const char* product_i8088 = R"((define-fun wide ((x (_ BitVec 32))) (_
 
 /// Half a unit is 2^15 units of 2^-32; a unit is 2^16.
 std::string multiply(const cases::Variant& v) {
-  const char* half = v.mul_round ? "(_ bv32768 64)" : "(_ bv0 64)";
-  if (v.target == cases::Target::i386) {
+  const char* half = v.build.mul_round ? "(_ bv32768 64)" : "(_ bv0 64)";
+  if (v.build.target == cases::Target::i386) {
     return fmt::format(R"({}(define-fun product ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
   ((_ extract 47 16) (bvadd (exact x y) {})))
 )",
@@ -84,10 +84,10 @@ constexpr const char* divide_i8088 =
 )";
 
 std::string divide(const cases::Variant& v) {
-  if (v.target == cases::Target::i8088) {
-    return fmt::format(fmt::runtime(divide_i8088), v.div_round ? "half-or-more" : "false");
+  if (v.build.target == cases::Target::i8088) {
+    return fmt::format(fmt::runtime(divide_i8088), v.build.div_round ? "half-or-more" : "false");
   }
-  return v.div_round ? divide_i386_rounded : divide_i386_unrounded;
+  return v.build.div_round ? divide_i386_rounded : divide_i386_unrounded;
 }
 
 /// The angle less whole turns (lemma whole-turns), then by quadrants. entry(i) is the cosine of i
@@ -116,7 +116,7 @@ constexpr const char* cosine_and_sine =
 
 /// As exact (8088) multiplies.
 std::vector<std::string> digit_products(const cases::Variant& v) {
-  if (v.target != cases::Target::i8088) return {};
+  if (v.build.target != cases::Target::i8088) return {};
   std::vector<std::string> products;
   for (const auto& [x, y] :
        {std::pair("high", "high"), {"low", "high"}, {"high", "low"}, {"low", "low"}}) {
@@ -132,8 +132,8 @@ std::string sum(const cases::Variant& v,
                 const std::string& translation) {
   std::string text = "(bvadd";
   for (const auto& [row, column] : products) {
-    text += v.target == cases::Target::i386 ? fmt::format(" (product {} {})", row, column)
-                                            : fmt::format(" (fixedmul {} {})", column, row);
+    text += v.build.target == cases::Target::i386 ? fmt::format(" (product {} {})", row, column)
+                                                  : fmt::format(" (fixedmul {} {})", column, row);
   }
   return text + (translation.empty() ? ")" : " " + translation + ")");
 }
@@ -168,7 +168,7 @@ std::vector<std::string> transform_product(const cases::Variant& v) {
       if (column == 3 && cases::loses_carry(v)) {
         words.push_back(fmt::format("(sum-in-parts {} {})", sum(v, products, ""), translation));
       } else {
-        words.push_back(sum(v, products, column == 3 || v.chapter_52 ? translation : ""));
+        words.push_back(sum(v, products, column == 3 || v.build.chapter_52 ? translation : ""));
       }
     }
   }

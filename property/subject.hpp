@@ -70,7 +70,8 @@ inline bool holds(const Subject& subject, std::span<const std::uint32_t> words) 
 
 /// The level 1 streams of the operation, and the number of cases in each.
 inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Operation operation) {
-  const cases::Variant variant{.operation = operation, .target = cases::Target::standard};
+  const cases::Variant variant{.operation = operation,
+                               .build = {.target = cases::Target::standard}};
   // Two parties, because a plan has no cases if there is nothing to compare.
   const cases::Plan plan(1, 1994, {{variant, {"a", "b"}}});
   std::vector<std::pair<cases::Stream, std::uint64_t>> streams;
@@ -82,7 +83,7 @@ inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(cases::Op
 /// none.
 inline std::string failures_in(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
   const cases::Variant variant{.operation = subject.rules.operation,
-                               .target = cases::Target::standard};
+                               .build = {.target = cases::Target::standard}};
   const std::size_t arity = cases::words_in(subject.rules.operation);
   std::array<std::uint32_t, 2048> room{};
   check::FirstCases wrong;

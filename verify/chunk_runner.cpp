@@ -20,8 +20,8 @@ ChunkRunner::ChunkRunner(const cases::Plan& plan,
     : plan_(plan),
       parties_(parties),
       max_shown_(max_shown),
-      in_(batch_cases * cases::most_words_in),
-      judged_{std::vector<std::uint32_t>(batch_cases * cases::most_words_out),
+      in_(batch_cases * cases::max_words_in),
+      judged_{std::vector<std::uint32_t>(batch_cases * cases::max_words_out),
               std::vector<parties::Ending>(batch_cases)},
       other_(judged_),
       differs_(batch_cases) {}
@@ -63,23 +63,14 @@ void ChunkRunner::compare(const cases::Variant& variant,
                            std::span(answers.endings).first(cases)});
   };
   ask(*parties.front(), judged_);
-  for (std::size_t i = 0; i < cases; ++i) {
-    // A broken program is never right, even if all parties break alike.
-    const parties::Ending ending = judged_.endings[i];
-    differs_[i] =
-        ending != parties::Ending::value && ending != parties::Ending::divide_error ? 1 : 0;
-  }
+  std::fill_n(differs_.begin(), cases, 0);
+  const auto view = [out](const Answers& answers, std::size_t i) {
+    return parties::AnswerView{answers.endings[i], std::span(answers.out).subspan(i * out, out)};
+  };
   for (const parties::Party* party : parties.subspan(1)) {
     ask(*party, other_);
     for (std::size_t i = 0; i < cases; ++i) {
-      const parties::Ending ending = judged_.endings[i];
-      bool differs = ending != other_.endings[i];
-      if (ending == parties::Ending::value) {
-        for (std::size_t k = 0; k < out; ++k) {
-          differs = differs || judged_.out[i * out + k] != other_.out[i * out + k];
-        }
-      }
-      differs_[i] |= differs ? 1 : 0;
+      if (!parties::agree(view(judged_, i), view(other_, i))) differs_[i] = 1;
     }
   }
 }

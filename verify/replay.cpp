@@ -17,12 +17,12 @@ std::string_view on_off(bool on) { return on ? "on" : "off"; }
 
 /// Options that choose the variant, each with a space before it.
 std::string variant_options(const cases::Variant& v, std::string_view rounding_option) {
-  std::string options = fmt::format(" --target {}", cases::name_of(v.target));
-  if (v.target != cases::Target::standard && v.operation != cases::Operation::cossin) {
+  std::string options = fmt::format(" --target {}", cases::name_of(v.build.target));
+  if (v.build.target != cases::Target::standard && v.operation != cases::Operation::cossin) {
     options += fmt::format(" {} {}", rounding_option, on_off(cases::rounds(v)));
   }
-  if (v.chapter_52) options += " --chapter 52";
-  if (v.repaired) options += " --repaired";
+  if (v.build.chapter_52) options += " --chapter 52";
+  if (v.build.repaired) options += " --repaired";
   return options;
 }
 
@@ -41,7 +41,7 @@ std::string trace_line(const cases::Variant& v, std::span<const std::uint32_t> w
 std::string replay(const cases::Row& row, std::span<const std::uint32_t> words) {
   const cases::Variant& v = row.variant;
   const std::string hex = cases::hex_words(words, cases::operand_bits(v));
-  if (v.target != cases::Target::standard && v.fraction_bits == 16) {
+  if (v.build.target != cases::Target::standard && v.fraction_bits == 16) {
     return fmt::format("echo '{}' | fixproof eval {}{} --by {}", hex, cases::name_of(v.operation),
                        variant_options(v, rounding_option(v)), row.parties.front());
   }
@@ -53,7 +53,7 @@ std::string replay(const cases::Row& row, std::span<const std::uint32_t> words) 
   // Without these, rows of the other chapter or width, or the repaired routine's, would answer as
   // well.
   const bool other_chapter =
-      (v.target == cases::Target::i386 || cases::loses_carry(v)) && !v.chapter_52;
+      (v.build.target == cases::Target::i386 || cases::loses_carry(v)) && !v.build.chapter_52;
   std::string line =
       fmt::format("fixproof verify {}{}{}{} --case '{}'", cases::name_of(v.operation),
                   variant_options(v, "--round"), other_chapter ? " --chapter 54" : "",

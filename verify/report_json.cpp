@@ -90,11 +90,11 @@ Json json_of(const Report& report, std::size_t number) {
   Json shown = Json::array();
   for (const Mismatch& m : found.shown) shown.push_back(json_of(m, cases::operand_bits(v)));
   return {{"operation", cases::name_of(v.operation)},
-          {"target", cases::name_of(v.target)},
-          {"mul_round", v.mul_round},
-          {"div_round", v.div_round},
-          {"chapter", v.chapter_52 ? 52 : 54},
-          {"repaired", v.repaired},
+          {"target", cases::name_of(v.build.target)},
+          {"mul_round", v.build.mul_round},
+          {"div_round", v.build.div_round},
+          {"chapter", v.build.chapter_52 ? 52 : 54},
+          {"repaired", v.build.repaired},
           {"width", v.fraction_bits == 16 ? "full" : "half"},
           {"parties", row.parties},
           {"streams", streams_of(report.plan, number)},
@@ -152,11 +152,11 @@ cases::Row row_in(const Json& json) {
   cases::Row row;
   cases::Variant& v = row.variant;
   v.operation = cases::operation_named(json.at("operation").get<std::string>());
-  v.target = target_named(json.at("target").get<std::string>());
-  v.mul_round = json.at("mul_round").get<bool>();
-  v.div_round = json.at("div_round").get<bool>();
-  v.chapter_52 = is_second<int>(json.at("chapter"), 54, 52);
-  v.repaired = json.at("repaired").get<bool>();
+  v.build.target = target_named(json.at("target").get<std::string>());
+  v.build.mul_round = json.at("mul_round").get<bool>();
+  v.build.div_round = json.at("div_round").get<bool>();
+  v.build.chapter_52 = is_second<int>(json.at("chapter"), 54, 52);
+  v.build.repaired = json.at("repaired").get<bool>();
   v.fraction_bits = is_second<std::string>(json.at("width"), "full", "half") ? 8 : 16;
   row.parties = json.at("parties").get<std::vector<std::string>>();
   return row;

@@ -158,6 +158,11 @@ inline bool is_listing(const ArithmeticChoice& choice) {
   return choice.target == "i386" || choice.target == "i8088";
 }
 
+/// Whether the arithmetic has a repaired ConcatXforms: only that of the 8088 loses a carry.
+inline bool can_be_repaired(const ArithmeticChoice& choice) {
+  return choice.by != "double" && choice.target == "i8088";
+}
+
 struct Scene {
   std::string name;
   std::int32_t width = 320;

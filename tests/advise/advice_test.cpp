@@ -140,7 +140,9 @@ RC_GTEST_PROP(Advice, IsNeverDearerForALargerBudget, ()) {
 
 TEST(Choices, AreThoseThatTheProcessorRuns) {
   using enum x86model::Cpu;
-  const auto runs_386_code = [](const trade::Choice& c) { return c.target == cases::Target::i386; };
+  const auto runs_386_code = [](const trade::Choice& c) {
+    return c.build.target == cases::Target::i386;
+  };
   for (const auto cpu : {i8088, i286}) {
     EXPECT_EQ(trade::choices_on(cpu).size(), 4U * 6);
     EXPECT_TRUE(std::ranges::none_of(trade::choices_on(cpu), runs_386_code));

@@ -95,7 +95,7 @@ TEST(FrameClocks, TheBusLimitsACosSin) {
   player::OperandLog log;
   log.at(static_cast<std::size_t>(cases::Operation::cossin)) = {0};
   const trade::FrameClocks clocks =
-      trade::clocks_of(log, {"model", "i8088", true, true}, x86model::Cpu::i8088);
+      trade::clocks_of(log, {.target = cases::Target::i8088}, x86model::Cpu::i8088);
   EXPECT_EQ(clocks.bus, (x86model::BusBytes{77, 32}));
   EXPECT_LT(clocks.table.max, 436U);
   EXPECT_EQ(clocks.per_frame(1).at_least().min, 436);
@@ -105,7 +105,8 @@ TEST(FrameClocks, TheBusLimitsACosSin) {
 // The larger of table and bus time counts. A 386 has no bus time.
 TEST(FrameClocks, OfAn8088HaveABus) {
   const std::atomic<bool> stop = false;
-  const std::vector choices{trade::Choice{.target = cases::Target::i8088, .turning = {}}};
+  const std::vector choices{
+      trade::Choice{.build = {.target = cases::Target::i8088}, .turning = {}}};
   const auto on = [&](x86model::Cpu processor) {
     return trade::clocks_a_frame(turning_cube(1), choices, processor, stop).at(0);
   };
@@ -132,7 +133,7 @@ TEST(FrameClocks, StopWhenAsked) {
 
 TEST(Nanoseconds, AreOfEveryChoice) {
   const std::atomic<bool> stop = false;
-  const std::vector<trade::Choice> choices{{}, {.target = cases::Target::i8088}};
+  const std::vector<trade::Choice> choices{{}, {.build = {.target = cases::Target::i8088}}};
   const auto costs = trade::nanoseconds_a_frame(turning_cube(1), choices, stop);
   ASSERT_EQ(costs.size(), 2U);
   for (const trade::Cost& cost : costs) {

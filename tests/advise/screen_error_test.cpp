@@ -42,7 +42,7 @@ TEST(ScreenError, OfTheDivisorsFraction) {
   // A quotient that is a unit off is 320 units off on the screen.
   const double units = 2 * 320.0 / 65536;
   const auto off = [](cases::Target target) {
-    return error_of(still_cube(0.5, -9), {.target = target}, 1).pixels;
+    return error_of(still_cube(0.5, -9), {.build = {.target = target}}, 1).pixels;
   };
   EXPECT_NEAR(off(cases::Target::i8088), expected, units);
   EXPECT_LT(off(cases::Target::i386), units);
@@ -54,7 +54,7 @@ TEST(ScreenError, OfTheQuotientsRounding) {
   // Beside it, the rounding of the last product: half a unit in x and in y, or a whole one.
   const double product = 2.0 / 65536;
   const auto off = [](bool div_round) {
-    return error_of(still_cube(1, -10), {.div_round = div_round}, 1).pixels;
+    return error_of(still_cube(1, -10), {.build = {.div_round = div_round}}, 1).pixels;
   };
   EXPECT_NEAR(off(true), (1 - 7.0 / 9) * unit, product);
   EXPECT_NEAR(off(false), 9.0 / 11 * unit, product);
@@ -65,7 +65,7 @@ TEST(ScreenError, IsThatOfTheWorstFrameAndObject) {
   scene.objects.push_back(scene.objects[0]);
   scene.objects[1].position = {0, 0, -11.5};
   scene.objects[1].drift = xsharp::Drift{.step = {0, 0, 1.25}};
-  const trade::Choice choice{.target = cases::Target::i8088};
+  const trade::Choice choice{.build = {.target = cases::Target::i8088}};
   // After five frames at -5.25: corners at -4.75, taken for -4.
   const double expected = 160.0 * (1 / 4.0 - 1 / 4.75) * std::sqrt(2);
   const trade::ScreenError error = error_of(scene, choice, 6, 5);
@@ -162,13 +162,12 @@ TEST(ScreenError, IsBorneOutByDrift) {
          {trade::Turning{}, trade::Turning{false, 60}, trade::Turning{true, 0}}) {
       std::uint64_t frames = 2000;
       const std::atomic<bool> stop = false;
-      const trade::DriftCase drift{
-          .multiply = mul_round ? trade::Multiply::i386_on : trade::Multiply::i386_off,
-          .restore_every = turning.restore_every,
-          .from_scratch = turning.from_scratch};
+      const trade::DriftCase drift{.build = {.mul_round = mul_round},
+                                   .restore_every = turning.restore_every,
+                                   .from_scratch = turning.from_scratch};
       const double motion =
           trade::run_drift(scene, {drift}, frames, stop, [](std::uint64_t) {}).at(0).worst.pixels;
-      const trade::Choice choice{.mul_round = mul_round, .turning = turning};
+      const trade::Choice choice{.build = {.mul_round = mul_round}, .turning = turning};
       EXPECT_NEAR(error_of(scene, choice, 2000).pixels, motion, 0.02) << trade::name_of(choice);
     }
   }

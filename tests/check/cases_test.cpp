@@ -45,7 +45,7 @@ TEST(CheckCases, AreTheStreamsOfLevelOne) {
   EXPECT_EQ(drawn.of_stream.at("lattice"), 39'204U);
   EXPECT_EQ(drawn.of_stream.at("near_product_ties"), 250'000U);
   const fixproof::cases::Variant variant{.operation = Operation::mul,
-                                         .target = fixproof::cases::Target::i8088};
+                                         .build = {.target = fixproof::cases::Target::i8088}};
   Words words(2);
   fixproof::cases::make_cases(fixproof::cases::Stream::near_product_ties, variant, 1994, 249'999,
                               words);

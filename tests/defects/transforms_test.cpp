@@ -99,9 +99,9 @@ TEST(Defects, HalfOfAllSumsLoseACarry) {
   using namespace fixproof;
   constexpr std::size_t cases = 20'000;
   const cases::Variant printed{.operation = cases::Operation::concat,
-                               .target = cases::Target::i8088};
+                               .build = {.target = cases::Target::i8088}};
   cases::Variant sound = printed;
-  sound.repaired = true;
+  sound.build.repaired = true;
   std::vector<std::uint32_t> in(cases * cases::words_in(printed.operation));
   cases::make_cases(cases::Stream::uniform, printed, 1994, 0, in);
   const auto answers = [&](const cases::Variant& v) {

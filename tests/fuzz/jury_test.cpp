@@ -16,7 +16,7 @@ namespace {
 using namespace fixproof;
 
 constexpr cases::Variant div_i8088{.operation = cases::Operation::div,
-                                   .target = cases::Target::i8088};
+                                   .build = {.target = cases::Target::i8088}};
 
 /// Divides as the fast oracle does, but for exact ties of the 8088's divide.
 test::Saboteur lost_tie() {

@@ -121,15 +121,17 @@ TEST_P(MachineParty, AgreesWithTheModelOnEveryProgram) {
 TEST_P(MachineParty, HasNothingToSayOfTheRest) {
   const parties::Party& machine = find(GetParam().name);
   EXPECT_FALSE(machine.answers({.operation = cases::Operation::mul, .fraction_bits = 8}));
-  EXPECT_FALSE(
-      machine.answers({.operation = cases::Operation::mul, .target = cases::Target::standard}));
+  EXPECT_FALSE(machine.answers(
+      {.operation = cases::Operation::mul, .build = {.target = cases::Target::standard}}));
   EXPECT_FALSE(machine.answers({.operation = cases::Operation::sqrt}));
   EXPECT_FALSE(machine.answers(
-      {.operation = cases::Operation::mul, .mul_round = false, .chapter_52 = true}));
-  EXPECT_FALSE(machine.answers({.operation = cases::Operation::xformvec, .chapter_52 = true}));
-  EXPECT_FALSE(machine.answers({.operation = cases::Operation::concat, .repaired = true}));
-  EXPECT_FALSE(machine.answers(
-      {.operation = cases::Operation::xformvec, .target = cases::Target::i8088, .repaired = true}));
+      {.operation = cases::Operation::mul, .build = {.mul_round = false, .chapter_52 = true}}));
+  EXPECT_FALSE(
+      machine.answers({.operation = cases::Operation::xformvec, .build = {.chapter_52 = true}}));
+  EXPECT_FALSE(
+      machine.answers({.operation = cases::Operation::concat, .build = {.repaired = true}}));
+  EXPECT_FALSE(machine.answers({.operation = cases::Operation::xformvec,
+                                .build = {.target = cases::Target::i8088, .repaired = true}}));
 }
 
 TEST_P(MachineParty, IsWrongWhereOneByteIs) {
@@ -219,7 +221,7 @@ TEST_P(MachineParty, EndsInAFaultForCodeThatIsNone) {
 
 TEST_P(MachineParty, FaultsInManyThreadsAtOnce) {
   // More than half of these cases fault.
-  Cases cases({.operation = cases::Operation::div, .target = cases::Target::i8088});
+  Cases cases({.operation = cases::Operation::div, .build = {.target = cases::Target::i8088}});
   cases.add(cases::Stream::small_divisors, 0, 2000);
   cases.add(cases::Stream::fault_edge, 0, 2000);
   const Answers model = answers_of(cases, find("model"));

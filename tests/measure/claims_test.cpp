@@ -74,8 +74,8 @@ const trade::ProcessorClocks& on(const trade::CallClocks& clocks, Cpu cpu) {
 // multiplier, ADD 2, ADC 2, SHR 3, POP 4, RET 10 and 3 for ADD SP,8. Three times 2^16 has 18 bits,
 // 1.0 is 2^16: 32 + 27 and 32 + 25. On a 486 14 to 21, IMUL 27 to 29 and 26 to 27.
 TEST(CallClocks, FixedMulOnA386) {
-  trade::CallClocks clocks =
-      trade::no_calls({.operation = cases::Operation::mul, .target = cases::Target::i386});
+  trade::CallClocks clocks = trade::no_calls(
+      {.operation = cases::Operation::mul, .build = {.target = cases::Target::i386}});
   trade::add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true,
                    never);
   EXPECT_EQ(clocks.processors.size(), 2U);
@@ -102,8 +102,8 @@ TEST(CallClocks, FixedMulOnAn8088) {
   constexpr std::uint64_t jumps = 3 * 16;
   constexpr std::uint64_t multiplies = 119 + 118 + 119 + 118;
   constexpr std::uint64_t ret = 20;
-  trade::CallClocks clocks =
-      trade::no_calls({.operation = cases::Operation::mul, .target = cases::Target::i8088});
+  trade::CallClocks clocks = trade::no_calls(
+      {.operation = cases::Operation::mul, .build = {.target = cases::Target::i8088}});
   trade::add_calls(clocks, std::array{0x00010000U, 0x00010000U}, true, never);
   EXPECT_EQ(clocks.instructions.least(), 39U);
   EXPECT_EQ(on(clocks, Cpu::i8088).clocks.least(), pushes + pops + loads + moves +
@@ -114,8 +114,8 @@ TEST(CallClocks, FixedMulOnAn8088) {
 /// A scene of one frame whose only work is 1.0 times 1.0, in each build.
 trade::RecordedScene one_product() {
   trade::RecordedScene scene{"one product", {}};
-  for (const auto& choice : trade::recorded_builds()) {
-    trade::SceneOperands operands{.choice = choice, .frames = 1};
+  for (const auto& build : trade::recorded_builds()) {
+    trade::SceneOperands operands{.build = build, .frames = 1};
     operands.log.at(static_cast<std::size_t>(cases::Operation::mul)) = {0x00010000, 0x00010000};
     scene.builds.push_back(operands);
   }
@@ -214,8 +214,8 @@ TEST(Claims, SayWhereTheyArePrinted) {
 }
 
 TEST(CallClocks, ADivideErrorIsCountedAsThatAlone) {
-  trade::CallClocks clocks =
-      trade::no_calls({.operation = cases::Operation::div, .target = cases::Target::i386});
+  trade::CallClocks clocks = trade::no_calls(
+      {.operation = cases::Operation::div, .build = {.target = cases::Target::i386}});
   trade::add_calls(clocks, std::array{0x00010000U, 0U}, true, never);
   EXPECT_EQ(clocks.faults, 1U);
   EXPECT_EQ(clocks.instructions.calls(), 0U);

@@ -76,7 +76,7 @@ TEST(Wraps, WhereRoundingDecides) {
   const std::array<Word, 2> above{2351 * 4513, 13264529};
   const std::array<Word, 2> below{0U - 32768 * 641, 6700417};
   const auto mul = [](cases::Target target, bool rounds) {
-    return cases::Variant{.target = target, .mul_round = rounds};
+    return cases::Variant{.build = {.target = target, .mul_round = rounds}};
   };
   for (const cases::Target target : {cases::Target::i386, cases::Target::i8088}) {
     EXPECT_TRUE(trade::wraps(mul(target, true), above));
@@ -112,15 +112,16 @@ TEST(Wraps, WhereTheTranslationDecides) {
 
 /// The rule by which a build rounds products.
 Rounding product_rule(const cases::Variant& v) {
-  if (v.target == cases::Target::i386) return v.mul_round ? Rounding::half_up : Rounding::floor;
-  return v.mul_round ? Rounding::half_away : Rounding::truncate;
+  if (v.build.target == cases::Target::i386)
+    return v.build.mul_round ? Rounding::half_up : Rounding::floor;
+  return v.build.mul_round ? Rounding::half_away : Rounding::truncate;
 }
 
 cases::Variant any_variant(cases::Operation operation) {
   return {.operation = operation,
-          .target = *rc::gen::element(cases::Target::i386, cases::Target::i8088),
-          .mul_round = *rc::gen::arbitrary<bool>(),
-          .div_round = *rc::gen::arbitrary<bool>()};
+          .build = {.target = *rc::gen::element(cases::Target::i386, cases::Target::i8088),
+                    .mul_round = *rc::gen::arbitrary<bool>(),
+                    .div_round = *rc::gen::arbitrary<bool>()}};
 }
 
 /// Of any size, so that some results fit and some do not; of either sign.
@@ -140,13 +141,13 @@ RC_GTEST_PROP(Wraps, QuotientsAsTheOracleHasThem, ()) {
   const cases::Variant v = any_variant(cases::Operation::div);
   const std::array in{any_word(0), any_word(0)};
   Word divisor = in[1];
-  if (v.target == cases::Target::i8088) {
+  if (v.build.target == cases::Target::i8088) {
     const bool negative = divisor >> 31 != 0;
     const Word whole = (negative ? 0U - divisor : divisor) & 0xFFFF0000U;
     divisor = negative ? 0U - whole : whole;
   }
   RC_PRE(divisor != 0U);
-  const Rounding rule = v.div_round ? Rounding::half_away : Rounding::truncate;
+  const Rounding rule = v.build.div_round ? Rounding::half_away : Rounding::truncate;
   RC_ASSERT(trade::wraps(v, in) ==
             !oracle::fits(*oracle::exact_quotient(in[0], divisor, rule, 16), 32));
 }
@@ -175,7 +176,7 @@ Integer sum_in_parts(const Integer& a, const Integer& b) {
 
 RC_GTEST_PROP(Wraps, ConcatenationsAsTheOracleHasThem, ()) {
   cases::Variant v = any_variant(cases::Operation::concat);
-  v.repaired = v.target == cases::Target::i8088 && *rc::gen::arbitrary<bool>();
+  v.build.repaired = v.build.target == cases::Target::i8088 && *rc::gen::arbitrary<bool>();
   std::array<Word, 24> in{};
   for (Word& word : in) word = any_word(6);
   bool expected = false;
@@ -187,7 +188,7 @@ RC_GTEST_PROP(Wraps, ConcatenationsAsTheOracleHasThem, ()) {
       }
       if (j == 3) {
         const Integer moved = oracle::ulps(in.at(4 * i + 3), 16);
-        const bool whole = v.target == cases::Target::i386 || v.repaired;
+        const bool whole = v.build.target == cases::Target::i386 || v.build.repaired;
         sum = whole ? sum + moved : sum_in_parts(sum, moved);
       }
       expected = expected || !oracle::fits(sum, 32);

@@ -18,8 +18,7 @@ const proof::Solver& solver() {
 
 x86model::Program concat(bool repaired) {
   return parties::program_of({.operation = cases::Operation::concat,
-                              .target = cases::Target::i8088,
-                              .repaired = repaired});
+                              .build = {.target = cases::Target::i8088, .repaired = repaired}});
 }
 
 /// How many of the scripts are unsatisfiable, `from` in them replaced by `to` wherever it stands.

@@ -19,7 +19,7 @@ bool caught(const x86model::Program& program, const cases::Variant& v) {
 
 TEST(Mutation, ThereAreMutantsOfEveryKind) {
   std::string changes;
-  for (const auto& mutant : proof::mutants_of({.target = cases::Target::i8088}))
+  for (const auto& mutant : proof::mutants_of({.build = {.target = cases::Target::i8088}}))
     changes += mutant.change + '\n';
   for (const char* wanted :
        {"mul bx -> imul bx", "mov ax, si -> mov si, ax", "sub cx, cx -> sub dx, cx",
@@ -34,7 +34,7 @@ TEST(Mutation, ThereAreMutantsOfEveryKind) {
 
 TEST(Mutation, JumpsStillLeadWhereTheyLed) {
   // Whatever is left out or doubled, every label is still before the instruction it was before.
-  const cases::Variant v{.target = cases::Target::i8088};
+  const cases::Variant v{.build = {.target = cases::Target::i8088}};
   for (const auto& mutant : proof::mutants_of(v)) {
     if (!mutant.change.ends_with("twice") && !mutant.change.ends_with("left out")) continue;
     std::size_t jumps = 0;
@@ -56,7 +56,7 @@ TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
   const proof::Solver solver("z3");
   std::size_t killed = 0;
   for (const cases::Variant& v : cases::all_variants()) {
-    if (!parties::has_program(v) || v.chapter_52 || !cases::rounds(v)) continue;
+    if (!parties::has_program(v) || v.build.chapter_52 || !cases::rounds(v)) continue;
     const auto all = proof::mutants_of(v);
     for (std::size_t i = 5; i < all.size(); i += 97) {
       const proof::Judgement judgement = proof::judge(v, all[i].program, seed, solver, 60);
@@ -69,7 +69,7 @@ TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
 
 TEST(Mutation, WhatDoesTheSameIsEquivalent) {
   const proof::Solver solver("z3");
-  const cases::Variant v{.target = cases::Target::i8088};
+  const cases::Variant v{.build = {.target = cases::Target::i8088}};
   EXPECT_EQ(proof::judge(v, parties::program_of(v), seed, solver, 60).fate,
             proof::Fate::equivalent);
   bool found = false;
@@ -86,12 +86,13 @@ TEST(Mutation, SwappedRoundingsAreCaught) {
   for (const cases::Operation o : {cases::Operation::mul, cases::Operation::div}) {
     for (const cases::Target t : {cases::Target::i386, cases::Target::i8088}) {
       for (const bool round : {true, false}) {
-        const cases::Variant v{.operation = o, .target = t, .mul_round = round, .div_round = round};
+        const cases::Variant v{.operation = o,
+                               .build = {.target = t, .mul_round = round, .div_round = round}};
         cases::Variant other = v;
-        other.mul_round = other.div_round = !round;
+        other.build.mul_round = other.build.div_round = !round;
         EXPECT_TRUE(caught(parties::program_of(other), v));
         other = v;
-        other.target = t == cases::Target::i386 ? cases::Target::i8088 : cases::Target::i386;
+        other.build.target = t == cases::Target::i386 ? cases::Target::i8088 : cases::Target::i386;
         EXPECT_TRUE(caught(parties::program_of(other), v));
         EXPECT_FALSE(caught(parties::program_of(v), v));
       }
@@ -101,10 +102,10 @@ TEST(Mutation, SwappedRoundingsAreCaught) {
 
 TEST(Mutation, APlantedOrMissingCarryIsCaught) {
   for (const bool round : {true, false}) {
-    const cases::Variant printed{
-        .operation = cases::Operation::concat, .target = cases::Target::i8088, .mul_round = round};
+    const cases::Variant printed{.operation = cases::Operation::concat,
+                                 .build = {.target = cases::Target::i8088, .mul_round = round}};
     cases::Variant repaired = printed;
-    repaired.repaired = true;
+    repaired.build.repaired = true;
     EXPECT_TRUE(caught(parties::program_of(repaired), printed));
     EXPECT_TRUE(caught(parties::program_of(printed), repaired));
     EXPECT_FALSE(caught(parties::program_of(printed), printed));
@@ -129,7 +130,7 @@ class DropsAFault final : public parties::Party {
 
 TEST(Mutation, ADroppedFaultIsCaught) {
   for (const cases::Target t : {cases::Target::i386, cases::Target::i8088}) {
-    EXPECT_TRUE(proof::cases_to_kill({.operation = cases::Operation::div, .target = t},
+    EXPECT_TRUE(proof::cases_to_kill({.operation = cases::Operation::div, .build = {.target = t}},
                                      DropsAFault(), seed));
   }
 }

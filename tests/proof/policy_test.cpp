@@ -123,7 +123,8 @@ template <policy right>
 void expect_all_killed(cases::Target target, bool mul_round, bool div_round, const Names& same) {
   const auto variant = [&](cases::Operation o) {
     return cases::Variant{
-        .operation = o, .target = target, .mul_round = mul_round, .div_round = div_round};
+        .operation = o,
+        .build = {.target = target, .mul_round = mul_round, .div_round = div_round}};
   };
   Trials products(variant(cases::Operation::mul));
   products.round_otherwise<right>();

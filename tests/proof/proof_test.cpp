@@ -72,7 +72,7 @@ TEST(Proof, SomeOperandsTakeEveryPath) {
     const auto said = answers(scripts);
     EXPECT_EQ(said.size(), scripts.size()) << cases::name_of(v);
     const bool divides_twice =
-        v.operation == cases::Operation::div && v.target == cases::Target::i8088;
+        v.operation == cases::Operation::div && v.build.target == cases::Target::i8088;
     const auto taken = static_cast<std::size_t>(std::count(said.begin(), said.end(), "sat"));
     const auto never = static_cast<std::size_t>(std::count(said.begin(), said.end(), "unsat"));
     EXPECT_EQ(never, divides_twice ? 4U : 0U) << cases::name_of(v);
@@ -82,9 +82,9 @@ TEST(Proof, SomeOperandsTakeEveryPath) {
 
 TEST(Proof, ATransformMustCallTheFixedMulThatIsProven) {
   for (const cases::Operation o : {cases::Operation::xformvec, cases::Operation::concat}) {
-    const cases::Variant v{.operation = o, .target = cases::Target::i8088};
+    const cases::Variant v{.operation = o, .build = {.target = cases::Target::i8088}};
     cases::Variant unrounded = v;
-    unrounded.mul_round = false;
+    unrounded.build.mul_round = false;
     EXPECT_NO_THROW(proof::questions(v, parties::program_of(v).instructions()));
     EXPECT_THROW(proof::questions(v, parties::program_of(unrounded).instructions()),
                  std::logic_error);
@@ -141,7 +141,8 @@ TEST(Proof, TheSpecificationIsTheOracles) {
 TEST(Proof, AWrongProgramComesBackWithACase) {
   std::size_t disproven = 0;
   for (const cases::Variant& v : routines()) {
-    if (v.chapter_52 || v.operation == cases::Operation::cossin || !cases::rounds(v)) continue;
+    if (v.build.chapter_52 || v.operation == cases::Operation::cossin || !cases::rounds(v))
+      continue;
     const auto party = [&](const x86model::Program& p) {
       return parties::make_interpreter_of("mutant", p);
     };

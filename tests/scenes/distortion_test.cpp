@@ -80,20 +80,18 @@ TEST(Drift, EachSourceLeftOutLessIsWrong) {
   EXPECT_LT(drift({.without = trade::Without::offset}, frames).worst.pixels,
             drift({}, frames).worst.pixels);
   // Truncated products alone ruin it.
-  EXPECT_GT(drift({.multiply = trade::Multiply::i386_off, .without = trade::Without::step}, frames)
+  EXPECT_GT(
+      drift({.build = {.mul_round = false}, .without = trade::Without::step}, frames).worst.length,
+      0.1);
+  EXPECT_LT(drift({.build = {.mul_round = false}, .without = trade::Without::products}, frames)
                 .worst.length,
-            0.1);
-  EXPECT_LT(
-      drift({.multiply = trade::Multiply::i386_off, .without = trade::Without::products}, frames)
-          .worst.length,
-      published * 1.1);
+            published * 1.1);
 }
 
 TEST(Drift, IsHeldBackByRestoringAndByStartingOver) {
   constexpr std::uint64_t frames = 20'000;
-  for (const trade::Multiply multiply : {trade::Multiply::i386_on, trade::Multiply::i386_off,
-                                         trade::Multiply::i8088_on, trade::Multiply::i8088_off}) {
-    EXPECT_LT(drift({.multiply = multiply, .restore_every = 60}, frames).worst.length, 0.005);
+  for (const cases::Build& build : cases::uniform_builds) {
+    EXPECT_LT(drift({.build = build, .restore_every = 60}, frames).worst.length, 0.005);
   }
   const trade::DriftResult anew = drift({.from_scratch = true}, frames);
   EXPECT_LT(anew.worst.length, 1e-4);

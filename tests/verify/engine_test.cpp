@@ -23,7 +23,7 @@ using Words = std::span<const std::uint32_t>;
 constexpr cases::Variant mul{.operation = cases::Operation::mul};
 constexpr cases::Variant div{.operation = cases::Operation::div};
 constexpr cases::Variant div_8088{.operation = cases::Operation::div,
-                                  .target = cases::Target::i8088};
+                                  .build = {.target = cases::Target::i8088}};
 constexpr cases::Variant concat{.operation = cases::Operation::concat};
 
 std::int64_t value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
@@ -120,7 +120,8 @@ TEST(Engine, WrongForTheMostNegativeOnly) {
   const auto liar = saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending&) {
     if (in[0] == 0x80000000U) out[0] = 0x7fffffffU;
   });
-  const cases::Variant sqrt{.operation = cases::Operation::sqrt, .target = cases::Target::standard};
+  const cases::Variant sqrt{.operation = cases::Operation::sqrt,
+                            .build = {.target = cases::Target::standard}};
   EXPECT_GT(judge(liar, sqrt).mismatches(), 0U);
 }
 

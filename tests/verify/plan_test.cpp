@@ -99,7 +99,7 @@ std::vector<cases::Variant> divides(const cli::VariantOptions& options) {
   selection.variant = options;
   std::vector<cases::Variant> chosen;
   for (const cases::Row& row : cli::chosen_rows(selection, cli::chosen_parties(selection))) {
-    if (row.variant.target != cases::Target::standard && !row.variant.chapter_52) {
+    if (row.variant.build.target != cases::Target::standard && !row.variant.build.chapter_52) {
       chosen.push_back(row.variant);
     }
   }
@@ -109,11 +109,12 @@ std::vector<cases::Variant> divides(const cli::VariantOptions& options) {
 TEST(Selection, PrintedSwitchesOfThe8088DivideAreInverted) {
   cli::VariantOptions options;
   options.div_round = true;
-  for (const cases::Variant& v : divides(options)) EXPECT_TRUE(v.div_round);
+  for (const cases::Variant& v : divides(options)) EXPECT_TRUE(v.build.div_round);
   options.as_printed = true;
   const auto printed = divides(options);
   ASSERT_EQ(printed.size(), 2U);
-  for (const cases::Variant& v : printed) EXPECT_EQ(v.div_round, v.target == cases::Target::i386);
+  for (const cases::Variant& v : printed)
+    EXPECT_EQ(v.build.div_round, v.build.target == cases::Target::i386);
 }
 
 TEST(Selection, APartyThatDoesNotAnswerIsLeftOut) {
@@ -133,7 +134,8 @@ TEST(Selection, TheRepairedConcatIsChosenByOneWord) {
     selection.variant.repaired = repaired;
     selection.variant.as_printed = as_printed;
     std::vector<bool> forms;
-    for (const cases::Variant& v : cli::chosen_variants(selection)) forms.push_back(v.repaired);
+    for (const cases::Variant& v : cli::chosen_variants(selection))
+      forms.push_back(v.build.repaired);
     return forms;
   };
   EXPECT_EQ(chosen(false, false, false), (std::vector{false, false, true, true}));

@@ -21,8 +21,8 @@ namespace {
 using Words = std::span<const std::uint32_t>;
 
 constexpr cases::Variant mul{.operation = cases::Operation::mul};
-constexpr cases::Variant div{
-    .operation = cases::Operation::div, .target = cases::Target::i8088, .div_round = false};
+constexpr cases::Variant div{.operation = cases::Operation::div,
+                             .build = {.target = cases::Target::i8088, .div_round = false}};
 constexpr cases::Variant cossin{.operation = cases::Operation::cossin};
 
 /// Another party that sets a flag after so many batches.
@@ -173,7 +173,7 @@ TEST(Reports, DifferencesAreNamed) {
   EXPECT_EQ(verify::difference(report, verify::Report(cases::Plan(1, 5, rows), cases::Shard{}, 3)),
             "row 1 compares saboteur fast, not model fast");
   rows = report.plan.rows();
-  rows[2].variant.div_round = true;
+  rows[2].variant.build.div_round = true;
   EXPECT_EQ(verify::difference(report, verify::Report(cases::Plan(1, 5, rows), cases::Shard{}, 3)),
             "another variant in row 3");
 }

@@ -169,7 +169,8 @@ TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
   const auto angles = cases_of(cases::Stream::every, cossin, 65536);
   EXPECT_EQ(std::set<Case>(angles.begin(), angles.end()).size(), 65536U);
 
-  const cases::Variant sqrt{.operation = cases::Operation::sqrt, .target = cases::Target::standard};
+  const cases::Variant sqrt{.operation = cases::Operation::sqrt,
+                            .build = {.target = cases::Target::standard}};
   ASSERT_EQ(cases::size_of(cases::Stream::every, sqrt), 1ULL << 32U);
   cases::make_cases(cases::Stream::every, sqrt, seed, 0xfffffffcU, words);
   EXPECT_EQ(words.back(), 0xffffffffU);
@@ -334,9 +335,10 @@ TEST(Streams, TransformTiesMakeEveryProductATie) {
 
 TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
   for (const int bits : {16, 8}) {
-    const auto cases = cases_of(cases::Stream::quarter_turns, {.operation = cases::Operation::sin,
-                                                               .target = cases::Target::standard,
-                                                               .fraction_bits = bits});
+    const auto cases =
+        cases_of(cases::Stream::quarter_turns, {.operation = cases::Operation::sin,
+                                                .build = {.target = cases::Target::standard},
+                                                .fraction_bits = bits});
     const double quarter = std::ldexp(std::acos(0.0), bits);
     std::set<double> seen;
     for (const Case& c : cases) {
@@ -353,7 +355,7 @@ TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
 
 TEST(Streams, HardAnglesAreNearHalfway) {
   const cases::Variant cosine{.operation = cases::Operation::cos,
-                              .target = cases::Target::standard};
+                              .build = {.target = cases::Target::standard}};
   ASSERT_EQ(cases::size_of(cases::Stream::hard_angles, cosine), 124U);
   const auto cases = cases_of(cases::Stream::hard_angles, cosine, 124);
   const auto from_half = [](long double exact) {
@@ -373,10 +375,10 @@ TEST(Streams, HardAnglesAreNearHalfway) {
 // sums in the fourth column many carry and many do not.
 TEST(Streams, SumsOfTransformsCarryAndDoNot) {
   for (const bool round : {true, false}) {
-    const cases::Variant printed{
-        .operation = cases::Operation::concat, .target = cases::Target::i8088, .mul_round = round};
+    const cases::Variant printed{.operation = cases::Operation::concat,
+                                 .build = {.target = cases::Target::i8088, .mul_round = round}};
     cases::Variant repaired = printed;
-    repaired.repaired = true;
+    repaired.build.repaired = true;
     const cases::Plan plan(1, seed, {{printed, {"a", "b"}}});
     EXPECT_EQ(plan.jobs().size(), 6U);
     for (const cases::Job& job : plan.jobs()) {
@@ -400,8 +402,9 @@ TEST(Streams, SumsOfTransformsCarryAndDoNot) {
 }
 
 TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
-  const auto cases = cases_of(cases::Stream::root_ties, {.operation = cases::Operation::sqrt,
-                                                         .target = cases::Target::standard});
+  const auto cases =
+      cases_of(cases::Stream::root_ties,
+               {.operation = cases::Operation::sqrt, .build = {.target = cases::Target::standard}});
   const auto fraction = [](const Case& c) {
     const double root = std::sqrt(static_cast<double>(c[0]) * 65536);
     return root - std::floor(root);

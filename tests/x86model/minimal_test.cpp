@@ -75,12 +75,12 @@ template <Routine routine, Target target>
 Expected oracle_of(const Build& build, std::span<const std::uint32_t> words) {
   const fixproof::cases::Variant variant{
       .operation = static_cast<fixproof::cases::Operation>(routine),
-      .target =
-          target == Target::i386 ? fixproof::cases::Target::i386 : fixproof::cases::Target::i8088,
-      .mul_round = build.mul_rounding,
-      .div_round = build.div_rounding,
-      .chapter_52 = build.chapter_52,
-      .repaired = build.repaired && routine == Routine::concat};
+      .build = {.target = target == Target::i386 ? fixproof::cases::Target::i386
+                                                 : fixproof::cases::Target::i8088,
+                .mul_round = build.mul_rounding,
+                .div_round = build.div_rounding,
+                .chapter_52 = build.chapter_52,
+                .repaired = build.repaired && routine == Routine::concat}};
   const std::size_t cases = words.size() / static_cast<std::size_t>(arity(routine).in);
   Expected expected{
       std::vector<std::uint32_t>(cases * static_cast<std::size_t>(arity(routine).out)),

@@ -59,7 +59,7 @@ std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
   std::vector<player::OperandLog> logs;
   for (const xsharp::Scene& scene : request.scenes) {
     result.scenes.push_back(scene.name);
-    logs.push_back(record_scene(scene, listing_choice("i386", true), stop).log);
+    logs.push_back(record_scene(scene, cases::Build{}, stop).log);
     progress.add_part();
   }
   for (const MeasuredOperation& operation : operations) {

@@ -25,14 +25,10 @@ void put_dot(std::vector<std::uint32_t>& dots, std::span<const std::uint32_t> ro
 
 }  // namespace
 
-xsharp::ArithmeticChoice listing_choice(const std::string& target, bool round) {
-  return {"model", target, round, round};
-}
-
-SceneOperands record_scene(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
+SceneOperands record_scene(const xsharp::Scene& scene, const cases::Build& build,
                            const std::atomic<bool>& stop) {
-  SceneOperands operands{.choice = choice};
-  const auto player = player::make_player(scene, choice);
+  SceneOperands operands{.build = build};
+  const auto player = player::make_player(scene, player::arithmetic_of(build, "model"));
   xsharp::Picture picture;
   for (std::uint64_t frame = 0; operands.frames < recorded_frames && !stop; ++frame) {
     try {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/build.hpp"
 #include "player/model_call.hpp"
 #include "xsharp/scene.hpp"
 
@@ -15,8 +16,8 @@ namespace fixproof::trade {
 
 /// What the calls of some frames of a scene were given, on the model.
 struct SceneOperands {
-  xsharp::ArithmeticChoice choice;  ///< which build of the listings made them
-  std::uint64_t frames = 0;         ///< recorded
+  cases::Build build;        ///< the listings that made the calls
+  std::uint64_t frames = 0;  ///< recorded
   player::OperandLog log{};
 };
 
@@ -26,12 +27,9 @@ inline constexpr std::uint64_t recorded_frames = 30;
 /// that objects that move every few frames move in as many of these as they should.
 inline constexpr std::uint64_t frames_between = 23;
 
-/// The model under a build of the listings with one setting for both roundings.
-xsharp::ArithmeticChoice listing_choice(const std::string& target, bool round);
-
-/// Plays the scene from its beginning. Where `stop` ends it before its time, `frames` says so.
+/// Plays the scene from its beginning on the model. If `stop` ends the run early, `frames` says so.
 /// @throws std::runtime_error naming scene and frame where it cannot be drawn
-SceneOperands record_scene(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
+SceneOperands record_scene(const xsharp::Scene& scene, const cases::Build& build,
                            const std::atomic<bool>& stop);
 
 /// Every pair that a scene multiplies: in FixedMul, and in the sums of the transforms.

@@ -12,9 +12,9 @@ Json to_json(const Tried& tried, const AdviceReport& report) {
   const Choice& choice = tried.choice;
   Json json;
   json["name"] = name_of(choice);
-  json["target"] = cases::name_of(choice.target);
-  json["mul_round"] = choice.mul_round;
-  json["div_round"] = choice.div_round;
+  json["target"] = cases::name_of(choice.build.target);
+  json["mul_round"] = choice.build.mul_round;
+  json["div_round"] = choice.build.div_round;
   json["from_scratch"] = choice.turning.from_scratch;
   json["restore_every"] = choice.turning.restore_every;
   json["cost_least"] = tried.cost.least;

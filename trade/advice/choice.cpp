@@ -5,11 +5,13 @@
 #include <array>
 #include <utility>
 
+#include "player/players.hpp"
+
 namespace fixproof::trade {
 
 namespace {
 
-/// Never, every ten seconds and every second at 60 rotations a second, and more often.
+/// Never; every ten seconds and every second at 60 rotations per second; more often; from scratch.
 constexpr std::array<Turning, 6> turnings{
     {{false, 0}, {false, 600}, {false, 60}, {false, 10}, {false, 1}, {true, 0}}};
 
@@ -28,7 +30,9 @@ std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu) {
     if (target == cases::Target::i386 && (cpu == i8088 || cpu == i286)) continue;
     for (const bool mul : {true, false}) {
       for (const bool div : {true, false}) {
-        for (const Turning& turning : turnings) choices.push_back({target, mul, div, turning});
+        for (const Turning& turning : turnings) {
+          choices.push_back({{.target = target, .mul_round = mul, .div_round = div}, turning});
+        }
       }
     }
   }
@@ -38,19 +42,16 @@ std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu) {
 std::string name_of(const Choice& choice) {
   const auto on = [](bool rounds) { return rounds ? "on" : "off"; };
   return fmt::format("{} code, multiply {}, divide {}, {}",
-                     choice.target == cases::Target::i386 ? "386" : "8088", on(choice.mul_round),
-                     on(choice.div_round), name_of(choice.turning));
-}
-
-xsharp::ArithmeticChoice arithmetic_of(const Choice& choice, const std::string& by) {
-  return {by, choice.target == cases::Target::i386 ? "i386" : "i8088", choice.mul_round,
-          choice.div_round};
+                     choice.build.target == cases::Target::i386 ? "386" : "8088",
+                     on(choice.build.mul_round), on(choice.build.div_round),
+                     name_of(choice.turning));
 }
 
 xsharp::Scene scene_with(xsharp::Scene scene, const Choice& choice, const std::string& by) {
-  const bool repaired = scene.arithmetic.repaired && choice.target == cases::Target::i8088;
-  scene.arithmetic = arithmetic_of(choice, by);
-  scene.arithmetic.repaired = repaired;
+  cases::Build build = choice.build;
+  build.repaired =
+      scene.arithmetic.repaired && cases::can_be_repaired(cases::Operation::concat, build.target);
+  scene.arithmetic = player::arithmetic_of(build, by);
   scene.from_scratch = choice.turning.from_scratch;
   scene.restore_every = choice.turning.restore_every;
   return scene;

@@ -1,5 +1,5 @@
 /// @file
-/// The ways in which a scene can be drawn, from which one is to be taken.
+/// The ways to draw a scene that `advise` compares.
 #pragma once
 
 #include <cstdint>
@@ -13,35 +13,31 @@
 
 namespace fixproof::trade {
 
-/// How the orientation of an object follows from that of the frame before.
+/// How an object gets its orientation in each frame.
 struct Turning {
-  bool from_scratch = false;       ///< it does not: worked out anew
+  bool from_scratch = false;       ///< computed anew instead of from the frame before
   std::int32_t restore_every = 0;  ///< rotations between two restorings of orthogonality; 0: never
 
   friend bool operator==(const Turning&, const Turning&) = default;
 };
 
-/// A build of the listings, and a way of turning.
+/// A build of the listings and a way of turning.
 struct Choice {
-  cases::Target target = cases::Target::i386;  ///< i386 or i8088
-  bool mul_round = true;
-  bool div_round = true;
+  cases::Build build{};  ///< for i386 or i8088; scene_with() decides about the repair
   Turning turning{};
 
   friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// All that a processor can run: an 8088 or a 286 has no 32-bit registers. Without one, all.
+/// All choices that `cpu` can run; without one, all choices. An 8088 or a 286 has no 32-bit
+/// registers and cannot run 386 code.
 std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu);
 
 /// `8088 code, multiply on, divide off, restored every 60`.
 std::string name_of(const Choice& choice);
 
-/// The arithmetic of a choice, by the type or the model.
-xsharp::ArithmeticChoice arithmetic_of(const Choice& choice, const std::string& by);
-
-/// The scene, drawn as chosen by the type or the model. 8088 code is repaired where the scene's
-/// arithmetic says so.
+/// The scene with this choice. 8088 code is repaired if the scene's arithmetic is.
+/// @param by "type" or "model"
 xsharp::Scene scene_with(xsharp::Scene scene, const Choice& choice, const std::string& by);
 
 }  // namespace fixproof::trade

@@ -44,7 +44,7 @@ class FromAngles {
 
   /// Operands of builds differ by units: one build stands for all.
   static void make_matrix(const Turned& object) {
-    using N = player::ModelNumber<cases::Target::i386, true, true>;
+    using N = player::ModelNumber<cases::Build{}>;
     auto matrix = xsharp::identity<N>();
     for (const xsharp::Axis axis : {xsharp::Axis::x, xsharp::Axis::y, xsharp::Axis::z}) {
       const std::int32_t step = object.tenths.at(static_cast<std::size_t>(axis));
@@ -70,6 +70,7 @@ Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto canvas = player::canvas_of_surfaces(scene);
   std::optional<FromAngles> angles;
   if (scene.from_scratch) angles.emplace(scene);
+  const cases::Build build = player::build_of(scene.arithmetic).value();
   xsharp::Picture picture;
   FrameClocks sum;
   for (std::uint64_t place = 0; place < ClockSample::places; ++place) {
@@ -86,7 +87,7 @@ Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
         if (counts) player->draw(picture);
         if (counts && canvas) canvas->show(picture);
       }
-      if (counts) sum += clocks_of(log, scene.arithmetic, cpu);
+      if (counts) sum += clocks_of(log, build, cpu);
     }
   }
   constexpr double frames = ClockSample::places * ClockSample::in_a_row;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "fixed/fixed.hpp"
+#include "parties/with_number.hpp"
 #include "trade/advice/screen_corners.hpp"
 
 namespace fixproof::trade {
@@ -77,20 +77,13 @@ class ScreenRunOf final : public ScreenRun {
 };
 
 std::unique_ptr<ScreenRun> screen_run(const Scene& scene, const Choice& choice) {
-  using namespace fixed;
   const RotationStyle style{scene.trigonometry, scene.conversion, choice.turning.from_scratch,
                             choice.turning.restore_every, scene.restore_rows};
-  const auto make = [&]<class N, class Truncating>() -> std::unique_ptr<ScreenRun> {
+  return parties::with_build(choice.build, [&]<cases::Build build>() -> std::unique_ptr<ScreenRun> {
+    using N = parties::NumberOf<cases::Build{build.target, build.mul_round, true}>;
+    using Truncating = parties::NumberOf<cases::Build{build.target, build.mul_round, false}>;
     return std::make_unique<ScreenRunOf<N, Truncating>>(scene, style);
-  };
-  if (choice.target == cases::Target::i386) {
-    return choice.mul_round
-               ? make.template operator()<q16_16_i386, q16_16_i386_mul_rounded>()
-               : make.template operator()<q16_16_i386_div_rounded, q16_16_i386_unrounded>();
-  }
-  return choice.mul_round
-             ? make.template operator()<q16_16_i8088, q16_16_i8088_mul_rounded>()
-             : make.template operator()<q16_16_i8088_div_rounded, q16_16_i8088_unrounded>();
+  });
 }
 
 /// Where the corners should be.
@@ -135,10 +128,10 @@ SharedRuns shared_runs(const Scene& scene, std::span<const Choice> choices) {
   std::vector<Choice> motions;
   for (const Choice& choice : choices) {
     Choice motion = choice;
-    motion.div_round = true;
+    motion.build.div_round = true;
     const auto known = std::ranges::find(motions, motion);
     shared.parts.push_back(
-        {static_cast<std::size_t>(known - motions.begin()), choice.div_round ? 0U : 1U});
+        {static_cast<std::size_t>(known - motions.begin()), choice.build.div_round ? 0U : 1U});
     if (known != motions.end()) continue;
     motions.push_back(motion);
     shared.runs.push_back(screen_run(scene, motion));

@@ -38,7 +38,7 @@ void add(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
          const std::atomic<bool>& stop) {
   const x86::Program program = parties::program_of(clocks.variant);
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
-  std::array<std::uint32_t, cases::most_words_out> results{};
+  std::array<std::uint32_t, cases::max_words_out> results{};
   const auto out = std::span(results).first(static_cast<std::size_t>(x86::arity(routine).out));
   const Counters none(program.instructions(), processors_of(clocks.variant));
   const auto note = [typical](Spread& spread, x86::Range r) {
@@ -65,17 +65,17 @@ void add(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
 std::span<const x86::Cpu> processors_of(const cases::Variant& variant) {
   static constexpr std::array all{x86::Cpu::i8088, x86::Cpu::i286, x86::Cpu::i386, x86::Cpu::i486};
   const std::span<const x86::Cpu> cpus = all;
-  return variant.target == cases::Target::i8088 ? cpus : cpus.last(2);
+  return variant.build.target == cases::Target::i8088 ? cpus : cpus.last(2);
 }
 
 std::vector<cases::Variant> timed_variants() {
   std::vector<cases::Variant> timed;
   for (const cases::Variant& v : cases::all_variants()) {
-    const bool second_of_two = v.operation == cases::Operation::cossin && !v.mul_round;
+    const bool second_of_two = v.operation == cases::Operation::cossin && !v.build.mul_round;
     // Chapter 52 has ConcatXforms in C. Its assembly is ours and has no published time.
-    const bool ours = v.chapter_52 && v.operation == cases::Operation::concat;
+    const bool ours = v.build.chapter_52 && v.operation == cases::Operation::concat;
     // The repaired ConcatXforms has ADC where the printed one has ADD, which takes as long.
-    if (v.target != cases::Target::standard && !second_of_two && !ours && !v.repaired)
+    if (v.build.target != cases::Target::standard && !second_of_two && !ours && !v.build.repaired)
       timed.push_back(v);
   }
   return timed;

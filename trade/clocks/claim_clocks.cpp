@@ -1,20 +1,24 @@
 #include "trade/clocks/claim_clocks.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "trade/clocks/frame_clocks.hpp"
 
 namespace fixproof::trade {
 
-const SceneOperands& operands_of(const RecordedScene& scene, RecordedBuild build) {
-  return scene.builds.at(static_cast<std::size_t>(build));
+const SceneOperands& operands_of(const RecordedScene& scene, const cases::Build& build) {
+  for (const SceneOperands& operands : scene.builds) {
+    if (operands.build == build) return operands;
+  }
+  throw std::out_of_range("a build that is not recorded");
 }
 
-Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model::Cpu cpu,
+Bounds clocks_a_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
                       Fetching fetching) {
   const SceneOperands& operands = operands_of(scene, build);
-  const FrameClocks clocks = clocks_of(operands.log, operands.choice, cpu);
+  const FrameClocks clocks = clocks_of(operands.log, operands.build, cpu);
   const auto frames = static_cast<double>(operands.frames);
   if (fetching == Fetching::meanwhile) return clocks.per_frame(frames).at_least();
   const std::uint64_t code = x86model::bus_clocks_per_byte * clocks.bus.code;

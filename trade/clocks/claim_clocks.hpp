@@ -12,10 +12,11 @@
 
 namespace fixproof::trade {
 
-/// The places of RecordedScene::builds.
-enum class RecordedBuild : std::size_t { i386_on, i386_off, i8088_on, i8088_off, i386_printed };
-/// The 8088 build that the printed switches select: it rounds both.
-inline constexpr RecordedBuild i8088_printed = RecordedBuild::i8088_on;
+inline constexpr cases::Build i386_rounded = cases::uniform_builds[0];
+inline constexpr cases::Build i386_unrounded = cases::uniform_builds[1];
+/// The builds that the printed switches select: the 386 rounds multiplies alone, the 8088 both.
+inline constexpr cases::Build i386_printed = cases::printed_build(cases::Target::i386);
+inline constexpr cases::Build i8088_printed = cases::printed_build(cases::Target::i8088);
 
 /// Up to a fifth less or a quarter more.
 constexpr Bounds about(double figure) { return {figure / 1.25, figure * 1.25}; }
@@ -31,10 +32,12 @@ enum class Fetching {
   waiting,    ///< it waits for every byte of code: table time plus the code's bus time
 };
 
-const SceneOperands& operands_of(const RecordedScene& scene, RecordedBuild build);
+/// The operands that a scene has for a build.
+/// @throws std::out_of_range if the build is not one of recorded_builds()
+const SceneOperands& operands_of(const RecordedScene& scene, const cases::Build& build);
 
 /// Clocks of the listings in a frame of a scene. Only an 8088 fetches.
-Bounds clocks_a_frame(const RecordedScene& scene, RecordedBuild build, x86model::Cpu cpu,
+Bounds clocks_a_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
                       Fetching fetching = Fetching::meanwhile);
 
 Bounds ratio(const Bounds& a, const Bounds& b);

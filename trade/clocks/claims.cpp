@@ -40,7 +40,7 @@ Claim switch_to_8088(const std::vector<RecordedScene>& scenes) {
     for (const Cpu cpu : {Cpu::i386, Cpu::i486}) {
       add_figure(claim, fmt::format("{} on a {}", scene.name, name_of(cpu)),
                  ratio(clocks_a_frame(scene, i8088_printed, cpu),
-                       clocks_a_frame(scene, RecordedBuild::i386_printed, cpu)),
+                       clocks_a_frame(scene, i386_printed, cpu)),
                  cpu == Cpu::i486 ? Evidence::decides : Evidence::neither);
     }
   }
@@ -50,7 +50,7 @@ Claim switch_to_8088(const std::vector<RecordedScene>& scenes) {
 struct Machine {
   Cpu cpu;
   double megahertz;
-  RecordedBuild build;
+  cases::Build build;
 };
 
 /// An 8088 has two figures: with bus and table time overlapping, and without any overlap. Its real
@@ -142,19 +142,17 @@ support::Json to_json(const Claim& claim) {
           {"figures", std::move(figures)}};
 }
 
-std::vector<xsharp::ArithmeticChoice> recorded_builds() {
-  return {listing_choice("i386", true),
-          listing_choice("i386", false),
-          listing_choice("i8088", true),
-          listing_choice("i8088", false),
-          {"model", "i386", true, false}};
+std::vector<cases::Build> recorded_builds() {
+  std::vector<cases::Build> builds(cases::uniform_builds.begin(), cases::uniform_builds.end());
+  builds.push_back(i386_printed);
+  return builds;
 }
 
 std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes) {
   const Machine pc_8088{Cpu::i8088, pc, i8088_printed};
   const Machine at_8088{Cpu::i286, at, i8088_printed};
   const Machine same_486{Cpu::i486, fast_486, i8088_printed};
-  const Machine native_486{Cpu::i486, fast_486, RecordedBuild::i386_printed};
+  const Machine native_486{Cpu::i486, fast_486, i386_printed};
   std::vector<Claim> claims = judge_claims_of_the_386(scenes);
   const auto add = [&claims](Claim claim) { claims.push_back(std::move(claim)); };
   add(switch_to_8088(scenes));

@@ -55,7 +55,7 @@ struct RecordedScene {
 };
 
 /// The builds of RecordedScene, in its order.
-std::vector<xsharp::ArithmeticChoice> recorded_builds();
+std::vector<cases::Build> recorded_builds();
 
 /// A statement about speed that no measurement of the listings can judge.
 struct NotJudged {

@@ -34,8 +34,8 @@ const std::vector<std::uint32_t>& logged(const player::OperandLog& log,
 /// The mean clocks of a call of one routine, over the operands that a scene has for it.
 Bounds clocks_a_call(const RecordedScene& scene, cases::Operation operation, cases::Target target) {
   static const std::atomic<bool> never{false};
-  const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
-  CallClocks clocks = no_calls({.operation = operation, .target = target});
+  const SceneOperands& operands = operands_of(scene, i386_rounded);
+  CallClocks clocks = no_calls({.operation = operation, .build = {.target = target}});
   const std::vector<std::uint32_t> words =
       operation == cases::Operation::mul ? products_of(operands.log)
                                          : operands.log.at(static_cast<std::size_t>(operation));
@@ -89,8 +89,8 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
       {}};
   for (const RecordedScene& scene : scenes) {
     for (const Cpu cpu : {Cpu::i386, Cpu::i486}) {
-      const Bounds more = surplus(clocks_a_frame(scene, RecordedBuild::i386_on, cpu),
-                                  clocks_a_frame(scene, RecordedBuild::i386_off, cpu));
+      const Bounds more = surplus(clocks_a_frame(scene, i386_rounded, cpu),
+                                  clocks_a_frame(scene, i386_unrounded, cpu));
       const std::string where = fmt::format("{} on a {}", scene.name, name_of(cpu));
       add_figure(claim, where, more);
       if (cpu != Cpu::i386) continue;
@@ -107,11 +107,10 @@ double most_changed(cases::Operation operation, const std::vector<std::uint32_t>
   std::int32_t most = 0;
   for (std::size_t i = 0; i + 2 <= words.size(); i += 2) {
     const auto result = [&](bool rounds, std::array<std::uint32_t, 1>& out) {
-      return player::call_model({.operation = operation,
-                                 .target = cases::Target::i386,
-                                 .mul_round = rounds,
-                                 .div_round = rounds},
-                                std::span(words).subspan(i, 2), out);
+      return player::call_model(
+          {.operation = operation,
+           .build = {.target = cases::Target::i386, .mul_round = rounds, .div_round = rounds}},
+          std::span(words).subspan(i, 2), out);
     };
     std::array<std::uint32_t, 1> rounded{};
     std::array<std::uint32_t, 1> truncated{};
@@ -132,7 +131,7 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
       {0, 1},
       {}};
   for (const RecordedScene& scene : scenes) {
-    const player::OperandLog& log = operands_of(scene, RecordedBuild::i386_on).log;
+    const player::OperandLog& log = operands_of(scene, i386_rounded).log;
     const double most =
         std::max(most_changed(cases::Operation::mul, products_of(log)),
                  most_changed(cases::Operation::div, logged(log, cases::Operation::div)));
@@ -154,13 +153,13 @@ Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
               {}};
   for (const RecordedScene& scene : scenes) {
     if (scene.name != cubes_scene) continue;
-    const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
+    const SceneOperands& operands = operands_of(scene, i386_rounded);
     player::OperandLog log;
     for (const cases::Operation operation :
          {cases::Operation::xformvec, cases::Operation::concat}) {
       log.at(static_cast<std::size_t>(operation)) = logged(operands.log, operation);
     }
-    const auto clocks = static_cast<double>(clocks_of(log, operands.choice, Cpu::i386).table.max);
+    const auto clocks = static_cast<double>(clocks_of(log, operands.build, Cpu::i386).table.max);
     const double share =
         100 * clocks / static_cast<double>(operands.frames) / clocks_of_published_frame;
     add_figure(claim, scene.name, {share, share}, Evidence::can_refute);
@@ -175,8 +174,8 @@ struct Calls {
 };
 Calls chapter_52_calls(cases::Operation operation, const std::vector<std::uint32_t>& words) {
   static const std::atomic<bool> never{false};
-  CallClocks calls =
-      no_calls({.operation = operation, .target = cases::Target::i386, .chapter_52 = true});
+  CallClocks calls = no_calls(
+      {.operation = operation, .build = {.target = cases::Target::i386, .chapter_52 = true}});
   add_calls(calls, words, true, never);
   const Spread& on_386 = calls.processors.front().clocks;
   const auto number = static_cast<double>(on_386.calls());
@@ -198,7 +197,7 @@ Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
       {}};
   for (const RecordedScene& scene : scenes) {
     if (scene.name != cubes_scene) continue;
-    const SceneOperands& operands = operands_of(scene, RecordedBuild::i386_on);
+    const SceneOperands& operands = operands_of(scene, i386_rounded);
     const auto frames = static_cast<double>(operands.frames);
     const std::vector<std::uint32_t>& single = logged(operands.log, cases::Operation::mul);
     const Calls multiplies = chapter_52_calls(cases::Operation::mul, products_of(operands.log));

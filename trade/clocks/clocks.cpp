@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "machine_code/programs.hpp"
+#include "trade/clocks/claim_clocks.hpp"
 #include "trade/clocks/frame_clocks.hpp"
 #include "trade/host/provenance.hpp"
 #include "x86model/text.hpp"
@@ -19,18 +20,18 @@ constexpr std::uint64_t transforms_share = 10;
 
 /// The log of the build that a variant stands for.
 const player::OperandLog& log_of(const RecordedScene& scene, const cases::Variant& variant) {
-  const std::size_t target = variant.target == cases::Target::i386 ? 0 : 2;
-  return scene.builds.at(target + (cases::rounds(variant) ? 0 : 1)).log;
+  const bool round = cases::rounds(variant);
+  return operands_of(scene, {variant.build.target, round, round}).log;
 }
 
 std::vector<FrameOn8088> frames_on_8088(const std::vector<RecordedScene>& scenes) {
   std::vector<FrameOn8088> all;
   for (const RecordedScene& scene : scenes) {
-    for (const SceneOperands& build : scene.builds) {
-      if (build.choice.target != "i8088") continue;
-      const FrameClocks clocks = clocks_of(build.log, build.choice, x86model::Cpu::i8088);
-      const auto frames = static_cast<double>(build.frames);
-      all.push_back({scene.name, build.choice.mul_round,
+    for (const SceneOperands& operands : scene.builds) {
+      if (operands.build.target != cases::Target::i8088) continue;
+      const FrameClocks clocks = clocks_of(operands.log, operands.build, x86model::Cpu::i8088);
+      const auto frames = static_cast<double>(operands.frames);
+      all.push_back({scene.name, operands.build.mul_round,
                      static_cast<double>(clocks.bus.code) / frames,
                      static_cast<double>(clocks.bus.data) / frames, clocks.per_frame(frames)});
     }
@@ -55,8 +56,8 @@ Json to_json(const CallClocks& row) {
     processors.push_back(std::move(one));
   }
   return {{"routine", cases::name_of(row.variant.operation)},
-          {"target", cases::name_of(row.variant.target)},
-          {"chapter", row.variant.chapter_52 ? 52 : 54},
+          {"target", cases::name_of(row.variant.build.target)},
+          {"chapter", row.variant.build.chapter_52 ? 52 : 54},
           {"rounds", cases::rounds(row.variant)},
           {"instructions", to_json(row.instructions)},
           {"processors", std::move(processors)},

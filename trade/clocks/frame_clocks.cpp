@@ -14,16 +14,11 @@ static_assert(static_cast<int>(cases::Operation::mul) == static_cast<int>(x86mod
                   static_cast<int>(x86model::Routine::concat));
 
 template <x86model::Routine routine>
-void add(FrameClocks& sum, const player::OperandLog& log, const xsharp::ArithmeticChoice& choice,
+void add(FrameClocks& sum, const player::OperandLog& log, const cases::Build& build,
          x86model::Cpu cpu) {
-  // OperandLog counts operations, of which the routines come first.
+  // OperandLog is indexed by operation. The routines are the first operations.
   constexpr auto operation = static_cast<cases::Operation>(routine);
-  const x86model::Program program = parties::program_of(
-      {.operation = operation,
-       .target = choice.target == "i8088" ? cases::Target::i8088 : cases::Target::i386,
-       .mul_round = choice.mul_round,
-       .div_round = choice.div_round,
-       .repaired = choice.repaired && operation == cases::Operation::concat});
+  const x86model::Program program = parties::program_of(cases::variant_of(operation, build));
   const std::span<const std::uint32_t> words = log.at(static_cast<std::size_t>(operation));
   const std::size_t in = cases::words_in(operation);
   for (std::size_t i = 0; i + in <= words.size(); i += in) {
@@ -35,15 +30,14 @@ void add(FrameClocks& sum, const player::OperandLog& log, const xsharp::Arithmet
 
 }  // namespace
 
-FrameClocks clocks_of(const player::OperandLog& log, const xsharp::ArithmeticChoice& choice,
-                      x86model::Cpu cpu) {
+FrameClocks clocks_of(const player::OperandLog& log, const cases::Build& build, x86model::Cpu cpu) {
   using x86model::Routine;
   FrameClocks sum;
-  add<Routine::mul>(sum, log, choice, cpu);
-  add<Routine::div>(sum, log, choice, cpu);
-  add<Routine::cossin>(sum, log, choice, cpu);
-  add<Routine::xformvec>(sum, log, choice, cpu);
-  add<Routine::concat>(sum, log, choice, cpu);
+  add<Routine::mul>(sum, log, build, cpu);
+  add<Routine::div>(sum, log, build, cpu);
+  add<Routine::cossin>(sum, log, build, cpu);
+  add<Routine::xformvec>(sum, log, build, cpu);
+  add<Routine::concat>(sum, log, build, cpu);
   return sum;
 }
 

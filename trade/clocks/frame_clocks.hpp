@@ -1,12 +1,12 @@
 /// @file
-/// What the listings would cost on the processors of their time.
+/// The clocks of the listings on the processors of their time.
 #pragma once
 
+#include "cases/variant.hpp"
 #include "player/model_call.hpp"
 #include "trade/clocks/bounds.hpp"
 #include "x86model/bus.hpp"
 #include "x86model/clocks.hpp"
-#include "xsharp/scene.hpp"
 
 namespace fixproof::trade {
 
@@ -28,9 +28,8 @@ struct FrameClocks {
 };
 
 /// The clocks of the calls in a log.
-/// @param choice the arithmetic that made the calls, of the model
+/// @param build the listings that made the calls
 /// @throws std::invalid_argument where `cpu` cannot run the listings
-FrameClocks clocks_of(const player::OperandLog& log, const xsharp::ArithmeticChoice& choice,
-                      x86model::Cpu cpu);
+FrameClocks clocks_of(const player::OperandLog& log, const cases::Build& build, x86model::Cpu cpu);
 
 }  // namespace fixproof::trade

@@ -24,7 +24,7 @@ Json json_of(const DriftCase& c, const DriftResult& r) {
   }
   return {
       {"name", name_of(c)},
-      {"multiply", name_of(c.multiply)},
+      {"multiply", multiply_name(c.build)},
       {"without", name_of(c.without)},
       {"restore_every", c.restore_every},
       {"restore_rows", xsharp::restored_rows_words.at(static_cast<std::size_t>(c.restore_rows))},

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "fixed/fixed.hpp"
+#include "parties/with_number.hpp"
 #include "trade/drift/sources.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/view.hpp"
@@ -17,7 +17,7 @@ namespace {
 using xsharp::ObjectDescription;
 using xsharp::RotationStyle;
 
-/// The motions of all objects, whatever the number type.
+/// The motions of all objects in some number type.
 class Motions {
  public:
   Motions() = default;
@@ -73,25 +73,19 @@ std::unique_ptr<Motions> motions_with(const xsharp::Scene& scene, const Rotation
 }
 
 std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase& c) {
-  using enum fixed::rounding;
   const auto conversion =
       c.without == Without::offset ? xsharp::Conversion::nearest : scene.conversion;
   const RotationStyle style{scene.trigonometry, conversion, c.from_scratch, c.restore_every,
                             c.restore_rows};
-  switch (c.multiply) {
-    case Multiply::i386_on:
-      return motions_with<fixed::q16_16_i386, half_up>(scene, style, c.without);
-    case Multiply::i386_off:
-      return motions_with<fixed::q16_16_i386_unrounded, floor>(scene, style, c.without);
-    case Multiply::i8088_on:
-      return motions_with<fixed::q16_16_i8088, half_away>(scene, style, c.without);
-    case Multiply::i8088_off:
-      break;
-  }
-  return motions_with<fixed::q16_16_i8088_unrounded, truncate>(scene, style, c.without);
+  return parties::with_build(c.build, [&]<cases::Build build>() {
+    // Divides play no part, so both roundings may be the multiply's.
+    constexpr cases::Build same{build.target, build.mul_round, build.mul_round};
+    constexpr fixed::policy rules = parties::policy_of(same);
+    return motions_with<parties::NumberOf<same>, rules.multiply>(scene, style, c.without);
+  });
 }
 
-/// As the camera has it: pixels are counted where they are seen.
+/// The placement in view space, where pixels are counted.
 Placement seen(const Placement& to_world, const xsharp::Camera& camera,
                const std::array<std::array<double, 3>, 3>& turn) {
   Placement from_camera = to_world;
@@ -109,7 +103,7 @@ Placement seen(const Placement& to_world, const xsharp::Camera& camera,
   return view;
 }
 
-/// @param point which of the series the frame is part of
+/// @param point the point of the series that the frame belongs to
 void note(DriftResult& result, const Distortion& d, std::uint64_t frame, std::size_t point) {
   result.worst.add(d);
   if (result.series.size() <= point) result.series.resize(point + 1);
@@ -121,9 +115,9 @@ void note(DriftResult& result, const Distortion& d, std::uint64_t frame, std::si
 
 }  // namespace
 
-std::string name_of(Multiply multiply) {
-  static constexpr std::array names{"386 on", "386 off", "8088 on", "8088 off"};
-  return names.at(static_cast<std::size_t>(multiply));
+std::string multiply_name(const cases::Build& build) {
+  return fmt::format("{} {}", build.target == cases::Target::i386 ? "386" : "8088",
+                     build.mul_round ? "on" : "off");
 }
 
 std::string name_of(Without without) {
@@ -132,7 +126,7 @@ std::string name_of(Without without) {
 }
 
 std::string name_of(const DriftCase& c) {
-  std::string name = name_of(c.multiply);
+  std::string name = multiply_name(c.build);
   if (c.without != Without::nothing) name += ", without " + name_of(c.without);
   if (c.restore_every > 0) {
     const bool one = c.restore_rows == xsharp::RestoredRows::one;

@@ -1,5 +1,5 @@
 /// @file
-/// The stability experiment: what becomes of the objects of a scene that turn for a long time.
+/// The drift experiment: how objects deform when they turn for a long time.
 #pragma once
 
 #include <atomic>
@@ -9,15 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "cases/build.hpp"
 #include "trade/drift/distortion.hpp"
 #include "xsharp/scene.hpp"
 
 namespace fixproof::trade {
 
-/// Which multiply the rotations are made with. Divides and overflow play no part in them.
-enum class Multiply { i386_on, i386_off, i8088_on, i8088_off };
-
-/// What is left out of a run.
+/// A source of error that a run leaves out.
 enum class Without {
   nothing,
   offset,    ///< the published conversion's unit: constants are rounded to nearest
@@ -28,35 +26,37 @@ enum class Without {
 
 /// One row of the table.
 struct DriftCase {
-  Multiply multiply = Multiply::i386_on;
+  /// Only the target and `mul_round` count: rotations neither divide nor overflow.
+  cases::Build build{};
   Without without = Without::nothing;
   std::int32_t restore_every = 0;
   bool from_scratch = false;
   xsharp::RestoredRows restore_rows = xsharp::RestoredRows::all;
 };
 
-std::string name_of(Multiply multiply);
+/// The multiply of a build: `386 on`, `8088 off`.
+std::string multiply_name(const cases::Build& build);
 std::string name_of(Without without);
 std::string name_of(const DriftCase& c);
 
-/// Which distortion is looked for the first time.
+/// The distortions whose first frame is reported.
 struct Thresholds {
   static constexpr double pixels = 1;
   static constexpr double some = 0.02;
   static constexpr double much = 0.10;
 };
 
-/// How many points a case's way through time has.
+/// Points in the time series of a case.
 inline constexpr std::uint64_t series_points = 200;
 
-/// How many frames one of them stands for.
+/// Frames that one point stands for.
 constexpr std::uint64_t frames_a_point(std::uint64_t frames) {
   return (frames + series_points - 1) / series_points;
 }
 
 struct DriftResult {
   Distortion worst{};
-  /// Point i is the worst of frames_a_point() frames, from the i-th such; the last may be of fewer.
+  /// Point i is the worst of frames i * frames_a_point() and following; the last may have fewer.
   std::vector<Distortion> series;
   /// First frames at which a vertex is a pixel off; an edge 2 %, 10 % too long or short.
   std::optional<std::uint64_t> pixel;
@@ -64,9 +64,10 @@ struct DriftResult {
   std::optional<std::uint64_t> much;
 };
 
-/// Every case, side by side over the same frames. `frame_done` is called after each, with their
-/// number. @return one result for each case; @param frames is set to the number done when `stop`
-/// ended the run before its time
+/// Runs all cases side by side over the same frames.
+/// @param frames the number of frames; if `stop` ends the run early, the number that were done
+/// @param frame_done called after each frame with the number of frames done
+/// @return one result for each case
 std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector<DriftCase>& cases,
                                    std::uint64_t& frames, const std::atomic<bool>& stop,
                                    const std::function<void(std::uint64_t)>& frame_done);

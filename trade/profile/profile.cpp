@@ -4,7 +4,9 @@
 #include <array>
 #include <set>
 
+#include "machine_code/machine_code.hpp"
 #include "parties/interpreter.hpp"
+#include "player/players.hpp"
 #include "trade/profile/places.hpp"
 #include "trade/profile/wraps.hpp"
 #include "x86model/call.hpp"
@@ -13,10 +15,6 @@
 namespace fixproof::trade {
 
 namespace {
-
-cases::Target target_of(const xsharp::ArithmeticChoice& choice) {
-  return choice.target == "i8088" ? cases::Target::i8088 : cases::Target::i386;
-}
 
 /// Angles have 16 bits, all other words 32.
 std::int64_t value_in(cases::Operation operation, std::uint32_t word) {
@@ -81,15 +79,11 @@ void note_divide(DivideProfile& divides, const RoutineProfile& div,
 Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
     : scene_(scene) {
   profile_.arithmetic = choice;
+  const cases::Build build = player::build_of(choice).value();
   for (int i = 0; i < x86model::routine_count; ++i) {
     RoutineProfile routine;
-    // Operations begin with the routines.
-    routine.variant = {.operation = static_cast<cases::Operation>(i),
-                       .target = target_of(choice),
-                       .mul_round = choice.mul_round,
-                       .div_round = choice.div_round};
-    routine.variant.repaired =
-        choice.repaired && routine.variant.operation == cases::Operation::concat;
+    // The routines are the first operations.
+    routine.variant = cases::variant_of(static_cast<cases::Operation>(i), build);
     routine.program = parties::program_of(routine.variant);
     routine.executed.resize(routine.program.size);
     routine.operands.resize(operand_names(routine.variant.operation).size());
@@ -150,9 +144,7 @@ FormUse forms_of(const SceneProfile& profile) {
   }
   FormUse use;
   use.executed = {executed.begin(), executed.end()};
-  const auto target = target_of(profile.arithmetic) == cases::Target::i8088
-                          ? x86model::Target::i8088
-                          : x86model::Target::i386;
+  const auto target = machine_code::model_target(profile.routines.front().variant.build.target);
   for (const std::string& form : x86model::form_texts(target)) {
     if (!executed.contains(form)) use.never.push_back(form);
   }

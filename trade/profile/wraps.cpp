@@ -17,15 +17,16 @@ bool fits(std::int64_t value) {
 /// Rounded as the listings round it. |a b| <= 2^62, so that nothing wraps here.
 std::int64_t exact_product(const cases::Variant& variant, std::uint32_t a, std::uint32_t b) {
   const std::int64_t exact = value_of(a) * value_of(b);
-  const std::int64_t half = variant.mul_round ? 0x8000 : 0;
-  if (variant.target == cases::Target::i386) return (exact + half) >> 16;
+  const std::int64_t half = variant.build.mul_round ? 0x8000 : 0;
+  if (variant.build.target == cases::Target::i386) return (exact + half) >> 16;
   return exact < 0 ? -((half - exact) >> 16) : (exact + half) >> 16;
 }
 
 /// Truncated: no quotient of two words is so near the ends of the range that rounding decides.
 bool quotient_wraps(const cases::Variant& variant, std::uint32_t n, std::uint32_t d) {
   // The 8088 listing has the whole part of the divisor's magnitude.
-  const std::int64_t unit = variant.target == cases::Target::i8088 ? std::int64_t{1} << 16 : 1;
+  const std::int64_t unit =
+      variant.build.target == cases::Target::i8088 ? std::int64_t{1} << 16 : 1;
   const std::int64_t divisor = value_of(d) / unit * unit;
   return !fits(value_of(n) * 65536 / divisor);
 }

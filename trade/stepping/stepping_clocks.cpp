@@ -88,8 +88,9 @@ std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
   }
   std::vector<SetupClocks> all;
   for (const cases::Target target : {cases::Target::i8088, cases::Target::i386}) {
-    CallClocks divide = no_calls({.operation = cases::Operation::div, .target = target});
-    CallClocks multiply = no_calls({.operation = cases::Operation::mul, .target = target});
+    CallClocks divide = no_calls({.operation = cases::Operation::div, .build = {.target = target}});
+    CallClocks multiply =
+        no_calls({.operation = cases::Operation::mul, .build = {.target = target}});
     add_calls(divide, divides, true, never);
     add_calls(multiply, multiplies, true, never);
     for (std::size_t i = 0; i < divide.processors.size(); ++i) {

@@ -150,7 +150,7 @@ ArithmeticChoice arithmetic(const JsonNode& node) {
                {"mul_round", [&](const JsonNode& value) { read.mul_round = value.flag(); }},
                {"div_round", [&](const JsonNode& value) { read.div_round = value.flag(); }},
                {"repaired", [&](const JsonNode& value) { read.repaired = value.flag(); }}});
-  if (read.repaired && (read.by == "double" || read.target != "i8088")) {
+  if (read.repaired && !can_be_repaired(read)) {
     node.refuse("repaired is for the target i8088: no other ConcatXforms loses a carry");
   }
   return read;
