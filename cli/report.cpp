@@ -47,13 +47,15 @@ void add_report(CLI::App& app, int& status) {
       "keep what an earlier run of the same program has measured of the same scenes on "
       "the same processor");
   command->footer(
-      "Runs verify, measure, drift and render, and keeps what they say in the folder `data` in\n"
-      "DIR, with their figures as JSON and CSV. The page needs nothing but itself.\n\n"
-      "Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage, a scene that is\n"
-      "refused or a step that does not succeed, 130 stopped before the end.\n\n"
-      "Examples:\n"
-      "  fixproof report\n"
-      "  fixproof report scenes/shaded_ball.json --out ball --quick");
+      R"(Runs verify, measure, drift and render, and keeps what they say in the folder `data` in
+DIR, with their figures as JSON and CSV. The page needs nothing but itself.
+
+Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage, a scene that is
+refused or a step that does not succeed, 130 stopped before the end.
+
+Examples:
+  fixproof report
+  fixproof report scenes/shaded_ball.json --out ball --quick)");
   command->callback([options, &status] {
     if (options->scenes.empty()) options->scenes = scenes_here();
     if (options->scenes.empty()) {
