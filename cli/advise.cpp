@@ -194,15 +194,15 @@ void add_advise(CLI::App& app, int& status) {
       "8088 code has the ConcatXforms that keeps its carry: see docs/findings.md, 18");
   command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
   command->footer(
-      R"(Tries the code of both processors where both run, with multiplies and divides rounded or
-not, orientations made from scratch, or by appending rotations and restoring orthogonality
-never or after every 600, 60, 10 or 1 rotations. Of those that cost the same, the most
-exact is taken: with --host, those whose times differ by less than they do from round to
-round, between the quartiles. Surfaces that are stepped count among what is paid for; the budget
-is of corners: what stepping adds at the pixels, render --beside shows.
+      R"(Tries the routines of both processors with multiplies and divides rounded or not. Orientations
+are computed from scratch, or by appending rotations and restoring orthogonality never or after
+every 600, 60, 10 or 1 rotations. Among choices of equal cost advise takes the most accurate
+one. With --host, costs are equal if the times differ by less than their interquartile range
+from round to round. The cost includes stepping along surfaces; the budget applies to corners
+only. For the error that stepping adds at the pixels see render --beside.
 
-Exit status: 0 one stays within the budget, 1 none does, 2 bad usage or a scene that is
-refused, 130 stopped before the end.
+Exit status: 0 a choice stays within the budget, 1 none does, 2 bad usage or an invalid scene,
+130 interrupted.
 
 Examples:
   fixproof advise scenes/twelve_cubes.json --budget 0.5px

@@ -212,18 +212,24 @@ void add_check(CLI::App& app, int& status) {
       "judge another program's answers to the cases of gen, and say what rules it follows");
   add_check_options(*command, *options);
   command->footer(
-      R"(The program that is judged reads the lines of `fixproof gen`, passes over those that start
-with #, and writes one result a line: 8 lower-case hex digits (no 0x, no decimal), or DE for
-a divide error. Give check the options --level, --seed, --shard and --cases that gen was
-given: it makes the same cases again. With --from it reads cases of your own.
+      R"(The judged program reads the lines of `fixproof gen`, skips those that start with #, and writes
+one result per line: 8 lower-case hex digits (no 0x), or DE for a divide error. Give check the
+same --level, --seed, --shard and --cases as gen, so that it makes the same cases. With --from
+it reads your own cases.
 
-Of a result that does not fit a word, or that is none: wrap is modulo 2^32; saturate gives
-7fffffff, or 80000000 if it is negative; symmetric 7fffffff or 80000001; maximum always
-7fffffff; minimum always 80000000; mirror -sqrt(-x); any accepts everything, and is counted.
-A root has no ties: of sqrt the three rules half-... are one, to nearest, and floor and
-toward-zero are another, but for mirror: down is away from zero there. 0 / 0 may be 0 too where a rule goes by the sign.
+--overflow is the rule for a result that does not fit a word or does not exist:
+  wrap        modulo 2^32
+  saturate    7fffffff, or 80000000 if negative
+  symmetric   7fffffff, or 80000001 if negative
+  maximum     always 7fffffff
+  minimum     always 80000000
+  mirror      -sqrt(-x)
+  any         accepts and counts every result
+A square root has no ties, so the three half-... rules are the same (to nearest), and so are
+floor and toward-zero, except under mirror, where floor rounds away from zero. Under a rule that
+depends on the sign, 0 / 0 may also be 0.
 
-Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 stopped before the end.
+Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 interrupted.
 
 Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up

@@ -42,9 +42,9 @@ void add_merge(CLI::App& app, int& status) {
   command->add_option("--report", options->report, "write the sum to this file, as verify does")
       ->check(not_empty());
   command->footer(
-      R"(The parts must be of the same verification (level, seed, rows, parties) and have no chunk in
-common. If chunks are missing, the table shows what there is, the missing shards are named, and
-the exit status is 2 (1 if there are mismatches); `verify --resume SUM` can run the rest.
+      R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
+a chunk. If chunks are missing, merge shows the table of the others, names the missing shards
+and exits with status 2 (1 if there are mismatches). `verify --resume SUM` runs the rest.
 
 Example:
   fixproof verify --shard 1/2 --report a.json     # on one machine

@@ -95,11 +95,11 @@ void add_profile(CLI::App& app, int& status) {
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
   command->footer(
-      R"(Runs the scene on the register-level model and reports, routine by routine, how often it is
-called, the range of its operands and results, how near they came to overflow, to a divide
-error and to the near plane, and which instructions the scene never needed.
+      R"(Runs the scene on the register-level model. For each routine it reports the number of calls, the
+ranges of operands and results, how near they came to overflow, to a divide error and to the
+near plane, and which instructions the scene never executed.
 
-Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.
+Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
 
 Examples:
   fixproof profile scenes/twelve_cubes.json

@@ -259,14 +259,13 @@ void add_prove(CLI::App& app, int& status) {
                    "of one routine: with that mistake in it, see mutate")
       ->transform(whole_number(1, 100'000));
   command->footer(
-      R"(Each routine is run symbolically on all its paths: it must return what the specification
-says, fault exactly where it says, read no undefined flag, stay in its memory, and keep the
-registers it has to. Products and quotients stay abstract; the lemmas about integers say why
-that is enough. For the repaired 8088 concat it also proves where the printed one differs
-from it. docs/proofs.md tells what is proven and what is not.
+      R"(Runs each routine symbolically along all its paths and proves that it returns the specified
+result, raises the divide error exactly where specified, reads no undefined flag, stays in its
+memory and preserves the registers that it must. Products and quotients stay abstract; lemmas
+about integers justify this. For the repaired 8088 concat it also proves where the printed
+routine differs. docs/proofs.md says what is proven and what is not.
 
-Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 stopped before
-the end.
+Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 interrupted.
 
 Examples:
   fixproof prove

@@ -266,11 +266,10 @@ void add_render(CLI::App& app, int& status) {
     show->excludes(command->get_option(written));
   }
   command->footer(
-      R"(Keys of the window: space pauses, s or the right arrow steps, 1 (or a) switches the ambient
-light, 2, 3, 4 the spots, r the rounding, q or Escape ends.
+      R"(Keys in the window: space pauses, s or the right arrow steps one frame, 1 (or a) switches the
+ambient light, 2, 3 and 4 the spotlights, r the rounding; q or Escape quits.
 
-Exit status: 0 all frames are drawn, 2 bad usage or a scene that is refused, 130 stopped
-before the end.
+Exit status: 0 all frames are drawn, 2 bad usage or an invalid scene, 130 interrupted.
 
 Examples:
   fixproof render scenes/twelve_cubes.json --animate cubes.png

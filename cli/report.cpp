@@ -47,11 +47,11 @@ void add_report(CLI::App& app, int& status) {
       "keep what an earlier run of the same program has measured of the same scenes on "
       "the same processor");
   command->footer(
-      R"(Runs verify, measure, drift and render, and keeps what they say in the folder `data` in
-DIR, with their figures as JSON and CSV. The page needs nothing but itself.
+      R"(Runs verify, measure, drift and render, and stores their output in the folder `data` in DIR, with
+the figures as JSON and CSV. The page is self-contained.
 
-Exit status: 0 done, 1 parties differ, which the page shows, 2 bad usage, a scene that is
-refused or a step that does not succeed, 130 stopped before the end.
+Exit status: 0 done, 1 parties differ (the page shows where), 2 bad usage, an invalid scene or a
+failed step, 130 interrupted.
 
 Examples:
   fixproof report

@@ -197,11 +197,12 @@ void add_trace(CLI::App& app, int& status) {
   command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
       ->transform(whole_number(1, 100'000));
   command->footer(
-      R"(Flags are 0, 1 or ? where Intel leaves them undefined. [0054] is the word at that address.
-With --mutant registers begin full of noise, and a last line says what of a C caller is lost.
+      R"(Flags are 0, 1, or ? where Intel leaves them undefined. [0054] is the word at that address.
+With --mutant registers start with random contents, and a last line lists the registers of a C
+caller that are lost.
 
-The words of an inner loop are how many pixels (1 to 140, hexadecimal), then its value and
-step (EDX, EBP), of texture also row and step. The row is at 2800; the depth buffer begins
+The words of an inner loop are the number of pixels (1 to 140, hexadecimal), then its value and
+step (EDX, EBP), and for texture also row and step. The row is at 2800; the depth buffer starts
 as 0, the colour is ff, and a texel is the sum of its row and column.
 
 Examples:
