@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/noncopyable.hpp>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -43,14 +44,10 @@ void add_all(CLI::App& app, int& status) {
 }
 
 /// While it lives, a stream of the library reads from or writes to another buffer.
-class Redirected {
+class Redirected : private boost::noncopyable {
  public:
   Redirected(std::ios& stream, std::streambuf* to) : stream_(stream), before_(stream.rdbuf(to)) {}
   ~Redirected() { stream_.rdbuf(before_); }
-  Redirected(const Redirected&) = delete;
-  Redirected(Redirected&&) = delete;
-  Redirected& operator=(const Redirected&) = delete;
-  Redirected& operator=(Redirected&&) = delete;
 
  private:
   std::ios& stream_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,13 +39,8 @@ struct ObjectState {
 
 /// One object. Preparing, drawing and moving are its own affair: a scene may hold any kind.
 template <Scalar N>
-class Object {
+class Object : private boost::noncopyable {
  public:
-  Object() = default;
-  Object(const Object&) = delete;
-  Object& operator=(const Object&) = delete;
-  Object(Object&&) = delete;
-  Object& operator=(Object&&) = delete;
   virtual ~Object() = default;
 
   /// Works out all that drawing needs. Called before each frame; an object that has not moved

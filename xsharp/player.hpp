@@ -2,6 +2,7 @@
 /// A scene in motion, whatever the arithmetic.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <span>
 
@@ -11,13 +12,8 @@
 namespace xsharp {
 
 /// A frame is draw(), then move().
-class Player {
+class Player : private boost::noncopyable {
  public:
-  Player() = default;
-  Player(const Player&) = delete;
-  Player& operator=(const Player&) = delete;
-  Player(Player&&) = delete;
-  Player& operator=(Player&&) = delete;
   virtual ~Player() = default;
 
   /// Prepares and sorts the objects and puts what shows into `picture`, in place of what was there.

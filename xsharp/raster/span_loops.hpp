@@ -5,6 +5,7 @@
 /// value is before it becomes a word is in step.hpp.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,13 +21,9 @@ inline constexpr std::size_t bitmap_texels = 65536;
 
 /// The loops that one party has. No call draws more than longest_span pixels, and every one may
 /// draw none.
-class SpanLoops {
+class SpanLoops : private boost::noncopyable {
  public:
   SpanLoops() = default;
-  SpanLoops(const SpanLoops&) = delete;
-  SpanLoops& operator=(const SpanLoops&) = delete;
-  SpanLoops(SpanLoops&&) = delete;
-  SpanLoops& operator=(SpanLoops&&) = delete;
   virtual ~SpanLoops() = default;
 
   /// Intensity in 8.8: bits 15 to 8 are drawn, then the step is added, modulo 2^16.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,7 +22,7 @@ namespace xsharp {
 ///
 /// What computes is a class below this one. Rows come as indices of the palette; a page of true
 /// colour gets their colours.
-class SurfaceFiller {
+class SurfaceFiller : private boost::noncopyable {
  public:
   explicit SurfaceFiller(const Scene& scene)
       : palette_(scene.palette), buffered_(scene.depth_buffer != DepthBuffering::off) {
@@ -31,10 +32,6 @@ class SurfaceFiller {
                                                     : std::vector<std::uint8_t>{});
     }
   }
-  SurfaceFiller(const SurfaceFiller&) = delete;
-  SurfaceFiller& operator=(const SurfaceFiller&) = delete;
-  SurfaceFiller(SurfaceFiller&&) = delete;
-  SurfaceFiller& operator=(SurfaceFiller&&) = delete;
   virtual ~SurfaceFiller() = default;
 
   /// Before the first polygon of a picture, on a page of this size.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -18,7 +19,7 @@ namespace {
 }
 
 /// SDL's video for as long as this lives; SDL counts those who need it.
-class Video {
+class Video : private boost::noncopyable {
  public:
   Video() {
     // Interrupts stay what the program has made of them.
@@ -30,10 +31,6 @@ class Video {
     }
   }
   ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
-  Video(const Video&) = delete;
-  Video(Video&&) = delete;
-  Video& operator=(const Video&) = delete;
-  Video& operator=(Video&&) = delete;
 
  private:
   /// SDL falls back to a driver that draws into memory, unless it was told which to take.
