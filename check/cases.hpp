@@ -3,6 +3,7 @@
 /// of a file.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstdint>
 #include <fstream>
 #include <optional>
@@ -28,13 +29,9 @@ struct CaseOptions {
 };
 
 /// Cases in their order.
-class CaseSource {
+class CaseSource : private boost::noncopyable {
  public:
   CaseSource() = default;
-  CaseSource(const CaseSource&) = delete;
-  CaseSource(CaseSource&&) = delete;
-  CaseSource& operator=(const CaseSource&) = delete;
-  CaseSource& operator=(CaseSource&&) = delete;
   virtual ~CaseSource() = default;
 
   /// The words of the next case; false where there is none.

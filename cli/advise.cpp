@@ -193,18 +193,19 @@ void add_advise(CLI::App& app, int& status) {
       "8088 code has the ConcatXforms that keeps its carry: see docs/findings.md, 18");
   command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
   command->footer(
-      "Tries the code of both processors where both run, with multiplies and divides rounded or\n"
-      "not, orientations made from scratch, or by appending rotations and restoring orthogonality\n"
-      "never or after every 600, 60, 10 or 1 rotations. Of those that cost the same, the most\n"
-      "exact is taken: with --host, those whose times differ by less than they do from round to\n"
-      "round, between the quartiles. Surfaces that are stepped count among what is paid for; the "
-      "budget\n"
-      "is of corners: what stepping adds at the pixels, render --beside shows.\n\n"
-      "Exit status: 0 one stays within the budget, 1 none does, 2 bad usage or a scene that is\n"
-      "refused, 130 stopped before the end.\n\n"
-      "Examples:\n"
-      "  fixproof advise scenes/twelve_cubes.json --budget 0.5px\n"
-      "  fixproof advise scenes/shaded_ball.json --budget 2px --minutes 5 --cpu 8088");
+      R"(Tries the routines of both processors with multiplies and divides rounded or not. Orientations
+are computed from scratch, or by appending rotations and restoring orthogonality never or after
+every 600, 60, 10 or 1 rotations. Among choices of equal cost advise takes the most accurate
+one. With --host, costs are equal if the times differ by less than their interquartile range
+from round to round. The cost includes stepping along surfaces; the budget applies to corners
+only. For the error that stepping adds at the pixels see render --beside.
+
+Exit status: 0 a choice stays within the budget, 1 none does, 2 bad usage or an invalid scene,
+130 interrupted.
+
+Examples:
+  fixproof advise scenes/twelve_cubes.json --budget 0.5px
+  fixproof advise scenes/shaded_ball.json --budget 2px --minutes 5 --cpu 8088)");
   command->callback([options, &status] { status = advise_on(*options); });
 }
 

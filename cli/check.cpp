@@ -212,25 +212,30 @@ void add_check(CLI::App& app, int& status) {
       "judge another program's answers to the cases of gen, and say what rules it follows");
   add_check_options(*command, *options);
   command->footer(
-      "The program that is judged reads the lines of `fixproof gen`, passes over those that start\n"
-      "with #, and writes one result a line: 8 lower-case hex digits (no 0x, no decimal), or DE "
-      "for\n"
-      "a divide error. Give check the options --level, --seed, --shard and --cases that gen was\n"
-      "given: it makes the same cases again. With --from it reads cases of your own.\n\n"
-      "Of a result that does not fit a word, or that is none: wrap is modulo 2^32; saturate gives\n"
-      "7fffffff, or 80000000 if it is negative; symmetric 7fffffff or 80000001; maximum always\n"
-      "7fffffff; minimum always 80000000; mirror -sqrt(-x); any accepts everything, and is "
-      "counted.\n"
-      "A root has no ties: of sqrt the three rules half-... are one, to nearest, and floor and\n"
-      "toward-zero are another, but for mirror: down is away from zero there. 0 / 0 may be 0 too "
-      "where a rule goes by the sign.\n\n"
-      "Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 stopped before the "
-      "end.\n\n"
-      "Examples:\n"
-      "  fixproof gen mul | ./mine | fixproof check mul --rounding half-up\n"
-      "  fixproof gen div --level 2 -o cases && ./mine < cases > results\n"
-      "  fixproof check div results --level 2 --rounding toward-zero --overflow saturate\n"
-      "  ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any");
+      R"(The judged program reads the lines of `fixproof gen`, skips those that start with #, and writes
+one result per line: 8 lower-case hex digits (no 0x), or DE for a divide error. Give check the
+same --level, --seed, --shard and --cases as gen, so that it makes the same cases. With --from
+it reads your own cases.
+
+--overflow is the rule for a result that does not fit a word or does not exist:
+  wrap        modulo 2^32
+  saturate    7fffffff, or 80000000 if negative
+  symmetric   7fffffff, or 80000001 if negative
+  maximum     always 7fffffff
+  minimum     always 80000000
+  mirror      -sqrt(-x)
+  any         accepts and counts every result
+A square root has no ties, so the three half-... rules are the same (to nearest), and so are
+floor and toward-zero, except under mirror, where floor rounds away from zero. Under a rule that
+depends on the sign, 0 / 0 may also be 0.
+
+Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 interrupted.
+
+Examples:
+  fixproof gen mul | ./mine | fixproof check mul --rounding half-up
+  fixproof gen div --level 2 -o cases && ./mine < cases > results
+  fixproof check div results --level 2 --rounding toward-zero --overflow saturate
+  ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
   command->callback([options, command, &status] {
     refuse_idle_options(*command, cases::operation_named(options->operation));
     status = check(*options);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/noncopyable.hpp>
 #include <cstdio>
 #include <exception>
 #include <iostream>

@@ -46,13 +46,13 @@ void add_dos(CLI::App& app, int& status) {
   command->add_option("-o,--output", options->file, "the file; by default standard output")
       ->check(not_empty());
   command->footer(
-      "The program, a .COM file for any DOS, reads lines of operands and writes a line of results\n"
-      "for each, as `fixproof eval` does; DE is a divide error. A routine for the 8088 needs no "
-      "more\n"
-      "than that. Its exit status is 2 for a line that it cannot read.\n\n"
-      "Examples:\n"
-      "  fixproof dos mul --target i8088 -o MUL.COM\n"
-      "  dosbox -c 'mount c .' -c 'c:' -c 'MUL.COM < IN.TXT > OUT.TXT' -c exit");
+      R"(Writes a .COM file that runs on any DOS. It reads lines of operands and writes one line of
+results for each, as `fixproof eval` does; DE is a divide error. A routine for the 8088 needs
+only an 8088. The program exits with status 2 if it cannot read a line.
+
+Examples:
+  fixproof dos mul --target i8088 -o MUL.COM
+  dosbox -c 'mount c .' -c 'c:' -c 'MUL.COM < IN.TXT > OUT.TXT' -c exit)");
   command->callback([options, &status] {
     write(*options);
     status = 0;

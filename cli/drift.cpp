@@ -226,16 +226,17 @@ void add_drift(CLI::App& app, int& status) {
       ->capture_default_str()
       ->needs(strip);
   command->footer(
-      "A row leaves out one source of error: `offset` the published conversion's unit (constants\n"
-      "are then rounded to nearest), `step` all rounding of sines and cosines, `products` the\n"
-      "rounding of products. Divides play no part. `restored` brings all rows of a matrix to "
-      "right\n"
-      "angles and unit length; `one row` makes the last the cross product of the others (chapter "
-      "52).\n\n"
-      "Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.\n\n"
-      "Examples:\n"
-      "  fixproof drift scenes/twelve_cubes.json\n"
-      "  fixproof drift scenes/twelve_cubes.json --minutes 30 --strip strip.svg --object 11");
+      R"(Each row removes one source of error: `offset` the unit of the published conversion (constants
+are rounded to nearest instead), `step` all rounding of sines and cosines, `products` the
+rounding of products. Divides play no part. `restored` makes all rows of a matrix orthogonal and
+of unit length again; `one row` replaces the last row with the cross product of the others
+(chapter 52).
+
+Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
+
+Examples:
+  fixproof drift scenes/twelve_cubes.json
+  fixproof drift scenes/twelve_cubes.json --minutes 30 --strip strip.svg --object 11)");
   command->callback([options, &status] { status = run(*options); });
 }
 

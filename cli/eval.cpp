@@ -94,18 +94,19 @@ void add_eval(CLI::App& app, int& status) {
       ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(
-      "Words are 8 lower-case hex digits of two's complement, single spaces between:\n"
-      "  mul, div   a b                             -> one word, DE for a divide error\n"
-      "  cossin     an angle in tenths, 4 digits    -> cosine and sine\n"
-      "  xformvec   12 words by rows, then x y z    -> 3 words\n"
-      "  concat     12 words, then 12               -> 12 words\n"
-      "  the others a word                          -> one word; sin and cos take radians\n"
-      "Blank lines and lines that start with # are passed over.\n\n"
-      "Examples:\n"
-      "  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000\n"
-      "  echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE\n"
-      "  echo 00010000 | fixproof eval sin                     # of one radian: 0000d76b\n"
-      "  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees");
+      R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
+  mul, div   a b                             -> one word, DE for a divide error
+  cossin     an angle in tenths, 4 digits    -> cosine and sine
+  xformvec   12 words, row-major, then x y z -> 3 words
+  concat     12 words, then 12               -> 12 words
+  the others one word                        -> one word; sin and cos take radians
+Blank lines and lines that start with # are skipped.
+
+Examples:
+  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000
+  echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE
+  echo 00010000 | fixproof eval sin                     # sine of one radian: 0000d76b
+  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees)");
   command->callback([options, &status] { status = run(*options); });
 }
 

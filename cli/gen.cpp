@@ -118,18 +118,17 @@ void add_gen(CLI::App& app, int& status) {
   command->add_option("-o,--output", options->file, "the file; by default standard output")
       ->check(not_empty());
   command->footer(
-      "One case a line, in the format that `fixproof eval` reads: operands as 8 lower-case hex "
-      "digits\n"
-      "of two's complement, single spaces between. They are the cases of `fixproof verify`, stream "
-      "by\n"
-      "stream: words where rules change, random ones, constructed ties and what lies beside them. "
-      "Lines\n"
-      "that start with # say which; a reader passes them over.\n\n"
-      "Exit status: 0 done, 2 bad usage, 130 stopped before the end.\n\n"
-      "Examples:\n"
-      "  fixproof gen mul | ./mine | fixproof check mul --rounding half-up\n"
-      "  fixproof gen div --level 2 --shard 1/4 -o cases.txt\n"
-      "  fixproof gen sqrt --cases 1000          # a thousand, evenly spread");
+      R"(Writes one case per line in the format that `fixproof eval` reads: operands as 8 lower-case hex
+digits of two's complement, separated by single spaces. The cases are those of `fixproof
+verify`, stream by stream: boundary words, random words, constructed ties and their
+neighbours. Lines that start with # name the stream; readers skip them.
+
+Exit status: 0 done, 2 bad usage, 130 interrupted.
+
+Examples:
+  fixproof gen mul | ./mine | fixproof check mul --rounding half-up
+  fixproof gen div --level 2 --shard 1/4 -o cases.txt
+  fixproof gen sqrt --cases 1000          # a thousand, evenly spread)");
   command->callback([options, &status] { status = generate(*options); });
 }
 

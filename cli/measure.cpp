@@ -121,22 +121,20 @@ void add_measure(CLI::App& app, int& status) {
   command->add_option("--json", options->json, "a file for the same figures, as JSON")
       ->check(not_empty());
   command->footer(
-      "--accuracy sets results against exact integers; by default 500,000 operands of one kind.\n"
-      "--clocks counts by Intel's tables, and judges what the chapters say about speed.\n"
-      "--host judges what it times, by default 100,000 results of each, and takes no scene.\n"
-      "--stepping judges spans of 1 to 320 pixels, by default 200 of each length, and takes no\n"
-      "scene.\n\n"
-      "Exit status: 0 done, 1 a number that --host times breaks its own rule, or a stepped value "
-      "is\n"
-      "beyond the bound derived for it, 2 bad usage or a scene that is refused, 130 stopped "
-      "before\n"
-      "the end.\n\n"
-      "Examples:\n"
-      "  fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json\n"
-      "  fixproof measure --clocks scenes/twelve_cubes.json scenes/ball_and_cubes.json \\\n"
-      "    scenes/shaded_ball.json --json clocks.json\n"
-      "  fixproof measure --host --json host.json\n"
-      "  fixproof measure --stepping --json stepping.json");
+      R"(--accuracy compares results with exact integers, by default for 500,000 operands of one kind.
+--clocks counts clocks by Intel's tables and tests the chapters' claims about speed.
+--host times this processor, by default with 100,000 results of each, and takes no scene.
+--stepping steps spans of 1 to 320 pixels, by default 200 of each length, and takes no scene.
+
+Exit status: 0 done, 1 a number timed by --host breaks its own rule or a stepped value exceeds
+its derived bound, 2 bad usage or an invalid scene, 130 interrupted.
+
+Examples:
+  fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json
+  fixproof measure --clocks scenes/twelve_cubes.json scenes/ball_and_cubes.json \
+    scenes/shaded_ball.json --json clocks.json
+  fixproof measure --host --json host.json
+  fixproof measure --stepping --json stepping.json)");
   command->callback([options, &status] {
     status = options->accuracy   ? run(*options, trade::measure_accuracy)
              : options->host     ? run(*options, trade::measure_host)

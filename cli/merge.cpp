@@ -42,16 +42,14 @@ void add_merge(CLI::App& app, int& status) {
   command->add_option("--report", options->report, "write the sum to this file, as verify does")
       ->check(not_empty());
   command->footer(
-      "The parts must be of the same verification (level, seed, rows, parties) and have no chunk "
-      "in\n"
-      "common. If chunks are missing, the table shows what there is, the missing shards are named, "
-      "and\n"
-      "the exit status is 2 (1 if there are mismatches); `verify --resume SUM` can run the "
-      "rest.\n\n"
-      "Example:\n"
-      "  fixproof verify --shard 1/2 --report a.json     # on one machine\n"
-      "  fixproof verify --shard 2/2 --report b.json     # on another\n"
-      "  fixproof merge a.json b.json --report all.json");
+      R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
+a chunk. If chunks are missing, merge shows the table of the others, names the missing shards
+and exits with status 2 (1 if there are mismatches). `verify --resume SUM` runs the rest.
+
+Example:
+  fixproof verify --shard 1/2 --report a.json     # on one machine
+  fixproof verify --shard 2/2 --report b.json     # on another
+  fixproof merge a.json b.json --report all.json)");
   command->callback([options, &status] { status = run(*options); });
 }
 

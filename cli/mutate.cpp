@@ -220,18 +220,17 @@ void add_mutate(CLI::App& app, int& status) {
       ->transform(whole_number(1, 1024));
   command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
   command->footer(
-      "Every single instruction of every routine and inner loop is changed in every way that "
-      "x86model/mutants.hpp\n"
-      "names. A mutant is killed by the first case of level 1 on which it differs from the "
-      "oracle,\n"
-      "faults or breaks down where it should not; of the others the solver tells which are the "
-      "same\n"
-      "routine for all operands. What remains is a gap of the verification. A loop is judged by\n"
-      "spans of every length up to 320 pixels.\n\n"
-      "Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 stopped before the end.\n\n"
-      "Examples:\n"
-      "  fixproof mutate mul div\n"
-      "  fixproof mutate div --target i8088 --round on --verbose");
+      R"(Changes every instruction of every routine and inner loop in every way that
+x86model/mutants.hpp lists, one at a time. A mutant is killed by the first case of level 1 on
+which it differs from the oracle or raises an unexpected error. The solver decides which of the
+others are equivalent to the routine for all operands. Any that remain are gaps in the
+verification. Inner loops run spans of every length up to 320 pixels.
+
+Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 interrupted.
+
+Examples:
+  fixproof mutate mul div
+  fixproof mutate div --target i8088 --round on --verbose)");
   command->callback([command, options, &status] {
     options->selection.chapter_given = command->count("--chapter") > 0;
     status = run(*options);

@@ -95,14 +95,15 @@ void add_profile(CLI::App& app, int& status) {
       ->transform(whole_number(1, 100'000'000));
   command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
   command->footer(
-      "Runs the scene on the register-level model and reports, routine by routine, how often it "
-      "is\n"
-      "called, the range of its operands and results, how near they came to overflow, to a divide\n"
-      "error and to the near plane, and which instructions the scene never needed.\n\n"
-      "Exit status: 0 done, 2 bad usage or a scene that is refused, 130 stopped before the end.\n\n"
-      "Examples:\n"
-      "  fixproof profile scenes/twelve_cubes.json\n"
-      "  fixproof profile scenes/shaded_ball.json --target i8088 --frames 100 --json ball.json");
+      R"(Runs the scene on the register-level model. For each routine it reports the number of calls, the
+ranges of operands and results, how near they came to overflow, to a divide error and to the
+near plane, and which instructions the scene never executed.
+
+Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
+
+Examples:
+  fixproof profile scenes/twelve_cubes.json
+  fixproof profile scenes/shaded_ball.json --target i8088 --frames 100 --json ball.json)");
   command->callback([options, &status] { status = run_profile(*options); });
 }
 

@@ -259,22 +259,19 @@ void add_prove(CLI::App& app, int& status) {
                    "of one routine: with that mistake in it, see mutate")
       ->transform(whole_number(1, 100'000));
   command->footer(
-      "Each routine is run symbolically on all its paths: it must return what the specification\n"
-      "says, fault exactly where it says, read no undefined flag, stay in its memory, and keep "
-      "the\n"
-      "registers it has to. Products and quotients stay abstract; the lemmas about integers say "
-      "why\n"
-      "that is enough. For the repaired 8088 concat it also proves where the printed one "
-      "differs\n"
-      "from it. docs/proofs.md tells what is proven and what is not.\n\n"
-      "Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 stopped "
-      "before\n"
-      "the end.\n\n"
-      "Examples:\n"
-      "  fixproof prove\n"
-      "  fixproof prove div --target i8088 --solver cvc5\n"
-      "  fixproof prove div --target i8088 --round on --mutant 3\n"
-      "  fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2");
+      R"(Runs each routine symbolically along all its paths and proves that it returns the specified
+result, raises the divide error exactly where specified, reads no undefined flag, stays in its
+memory and preserves the registers that it must. Products and quotients stay abstract; lemmas
+about integers justify this. For the repaired 8088 concat it also proves where the printed
+routine differs. docs/proofs.md says what is proven and what is not.
+
+Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 interrupted.
+
+Examples:
+  fixproof prove
+  fixproof prove div --target i8088 --solver cvc5
+  fixproof prove div --target i8088 --round on --mutant 3
+  fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2)");
   command->callback([command, options, &status] {
     options->selection.chapter_given = command->count("--chapter") > 0;
     status = run(*options);

@@ -284,17 +284,17 @@ void add_render(CLI::App& app, int& status) {
     show->excludes(command->get_option(written));
   }
   command->footer(
-      "Keys of the window: space pauses, s or the right arrow steps, 1 (or a) switches the "
-      "ambient\n"
-      "light, 2, 3, 4 the spots, r the rounding, q or Escape ends.\n\n"
-      "Exit status: 0 all frames are drawn, 2 bad usage or a scene that is refused, 130 stopped\n"
-      "before the end.\n\n"
-      "Examples:\n"
-      "  fixproof render scenes/twelve_cubes.json --animate cubes.png\n"
-      "  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color\n"
-      "  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl\n"
-      "  fixproof render scenes/chapter53.json --frames 62 --digests pictures.txt\n"
-      "  fixproof render scenes/textured.json --texture-every never --frames 40 --beside t.png");
+      R"(Keys in the window: space pauses, s or the right arrow steps one frame, 1 (or a) switches the
+ambient light, 2, 3 and 4 the spotlights, r the rounding; q or Escape quits.
+
+Exit status: 0 all frames are drawn, 2 bad usage or an invalid scene, 130 interrupted.
+
+Examples:
+  fixproof render scenes/twelve_cubes.json --animate cubes.png
+  fixproof render scenes/shaded_ball.json --frames 60 --out frames --true-color
+  fixproof render scenes/twelve_cubes.json --arith model --target i8088 --dump cubes.jsonl
+  fixproof render scenes/chapter53.json --frames 62 --digests pictures.txt
+  fixproof render scenes/textured.json --texture-every never --frames 40 --beside t.png)");
   command->callback([options, &status] { status = render(*options); });
 }
 

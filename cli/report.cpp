@@ -43,15 +43,17 @@ void add_report(CLI::App& app, int& status) {
   command->add_flag("--quick", options->quick,
                     "a trial in seconds, with too few cases to conclude from");
   command->footer(
-      "Does what `verify`, `measure`, `drift` and `render` do. Writes report.html, which needs no\n"
-      "other file and no network, report.json with all figures, and a JSON file or picture for\n"
-      "each step in the subfolder `data`.\n\n"
-      "Exit status: 0 the page is written, 1 the page is written and shows that parties differ,\n"
-      "2 bad usage, a scene that cannot be read, or a measurement that breaks its own rule,\n"
-      "130 interrupted.\n\n"
-      "Examples:\n"
-      "  fixproof report\n"
-      "  fixproof report scenes/shaded_ball.json --out ball --quick");
+      R"(Does what `verify`, `measure`, `drift` and `render` do. Writes report.html, which needs no
+other file and no network, report.json with all figures, and a JSON file or picture for
+each step in the subfolder `data`.
+
+Exit status: 0 the page is written, 1 the page is written and shows that parties differ,
+2 bad usage, a scene that cannot be read, or a measurement that breaks its own rule,
+130 interrupted.
+
+Examples:
+  fixproof report
+  fixproof report scenes/shaded_ball.json --out ball --quick)");
   command->callback([options, &status] {
     if (options->scenes.empty()) options->scenes = default_scenes();
     if (options->scenes.empty()) {

@@ -203,30 +203,29 @@ void add_step(CLI::App& app, int& status) {
       ->check(not_empty())
       ->excludes(clocks);
   command->footer(
-      "A line is an instruction and all registers; the answer is the state after it, then the "
-      "flags\n"
-      "it leaves undefined. DE is a divide error; unmodelled is an instruction that no routine "
-      "has, or\n"
-      "one that reads memory. With --cpu 386 a register may be given as eax= with 8 digits and "
-      "comes\n"
-      "back so. Jumps are not taken; LOOP counts.\n\n"
-      "--clocks appends clocks=N, or clocks=MIN-MAX where Intel's tables leave a range, to every\n"
-      "state; clocks=- where that processor does not have the instruction. A jump is not taken, "
-      "but\n"
-      "JMP, whose time depends on what it leads to.\n\n"
-      "Example:\n"
-      "  echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe "
-      "fl=0001' |\n"
-      "    fixproof step --cpu 8088\n\n"
-      "Files of --singlestep are in the JSON format of SingleStepTests: the 8088 set as it is,\n"
-      "the 80386 set once moo2json.py has made JSON of it. A case has registers and memory before\n"
-      "and after one instruction. Those that are modelled, with registers and immediates for\n"
-      "operands, are run; the others are counted by reason. Not judged are the instruction\n"
-      "pointer, undefined flags, and flags after a divide error. For each file the first 20 cases\n"
-      "that differ are shown, then one line counts all. Exit status 1: a case differs. 2: a file\n"
-      "is damaged, or has no case that could be run: what verified nothing is no success.\n\n"
-      "Example:\n"
-      "  fixproof step --cpu 8088 --singlestep v2/01.json.gz v2/F7.6.json.gz");
+      R"(A line is an instruction and all registers. The answer is the state after it, then the flags that
+it leaves undefined. DE is a divide error; unmodelled means that no routine uses the instruction
+or that it reads memory. With --cpu 386 a register may be given as eax= with 8 digits and is
+then printed so. Jumps are not taken; LOOP counts.
+
+--clocks appends clocks=N to every state, clocks=MIN-MAX if Intel's tables give a range, and
+clocks=- if that processor does not have the instruction. The clocks are those of a jump not
+taken, except for JMP, whose time depends on its target.
+
+Example:
+  echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe fl=0001' |
+    fixproof step --cpu 8088
+
+--singlestep reads the JSON format of SingleStepTests: the 8088 set as published, the 80386 set
+after conversion with moo2json.py. A case has registers and memory before and after one
+instruction. Modelled instructions with register and immediate operands are run; the others are
+counted by reason. The comparison leaves out the instruction pointer, undefined flags, and
+flags after a divide error. For each file the command prints the first 20 cases that differ and
+one line of counts. Exit status: 1 a case differs, 2 a file is damaged or none of its cases can
+be run.
+
+Example:
+  fixproof step --cpu 8088 --singlestep v2/01.json.gz v2/F7.6.json.gz)");
   command->callback([cpu, timed, files, &status] {
     const x86::Target target = processors.at(*cpu);
     if (!files->empty()) {

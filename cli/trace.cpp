@@ -197,18 +197,19 @@ void add_trace(CLI::App& app, int& status) {
   command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
       ->transform(whole_number(1, 100'000));
   command->footer(
-      "Flags are 0, 1 or ? where Intel leaves them undefined. [0054] is the word at that "
-      "address.\n"
-      "With --mutant registers begin full of noise, and a last line says what of a C caller is "
-      "lost.\n\n"
-      "The words of an inner loop are how many pixels (1 to 140, hexadecimal), then its value and\n"
-      "step (EDX, EBP), of texture also row and step. The row is at 2800; the depth buffer begins\n"
-      "as 0, the colour is ff, and a texel is the sum of its row and column.\n\n"
-      "Examples:\n"
-      "  fixproof trace mul 00018000 00028000\n"
-      "  fixproof trace div 00010000 00008000 --target i8088\n"
-      "  fixproof trace div 00018000 00028000 --target i8088 --round off --as-scanned\n"
-      "  fixproof trace gouraud-word 00000004 00002000 00000180 --loop dec-jnz");
+      R"(Flags are 0, 1, or ? where Intel leaves them undefined. [0054] is the word at that address.
+With --mutant registers start with random contents, and a last line lists the registers of a C
+caller that are lost.
+
+The words of an inner loop are the number of pixels (1 to 140, hexadecimal), then its value and
+step (EDX, EBP), and for texture also row and step. The row is at 2800; the depth buffer starts
+as 0, the colour is ff, and a texel is the sum of its row and column.
+
+Examples:
+  fixproof trace mul 00018000 00028000
+  fixproof trace div 00010000 00008000 --target i8088
+  fixproof trace div 00018000 00028000 --target i8088 --round off --as-scanned
+  fixproof trace gouraud-word 00000004 00002000 00000180 --loop dec-jnz)");
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -233,30 +233,33 @@ void add_verify(CLI::App& app, int& status) {
       app.add_subcommand("verify", "compare the parties with one another, case by case");
   add_options(*command, *options);
   command->footer(
-      "Parties: model (the listings, compiled), interpreter (the listings, step by step), oracle\n"
-      "(big integers), fast (the same answers from 64-bit integers), type (fixed::number), "
-      "silicon\n"
-      "(the listings, assembled, on this processor), unicorn (the same code on an emulator), "
-      "batch\n"
-      "(fixed/batch.hpp and batch_radian.hpp on the quickest path; mul, div, xformvec, sqrt, sin\n"
-      "and cos), batch-portable, batch-neon, batch-avx2, batch-avx512 (their paths).\n"
-      "Levels 1 and 2 run constructed and random cases. Level 3 samples nothing: multiply and\n"
-      "divide for all pairs of 8.8 words, the unary operations for all words; fast answers for\n"
-      "oracle. It takes a quarter of an hour on two processors, level 2 some minutes.\n"
-      "Options that name a rule leave out the rows that follow another. A party that is named\n"
-      "has to be there and to answer every row, or nothing is run: what is not compared as asked "
-      "is no\n"
-      "success.\n\n"
-      "Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 stopped before the "
-      "end.\n\n"
-      "Examples:\n"
-      "  fixproof verify                                   # every row, in seconds\n"
-      "  fixproof verify mul div --target i8088 --level 2  # two routines, longer\n"
-      "  fixproof verify --target both --against silicon   # every routine, on this processor\n"
-      "  fixproof verify mul div --by oracle --against batch  # the batch operations\n"
-      "  fixproof verify --level 3 --resume sweep.json     # everything; Ctrl-C, and go on later\n"
-      "  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge\n"
-      "  fixproof verify div --case '00010000 00000003'    # who says what of one case");
+      R"(Parties:
+  model           the listings, compiled
+  interpreter     the listings, step by step
+  oracle          big integers
+  fast            the same answers from 64-bit integers
+  type            fixed::number
+  silicon         the assembled listings, on this processor
+  unicorn         the assembled listings, on an emulator
+  batch           fixed/batch.hpp and batch_radian.hpp on the fastest path;
+                  mul, div, xformvec, sqrt, sin and cos
+  batch-portable, batch-neon, batch-avx2, batch-avx512    one path of batch
+Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
+for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
+On two processors level 2 takes some minutes and level 3 a quarter of an hour.
+An option that selects a rule leaves out the rows that follow another rule. Naming a party
+that cannot run or cannot answer every row is an error, and nothing is compared.
+
+Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 interrupted.
+
+Examples:
+  fixproof verify                                   # every row, in seconds
+  fixproof verify mul div --target i8088 --level 2  # two routines, longer
+  fixproof verify --target both --against silicon   # every routine, on this processor
+  fixproof verify mul div --by oracle --against batch  # the batch operations
+  fixproof verify --level 3 --resume sweep.json     # everything; resumes after Ctrl-C
+  fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge
+  fixproof verify div --case '00010000 00000003'    # every party's answer to one case)");
   command->callback([command, options, &status] {
     options->selection.chapter_given = command->count("--chapter") > 0;
     if (options->selection.level == 3 && command->count("--width") > 0) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <exception>
 #include <stdexcept>
 #include <utility>
@@ -45,7 +46,7 @@ constexpr std::uint64_t nowhere = 0xFFFFFFFF;
 
 }  // namespace
 
-struct Emulator::Parts {
+struct Emulator::Parts : private boost::noncopyable {
   std::unique_ptr<Segment> segment = std::make_unique<Segment>();
   SegmentMachine machine{segment->bytes.data()};
   uc_engine* engine = nullptr;
@@ -61,10 +62,6 @@ struct Emulator::Parts {
   std::exception_ptr thrown;
 
   Parts() = default;
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
-  Parts(Parts&&) = delete;
-  Parts& operator=(Parts&&) = delete;
   ~Parts() {
     if (fresh != nullptr) uc_context_free(fresh);
     if (engine != nullptr) uc_close(engine);

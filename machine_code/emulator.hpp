@@ -2,6 +2,7 @@
 /// Unicorn, the processor of QEMU as a library, running 16-bit code in real mode.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,7 +16,7 @@
 namespace fixproof::machine_code {
 
 /// One emulated processor with a segment at address 0 and `code` at code_origin. Serves one thread.
-class Emulator {
+class Emulator : private boost::noncopyable {
  public:
   /// Why there is none in this build; empty where there is.
   static std::string absence();
@@ -31,10 +32,6 @@ class Emulator {
 
   /// @throws std::runtime_error where Unicorn refuses
   explicit Emulator(std::span<const std::uint8_t> code);
-  Emulator(const Emulator&) = delete;
-  Emulator& operator=(const Emulator&) = delete;
-  Emulator(Emulator&&) = delete;
-  Emulator& operator=(Emulator&&) = delete;
   ~Emulator();
 
   /// Makes all these calls. The emulated caller loops, for entering and leaving the emulator takes

@@ -2,6 +2,7 @@
 /// The processor this runs on, made to run 16-bit code.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -16,7 +17,7 @@ namespace fixproof::machine_code {
 /// A segment of 16-bit code, data and stack in this process, and calls into it. x86-64 Linux still
 /// lets a process make such segments (modify_ldt(2)); the processor then runs the code as a 286 or
 /// 386 in protected mode does, at full speed. One object serves one thread.
-class Processor {
+class Processor : private boost::noncopyable {
  public:
   /// Why there is no such processor here; empty where there is.
   static std::string absence();
@@ -25,10 +26,6 @@ class Processor {
   /// code, so only a read with a CS: override reaches a table in the code segment.
   /// @throws std::system_error where the system gives no segment
   explicit Processor(std::size_t data_bytes = caller_origin);
-  Processor(const Processor&) = delete;
-  Processor& operator=(const Processor&) = delete;
-  Processor(Processor&&) = delete;
-  Processor& operator=(Processor&&) = delete;
   ~Processor();
 
   /// The first byte of the segment. Below caller_origin it may be written.
@@ -40,13 +37,9 @@ class Processor {
 
   /// While one lives, its thread may call(): faults in the segment are caught, and signals meant
   /// for the process wait, for no handler could run on a 16-bit stack.
-  class Calls {
+  class Calls : private boost::noncopyable {
    public:
     explicit Calls(Processor& processor);
-    Calls(const Calls&) = delete;
-    Calls& operator=(const Calls&) = delete;
-    Calls(Calls&&) = delete;
-    Calls& operator=(Calls&&) = delete;
     ~Calls();
 
     /// Calls what stands at code_origin with the registers and flags of `m`, whose SP stands at the

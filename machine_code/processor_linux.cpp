@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <boost/noncopyable.hpp>
 #include <cerrno>
 #include <mutex>
 #include <new>
@@ -63,7 +64,7 @@ Entries& entries() {
 }
 
 /// A descriptor of `bytes` bytes of 16-bit code or data.
-class Descriptor {
+class Descriptor : private boost::noncopyable {
  public:
   Descriptor(std::uint32_t base, unsigned contents, std::size_t bytes) : entry_(entries().take()) {
     user_desc d{};
@@ -78,10 +79,6 @@ class Descriptor {
       throw std::system_error(reason, std::generic_category(), "modify_ldt");
     }
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
   ~Descriptor() {
     // An entry that cannot be emptied is not handed out again.
     user_desc empty{};
@@ -101,17 +98,13 @@ class Descriptor {
 };
 
 /// The segment, a page of landing code behind it and a page for the Landing: memory below 2 GiB.
-class LowMemory {
+class LowMemory : private boost::noncopyable {
  public:
   LowMemory()
       : first_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_32BIT,
                     -1, 0)) {
     if (first_ == MAP_FAILED) throw refused("mmap");
   }
-  LowMemory(const LowMemory&) = delete;
-  LowMemory& operator=(const LowMemory&) = delete;
-  LowMemory(LowMemory&&) = delete;
-  LowMemory& operator=(LowMemory&&) = delete;
   ~LowMemory() { munmap(first_, bytes); }
 
   [[nodiscard]] std::uint8_t* at(std::size_t offset) const {

@@ -2,6 +2,7 @@
 /// Who answers: a party is asked a batch of cases of one variant.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -30,13 +31,8 @@ struct Batch {
   std::span<Ending> endings;          ///< one for each case
 };
 
-class Party {
+class Party : private boost::noncopyable {
  public:
-  Party() = default;
-  Party(const Party&) = delete;
-  Party& operator=(const Party&) = delete;
-  Party(Party&&) = delete;
-  Party& operator=(Party&&) = delete;
   virtual ~Party() = default;
 
   /// One lower-case word, as on the command line.

@@ -2,6 +2,7 @@
 /// A screen of either kind of pixel.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,13 +15,8 @@
 
 namespace fixproof::player {
 
-class Canvas {
+class Canvas : private boost::noncopyable {
  public:
-  Canvas() = default;
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
-  Canvas(Canvas&&) = delete;
-  Canvas& operator=(Canvas&&) = delete;
   virtual ~Canvas() = default;
 
   virtual void show(const xsharp::Picture& picture) = 0;

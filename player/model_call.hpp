@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,14 +24,10 @@ using OperandLog = std::array<std::vector<std::uint32_t>, x86model::routine_coun
 
 /// While it lives, the operands of this thread's calls of call_model() are added to a log. The
 /// pipeline's numbers are values and know no log: this is the one place where they meet.
-class Recording {
+class Recording : private boost::noncopyable {
  public:
   explicit Recording(OperandLog& log);
   ~Recording();
-  Recording(const Recording&) = delete;
-  Recording& operator=(const Recording&) = delete;
-  Recording(Recording&&) = delete;
-  Recording& operator=(Recording&&) = delete;
 };
 
 }  // namespace fixproof::player

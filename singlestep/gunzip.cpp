@@ -2,68 +2,48 @@
 
 #include <zlib.h>
 
-#include <array>
+#include <memory>
 #include <new>
 #include <string_view>
+#include <vector>
 
 #include "support/usage_error.hpp"
 
 namespace fixproof::singlestep {
 
-namespace {
+std::string gunzip(std::string contents) {
+  constexpr std::string_view magic = "\x1f\x8b";
+  constexpr std::size_t max_size = std::size_t{256} << 20U;
+  if (!contents.starts_with(magic)) return contents;
 
-constexpr std::size_t most_decompressed = std::size_t{256} << 20U;
-constexpr std::string_view magic = "\x1f\x8b";
+  // Not gzread(), because it ignores data that follows the last member.
+  z_stream stream{};
+  constexpr int gzip_only = 16;
+  if (inflateInit2(&stream, MAX_WBITS + gzip_only) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> owner(&stream, inflateEnd);
+  // read_file() returns at most 256 MiB, so the size fits.
+  stream.next_in = reinterpret_cast<const Bytef*>(  // NOLINT(*-reinterpret-cast): zlib's bytes
+      contents.data());
+  stream.avail_in = static_cast<uInt>(contents.size());
 
-/// zlib's state for reading gzip members, one after the other.
-class Inflater {
- public:
-  explicit Inflater(std::string_view compressed) {
-    constexpr int gzip_only = 16;
-    if (inflateInit2(&stream_, MAX_WBITS + gzip_only) != Z_OK) throw std::bad_alloc();
-    // The input is a file of at most 256 MiB: its size fits.
-    stream_.next_in = reinterpret_cast<const Bytef*>(  // NOLINT(*-reinterpret-cast): zlib's bytes
-        compressed.data());
-    stream_.avail_in = static_cast<uInt>(compressed.size());
-  }
-  ~Inflater() { inflateEnd(&stream_); }
-  Inflater(const Inflater&) = delete;
-  Inflater(Inflater&&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-  Inflater& operator=(Inflater&&) = delete;
-
-  std::string all() {
-    std::string text;
-    while (true) {
-      stream_.next_out = buffer_.data();
-      stream_.avail_out = static_cast<uInt>(buffer_.size());
-      const int status = inflate(&stream_, Z_NO_FLUSH);
-      const std::size_t made = buffer_.size() - stream_.avail_out;
-      text.append(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(made));
-      if (text.size() > most_decompressed)
-        throw support::UsageError("decompressed, more than 256 MiB");
-      if (status == Z_STREAM_END) {
-        if (stream_.avail_in == 0) return text;
-        // Another member may follow; anything else is refused there.
-        if (inflateReset(&stream_) != Z_OK) throw support::UsageError("damaged gzip data");
-      } else if (status == Z_BUF_ERROR || (status == Z_OK && stream_.avail_in == 0 && made == 0)) {
-        throw support::UsageError("gzip data cut short");
-      } else if (status != Z_OK) {
-        throw support::UsageError("damaged gzip data");
-      }
+  std::string text;
+  std::vector<Bytef> buffer(65536);
+  while (true) {
+    stream.next_out = buffer.data();
+    stream.avail_out = static_cast<uInt>(buffer.size());
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    const bool no_output = stream.next_out == buffer.data();
+    text.append(buffer.data(), stream.next_out);
+    if (text.size() > max_size) throw support::UsageError("decompressed, more than 256 MiB");
+    if (status == Z_STREAM_END) {
+      if (stream.avail_in == 0) return text;
+      inflateReset(&stream);  // The next member; inflate() reports anything else.
+    } else if (status == Z_BUF_ERROR || (status == Z_OK && stream.avail_in == 0 && no_output)) {
+      throw support::UsageError("gzip data cut short");
+    } else if (status != Z_OK) {
+      throw support::UsageError("damaged gzip data");
     }
   }
-
- private:
-  z_stream stream_{};
-  std::array<Bytef, 65536> buffer_{};
-};
-
-}  // namespace
-
-std::string gunzip(std::string contents) {
-  if (!contents.starts_with(magic)) return contents;
-  return Inflater(contents).all();
 }
 
 }  // namespace fixproof::singlestep

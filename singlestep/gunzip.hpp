@@ -1,14 +1,15 @@
 /// @file
-/// Files that may be compressed.
+/// Decompresses gzip data.
 #pragma once
 
 #include <string>
 
 namespace fixproof::singlestep {
 
-/// `contents` as it is, or decompressed where it begins as gzip data does (RFC 1952), whatever the
-/// file is called. At most 256 MiB come out of it.
-/// @throws UsageError where the data is damaged, cut short or too large
+/// Decompresses `contents` if it begins with the gzip magic number (RFC 1952); otherwise returns it
+/// unchanged. Several gzip members are concatenated.
+/// @throws support::UsageError if the data is damaged, truncated, followed by other data, or larger
+/// than 256 MiB when decompressed
 std::string gunzip(std::string contents);
 
 }  // namespace fixproof::singlestep

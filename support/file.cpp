@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cerrno>
 #include <filesystem>
 #include <stdexcept>
@@ -25,7 +26,7 @@ constexpr std::size_t most_read = std::size_t{256} << 20U;
 }
 
 /// An open file.
-class File {
+class File : private boost::noncopyable {
  public:
   File(const std::string& path, int flags)
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
@@ -35,10 +36,6 @@ class File {
   ~File() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  File(const File&) = delete;
-  File(File&&) = delete;
-  File& operator=(const File&) = delete;
-  File& operator=(File&&) = delete;
 
   void write(std::string_view contents) {
     while (!contents.empty()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <boost/noncopyable.hpp>
 
 namespace fixproof::support {
 
@@ -12,14 +13,10 @@ inline constexpr int interrupted_status = 130;
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag. One that comes more than a
 /// second later kills; sooner ones are taken for the same, since some tools signal a process and
 /// its group alike.
-class Interrupt {
+class Interrupt : private boost::noncopyable {
  public:
   Interrupt();
   ~Interrupt();
-  Interrupt(const Interrupt&) = delete;
-  Interrupt(Interrupt&&) = delete;
-  Interrupt& operator=(const Interrupt&) = delete;
-  Interrupt& operator=(Interrupt&&) = delete;
 
   /// Set when a signal has come.
   [[nodiscard]] static const std::atomic<bool>& flag();

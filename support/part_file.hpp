@@ -2,6 +2,7 @@
 /// A file that is there when it is complete and not before.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,16 +15,12 @@ std::string behind_links(const std::string& path);
 /// Written beside its place, as a new file with `.part` (or `.2.part` and so on, if that is taken)
 /// added to the name; finish() puts it there. Removed if that does not happen. Errors name the file
 /// and the reason.
-class PartFile {
+class PartFile : private boost::noncopyable {
  public:
   /// @throws std::runtime_error if it cannot be written there, or if what is there is no regular
   ///         file (which the new one would replace, or which cannot be gone back in)
   explicit PartFile(const std::string& path);
   ~PartFile();
-  PartFile(const PartFile&) = delete;
-  PartFile(PartFile&&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  PartFile& operator=(PartFile&&) = delete;
 
   /// At the end.
   /// @throws std::runtime_error

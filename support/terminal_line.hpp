@@ -2,20 +2,17 @@
 /// The line on which long work shows how far it is.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <string_view>
 
 namespace fixproof::support {
 
 /// One line on stderr, drawn over and over and erased at the end. If stderr is no terminal nothing
 /// is written.
-class TerminalLine {
+class TerminalLine : private boost::noncopyable {
  public:
   TerminalLine();
   ~TerminalLine();
-  TerminalLine(const TerminalLine&) = delete;
-  TerminalLine(TerminalLine&&) = delete;
-  TerminalLine& operator=(const TerminalLine&) = delete;
-  TerminalLine& operator=(TerminalLine&&) = delete;
 
   [[nodiscard]] bool is_seen() const { return terminal_; }
   [[nodiscard]] bool is_drawn() const { return drawn_; }

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "xsharp/crew.hpp"
+#include "support/thread_pool.hpp"
 #include "xsharp/depth.hpp"
 #include "xsharp/object.hpp"
 #include "xsharp/player.hpp"
@@ -27,8 +27,8 @@ class Animation final : public Player {
   /// objects, whatever add() adds; the number does not affect the pictures
   explicit Animation(const Scene& scene, std::size_t threads = 1,
                      Concatenation concatenation = Concatenation::published)
-      : crew_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
-        tallies_(crew_.workers()),
+      : pool_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
+        tallies_(pool_.workers()),
         key_(scene.depth_key),
         front_to_back_(scene.depth_buffer != DepthBuffering::off),
         view_(view_of<N>(scene, concatenation)),
@@ -55,9 +55,9 @@ class Animation final : public Player {
 
   Tally draw(Picture& picture) override {
     depths_.resize(objects_.size());
-    tallies_.assign(crew_.workers(), {});
-    crew_.run([this](std::size_t worker) {
-      const auto [first, end] = crew_.part(objects_.size(), worker);
+    tallies_.assign(pool_.workers(), {});
+    pool_.run([this](std::size_t worker) {
+      const auto [first, end] = pool_.part(objects_.size(), worker);
       Tally tally;
       for (std::size_t i = first; i < end; ++i) {
         objects_[i]->prepare(view_, tally);
@@ -79,8 +79,8 @@ class Animation final : public Player {
   }
 
   void move() override {
-    crew_.run([this](std::size_t worker) {
-      const auto [first, end] = crew_.part(objects_.size(), worker);
+    pool_.run([this](std::size_t worker) {
+      const auto [first, end] = pool_.part(objects_.size(), worker);
       for (std::size_t i = first; i < end; ++i) objects_[i]->move();
     });
   }
@@ -100,18 +100,18 @@ class Animation final : public Player {
 
  private:
   void draw_in_order(Picture& picture) {
-    parts_.resize(crew_.workers());
-    crew_.run([&](std::size_t worker) {
+    parts_.resize(pool_.workers());
+    pool_.run([&](std::size_t worker) {
       // The first worker starts the picture; the parts of the others are appended.
       Picture& mine = worker == 0 ? picture : parts_[worker];
       mine.clear();
-      const auto [first, end] = crew_.part(order_.size(), worker);
+      const auto [first, end] = pool_.part(order_.size(), worker);
       for (std::size_t i = first; i < end; ++i) objects_[order_[i]]->draw(lighting_, mine);
     });
     for (std::size_t worker = 1; worker < parts_.size(); ++worker) picture.add(parts_[worker]);
   }
 
-  Crew crew_;
+  fixproof::support::ThreadPool pool_;
   std::vector<Tally> tallies_;
   std::vector<Picture> parts_;
   DepthKey key_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,13 +39,8 @@ struct ObjectState {
 
 /// An object of any kind, which prepares, draws and moves itself.
 template <Scalar N>
-class Object {
+class Object : private boost::noncopyable {
  public:
-  Object() = default;
-  Object(const Object&) = delete;
-  Object& operator=(const Object&) = delete;
-  Object(Object&&) = delete;
-  Object& operator=(Object&&) = delete;
   virtual ~Object() = default;
 
   /// Computes everything that drawing needs. Called before each frame. If neither the object nor

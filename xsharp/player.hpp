@@ -2,6 +2,7 @@
 /// A running scene, independent of the arithmetic.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <span>
 
@@ -11,13 +12,8 @@
 namespace xsharp {
 
 /// Plays a scene: each frame is a draw(), then a move().
-class Player {
+class Player : private boost::noncopyable {
  public:
-  Player() = default;
-  Player(const Player&) = delete;
-  Player& operator=(const Player&) = delete;
-  Player(Player&&) = delete;
-  Player& operator=(Player&&) = delete;
   virtual ~Player() = default;
 
   /// Prepares and sorts the objects and replaces the contents of `picture` with what is visible.

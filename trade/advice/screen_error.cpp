@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -24,13 +25,9 @@ using OfBothDivides = std::array<double, 2>;
 
 /// A multiply and a way of turning: divides follow when the motion is done, so that one motion
 /// serves both.
-class ScreenRun {
+class ScreenRun : private boost::noncopyable {
  public:
   ScreenRun() = default;
-  ScreenRun(const ScreenRun&) = delete;
-  ScreenRun& operator=(const ScreenRun&) = delete;
-  ScreenRun(ScreenRun&&) = delete;
-  ScreenRun& operator=(ScreenRun&&) = delete;
   virtual ~ScreenRun() = default;
   virtual void advance(std::size_t object) = 0;
   virtual OfBothDivides worst(std::size_t object, const ExactPlaces& exact) = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <memory>
 
 #include "parties/with_number.hpp"
@@ -18,13 +19,9 @@ using xsharp::ObjectDescription;
 using xsharp::RotationStyle;
 
 /// The motions of all objects in some number type.
-class Motions {
+class Motions : private boost::noncopyable {
  public:
   Motions() = default;
-  Motions(const Motions&) = delete;
-  Motions& operator=(const Motions&) = delete;
-  Motions(Motions&&) = delete;
-  Motions& operator=(Motions&&) = delete;
   virtual ~Motions() = default;
   virtual void advance() = 0;
   [[nodiscard]] virtual Placement placement(std::size_t object) const = 0;

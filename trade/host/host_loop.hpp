@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -23,13 +24,9 @@ struct HostCase {
 };
 
 /// One contender at one operation.
-class HostLoop {
+class HostLoop : private boost::noncopyable {
  public:
   HostLoop() = default;
-  HostLoop(const HostLoop&) = delete;
-  HostLoop& operator=(const HostLoop&) = delete;
-  HostLoop(HostLoop&&) = delete;
-  HostLoop& operator=(HostLoop&&) = delete;
   virtual ~HostLoop() = default;
 
   /// Operands of apply_all(), one case after the other.

@@ -5,6 +5,7 @@
 /// converts values to words.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,13 +20,9 @@ inline constexpr std::size_t longest_span = 320;
 inline constexpr std::size_t bitmap_texels = 65536;
 
 /// The loops of one party. A call draws 0 to longest_span pixels.
-class SpanLoops {
+class SpanLoops : private boost::noncopyable {
  public:
   SpanLoops() = default;
-  SpanLoops(const SpanLoops&) = delete;
-  SpanLoops& operator=(const SpanLoops&) = delete;
-  SpanLoops(SpanLoops&&) = delete;
-  SpanLoops& operator=(SpanLoops&&) = delete;
   virtual ~SpanLoops() = default;
 
   /// Intensity in 8.8: draws bits 15 to 8, then adds the step, modulo 2^16.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,7 +23,7 @@ namespace xsharp {
 ///
 /// Derived classes compute the values. Rows are palette indices; a page of true colour gets the
 /// colours for them.
-class SurfaceFiller {
+class SurfaceFiller : private boost::noncopyable {
  public:
   explicit SurfaceFiller(const Scene& scene)
       : palette_(scene.palette), buffered_(scene.depth_buffer != DepthBuffering::off) {
@@ -32,10 +33,6 @@ class SurfaceFiller {
                                                     : std::vector<std::uint8_t>{});
     }
   }
-  SurfaceFiller(const SurfaceFiller&) = delete;
-  SurfaceFiller& operator=(const SurfaceFiller&) = delete;
-  SurfaceFiller(SurfaceFiller&&) = delete;
-  SurfaceFiller& operator=(SurfaceFiller&&) = delete;
   virtual ~SurfaceFiller() = default;
 
   /// Called before the first polygon of a picture, with the size of the page.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -18,7 +19,7 @@ namespace {
 }
 
 /// Initialises SDL's video for its lifetime; SDL counts references.
-class Video {
+class Video : private boost::noncopyable {
  public:
   Video() {
     // Keeps the program's signal handlers.
@@ -30,10 +31,6 @@ class Video {
     }
   }
   ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
-  Video(const Video&) = delete;
-  Video(Video&&) = delete;
-  Video& operator=(const Video&) = delete;
-  Video& operator=(Video&&) = delete;
 
  private:
   /// Whether SDL fell back to a driver that draws into memory, without having been told to.

@@ -2,6 +2,7 @@
 /// Shows pages in a window and reads its keys.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -29,15 +30,11 @@ bool window_available();
 
 /// A window for pages of one size, enlarged by the largest whole factor that fits; every pixel of
 /// the page is a square of one colour. Use it only from the thread that made it.
-class Window {
+class Window : private boost::noncopyable {
  public:
   /// @throws std::runtime_error with the cause: no SDL2 in this build, no display, no memory
   Window(const std::string& title, std::int32_t width, std::int32_t height);
   ~Window();
-  Window(const Window&) = delete;
-  Window(Window&&) = delete;
-  Window& operator=(const Window&) = delete;
-  Window& operator=(Window&&) = delete;
 
   /// @throws std::invalid_argument for a page of another size, std::runtime_error with the cause
   void show(const Page<std::uint32_t>& page);

@@ -1,5 +1,4 @@
-/// Threads that share a loop.
-#include "xsharp/crew.hpp"
+#include "support/thread_pool.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +8,16 @@
 #include <string>
 #include <vector>
 
-namespace xsharp {
+namespace fixproof::support {
 namespace {
 
-TEST(Crew, PartsAreEachThingOnceAndAlike) {
+TEST(ThreadPool, PartsCoverEachItemOnceAndEvenly) {
   for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
-    const Crew crew(workers);
+    const ThreadPool pool(workers);
     for (const std::size_t count : {0U, 1U, 6U, 7U, 8U, 1000U}) {
       std::size_t next = 0;
       for (std::size_t worker = 0; worker < workers; ++worker) {
-        const auto part = crew.part(count, worker);
+        const auto part = pool.part(count, worker);
         EXPECT_EQ(part.first, next);
         EXPECT_LE(part.end - part.first, count / workers + 1);
         next = part.end;
@@ -28,31 +27,31 @@ TEST(Crew, PartsAreEachThingOnceAndAlike) {
   }
 }
 
-TEST(Crew, EveryWorkerWorksOnceEachTime) {
-  Crew crew(4);
+TEST(ThreadPool, EachWorkerWorksOncePerRun) {
+  ThreadPool pool(4);
   std::vector<int> worked(4);
   for (int i = 1; i <= 100; ++i) {
-    crew.run([&](std::size_t worker) { ++worked[worker]; });
+    pool.run([&](std::size_t worker) { ++worked[worker]; });
     EXPECT_EQ(worked, std::vector<int>(4, i));
   }
 }
 
-TEST(Crew, NobodyIsOne) { EXPECT_EQ(Crew(0).workers(), 1U); }
+TEST(ThreadPool, ZeroWorkersCountAsOne) { EXPECT_EQ(ThreadPool(0).workers(), 1U); }
 
-TEST(Crew, AnErrorReachesTheCallerAndWorkGoesOn) {
+TEST(ThreadPool, RethrowsAnExceptionAndCanRunAgain) {
   for (const std::size_t workers : {1U, 3U}) {
-    Crew crew(workers);
+    ThreadPool pool(workers);
     std::atomic<std::size_t> ended = 0;
     const auto fails = [&](std::size_t worker) {
       ++ended;
       if (worker == workers - 1) throw std::runtime_error("worker " + std::to_string(worker));
     };
-    EXPECT_THROW(crew.run(fails), std::runtime_error);
+    EXPECT_THROW(pool.run(fails), std::runtime_error);
     EXPECT_EQ(ended, workers);
-    crew.run([&](std::size_t) { ++ended; });
+    pool.run([&](std::size_t) { ++ended; });
     EXPECT_EQ(ended, 2 * workers);
   }
 }
 
 }  // namespace
-}  // namespace xsharp
+}  // namespace fixproof::support

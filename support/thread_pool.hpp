@@ -1,0 +1,48 @@
+/// @file
+/// A fixed number of threads that run the same function.
+#pragma once
+
+#include <barrier>
+#include <boost/noncopyable.hpp>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace fixproof::support {
+
+/// Threads that wait between calls of run(). The calling thread is worker 0. Only one thread may
+/// call run() at a time.
+class ThreadPool : private boost::noncopyable {
+ public:
+  /// @param workers the number of workers, including the caller; 0 counts as 1
+  /// @throws std::runtime_error if a thread cannot be started
+  explicit ThreadPool(std::size_t workers);
+  ~ThreadPool();
+
+  [[nodiscard]] std::size_t workers() const { return thrown_.size(); }
+
+  /// Calls work(worker) once on each worker and returns when all calls have returned.
+  /// @throws the exception of the lowest-numbered worker that threw
+  void run(const std::function<void(std::size_t)>& work);
+
+  /// The part of `count` items that belongs to a worker: from `first` up to, but excluding, `end`.
+  struct Part {
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+  [[nodiscard]] Part part(std::size_t count, std::size_t worker) const;
+
+ private:
+  void wait_for_work(std::size_t worker);
+  void do_work(std::size_t worker);
+
+  const std::function<void(std::size_t)>* work_ = nullptr;  ///< null tells the threads to end
+  std::vector<std::exception_ptr> thrown_;                  ///< one for each worker
+  std::barrier<> begin_;
+  std::barrier<> end_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace fixproof::support
