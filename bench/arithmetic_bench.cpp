@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "trade/host/host_run.hpp"
+#include "measure/host/host_run.hpp"
 
 namespace {
 
@@ -16,15 +16,15 @@ using namespace fixproof;
 
 constexpr std::uint64_t seed = 54;
 
-void time_loop(benchmark::State& state, const trade::HostOperation& operation,
-               const trade::HostContender& contender, bool chain) {
+void time_loop(benchmark::State& state, const measure::HostOperation& operation,
+               const measure::HostContender& contender, bool chain) {
   try {
-    trade::judge_contender(operation, contender);
-  } catch (const trade::WrongContender& wrong) {
+    measure::judge_contender(operation, contender);
+  } catch (const measure::WrongContender& wrong) {
     state.SkipWithError(wrong.what());
     return;
   }
-  trade::HostLoop& loop = *contender.loop;
+  measure::HostLoop& loop = *contender.loop;
   for ([[maybe_unused]] auto _ : state) {
     chain ? loop.apply_in_chain() : loop.apply_all();
     benchmark::ClobberMemory();
@@ -35,9 +35,9 @@ void time_loop(benchmark::State& state, const trade::HostOperation& operation,
 }
 
 /// Names are `mul/q16_16` and `mul/q16_16/chain`.
-void register_all(const std::vector<trade::HostOperation>& operations) {
-  for (const trade::HostOperation& o : operations) {
-    for (const trade::HostContender& contender : o.contenders) {
+void register_all(const std::vector<measure::HostOperation>& operations) {
+  for (const measure::HostOperation& o : operations) {
+    for (const measure::HostContender& contender : o.contenders) {
       const auto timed = [&o, &contender](bool chain) {
         return [&o, &contender, chain](benchmark::State& state) {
           time_loop(state, o, contender, chain);
@@ -54,7 +54,7 @@ void register_all(const std::vector<trade::HostOperation>& operations) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto operations = trade::host_operations(seed, 1);
+  const auto operations = measure::host_operations(seed, 1);
   register_all(operations);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -26,14 +26,14 @@ struct MeasureOptions {
   bool stepping = false;
   std::vector<std::string> scenes;
   std::string json;
-  trade::MeasureRequest request;
+  measure::MeasureRequest request;
 };
 
 /// Reads the scenes and checks that the JSON file can be written, before anything takes long.
 /// @throws xsharp::SceneError, UsageError if the file is one of a scene's, std::runtime_error if it
 ///         cannot be written
-trade::MeasureRequest read_request(const MeasureOptions& options) {
-  trade::MeasureRequest request = options.request;
+measure::MeasureRequest read_request(const MeasureOptions& options) {
+  measure::MeasureRequest request = options.request;
   for (const std::string& file : options.scenes) {
     request.scenes.push_back(xsharp::read_scene(file));
     if (!options.json.empty()) {
@@ -46,8 +46,8 @@ trade::MeasureRequest read_request(const MeasureOptions& options) {
 
 template <class Result>
 int run(const MeasureOptions& options, Measurement<Result> measure) {
-  const trade::MeasureRequest request = read_request(options);
-  trade::MeasureProgress progress(support::Interrupt::flag());
+  const measure::MeasureRequest request = read_request(options);
+  measure::MeasureProgress progress(support::Interrupt::flag());
   Measured<Result> measured;
   {
     const support::Interrupt interrupt;
@@ -70,9 +70,9 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
 
 }  // namespace
 
-std::vector<std::string> broken_bounds(const trade::SteppingResult& result) {
+std::vector<std::string> broken_bounds(const measure::SteppingResult& result) {
   std::vector<std::string> lines;
-  for (const trade::SteppingRow& row : result.rows) {
+  for (const measure::SteppingRow& row : result.rows) {
     if (row.statistics.beyond().empty()) continue;
     lines.push_back(
         fmt::format("{}, {}: {}", row.variant.value, row.variant.rule, row.statistics.beyond()));
@@ -136,10 +136,10 @@ Examples:
   fixproof measure --host --json host.json
   fixproof measure --stepping --json stepping.json)");
   command->callback([options, &status] {
-    status = options->accuracy   ? run(*options, trade::measure_accuracy)
-             : options->host     ? run(*options, trade::measure_host)
-             : options->stepping ? run(*options, trade::measure_stepping)
-                                 : run(*options, trade::measure_clocks);
+    status = options->accuracy   ? run(*options, measure::measure_accuracy)
+             : options->host     ? run(*options, measure::measure_host)
+             : options->stepping ? run(*options, measure::measure_stepping)
+                                 : run(*options, measure::measure_clocks);
   });
 }
 

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "support/interrupt.hpp"
-#include "trade/host/host_run.hpp"
-#include "trade/measure.hpp"
-#include "trade/stepping/stepping.hpp"
+#include "measure/host/host_run.hpp"
+#include "measure/measure.hpp"
+#include "measure/stepping/stepping.hpp"
 
 namespace fixproof::cli {
 
 template <class Result>
-using Measurement = std::optional<Result> (*)(const trade::MeasureRequest&,
-                                              trade::MeasureProgress&);
+using Measurement = std::optional<Result> (*)(const measure::MeasureRequest&,
+                                              measure::MeasureProgress&);
 
 template <class Result>
 struct Measured {
@@ -25,20 +25,20 @@ struct Measured {
 };
 
 /// Errors beyond the derived bounds, one line each. Only stepped values have such bounds.
-std::vector<std::string> broken_bounds(const trade::SteppingResult& result);
+std::vector<std::string> broken_bounds(const measure::SteppingResult& result);
 template <class Result>
 std::vector<std::string> broken_bounds(const Result& /*result*/) {
   return {};
 }
 
 template <class Result>
-Measured<Result> run_measurement(Measurement<Result> measure, const trade::MeasureRequest& request,
-                                 trade::MeasureProgress& progress) {
+Measured<Result> run_measurement(Measurement<Result> measure, const measure::MeasureRequest& request,
+                                 measure::MeasureProgress& progress) {
   Measured<Result> measured;
   try {
     measured.result = measure(request, progress);
     if (!measured.result) measured.status = support::interrupted_status;
-  } catch (const trade::WrongContender& wrong) {
+  } catch (const measure::WrongContender& wrong) {
     measured.errors = {wrong.what()};
   }
   progress.end();

@@ -12,7 +12,7 @@ namespace fixproof::cli {
 namespace {
 
 /// One character per bucket; an empty bucket is a space.
-std::string sparkline(const trade::ErrorHistogram& histogram) {
+std::string sparkline(const measure::ErrorHistogram& histogram) {
   static constexpr std::array heights{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   const auto& counts = histogram.counts();
   const std::uint64_t fullest = *std::max_element(counts.begin(), counts.end());
@@ -23,8 +23,8 @@ std::string sparkline(const trade::ErrorHistogram& histogram) {
   return line;
 }
 
-std::string text_of(const trade::AccuracyRow& row) {
-  const trade::ErrorStatistics& e = row.errors;
+std::string text_of(const measure::AccuracyRow& row) {
+  const measure::ErrorStatistics& e = row.errors;
   if (e.cases() == 0) {
     return fmt::format("  {:<24}no case has a result that fits\n", row.subject.name);
   }
@@ -36,29 +36,29 @@ std::string text_of(const trade::AccuracyRow& row) {
                      fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
 }
 
-std::string pixels_text(const trade::AccuracyResult& result) {
+std::string pixels_text(const measure::AccuracyResult& result) {
   std::string text = fmt::format(
       "\nPixels that a point of the page is off, by its distance: x over z, times {}, on a page "
       "that\nreaches {} to each side. The largest error of {} points of each octave.\n\n"
       "{:>15}",
       result.page.constant, result.page.half_width, support::grouped(result.points), "distance");
   const auto& variants = result.pixels;
-  for (const trade::PixelErrors& e : variants) text += fmt::format("{:>24}", e.name);
+  for (const measure::PixelErrors& e : variants) text += fmt::format("{:>24}", e.name);
   text += '\n';
   for (std::size_t i = 0; i < variants.front().octaves.size(); ++i) {
     const std::int32_t from = variants.front().octaves[i].nearest;
     text += fmt::format("{:>15}", fmt::format("{} to {}", from, 2 * from));
-    for (const trade::PixelErrors& e : variants) text += fmt::format("{:>24.4f}", e.octaves[i].max);
+    for (const measure::PixelErrors& e : variants) text += fmt::format("{:>24.4f}", e.octaves[i].max);
     text += '\n';
   }
   text += fmt::format("{:>15}", "safe from");
-  for (const trade::PixelErrors& e : variants) text += fmt::format("{:>24}", e.safe_from);
+  for (const measure::PixelErrors& e : variants) text += fmt::format("{:>24}", e.safe_from);
   return text + "\n\nSafe from: at this distance and beyond, no point is half a pixel off.\n";
 }
 
 }  // namespace
 
-std::string text_of(const trade::AccuracyResult& result) {
+std::string text_of(const measure::AccuracyResult& result) {
   std::string text =
       made_by(result.seed) +
       "\n\nErrors in units of the last place, each a result less the exact one. Correct is a "
@@ -72,7 +72,7 @@ std::string text_of(const trade::AccuracyResult& result) {
   text += fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6}\n", "",
                       "cases", "left out", "#DE", "max", "mean", "+-", "rms", "correct", "span");
   std::string heading;
-  for (const trade::AccuracyRow& row : result.rows) {
+  for (const measure::AccuracyRow& row : result.rows) {
     const std::string here = fmt::format("{}, {}", row.operation, support::printable(row.operands));
     if (here != heading) text += fmt::format("\n{}\n", here);
     heading = here;

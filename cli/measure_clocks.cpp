@@ -10,13 +10,13 @@ namespace fixproof::cli {
 
 namespace {
 
-std::string text_of(const trade::CallClocks& row) {
+std::string text_of(const measure::CallClocks& row) {
   const bool has_switch = row.variant.operation != cases::Operation::cossin;
-  const auto mean = [](const trade::Spread& s) {
+  const auto mean = [](const measure::Spread& s) {
     return s.calls() == 0 ? "-" : between(s.mean_min(), s.mean_max(), 1);
   };
   std::string text;
-  for (const trade::ProcessorClocks& on : row.processors) {
+  for (const measure::ProcessorClocks& on : row.processors) {
     std::string bus;
     if (on.bus) bus = fmt::format("  {:>9}  {}", mean(*on.bus), on.mean().limit());
     text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}{}\n",
@@ -34,13 +34,13 @@ std::string text_of(const trade::CallClocks& row) {
   return text;
 }
 
-std::string text_of(const std::vector<trade::FrameOn8088>& frames) {
+std::string text_of(const std::vector<measure::FrameOn8088>& frames) {
   const auto whole = [](double x) { return support::grouped(static_cast<std::uint64_t>(x)); };
   std::string text = fmt::format(
       "\nA frame on an 8088: the clocks of the listings by Intel's table, bytes and clocks of the "
       "bus, and\nwhich of the two limits.\n\n{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
       "scene", "rounding", "table", "code", "data", "bus", "limit");
-  for (const trade::FrameOn8088& f : frames) {
+  for (const measure::FrameOn8088& f : frames) {
     text += fmt::format("{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n", support::printable(f.scene),
                         f.rounds ? "on" : "off", whole(f.clocks.table.max), whole(f.code_bytes),
                         whole(f.data_bytes), whole(f.clocks.bus), f.clocks.limit());
@@ -50,19 +50,19 @@ std::string text_of(const std::vector<trade::FrameOn8088>& frames) {
 
 std::string not_judged_text() {
   std::string text = "\nNot judged:\n";
-  for (const trade::NotJudged& statement : trade::not_judged()) {
+  for (const measure::NotJudged& statement : measure::not_judged()) {
     text += fmt::format("\n{} ({})\n  {}\n", statement.text, statement.place, statement.reason);
   }
   return text;
 }
 
-std::string text_of(const trade::LoopClocks& row) {
+std::string text_of(const measure::LoopClocks& row) {
   std::string text =
-      fmt::format("{:<24}{:<10}{:<7}", trade::name_of(row.form, row.pixels),
-                  x86model::name_of(row.form.counting), trade::target_name(row.form));
+      fmt::format("{:<24}{:<10}{:<7}", measure::name_of(row.form, row.pixels),
+                  x86model::name_of(row.form.counting), measure::target_name(row.form));
   for (std::size_t i = 0; i < row.on.size(); ++i) {
     const auto& clocks = row.on.at(i);
-    const x86model::Cpu cpu = trade::loop_processors.at(i);
+    const x86model::Cpu cpu = measure::loop_processors.at(i);
     const std::string table = clocks ? between(clocks->table.min, clocks->table.max, 1) : "-";
     if (cpu == x86model::Cpu::i8088) {
       text += fmt::format("{:>9}{:>6}", table, clocks ? fmt::format("{:.1f}", clocks->bus) : "-");
@@ -73,9 +73,9 @@ std::string text_of(const trade::LoopClocks& row) {
   return text + '\n';
 }
 
-std::string text_of(const trade::LoopClaim& claim) {
+std::string text_of(const measure::LoopClaim& claim) {
   std::string text = fmt::format("\n{} ({})\n", claim.text, claim.place);
-  for (const trade::LoopGain& gain : claim.gains) {
+  for (const measure::LoopGain& gain : claim.gains) {
     text += fmt::format("  {:<65}{:>10} times  {}\n", gain.where, between(gain.min, gain.max, 2),
                         gain.min > 1    ? "holds"
                         : gain.max <= 1 ? "does not hold"
@@ -92,12 +92,12 @@ std::string means_text(const std::vector<std::string>& scenes) {
   std::vector<std::string> names;
   for (const std::string& scene : scenes) names.push_back(support::printable(scene));
   return fmt::format("Means are over the operands of {}, {} frames of each.\n",
-                     fmt::join(names, ", "), trade::recorded_frames);
+                     fmt::join(names, ", "), measure::recorded_frames);
 }
 
 }  // namespace
 
-std::string text_of(const trade::ClockResult& result) {
+std::string text_of(const measure::ClockResult& result) {
   std::string text =
       made_by(result.seed) + "\n\n" + means_text(result.scenes) +
       "Least and most are those seen in these and in cases of level 1. Two numbers: "
@@ -112,14 +112,14 @@ std::string text_of(const trade::ClockResult& result) {
   text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}  {:>9}  {}\n",
                       "routine", "target", "rounding", "cpu", "least", "mean", "most", "least",
                       "mean", "most", "bus", "limit");
-  for (const trade::CallClocks& row : result.rows) text += text_of(row);
+  for (const measure::CallClocks& row : result.rows) text += text_of(row);
   if (!result.scenes.empty()) text += text_of(result.frames);
   if (!result.claims.empty()) {
     text +=
         "\nWhat is published, and what the listings alone show. \"About\" allows a "
         "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
         "possible, or the listings cannot decide.\n";
-    for (const trade::Claim& claim : result.claims) text += text_of(claim);
+    for (const measure::Claim& claim : result.claims) text += text_of(claim);
     text += not_judged_text();
   }
   text +=
@@ -128,8 +128,8 @@ std::string text_of(const trade::ClockResult& result) {
       "An 8088 takes at least the larger of the two.\n\n" +
       fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",
                   "8088", "bus", "286", "386", "486");
-  for (const trade::LoopClocks& row : result.loops) text += text_of(row);
-  for (const trade::LoopClaim& claim : result.loop_claims) text += text_of(claim);
+  for (const measure::LoopClocks& row : result.loops) text += text_of(row);
+  for (const measure::LoopClaim& claim : result.loop_claims) text += text_of(claim);
   return text;
 }
 

@@ -3,13 +3,13 @@
 
 #include "cli/measure_text.hpp"
 #include "support/plain_text.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 
 namespace fixproof::cli {
 
 namespace {
 
-std::string accuracy_columns(const trade::HostRow& row) {
+std::string accuracy_columns(const measure::HostRow& row) {
   return fmt::format(
       "{:>11}{:>10}{:>11}  {}{}", largest_text(row.errors.max()),
       error_text(row.errors.root_mean_square()), share_text(row.errors.correct()), row.rounding,
@@ -18,7 +18,7 @@ std::string accuracy_columns(const trade::HostRow& row) {
                                         support::grouped(row.cases)));
 }
 
-std::string text_of(const trade::HostTable& table) {
+std::string text_of(const measure::HostTable& table) {
   const bool vertices = table.of_vertices();
   std::string text =
       fmt::format("\n{}: {}\n", vertices ? "vertices" : table.operation, table.operands);
@@ -27,7 +27,7 @@ std::string text_of(const trade::HostTable& table) {
   if (!table.chain.empty()) text += fmt::format("{:>9}{:>9}{:>9}", "chain", "median", "spread");
   if (vertices) text += fmt::format("{:>9}{:>9}", "M a s", "median");
   text += fmt::format("{:>11}{:>10}{:>11}  rounded\n", "max", "rms", "correct");
-  for (const trade::HostRow& row : table.rows) {
+  for (const measure::HostRow& row : table.rows) {
     text += fmt::format("  {:<24}{}", row.name, columns_of(row.each));
     if (row.chain) text += columns_of(*row.chain);
     if (vertices) {
@@ -40,7 +40,7 @@ std::string text_of(const trade::HostTable& table) {
 
 }  // namespace
 
-std::string text_of(const trade::HostResult& result) {
+std::string text_of(const measure::HostResult& result) {
   std::string text = fmt::format(
       "{} {}, {}\n\n"
       "Nanoseconds of processor time of one operation, over arrays in the first-level cache, and "
@@ -49,9 +49,9 @@ std::string text_of(const trade::HostResult& result) {
       "by the median. Operands come again\nand again: a processor may have learnt what branches. "
       "Errors in units of the last place of 16.16, of\n{} results or more, each held to the "
       "rounding that its maker states; correct is one within half a\nunit.\n{}",
-      made_by(result.seed), trade::compiler_flags(), trade::processor_name(),
+      made_by(result.seed), measure::compiler_flags(), measure::processor_name(),
       support::grouped(result.rounds), support::grouped(result.cases), missing_libraries());
-  for (const trade::HostTable& table : result.tables) text += text_of(table);
+  for (const measure::HostTable& table : result.tables) text += text_of(table);
   return text;
 }
 

@@ -3,7 +3,7 @@
 
 #include "cli/measure_text.hpp"
 #include "support/plain_text.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 #include "xsharp/raster/span_loops.hpp"
 
 namespace fixproof::cli {
@@ -13,14 +13,14 @@ namespace {
 /// Four significant digits.
 std::string figure_text(double x) { return x < 1e-9 ? "0" : fmt::format("{:.4g}", x); }
 std::string percent_text(double x) { return x == 0 ? "0" : fmt::format("{:.3g} %", 100 * x); }
-std::string clocks_text(const trade::Bounds& b) { return between(b.min, b.max, 1); }
+std::string clocks_text(const measure::Bounds& b) { return between(b.min, b.max, 1); }
 
 /// One line per row, under a heading for each value.
 template <class Columns>
-std::string rows_text(const std::vector<trade::SteppingRow>& rows, Columns columns) {
+std::string rows_text(const std::vector<measure::SteppingRow>& rows, Columns columns) {
   std::string text;
   std::string heading;
-  for (const trade::SteppingRow& row : rows) {
+  for (const measure::SteppingRow& row : rows) {
     if (row.variant.value != heading) text += fmt::format("\n{}\n", row.variant.value);
     heading = row.variant.value;
     text += fmt::format("  {:<22}{}\n", row.variant.rule, columns(row));
@@ -28,8 +28,8 @@ std::string rows_text(const std::vector<trade::SteppingRow>& rows, Columns colum
   return text;
 }
 
-std::string error_columns(const trade::SteppingRow& row) {
-  const trade::SteppingStatistics& s = row.statistics;
+std::string error_columns(const measure::SteppingRow& row) {
+  const measure::SteppingStatistics& s = row.statistics;
   std::string text =
       fmt::format("{:>7}{:>10}{:>10}{:>8.3f}", name_of(row.variant.drawn),
                   figure_text(s.all().error), figure_text(s.all().bound), s.part_of_bound());
@@ -39,51 +39,51 @@ std::string error_columns(const trade::SteppingRow& row) {
   return text + fmt::format("{:>10}", figure_text(s.along().back().bound));
 }
 
-std::string picture_columns(const trade::SteppingRow& row) {
-  const trade::SteppingStatistics& s = row.statistics;
+std::string picture_columns(const measure::SteppingRow& row) {
+  const measure::SteppingStatistics& s = row.statistics;
   return fmt::format("{:>10}{:>9}{:>12}{:>10}{:>8}{:>10}",
-                     percent_text(trade::share_of(s.wrong(), s.drawn())), s.most_off(),
+                     percent_text(measure::share_of(s.wrong(), s.drawn())), s.most_off(),
                      support::grouped(s.bands().drawn),
-                     percent_text(trade::share_of(s.bands().wrong, s.bands().drawn)),
-                     s.bands().widest, percent_text(trade::share_of(s.missed(), s.wanted())));
+                     percent_text(measure::share_of(s.bands().wrong, s.bands().drawn)),
+                     s.bands().widest, percent_text(measure::share_of(s.missed(), s.wanted())));
 }
 
-std::string setups_text(const std::vector<trade::SetupClocks>& setups) {
+std::string setups_text(const std::vector<measure::SetupClocks>& setups) {
   std::string text = fmt::format(
       "\nClocks by Intel's tables; for an 8088, bus time where that is larger. Every value "
       "that a span steps takes a FixedDiv for its slope and a FixedMul\nfor its start, rounded; "
       "means of random spans.\n\n{:<18}{:>12}{:>14}\n",
       "", "divide", "multiply");
-  for (const trade::SetupClocks& s : setups) {
+  for (const measure::SetupClocks& s : setups) {
     text += fmt::format("{:<18}{:>12}{:>14}\n", x86model::name_of(s.cpu), clocks_text(s.divide),
                         clocks_text(s.multiply));
   }
   return text;
 }
 
-std::string pixels_text(const std::vector<trade::PixelCost>& pixels) {
+std::string pixels_text(const std::vector<measure::PixelCost>& pixels) {
   std::string text = fmt::format(
       "\nA pixel of the document's loops, counted by DEC and JNZ; and of spans of so many pixels, "
       "with its\nshare of what they begin with.\n\n{:<18}{:<6}{:>12}",
       "", "", "pixel");
-  for (const std::uint32_t length : trade::costed_lengths) text += fmt::format("{:>14}", length);
+  for (const std::uint32_t length : measure::costed_lengths) text += fmt::format("{:>14}", length);
   text += '\n';
-  for (const trade::PixelCost& p : pixels) {
+  for (const measure::PixelCost& p : pixels) {
     text +=
         fmt::format("{:<18}{:<6}{:>12}", p.loop, x86model::name_of(p.cpu), clocks_text(p.pixel));
-    for (const trade::Bounds& b : p.of_span) text += fmt::format("{:>14}", clocks_text(b));
+    for (const measure::Bounds& b : p.of_span) text += fmt::format("{:>14}", clocks_text(b));
     text += '\n';
   }
   return text;
 }
 
-std::string times_text(const trade::SteppingResult& result) {
+std::string times_text(const measure::SteppingResult& result) {
   std::string text = fmt::format(
       "\nNanoseconds on {}, {}: the loops in C++ over spans of {} pixels, and what a\nvalue of a "
       "span begins with; the least and the median of {} rounds.\n\n{:<26}{:>9}{:>9}{:>9}\n\n",
-      trade::processor_name(), trade::compiler_flags(), xsharp::longest_span, result.rounds, "",
+      measure::processor_name(), measure::compiler_flags(), xsharp::longest_span, result.rounds, "",
       "ns", "median", "spread");
-  for (const trade::SteppingTimes& t : result.times) {
+  for (const measure::SteppingTimes& t : result.times) {
     text += fmt::format("{:<26}{}  a {}\n", t.what, columns_of(t.times), t.of);
   }
   return text;
@@ -91,7 +91,7 @@ std::string times_text(const trade::SteppingResult& result) {
 
 }  // namespace
 
-std::string text_of(const trade::SteppingResult& result) {
+std::string text_of(const measure::SteppingResult& result) {
   std::string text = fmt::format(
       "{}\n\n"
       "Values stepped across {} span{} of each length from 1 to {} pixels, set against the exact "
@@ -114,7 +114,7 @@ std::string text_of(const trade::SteppingResult& result) {
           rows_text(result.rows, picture_columns);
   text += setups_text(result.setups) + pixels_text(result.pixels) + times_text(result) +
           "\nWhat the document says, by these clocks.\n";
-  for (const trade::Claim& claim : result.claims) text += text_of(claim);
+  for (const measure::Claim& claim : result.claims) text += text_of(claim);
   return text;
 }
 

@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "support/plain_text.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 
 namespace fixproof::cli {
 
-std::string text_of(const trade::Claim& claim) {
+std::string text_of(const measure::Claim& claim) {
   std::string text = fmt::format("\n{} ({})\n=> {}\n({})\n", claim.text, claim.place,
                                  name_of(verdict_on(claim)), claim.means);
-  for (const trade::ClaimFigure& f : claim.figures) {
+  for (const measure::ClaimFigure& f : claim.figures) {
     text += fmt::format("  {:<45}{:>15} {:<16} {}\n", support::printable(f.where),
                         between(f.measured.min, f.measured.max, 2), claim.unit, name_of(f.verdict));
   }
@@ -21,13 +21,13 @@ std::string text_of(const trade::Claim& claim) {
 }
 
 std::string made_by(std::uint64_t seed) {
-  return fmt::format("seed {}, {}", seed, trade::compiler_name());
+  return fmt::format("seed {}, {}", seed, measure::compiler_name());
 }
 
 std::string missing_libraries() {
   std::string text;
-  for (const auto& [built_in, library] : {std::pair{trade::has_libfixmath(), "libfixmath"},
-                                          std::pair{trade::has_freetype(), "FreeType"}}) {
+  for (const auto& [built_in, library] : {std::pair{measure::has_libfixmath(), "libfixmath"},
+                                          std::pair{measure::has_freetype(), "FreeType"}}) {
     if (built_in) continue;
     text +=
         fmt::format("{} was not found when this program was built, and is left out.\n", library);
@@ -59,7 +59,7 @@ std::string between(double min, double max, int decimals) {
   return min == max ? text(min) : fmt::format("{}-{}", text(min), text(max));
 }
 
-std::string columns_of(const trade::Times& times) {
+std::string columns_of(const measure::Times& times) {
   return fmt::format("{:>9.3f}{:>9.3f}{:>7.1f} %", times.min, times.median, 100 * times.spread);
 }
 

@@ -5,20 +5,20 @@
 #include <cstdint>
 #include <string>
 
-#include "trade/accuracy/accuracy.hpp"
-#include "trade/clocks/clocks.hpp"
-#include "trade/host/host.hpp"
-#include "trade/stepping/stepping.hpp"
+#include "measure/accuracy/accuracy.hpp"
+#include "measure/clocks/clocks.hpp"
+#include "measure/host/host.hpp"
+#include "measure/stepping/stepping.hpp"
 
 namespace fixproof::cli {
 
-std::string text_of(const trade::AccuracyResult& result);
-std::string text_of(const trade::ClockResult& result);
-std::string text_of(const trade::HostResult& result);
-std::string text_of(const trade::SteppingResult& result);
+std::string text_of(const measure::AccuracyResult& result);
+std::string text_of(const measure::ClockResult& result);
+std::string text_of(const measure::HostResult& result);
+std::string text_of(const measure::SteppingResult& result);
 
 /// A claim, its verdict, and one line per figure.
-std::string text_of(const trade::Claim& claim);
+std::string text_of(const measure::Claim& claim);
 
 /// `seed 1994, g++ 12.2.0`
 std::string made_by(std::uint64_t seed);
@@ -39,6 +39,6 @@ std::string share_text(double x);
 std::string between(double min, double max, int decimals);
 
 /// Least, median and spread of a time, as three columns.
-std::string columns_of(const trade::Times& times);
+std::string columns_of(const measure::Times& times);
 
 }  // namespace fixproof::cli

@@ -30,7 +30,7 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "trade/clocks/frame_clocks.hpp"
+#include "measure/clocks/frame_clocks.hpp"
 #include "xsharp/validate.hpp"
 
 namespace fixproof::cli {
@@ -106,7 +106,7 @@ class ClockMeter {
 
   void count(const player::OperandLog& log) {
     for (Total& total : totals_) {
-      const trade::FrameClocks clocks = trade::clocks_of(log, build_, total.cpu);
+      const measure::FrameClocks clocks = measure::clocks_of(log, build_, total.cpu);
       total.least += clocks.table.min;
       total.most += clocks.table.max;
       total.bus += clocks.bus.clocks();

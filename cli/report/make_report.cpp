@@ -15,7 +15,7 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
@@ -70,8 +70,8 @@ Json origin_of(const ReportRequest& request, const std::vector<xsharp::Scene>& s
   Json names = Json::array();
   for (const xsharp::Scene& scene : scenes) names.push_back(scene.name);
   return {{"version", program_version()},       {"seed", request.seed},
-          {"compiler", trade::compiler_name()}, {"processor", trade::processor_name()},
-          {"date", trade::date_now()},          {"quick", request.quick},
+          {"compiler", measure::compiler_name()}, {"processor", measure::processor_name()},
+          {"date", measure::date_now()},          {"quick", request.quick},
           {"scenes", std::move(names)}};
 }
 
@@ -113,7 +113,7 @@ int make_report(const ReportRequest& request) {
     std::cout << fmt::format("  {}\n", support::duration(passed.count()));
     if (step.name == "verify") verify_status = status;
     commands.push_back(
-        {{"command", step.command}, {"date", trade::date_now()}, {"seconds", passed.count()}});
+        {{"command", step.command}, {"date", measure::date_now()}, {"seconds", passed.count()}});
   }
   write_page(request, scenes, commands, data);
   std::cout << fmt::format(

@@ -15,10 +15,10 @@
 #include "cli/selection.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
-#include "trade/accuracy/accuracy.hpp"
-#include "trade/clocks/clocks.hpp"
-#include "trade/host/host.hpp"
-#include "trade/stepping/stepping.hpp"
+#include "measure/accuracy/accuracy.hpp"
+#include "measure/clocks/clocks.hpp"
+#include "measure/host/host.hpp"
+#include "measure/stepping/stepping.hpp"
 #include "verify/engine.hpp"
 #include "verify/report_json.hpp"
 
@@ -86,13 +86,13 @@ ReportStep verify_step(const ReportRequest& request, const std::string& stem) {
 /// @param options those of the command beside --seed and --json
 template <class Result>
 ReportStep measure_step(const std::string& name, Measurement<Result> measure, const Words& options,
-                        trade::MeasureRequest request, const std::string& stem) {
+                        measure::MeasureRequest request, const std::string& stem) {
   const std::string json = stem + ".json";
   Words arguments{"measure", "--" + name};
   append(arguments, options);
   append(arguments, {"--seed", fmt::to_string(request.seed), "--json", json});
   return {name, command_line(arguments), {json}, [=](ReportData& data) {
-            trade::MeasureProgress progress(support::Interrupt::flag());
+            measure::MeasureProgress progress(support::Interrupt::flag());
             const Measured<Result> measured = run_measurement(measure, request, progress);
             for (const std::string& line : measured.errors) {
               fmt::print(stderr, "fixproof: {}\n", line);
@@ -163,9 +163,9 @@ bool has_beside(const xsharp::Scene& scene) {
 std::vector<ReportStep> report_steps(const ReportRequest& request,
                                      const std::vector<xsharp::Scene>& scenes) {
   const std::string data = request.folder + "/data/";
-  trade::MeasureRequest with_scenes;
-  trade::MeasureRequest without_scenes;
-  trade::MeasureRequest spans;
+  measure::MeasureRequest with_scenes;
+  measure::MeasureRequest without_scenes;
+  measure::MeasureRequest spans;
   with_scenes.seed = without_scenes.seed = spans.seed = request.seed;
   Words scene_options = request.scenes;
   Words host_options;
@@ -184,11 +184,11 @@ std::vector<ReportStep> report_steps(const ReportRequest& request,
 
   std::vector<ReportStep> steps{
       verify_step(request, data + "verify"),
-      measure_step("accuracy", trade::measure_accuracy, scene_options, with_scenes,
+      measure_step("accuracy", measure::measure_accuracy, scene_options, with_scenes,
                    data + "accuracy"),
-      measure_step("clocks", trade::measure_clocks, scene_options, with_scenes, data + "clocks"),
-      measure_step("host", trade::measure_host, host_options, without_scenes, data + "host"),
-      measure_step("stepping", trade::measure_stepping, span_options, spans, data + "stepping"),
+      measure_step("clocks", measure::measure_clocks, scene_options, with_scenes, data + "clocks"),
+      measure_step("host", measure::measure_host, host_options, without_scenes, data + "host"),
+      measure_step("stepping", measure::measure_stepping, span_options, spans, data + "stepping"),
       drift_step(request, scenes.front(), data + "drift")};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     steps.push_back(render_step(request, i, scenes[i], data));

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "cli/advice_text.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 
 namespace fixproof {
 namespace {
@@ -86,7 +86,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
   const auto json = trade::to_json(report);
   EXPECT_EQ(json.at("made").at("command"), "advise");
-  EXPECT_EQ(json.at("made").at("processor"), trade::processor_name());
+  EXPECT_EQ(json.at("made").at("processor"), measure::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
   EXPECT_TRUE(json.at("variants").at(0).at("worst_pixels").is_null());
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "parties/interpreter.hpp"
-#include "trade/clocks/frame_clocks.hpp"
+#include "measure/clocks/frame_clocks.hpp"
 #include "x86model/count_clocks.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -94,8 +94,8 @@ TEST(FrameClocks, FromScratchAreThoseOfAppendingForOneAxis) {
 TEST(FrameClocks, TheBusLimitsACosSin) {
   player::OperandLog log;
   log.at(static_cast<std::size_t>(cases::Operation::cossin)) = {0};
-  const trade::FrameClocks clocks =
-      trade::clocks_of(log, {.target = cases::Target::i8088}, x86model::Cpu::i8088);
+  const measure::FrameClocks clocks =
+      measure::clocks_of(log, {.target = cases::Target::i8088}, x86model::Cpu::i8088);
   EXPECT_EQ(clocks.bus, (x86model::BusBytes{77, 32}));
   EXPECT_LT(clocks.table.max, 436U);
   EXPECT_EQ(clocks.per_frame(1).at_least().min, 436);

@@ -1,7 +1,7 @@
 // A pixel of every loop, added up by hand from Intel's tables, instruction by instruction.
 #include <gtest/gtest.h>
 
-#include "trade/clocks/span_clocks.hpp"
+#include "measure/clocks/span_clocks.hpp"
 #include "x86model/notation.hpp"
 
 namespace {
@@ -14,8 +14,8 @@ using x86model::LoopForm;
 using x86model::Target;
 
 void expect(const LoopForm& form, Cpu cpu, double min, double max,
-            trade::Pixels pixels = trade::Pixels::drawn) {
-  const auto clocks = trade::pixel_clocks(form, pixels, cpu);
+            measure::Pixels pixels = measure::Pixels::drawn) {
+  const auto clocks = measure::pixel_clocks(form, pixels, cpu);
   ASSERT_TRUE(clocks) << name_of(cpu);
   EXPECT_DOUBLE_EQ(clocks->table.min, min) << name_of(cpu);
   EXPECT_DOUBLE_EQ(clocks->table.max, max) << name_of(cpu);
@@ -56,12 +56,12 @@ TEST(LoopClocks, GouraudWords) {
 TEST(LoopClocks, DepthTest) {
   const LoopForm form{Loop::depth_test};
   // Hidden: shld 3, add 2, cmp 6, jg not taken 3, inc 2, loop 11 and the five parts of SHLD.
-  expect(form, Cpu::i386, 3 + 2 + 6 + 3 + 2 + (11 + 5), 32, trade::Pixels::hidden);
+  expect(form, Cpu::i386, 3 + 2 + 6 + 3 + 2 + (11 + 5), 32, measure::Pixels::hidden);
   // Drawn: jg taken to MOV (prefix, opcode, ModR/M, displacement), two MOVs to memory, inc, loop.
   expect(form, Cpu::i386, 3 + 2 + 6 + (7 + 4) + 2 + 2 + 2 + (11 + 5), 44);
   // 486: shld 2, add 1, cmp 2, jg 1, inc 1, loop 7; prefixes of SHLD, ADD, CMP, INC; a scaled
   // index.
-  expect(form, Cpu::i486, 2 + 1 + 2 + 1 + 1 + 7, 14 + 4 + 1, trade::Pixels::hidden);
+  expect(form, Cpu::i486, 2 + 1 + 2 + 1 + 1 + 7, 14 + 4 + 1, measure::Pixels::hidden);
 }
 
 // The bus of an 8088, from the bytes that ndisasm shows: MOV 2, ADD 2, STOSB 1 and the byte stored;
@@ -69,7 +69,7 @@ TEST(LoopClocks, DepthTest) {
 // 1 + 2 + 4 + 1 + 2 of code, a byte read, one stored, a word read.
 TEST(LoopClocks, BusOfAn8088) {
   const auto bus = [](Loop loop, Counting counting) {
-    return trade::pixel_clocks({loop, counting, Target::i8088}, trade::Pixels::drawn, Cpu::i8088)
+    return measure::pixel_clocks({loop, counting, Target::i8088}, measure::Pixels::drawn, Cpu::i8088)
         ->bus;
   };
   EXPECT_DOUBLE_EQ(bus(Loop::gouraud_byte, Counting::unrolled), 4 * (5 + 1));
@@ -77,7 +77,7 @@ TEST(LoopClocks, BusOfAn8088) {
   EXPECT_DOUBLE_EQ(bus(Loop::gouraud_byte, Counting::dec_jnz), 4 * (8 + 1));
   EXPECT_DOUBLE_EQ(bus(Loop::gouraud_word, Counting::unrolled), 4 * (9 + 2) / 2.0);
   EXPECT_DOUBLE_EQ(bus(Loop::texture, Counting::dec_jnz), 4 * (18 + 4));
-  EXPECT_EQ(trade::pixel_clocks({Loop::texture}, trade::Pixels::drawn, Cpu::i386)->bus, 0);
+  EXPECT_EQ(measure::pixel_clocks({Loop::texture}, measure::Pixels::drawn, Cpu::i386)->bus, 0);
 }
 
 // mov bx,si  mov bl,dh  mov al,[Texture+bx]  stosb  add dx,bp  add si,[IncJ]
@@ -95,19 +95,19 @@ TEST(LoopClocks, Texture) {
 }
 
 TEST(LoopClocks, The8088CannotRunWhatIsForThe386) {
-  EXPECT_FALSE(trade::pixel_clocks({Loop::gouraud_word}, trade::Pixels::drawn, Cpu::i286));
-  EXPECT_FALSE(trade::pixel_clocks({Loop::depth_test}, trade::Pixels::drawn, Cpu::i8088));
+  EXPECT_FALSE(measure::pixel_clocks({Loop::gouraud_word}, measure::Pixels::drawn, Cpu::i286));
+  EXPECT_FALSE(measure::pixel_clocks({Loop::depth_test}, measure::Pixels::drawn, Cpu::i8088));
 }
 
-const trade::LoopGain* gain_of(const trade::LoopClaim& claim, const std::string& where) {
-  for (const trade::LoopGain& gain : claim.gains) {
+const measure::LoopGain* gain_of(const measure::LoopClaim& claim, const std::string& where) {
+  for (const measure::LoopGain& gain : claim.gains) {
     if (gain.where == where) return &gain;
   }
   return nullptr;
 }
 
 TEST(LoopClocks, TheClaims) {
-  const auto claims = trade::loop_claims();
+  const auto claims = measure::loop_claims();
   ASSERT_EQ(claims.size(), 3U);
   const auto* words = gain_of(claims[0], "gouraud-byte, unrolled to gouraud-word, on a 386");
   ASSERT_NE(words, nullptr);

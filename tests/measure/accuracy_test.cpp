@@ -9,36 +9,36 @@
 #include "fixed/fixed.hpp"
 #include "oracle/real.hpp"
 #include "tests/measure/never.hpp"
-#include "trade/accuracy/accuracy_run.hpp"
+#include "measure/accuracy/accuracy_run.hpp"
 
 namespace {
 
 using namespace fixproof;
 
-trade::MeasuredOperation operation_named_here(std::string_view name) {
-  for (trade::MeasuredOperation& o : trade::measured_operations()) {
+measure::MeasuredOperation operation_named_here(std::string_view name) {
+  for (measure::MeasuredOperation& o : measure::measured_operations()) {
     if (o.name == name) return std::move(o);
   }
   throw std::invalid_argument("no such operation");
 }
 
 /// The errors of one subject over uniform operands, or over one set of words.
-trade::AccuracyRow row_of_set(std::string_view operation, std::string_view subject,
-                              const trade::OperandSet& set) {
-  for (trade::AccuracyRow& row :
-       trade::measure_errors(operation_named_here(operation), set, never)) {
+measure::AccuracyRow row_of_set(std::string_view operation, std::string_view subject,
+                              const measure::OperandSet& set) {
+  for (measure::AccuracyRow& row :
+       measure::measure_errors(operation_named_here(operation), set, never)) {
     if (row.subject.name == subject) return std::move(row);
   }
   throw std::invalid_argument("no such subject");
 }
-trade::AccuracyRow uniform(std::string_view operation, std::string_view subject) {
+measure::AccuracyRow uniform(std::string_view operation, std::string_view subject) {
   return row_of_set(operation, subject,
-                    trade::random_operands(operation_named_here(operation), 7, 20'000).front());
+                    measure::random_operands(operation_named_here(operation), 7, 20'000).front());
 }
 
 // 1 unit times 8000h units is half a unit: up to 1, off by +1/2; -1 times the same up to 0.
 TEST(Accuracy, ErrorsOfTwoTies) {
-  const trade::OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
+  const measure::OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
   const auto up = row_of_set("mul", "q16_16", ties).errors;
   EXPECT_EQ(up.cases(), 2U);
   EXPECT_EQ(up.mean(), 0.5);
@@ -52,7 +52,7 @@ TEST(Accuracy, ErrorsOfTwoTies) {
 
 // 3 units times 4000h units is 3/4 of a unit.
 TEST(Accuracy, TruncationIsNotTheNearest) {
-  const trade::OperandSet one{"one", {3, 0x4000}};
+  const measure::OperandSet one{"one", {3, 0x4000}};
   const auto down = row_of_set("mul", "q16_16_i8088_unrounded", one).errors;
   EXPECT_EQ(down.mean(), -0.75);
   EXPECT_EQ(down.correct(), 0);
@@ -61,10 +61,10 @@ TEST(Accuracy, TruncationIsNotTheNearest) {
 
 TEST(Accuracy, WhatDoesNotFitIsLeftOut) {
   // 32767 times 2; 1 by 0; the most negative word by -1.0 and by 1.0, which fits.
-  const trade::OperandSet products{"", {0x7FFF0000, 0x00020000}};
+  const measure::OperandSet products{"", {0x7FFF0000, 0x00020000}};
   EXPECT_EQ(row_of_set("mul", "q16_16", products).beyond, 1U);
-  const trade::OperandSet quotients{"", {1, 0, 0x80000000, 0xFFFF0000, 0x80000000, 0x00010000}};
-  const trade::AccuracyRow row = row_of_set("div", "q16_16", quotients);
+  const measure::OperandSet quotients{"", {1, 0, 0x80000000, 0xFFFF0000, 0x80000000, 0x00010000}};
+  const measure::AccuracyRow row = row_of_set("div", "q16_16", quotients);
   EXPECT_EQ(row.beyond, 2U);
   EXPECT_EQ(row.errors.cases(), 1U);
   EXPECT_EQ(row.errors.max(), 0);
@@ -72,8 +72,8 @@ TEST(Accuracy, WhatDoesNotFitIsLeftOut) {
 
 // 1.0 by 1.5: the 8088 divides by 1, and is off by a third. By 0.5 it faults.
 TEST(Accuracy, The8088DividesByTheWholePart) {
-  const trade::OperandSet set{"", {0x00010000, 0x00018000, 0x00010000, 0x00008000}};
-  const trade::AccuracyRow row = row_of_set("div", "q16_16_i8088", set);
+  const measure::OperandSet set{"", {0x00010000, 0x00018000, 0x00010000, 0x00008000}};
+  const measure::AccuracyRow row = row_of_set("div", "q16_16_i8088", set);
   EXPECT_EQ(row.faults, 1U);
   EXPECT_DOUBLE_EQ(row.errors.max(), 65536.0 / 3);
 }
@@ -170,8 +170,8 @@ TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
 }
 
 TEST(Accuracy, FreeTypeRoundsHalvesAwayFromZero) {
-  if (!trade::has_freetype()) GTEST_SKIP() << "FreeType is not installed";
-  const trade::OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
+  if (!measure::has_freetype()) GTEST_SKIP() << "FreeType is not installed";
+  const measure::OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
   EXPECT_EQ(row_of_set("mul", "FreeType", ties).errors.mean(), 0);
   EXPECT_EQ(row_of_set("mul", "FreeType", ties).errors.max(), 0.5);
   EXPECT_EQ(uniform("div", "FreeType").errors.correct(), 1);
@@ -179,8 +179,8 @@ TEST(Accuracy, FreeTypeRoundsHalvesAwayFromZero) {
 
 template <class One, class Other>
 void expect_same_products_and_quotients(bool quotients) {
-  const trade::OperandSet set =
-      trade::random_operands(operation_named_here("div"), 7, 2'000).front();
+  const measure::OperandSet set =
+      measure::random_operands(operation_named_here("div"), 7, 2'000).front();
   for (std::size_t i = 0; i + 2 <= set.words.size(); i += 2) {
     // Small enough for every product, and large enough a divisor for every quotient, to fit.
     const auto a = static_cast<std::int32_t>(set.words[i]) >> 8;
@@ -235,8 +235,8 @@ TEST(Accuracy, AlikeWhereTheSumFitsAreThoseThatWrap) {
 // Its long division begins with an estimate that leaves out a unit of the remainder at most; with
 // the smallest divisor for which it does so, 2^20, that is 1/16 of a unit of the quotient.
 TEST(Accuracy, LibfixmathDivideIsMoreThanHalfAUnitOffInOneCaseOfAThousand) {
-  if (!trade::has_libfixmath()) GTEST_SKIP() << "libfixmath is not installed";
-  const auto sets = trade::random_operands(operation_named_here("div"), 7, 200'000);
+  if (!measure::has_libfixmath()) GTEST_SKIP() << "libfixmath is not installed";
+  const auto sets = measure::random_operands(operation_named_here("div"), 7, 200'000);
   ASSERT_EQ(sets.at(1).name, "uniform to 2048");
   const auto errors = row_of_set("div", "libfixmath", sets.at(1)).errors;
   EXPECT_NEAR(1 - errors.correct(), 0.001, 0.0005);

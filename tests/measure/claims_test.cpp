@@ -1,10 +1,10 @@
 // Verdicts, and counts of whole calls that are worked by hand from Intel's tables.
-#include "trade/clocks/claims.hpp"
+#include "measure/clocks/claims.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/measure/never.hpp"
-#include "trade/clocks/call_clocks.hpp"
+#include "measure/clocks/call_clocks.hpp"
 
 namespace {
 
@@ -12,39 +12,39 @@ using namespace fixproof;
 using x86model::Cpu;
 
 TEST(Claims, AVerdictNeedsAllOfARange) {
-  const auto verdict = [](trade::Bounds measured) {
-    return trade::judge(measured, {2, 3}, trade::Evidence::decides);
+  const auto verdict = [](measure::Bounds measured) {
+    return measure::judge(measured, {2, 3}, measure::Evidence::decides);
   };
-  EXPECT_EQ(verdict({2, 3}), trade::Verdict::holds);
-  EXPECT_EQ(verdict({2.5, 2.5}), trade::Verdict::holds);
-  EXPECT_EQ(verdict({1, 1.9}), trade::Verdict::does_not_hold);
-  EXPECT_EQ(verdict({3.1, 9}), trade::Verdict::does_not_hold);
-  EXPECT_EQ(verdict({1, 2}), trade::Verdict::open);
-  EXPECT_EQ(verdict({2.9, 3.1}), trade::Verdict::open);
-  EXPECT_EQ(verdict({1, 9}), trade::Verdict::open);
+  EXPECT_EQ(verdict({2, 3}), measure::Verdict::holds);
+  EXPECT_EQ(verdict({2.5, 2.5}), measure::Verdict::holds);
+  EXPECT_EQ(verdict({1, 1.9}), measure::Verdict::does_not_hold);
+  EXPECT_EQ(verdict({3.1, 9}), measure::Verdict::does_not_hold);
+  EXPECT_EQ(verdict({1, 2}), measure::Verdict::open);
+  EXPECT_EQ(verdict({2.9, 3.1}), measure::Verdict::open);
+  EXPECT_EQ(verdict({1, 9}), measure::Verdict::open);
 }
 
 TEST(Claims, EvidenceOfOneSideSaysNothingOfTheOther) {
-  const trade::Bounds allowed{2, 3};
-  const trade::Bounds inside{2.5, 2.5};
-  const trade::Bounds outside{1, 1};
-  EXPECT_EQ(trade::judge(inside, allowed, trade::Evidence::can_show), trade::Verdict::holds);
-  EXPECT_EQ(trade::judge(outside, allowed, trade::Evidence::can_show), trade::Verdict::open);
-  EXPECT_EQ(trade::judge(inside, allowed, trade::Evidence::can_refute),
-            trade::Verdict::not_refuted);
-  EXPECT_EQ(trade::judge(outside, allowed, trade::Evidence::can_refute),
-            trade::Verdict::does_not_hold);
-  EXPECT_EQ(trade::judge(inside, allowed, trade::Evidence::neither), trade::Verdict::open);
-  EXPECT_EQ(trade::judge(outside, allowed, trade::Evidence::neither), trade::Verdict::open);
+  const measure::Bounds allowed{2, 3};
+  const measure::Bounds inside{2.5, 2.5};
+  const measure::Bounds outside{1, 1};
+  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::can_show), measure::Verdict::holds);
+  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::can_show), measure::Verdict::open);
+  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::can_refute),
+            measure::Verdict::not_refuted);
+  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::can_refute),
+            measure::Verdict::does_not_hold);
+  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::neither), measure::Verdict::open);
+  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::neither), measure::Verdict::open);
 }
 
 TEST(Claims, FiguresThatAreOpenDecideNothing) {
-  const auto of = [](const std::vector<trade::Verdict>& verdicts) {
-    trade::Claim claim;
-    for (const trade::Verdict v : verdicts) claim.figures.push_back({"", {}, v});
-    return trade::verdict_on(claim);
+  const auto of = [](const std::vector<measure::Verdict>& verdicts) {
+    measure::Claim claim;
+    for (const measure::Verdict v : verdicts) claim.figures.push_back({"", {}, v});
+    return measure::verdict_on(claim);
   };
-  using enum trade::Verdict;
+  using enum measure::Verdict;
   EXPECT_EQ(of({open, open}), open);
   EXPECT_EQ(of({open, holds, holds}), holds);
   EXPECT_EQ(of({does_not_hold, open}), does_not_hold);
@@ -52,7 +52,7 @@ TEST(Claims, FiguresThatAreOpenDecideNothing) {
 }
 
 TEST(Spread, MeansAreOfTypicalCallsAlone) {
-  trade::Spread s;
+  measure::Spread s;
   s.add({10, 12});
   s.add({20, 20});
   s.bound({5, 40});
@@ -63,8 +63,8 @@ TEST(Spread, MeansAreOfTypicalCallsAlone) {
   EXPECT_EQ(s.mean_max(), 16);
 }
 
-const trade::ProcessorClocks& on(const trade::CallClocks& clocks, Cpu cpu) {
-  for (const trade::ProcessorClocks& p : clocks.processors) {
+const measure::ProcessorClocks& on(const measure::CallClocks& clocks, Cpu cpu) {
+  for (const measure::ProcessorClocks& p : clocks.processors) {
     if (p.cpu == cpu) return p;
   }
   throw std::invalid_argument("not on this processor");
@@ -74,14 +74,14 @@ const trade::ProcessorClocks& on(const trade::CallClocks& clocks, Cpu cpu) {
 // multiplier, ADD 2, ADC 2, SHR 3, POP 4, RET 10 and 3 for ADD SP,8. Three times 2^16 has 18 bits,
 // 1.0 is 2^16: 32 + 27 and 32 + 25. On a 486 14 to 21, IMUL 27 to 29 and 26 to 27.
 TEST(CallClocks, FixedMulOnA386) {
-  trade::CallClocks clocks = trade::no_calls(
+  measure::CallClocks clocks = measure::no_calls(
       {.operation = cases::Operation::mul, .build = {.target = cases::Target::i386}});
-  trade::add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true,
+  measure::add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true,
                    never);
   EXPECT_EQ(clocks.processors.size(), 2U);
   EXPECT_EQ(clocks.instructions.least(), 9U);
   EXPECT_EQ(clocks.instructions.most(), 9U);
-  const trade::Spread& counted = on(clocks, Cpu::i386).clocks;
+  const measure::Spread& counted = on(clocks, Cpu::i386).clocks;
   EXPECT_EQ(counted.least(), 57U);
   EXPECT_EQ(counted.most(), 59U);
   EXPECT_EQ(counted.mean_min(), 58);
@@ -102,9 +102,9 @@ TEST(CallClocks, FixedMulOnAn8088) {
   constexpr std::uint64_t jumps = 3 * 16;
   constexpr std::uint64_t multiplies = 119 + 118 + 119 + 118;
   constexpr std::uint64_t ret = 20;
-  trade::CallClocks clocks = trade::no_calls(
+  measure::CallClocks clocks = measure::no_calls(
       {.operation = cases::Operation::mul, .build = {.target = cases::Target::i8088}});
-  trade::add_calls(clocks, std::array{0x00010000U, 0x00010000U}, true, never);
+  measure::add_calls(clocks, std::array{0x00010000U, 0x00010000U}, true, never);
   EXPECT_EQ(clocks.instructions.least(), 39U);
   EXPECT_EQ(on(clocks, Cpu::i8088).clocks.least(), pushes + pops + loads + moves +
                                                        between_registers + with_constants + jumps +
@@ -112,18 +112,18 @@ TEST(CallClocks, FixedMulOnAn8088) {
 }
 
 /// A scene of one frame whose only work is 1.0 times 1.0, in each build.
-trade::RecordedScene one_product() {
-  trade::RecordedScene scene{"one product", {}};
-  for (const auto& build : trade::recorded_builds()) {
-    trade::SceneOperands operands{.build = build, .frames = 1};
+measure::RecordedScene one_product() {
+  measure::RecordedScene scene{"one product", {}};
+  for (const auto& build : measure::recorded_builds()) {
+    measure::SceneOperands operands{.build = build, .frames = 1};
     operands.log.at(static_cast<std::size_t>(cases::Operation::mul)) = {0x00010000, 0x00010000};
     scene.builds.push_back(operands);
   }
   return scene;
 }
 
-const trade::Claim& claim_about(const std::vector<trade::Claim>& claims, std::string_view words) {
-  for (const trade::Claim& c : claims) {
+const measure::Claim& claim_about(const std::vector<measure::Claim>& claims, std::string_view words) {
+  for (const measure::Claim& c : claims) {
     if (c.text.find(words) != std::string::npos) return c;
   }
   throw std::invalid_argument("no such claim");
@@ -132,25 +132,25 @@ const trade::Claim& claim_about(const std::vector<trade::Claim>& claims, std::st
 // The 39 rows of the 8088's FixedMul for 1.0 by 1.0 take 155 clocks on a 386 and 220 on a 286; the
 // 386's takes 32 + 25 on a 386, 40 to 48 on a 486.
 TEST(Claims, FiguresOfOneProduct) {
-  const auto claims = trade::judge_claims({one_product()});
-  const trade::Claim& slower = claim_about(claims, "2.5 times");
+  const auto claims = measure::judge_claims({one_product()});
+  const measure::Claim& slower = claim_about(claims, "2.5 times");
   ASSERT_EQ(slower.figures.size(), 2U);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.min, 155.0 / 57);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.max, 155.0 / 57);
   // The 486's figure decides.
-  EXPECT_EQ(slower.figures[0].verdict, trade::Verdict::open);
-  const trade::Claim& at = claim_about(claims, "8 MHz AT is about 10");
+  EXPECT_EQ(slower.figures[0].verdict, measure::Verdict::open);
+  const measure::Claim& at = claim_about(claims, "8 MHz AT is about 10");
   ASSERT_EQ(at.figures.size(), 1U);
   EXPECT_DOUBLE_EQ(at.figures[0].measured.min, 220.0 / 8 / (48.0 / 33));
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (40.0 / 33));
   // Of whole animations: the listings decide nothing.
-  EXPECT_EQ(at.figures[0].verdict, trade::Verdict::open);
+  EXPECT_EQ(at.figures[0].verdict, measure::Verdict::open);
   // Unrounded, ADD and ADC are left out on a 386: 4 clocks of 57. Of a program of 570 clocks of
   // which the rounded product takes a tenth, that is 4 of 566.
-  const trade::Claim& rounding = claim_about(claims, "cost of rounding");
+  const measure::Claim& rounding = claim_about(claims, "cost of rounding");
   ASSERT_EQ(rounding.figures.size(), 3U);
   EXPECT_DOUBLE_EQ(rounding.figures[0].measured.min, 100 * (57.0 / 53 - 1));
-  EXPECT_EQ(rounding.figures[0].verdict, trade::Verdict::holds);
+  EXPECT_EQ(rounding.figures[0].verdict, measure::Verdict::holds);
   EXPECT_NEAR(rounding.figures[1].measured.min, 100 * 4.0 / 566, 1e-9);
   // There is no divide whose time could be compared.
   EXPECT_EQ(claim_about(claims, "native").figures.size(), 1U);
@@ -161,13 +161,13 @@ TEST(Claims, FiguresOfOneProduct) {
 // The 8088 executes 73 bytes of code and moves 30 of data: 412 clocks of bus, which are fewer than
 // the table's. Where the code is waited for, its 292 clocks come on top.
 TEST(Claims, AnI8088HasTwoFigures) {
-  const auto claims = trade::judge_claims({one_product()});
-  const trade::Claim& pc = claim_about(claims, "40 times");
+  const auto claims = measure::judge_claims({one_product()});
+  const measure::Claim& pc = claim_about(claims, "40 times");
   ASSERT_EQ(pc.figures.size(), 2U);
   constexpr double table =
       5 * 15 + 5 * 12 + 4 * 21 + 7 * 2 + 8 * 3 + 2 * 4 + 3 * 16 + (119 + 118 + 119 + 118) + 20;
   EXPECT_EQ(pc.figures[1].verdict,
-            trade::judge(pc.figures[1].measured, pc.allowed, trade::Evidence::decides));
+            measure::judge(pc.figures[1].measured, pc.allowed, measure::Evidence::decides));
   EXPECT_DOUBLE_EQ(pc.figures[1].measured.min / pc.figures[0].measured.min,
                    (table + 4 * 73) / table);
   EXPECT_DOUBLE_EQ(pc.figures[1].measured.max / pc.figures[0].measured.max,
@@ -176,53 +176,53 @@ TEST(Claims, AnI8088HasTwoFigures) {
 
 // Half a unit is rounded up, and cut off.
 TEST(Claims, RoundingChangesAProductByAUnit) {
-  trade::RecordedScene scene = one_product();
-  for (trade::SceneOperands& build : scene.builds) {
+  measure::RecordedScene scene = one_product();
+  for (measure::SceneOperands& build : scene.builds) {
     build.log.at(static_cast<std::size_t>(cases::Operation::mul)) = {0x00000001, 0x00008000};
   }
-  const auto claims = trade::judge_claims({scene});
-  const trade::Claim& effect = claim_about(claims, "2^-16");
+  const auto claims = measure::judge_claims({scene});
+  const measure::Claim& effect = claim_about(claims, "2^-16");
   EXPECT_EQ(effect.figures.at(0).measured.max, 1);
-  EXPECT_EQ(effect.figures.at(0).verdict, trade::Verdict::holds);
+  EXPECT_EQ(effect.figures.at(0).verdict, measure::Verdict::holds);
 }
 
 // A frame of one ConcatXforms and one XformVec: 36 and 9 calls of FixedMul from C, 57 clocks each
 // where every factor is 1.0.
 TEST(Claims, TheCubesOfChapter52AreCountedByCallsOfFixedMul) {
-  trade::RecordedScene scene = one_product();
+  measure::RecordedScene scene = one_product();
   scene.name = "twelve cubes";
-  for (trade::SceneOperands& build : scene.builds) {
+  for (measure::SceneOperands& build : scene.builds) {
     build.log = {};
     build.log.at(static_cast<std::size_t>(cases::Operation::concat)).assign(24, 0x00010000);
     build.log.at(static_cast<std::size_t>(cases::Operation::xformvec)).assign(15, 0x00010000);
   }
-  const auto claims = trade::judge_claims({scene});
-  const trade::Claim& cubes = claim_about(claims, "twelve cubes");
+  const auto claims = measure::judge_claims({scene});
+  const measure::Claim& cubes = claim_about(claims, "twelve cubes");
   ASSERT_EQ(cubes.figures.size(), 1U);
   EXPECT_EQ(cubes.figures[0].where, "twelve cubes, 45 + 0 FixedMul, 0 FixedDiv");
   EXPECT_DOUBLE_EQ(cubes.figures[0].measured.min, 20e6 / (45 * 57));
-  EXPECT_EQ(cubes.figures[0].verdict, trade::Verdict::not_refuted);
+  EXPECT_EQ(cubes.figures[0].verdict, measure::Verdict::not_refuted);
 }
 
 TEST(Claims, SayWhereTheyArePrinted) {
-  for (const trade::Claim& claim : trade::judge_claims({one_product()}))
+  for (const measure::Claim& claim : measure::judge_claims({one_product()}))
     EXPECT_NE(claim.place, "") << claim.text;
-  for (const trade::NotJudged& statement : trade::not_judged()) {
+  for (const measure::NotJudged& statement : measure::not_judged()) {
     EXPECT_NE(statement.place, "");
     EXPECT_NE(statement.reason, "");
   }
 }
 
 TEST(CallClocks, ADivideErrorIsCountedAsThatAlone) {
-  trade::CallClocks clocks = trade::no_calls(
+  measure::CallClocks clocks = measure::no_calls(
       {.operation = cases::Operation::div, .build = {.target = cases::Target::i386}});
-  trade::add_calls(clocks, std::array{0x00010000U, 0U}, true, never);
+  measure::add_calls(clocks, std::array{0x00010000U, 0U}, true, never);
   EXPECT_EQ(clocks.faults, 1U);
   EXPECT_EQ(clocks.instructions.calls(), 0U);
 }
 
 TEST(CallClocks, EveryBuildIsTimedOnce) {
-  const auto variants = trade::timed_variants();
+  const auto variants = measure::timed_variants();
   // mul, div, xformvec and concat on two targets under two roundings, CosSin on two targets, and
   // chapter 52's two: it has the third, ConcatXforms, in C.
   EXPECT_EQ(variants.size(), 4U * 4 + 2 + 2);

@@ -1,5 +1,5 @@
 // Statistics of a few errors, worked by hand.
-#include "trade/accuracy/error_statistics.hpp"
+#include "measure/accuracy/error_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 namespace {
 
-using fixproof::trade::ErrorHistogram;
-using fixproof::trade::ErrorStatistics;
+using fixproof::measure::ErrorHistogram;
+using fixproof::measure::ErrorStatistics;
 
 TEST(ErrorStatistics, OfNothingAreZero) {
   const ErrorStatistics none;

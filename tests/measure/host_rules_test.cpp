@@ -1,5 +1,5 @@
 // Results that are right and results that are not, worked by hand.
-#include "trade/host/host_rules.hpp"
+#include "measure/host/host_rules.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,99 +9,99 @@ using namespace fixproof;
 using oracle::DivideRule;
 using oracle::Rounding;
 
-trade::HostCase case_of(double a, double b, double result) { return {{a, b}, result}; }
+measure::HostCase case_of(double a, double b, double result) { return {{a, b}, result}; }
 
 /// A case of numbers, not of units.
-trade::HostCase values(double a, double b, double result) {
+measure::HostCase values(double a, double b, double result) {
   return case_of(a * 65536, b * 65536, result * 65536);
 }
 
-constexpr auto right = trade::HostJudgement::right;
-constexpr auto wrong = trade::HostJudgement::wrong;
+constexpr auto right = measure::HostJudgement::right;
+constexpr auto wrong = measure::HostJudgement::wrong;
 
 // 1 and -1 units times 8000h units are half a unit and minus half a unit.
 TEST(HostRules, TiesOfProducts) {
   constexpr double half = 0x8000;
-  EXPECT_EQ(trade::product_rounded<Rounding::half_up>(case_of(1, half, 1)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::half_up>(case_of(-1, half, 0)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::half_up>(case_of(-1, half, -1)), wrong);
-  EXPECT_EQ(trade::product_rounded<Rounding::half_away>(case_of(-1, half, -1)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::half_away>(case_of(-1, half, 0)), wrong);
-  EXPECT_EQ(trade::product_rounded<Rounding::floor>(case_of(1, half, 0)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::floor>(case_of(-1, half, -1)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::truncate>(case_of(-1, half, 0)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::truncate>(case_of(-1, half, -1)), wrong);
+  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(1, half, 1)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(-1, half, 0)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(-1, half, -1)), wrong);
+  EXPECT_EQ(measure::product_rounded<Rounding::half_away>(case_of(-1, half, -1)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::half_away>(case_of(-1, half, 0)), wrong);
+  EXPECT_EQ(measure::product_rounded<Rounding::floor>(case_of(1, half, 0)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::floor>(case_of(-1, half, -1)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::truncate>(case_of(-1, half, 0)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::truncate>(case_of(-1, half, -1)), wrong);
 }
 
 // What has more than 32 bits, or is no whole number of units, is no word.
 TEST(HostRules, AResultOfTheTypeIsAWord) {
-  EXPECT_EQ(trade::product_rounded<Rounding::half_up>(values(2, 3, 6)), right);
-  EXPECT_EQ(trade::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0x1p32)),
+  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(values(2, 3, 6)), right);
+  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0x1p32)),
             wrong);
-  EXPECT_EQ(trade::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0.25)),
+  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0.25)),
             wrong);
 }
 
 // 3 units by 2.0 are 1 1/2 units; 7.0 by 2.75 is 3.5 where the divisor loses its fraction.
 TEST(HostRules, Quotients) {
-  EXPECT_EQ(trade::quotient_rounded<Rounding::half_up>(case_of(-3, 0x20000, -1)), right);
-  EXPECT_EQ(trade::quotient_rounded<Rounding::half_up>(case_of(-3, 0x20000, -2)), wrong);
-  EXPECT_EQ(trade::quotient_rounded<Rounding::half_away>(case_of(-3, 0x20000, -2)), right);
-  EXPECT_EQ(trade::quotient_rounded<Rounding::half_up>(case_of(1, 0, 0)), wrong);
-  EXPECT_EQ(trade::quotient_of_fixed_asm<DivideRule::i8088_rounded>(values(7, 2.75, 3.5)), right);
-  EXPECT_EQ(trade::quotient_of_fixed_asm<DivideRule::i386_rounded>(values(7, 2.75, 3.5)), wrong);
-  EXPECT_EQ(trade::quotient_of_fixed_asm<DivideRule::i8088_rounded>(values(7, 0.75, 7)), wrong);
+  EXPECT_EQ(measure::quotient_rounded<Rounding::half_up>(case_of(-3, 0x20000, -1)), right);
+  EXPECT_EQ(measure::quotient_rounded<Rounding::half_up>(case_of(-3, 0x20000, -2)), wrong);
+  EXPECT_EQ(measure::quotient_rounded<Rounding::half_away>(case_of(-3, 0x20000, -2)), right);
+  EXPECT_EQ(measure::quotient_rounded<Rounding::half_up>(case_of(1, 0, 0)), wrong);
+  EXPECT_EQ(measure::quotient_of_fixed_asm<DivideRule::i8088_rounded>(values(7, 2.75, 3.5)), right);
+  EXPECT_EQ(measure::quotient_of_fixed_asm<DivideRule::i386_rounded>(values(7, 2.75, 3.5)), wrong);
+  EXPECT_EQ(measure::quotient_of_fixed_asm<DivideRule::i8088_rounded>(values(7, 0.75, 7)), wrong);
 }
 
 // The root of 2 is 1.41421356... or 92681.9 units; cos 60 degrees is 1/2.
 TEST(HostRules, RootsAndCosines) {
-  EXPECT_EQ(trade::root_rounded(case_of(0x20000, 0, 92682)), right);
-  EXPECT_EQ(trade::root_rounded(case_of(0x20000, 0, 92681)), wrong);
-  EXPECT_EQ(trade::root_rounded(case_of(-1, 0, 0)), wrong);
-  EXPECT_EQ(trade::cosine_rounded(case_of(600, 0, 0x8000)), right);
-  EXPECT_EQ(trade::cosine_rounded(case_of(600, 0, 0x8001)), wrong);
+  EXPECT_EQ(measure::root_rounded(case_of(0x20000, 0, 92682)), right);
+  EXPECT_EQ(measure::root_rounded(case_of(0x20000, 0, 92681)), wrong);
+  EXPECT_EQ(measure::root_rounded(case_of(-1, 0, 0)), wrong);
+  EXPECT_EQ(measure::cosine_rounded(case_of(600, 0, 0x8000)), right);
+  EXPECT_EQ(measure::cosine_rounded(case_of(600, 0, 0x8001)), wrong);
 }
 
 // 15 and the float, or the double, beside it; thirds; the root of 2.
 TEST(HostRules, FloatingPointIsRoundedOnce) {
-  EXPECT_EQ(trade::product_in<float>(values(3, 5, 15)), right);
-  EXPECT_EQ(trade::product_in<float>(values(3, 5, 15 + 0x1p-20)), wrong);
-  EXPECT_EQ(trade::product_in<double>(values(3, 5, 15)), right);
-  EXPECT_EQ(trade::product_in<double>(values(3, 5, 15 + 0x1p-49)), wrong);
-  EXPECT_EQ(trade::quotient_in<float>(values(1, 3, 0x1.555556p-2)), right);
-  EXPECT_EQ(trade::quotient_in<float>(values(1, 3, 0x1.555554p-2)), wrong);
-  EXPECT_EQ(trade::quotient_in<double>(values(1, 3, 0x1.5555555555555p-2)), right);
-  EXPECT_EQ(trade::quotient_in<double>(values(1, 3, 0x1.5555555555556p-2)), wrong);
-  EXPECT_EQ(trade::root_in<float>(values(2, 0, 0x1.6a09e6p0)), right);
-  EXPECT_EQ(trade::root_in<float>(values(2, 0, 0x1.6a09e8p0)), wrong);
-  EXPECT_EQ(trade::root_in<double>(values(2, 0, 0x1.6a09e667f3bcdp0)), right);
-  EXPECT_EQ(trade::root_in<double>(values(2, 0, 0x1.6a09e667f3bccp0)), wrong);
-  EXPECT_EQ(trade::root_in<double>(values(4, 0, -2)), wrong);
+  EXPECT_EQ(measure::product_in<float>(values(3, 5, 15)), right);
+  EXPECT_EQ(measure::product_in<float>(values(3, 5, 15 + 0x1p-20)), wrong);
+  EXPECT_EQ(measure::product_in<double>(values(3, 5, 15)), right);
+  EXPECT_EQ(measure::product_in<double>(values(3, 5, 15 + 0x1p-49)), wrong);
+  EXPECT_EQ(measure::quotient_in<float>(values(1, 3, 0x1.555556p-2)), right);
+  EXPECT_EQ(measure::quotient_in<float>(values(1, 3, 0x1.555554p-2)), wrong);
+  EXPECT_EQ(measure::quotient_in<double>(values(1, 3, 0x1.5555555555555p-2)), right);
+  EXPECT_EQ(measure::quotient_in<double>(values(1, 3, 0x1.5555555555556p-2)), wrong);
+  EXPECT_EQ(measure::root_in<float>(values(2, 0, 0x1.6a09e6p0)), right);
+  EXPECT_EQ(measure::root_in<float>(values(2, 0, 0x1.6a09e8p0)), wrong);
+  EXPECT_EQ(measure::root_in<double>(values(2, 0, 0x1.6a09e667f3bcdp0)), right);
+  EXPECT_EQ(measure::root_in<double>(values(2, 0, 0x1.6a09e667f3bccp0)), wrong);
+  EXPECT_EQ(measure::root_in<double>(values(4, 0, -2)), wrong);
 }
 
 TEST(HostRules, ACosineInFloatingPointIsNearlyRight) {
   const double exact = 0.5 * 65536;
-  EXPECT_EQ(trade::cosine_in<double>(case_of(600, 0, exact)), right);
-  EXPECT_EQ(trade::cosine_in<double>(case_of(600, 0, exact * (1 + 1e-12))), wrong);
-  EXPECT_EQ(trade::cosine_in<float>(case_of(600, 0, exact * (1 + 1e-7))), right);
-  EXPECT_EQ(trade::cosine_in<float>(case_of(600, 0, exact * (1 + 1e-5))), wrong);
+  EXPECT_EQ(measure::cosine_in<double>(case_of(600, 0, exact)), right);
+  EXPECT_EQ(measure::cosine_in<double>(case_of(600, 0, exact * (1 + 1e-12))), wrong);
+  EXPECT_EQ(measure::cosine_in<float>(case_of(600, 0, exact * (1 + 1e-7))), right);
+  EXPECT_EQ(measure::cosine_in<float>(case_of(600, 0, exact * (1 + 1e-5))), wrong);
 }
 
 // Three products of half a unit each: 1, 0 or -3 units apart by the rule, on a translation of 10.
 TEST(HostRules, CoordinatesRoundEveryProduct) {
-  trade::HostCase c{{1, 1, 1, 10, 0x8000, 0x8000, 0x8000}, 13};
-  EXPECT_EQ(trade::coordinate_rounded<Rounding::half_up>(c), right);
-  EXPECT_EQ(trade::coordinate_rounded<Rounding::floor>(c), wrong);
+  measure::HostCase c{{1, 1, 1, 10, 0x8000, 0x8000, 0x8000}, 13};
+  EXPECT_EQ(measure::coordinate_rounded<Rounding::half_up>(c), right);
+  EXPECT_EQ(measure::coordinate_rounded<Rounding::floor>(c), wrong);
   c.result = 10;
-  EXPECT_EQ(trade::coordinate_rounded<Rounding::floor>(c), right);
+  EXPECT_EQ(measure::coordinate_rounded<Rounding::floor>(c), right);
   // 1 1/2 units and 10, in floating point.
   c.result = 11.5;
-  EXPECT_EQ(trade::coordinate_in<double>(c), right);
-  EXPECT_EQ(trade::coordinate_in<float>(c), right);
+  EXPECT_EQ(measure::coordinate_in<double>(c), right);
+  EXPECT_EQ(measure::coordinate_in<float>(c), right);
   c.result = 11.5 * (1 + 1e-5);
-  EXPECT_EQ(trade::coordinate_in<float>(c), wrong);
+  EXPECT_EQ(measure::coordinate_in<float>(c), wrong);
   c.result = 11.5 * (1 + 1e-14);
-  EXPECT_EQ(trade::coordinate_in<double>(c), wrong);
+  EXPECT_EQ(measure::coordinate_in<double>(c), wrong);
 }
 
 }  // namespace

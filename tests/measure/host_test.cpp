@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "tests/measure/never.hpp"
-#include "trade/accuracy/accuracy_run.hpp"
-#include "trade/host/host_run.hpp"
+#include "measure/accuracy/accuracy_run.hpp"
+#include "measure/host/host_run.hpp"
 
 /// Products toward minus infinity.
 struct CutNumber {
@@ -19,7 +19,7 @@ struct CutNumber {
 };
 
 template <>
-struct fixproof::trade::MeasuredNumber<CutNumber> {
+struct fixproof::measure::MeasuredNumber<CutNumber> {
   static CutNumber of_word(std::uint32_t word) { return {static_cast<std::int32_t>(word)}; }
   static double in_units(CutNumber x) { return x.raw; }
 };
@@ -30,24 +30,24 @@ using namespace fixproof;
 
 // In order 1 2 3 4 5: the quartiles are 2, 3 and 4.
 TEST(HostTimes, LeastMedianAndSpread) {
-  const trade::Times times = trade::times_of({4, 1, 5, 3, 2});
+  const measure::Times times = measure::times_of({4, 1, 5, 3, 2});
   EXPECT_EQ(times.min, 1);
   EXPECT_EQ(times.median, 3);
   EXPECT_DOUBLE_EQ(times.spread, 2.0 / 3);
-  EXPECT_EQ(trade::times_of({7}).median, 7);
-  EXPECT_EQ(trade::times_of({7}).spread, 0);
+  EXPECT_EQ(measure::times_of({7}).median, 7);
+  EXPECT_EQ(measure::times_of({7}).spread, 0);
 }
 
 TEST(HostTimes, LoopsAreTimedInTurn) {
   std::string order;
   const auto loop = [&order](char name) {
-    return trade::TimedLoop{[&order, name] {
+    return measure::TimedLoop{[&order, name] {
                               if (order.empty() || order.back() != name) order += name;
                             },
                             1};
   };
   std::vector<std::uint64_t> rounds;
-  const auto times = trade::time_in_turn({loop('a'), loop('b')}, 3, never,
+  const auto times = measure::time_in_turn({loop('a'), loop('b')}, 3, never,
                                          [&rounds](std::uint64_t done) { rounds.push_back(done); });
   EXPECT_EQ(times.size(), 2U);
   EXPECT_EQ(rounds, (std::vector<std::uint64_t>{1, 2, 3}));
@@ -56,64 +56,64 @@ TEST(HostTimes, LoopsAreTimedInTurn) {
 
 TEST(HostTimes, NoneWhereItIsStopped) {
   const std::atomic<bool> stopped{true};
-  EXPECT_TRUE(trade::time_in_turn({{[] {}, 1}}, 3, stopped, [](std::uint64_t) { FAIL(); }).empty());
+  EXPECT_TRUE(measure::time_in_turn({{[] {}, 1}}, 3, stopped, [](std::uint64_t) { FAIL(); }).empty());
 }
 
 TEST(HostErrors, AreExactForWhatIsNoWord) {
-  trade::ErrorStatistics quarter;
-  trade::add_error(quarter, 0.25, {1, 3});
+  measure::ErrorStatistics quarter;
+  measure::add_error(quarter, 0.25, {1, 3});
   EXPECT_DOUBLE_EQ(quarter.mean(), -1.0 / 12);
   EXPECT_EQ(quarter.correct(), 1);
-  trade::ErrorStatistics half;
-  trade::add_error(half, 3, {5, 2});
+  measure::ErrorStatistics half;
+  measure::add_error(half, 3, {5, 2});
   EXPECT_EQ(half.mean(), 0.5);
   EXPECT_EQ(half.correct(), 1);
-  trade::ErrorStatistics more;
-  trade::add_error(more, 3 + 0x1p-50, {5, 2});
+  measure::ErrorStatistics more;
+  measure::add_error(more, 3 + 0x1p-50, {5, 2});
   EXPECT_EQ(more.correct(), 0);
-  trade::ErrorStatistics small;
-  trade::add_error(small, -0x1p-70, {0, 1});
+  measure::ErrorStatistics small;
+  measure::add_error(small, -0x1p-70, {0, 1});
   EXPECT_EQ(small.mean(), -0x1p-70);
 }
 
 /// Four blocks of each.
-const std::vector<trade::HostOperation>& operations() {
-  static const auto made = trade::host_operations(7, 4);
+const std::vector<measure::HostOperation>& operations() {
+  static const auto made = measure::host_operations(7, 4);
   return made;
 }
 
-const trade::HostOperation& operation_of(std::string_view name) {
-  for (const trade::HostOperation& o : operations()) {
+const measure::HostOperation& operation_of(std::string_view name) {
+  for (const measure::HostOperation& o : operations()) {
     if (o.name == name) return o;
   }
   throw std::invalid_argument("no such operation");
 }
 
-trade::HostRow row_of(std::string_view operation, std::string_view contender) {
-  const trade::HostOperation& o = operation_of(operation);
-  for (const trade::HostContender& c : o.contenders) {
-    if (c.name == contender) return trade::judge_contender(o, c);
+measure::HostRow row_of(std::string_view operation, std::string_view contender) {
+  const measure::HostOperation& o = operation_of(operation);
+  for (const measure::HostContender& c : o.contenders) {
+    if (c.name == contender) return measure::judge_contender(o, c);
   }
   throw std::invalid_argument("no such contender");
 }
 
 /// What the message of a contender that is wrong says; empty for one that is right.
-std::string complaint(const trade::HostOperation& operation,
-                      const trade::HostContender& contender) {
+std::string complaint(const measure::HostOperation& operation,
+                      const measure::HostContender& contender) {
   try {
-    trade::judge_contender(operation, contender);
-  } catch (const trade::WrongContender& e) {
+    measure::judge_contender(operation, contender);
+  } catch (const measure::WrongContender& e) {
     return e.what();
   }
   return "";
 }
 
 TEST(HostContenders, OneThatBreaksItsRuleIsNamedWithTheCase) {
-  const auto said = trade::product_contender<CutNumber, oracle::Rounding::floor>(
-      "cut", "", trade::HostKind::plain);
+  const auto said = measure::product_contender<CutNumber, oracle::Rounding::floor>(
+      "cut", "", measure::HostKind::plain);
   EXPECT_EQ(complaint(operation_of("mul"), said), "");
-  const auto cut = trade::product_contender<CutNumber, oracle::Rounding::half_up>(
-      "cut", "", trade::HostKind::plain);
+  const auto cut = measure::product_contender<CutNumber, oracle::Rounding::half_up>(
+      "cut", "", measure::HostKind::plain);
   const std::string text = complaint(operation_of("mul"), cut);
   EXPECT_EQ(text.substr(0, 12), "mul of cut: ") << text;
   EXPECT_NE(text.find(", which is not rounded to nearest, halves up"), std::string::npos) << text;
@@ -123,50 +123,50 @@ TEST(HostContenders, OneThatBreaksItsRuleIsNamedWithTheCase) {
 }
 
 /// A contender whose chain goes wrong at one place.
-class BrokenChain final : public trade::HostLoop {
+class BrokenChain final : public measure::HostLoop {
  public:
-  void load(trade::CaseWords words) override { loop_.load(words); }
+  void load(measure::CaseWords words) override { loop_.load(words); }
   void apply_all() override { loop_.apply_all(); }
-  [[nodiscard]] trade::HostCase result(std::size_t i) const override { return loop_.result(i); }
-  void load_chain(std::uint32_t start, trade::CaseWords words) override {
+  [[nodiscard]] measure::HostCase result(std::size_t i) const override { return loop_.result(i); }
+  void load_chain(std::uint32_t start, measure::CaseWords words) override {
     loop_.load_chain(start, words);
   }
   void apply_in_chain() override { loop_.apply_in_chain(); }
-  [[nodiscard]] trade::HostCase chain_result(std::size_t i) const override {
-    trade::HostCase c = loop_.chain_result(i);
+  [[nodiscard]] measure::HostCase chain_result(std::size_t i) const override {
+    measure::HostCase c = loop_.chain_result(i);
     if (i == 1000) c.result += 1;
     return c;
   }
 
  private:
-  trade::ArrayLoop<trade::HostProduct, trade::PlainNumber> loop_;
+  measure::ArrayLoop<measure::HostProduct, measure::PlainNumber> loop_;
 };
 
 TEST(HostContenders, TheResultsOfAChainAreJudgedToo) {
-  trade::HostContender contender =
-      trade::product_contender<trade::PlainNumber, oracle::Rounding::half_up>(
-          "idiom", "", trade::HostKind::plain);
+  measure::HostContender contender =
+      measure::product_contender<measure::PlainNumber, oracle::Rounding::half_up>(
+          "idiom", "", measure::HostKind::plain);
   EXPECT_EQ(complaint(operation_of("mul"), contender), "");
   contender.loop = std::make_unique<BrokenChain>();
   EXPECT_NE(complaint(operation_of("mul"), contender), "");
 }
 
 TEST(HostContenders, AllKeepTheirRules) {
-  for (const trade::HostOperation& o : operations()) {
+  for (const measure::HostOperation& o : operations()) {
     std::set<std::string> names;
-    for (const trade::HostContender& c : o.contenders) {
+    for (const measure::HostContender& c : o.contenders) {
       EXPECT_EQ(complaint(o, c), "") << o.name;
       EXPECT_TRUE(names.insert(c.name).second) << o.name << ' ' << c.name;
     }
     for (const char* name : {"q16_16", "float", "double"}) EXPECT_EQ(names.count(name), 1U);
     EXPECT_EQ(names.count("FreeType"),
-              trade::has_freetype() && o.name != "sqrt" && o.name != "cos" ? 1U : 0U);
-    EXPECT_EQ(names.count("libfixmath"), trade::has_libfixmath() && o.name != "cos" ? 1U : 0U);
+              measure::has_freetype() && o.name != "sqrt" && o.name != "cos" ? 1U : 0U);
+    EXPECT_EQ(names.count("libfixmath"), measure::has_libfixmath() && o.name != "cos" ? 1U : 0U);
   }
 }
 
 TEST(HostContenders, TheirErrorsAreThoseOfTheirRoundings) {
-  const trade::HostRow nearest = row_of("mul", "q16_16");
+  const measure::HostRow nearest = row_of("mul", "q16_16");
   EXPECT_EQ(nearest.cases, 5U * 1024);
   EXPECT_EQ(nearest.errors.cases(), 4U * 1024) << "the chain is judged, and has no share in errors";
   EXPECT_EQ(nearest.exceptions, 0U);
@@ -183,13 +183,13 @@ TEST(HostContenders, TheirErrorsAreThoseOfTheirRoundings) {
 }
 
 TEST(HostContenders, LibfixmathDividesAreExceptionsInOneCaseOfAThousand) {
-  if (!trade::has_libfixmath()) GTEST_SKIP() << "libfixmath is not installed";
-  trade::HostOperation divide;
-  for (trade::HostOperation& o : trade::host_operations(7, 20)) {
+  if (!measure::has_libfixmath()) GTEST_SKIP() << "libfixmath is not installed";
+  measure::HostOperation divide;
+  for (measure::HostOperation& o : measure::host_operations(7, 20)) {
     if (o.name == "div") divide = std::move(o);
   }
-  for (const trade::HostContender& c : divide.contenders) {
-    const std::uint64_t exceptions = trade::judge_contender(divide, c).exceptions;
+  for (const measure::HostContender& c : divide.contenders) {
+    const std::uint64_t exceptions = measure::judge_contender(divide, c).exceptions;
     if (c.name != "libfixmath") {
       EXPECT_EQ(exceptions, 0U) << c.name;
       continue;
@@ -201,9 +201,9 @@ TEST(HostContenders, LibfixmathDividesAreExceptionsInOneCaseOfAThousand) {
 }
 
 /// The magnitudes of a chain's results.
-std::pair<double, double> range_of_chain(const trade::HostOperation& o,
-                                         const trade::HostContender& c) {
-  trade::judge_contender(o, c);
+std::pair<double, double> range_of_chain(const measure::HostOperation& o,
+                                         const measure::HostContender& c) {
+  measure::judge_contender(o, c);
   double least = 0x1p40;
   double most = 0;
   for (std::size_t i = 0; i < o.operands.taken.size(); ++i) {
@@ -215,12 +215,12 @@ std::pair<double, double> range_of_chain(const trade::HostOperation& o,
 }
 
 TEST(HostContenders, ChainsStayInTheRangeThatIsSaid) {
-  for (const trade::HostContender& c : operation_of("mul").contenders) {
+  for (const measure::HostContender& c : operation_of("mul").contenders) {
     const auto [least, most] = range_of_chain(operation_of("mul"), c);
     EXPECT_GT(least, 95) << c.name;
     EXPECT_LT(most, 205) << c.name;
   }
-  for (const trade::HostContender& c : operation_of("div").contenders) {
+  for (const measure::HostContender& c : operation_of("div").contenders) {
     const auto [least, most] = range_of_chain(operation_of("div"), c);
     EXPECT_GT(least, 80) << c.name;
     EXPECT_LT(most, 250) << c.name;
@@ -228,10 +228,10 @@ TEST(HostContenders, ChainsStayInTheRangeThatIsSaid) {
 }
 
 TEST(HostContenders, OperandsComeFromTheSeed) {
-  EXPECT_EQ(trade::product_operands(3, 2).words, trade::product_operands(3, 2).words);
-  EXPECT_NE(trade::product_operands(3, 2).words, trade::product_operands(4, 2).words);
-  EXPECT_NE(trade::vertex_operands(3, 1).words, trade::vertex_operands(4, 1).words);
-  const auto quotients = trade::quotient_operands(3, 4).words;
+  EXPECT_EQ(measure::product_operands(3, 2).words, measure::product_operands(3, 2).words);
+  EXPECT_NE(measure::product_operands(3, 2).words, measure::product_operands(4, 2).words);
+  EXPECT_NE(measure::vertex_operands(3, 1).words, measure::vertex_operands(4, 1).words);
+  const auto quotients = measure::quotient_operands(3, 4).words;
   for (std::size_t i = 1; i < quotients.size(); i += 2) {
     EXPECT_GE(std::abs(static_cast<std::int32_t>(quotients[i])), 65536);
   }

@@ -1,5 +1,5 @@
 // The error of the 8088's divide on the page, from what it leaves out of the divisor.
-#include "trade/accuracy/pixel_error.hpp"
+#include "measure/accuracy/pixel_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 
 using namespace fixproof;
 
-const trade::PixelErrors& named(const std::vector<trade::PixelErrors>& all, std::string_view name) {
-  for (const trade::PixelErrors& e : all) {
+const measure::PixelErrors& named(const std::vector<measure::PixelErrors>& all, std::string_view name) {
+  for (const measure::PixelErrors& e : all) {
     if (e.name == name) return e;
   }
   throw std::invalid_argument("no such preset");
@@ -29,7 +29,7 @@ double pixels_too_far_out(std::int32_t x, std::int32_t z) {
 // units of the page, 0.00244 pixels: 160 / 322 + 0.00244 = 0.4993, but 160 / 321 + 0.00244 =
 // 0.5009. Cutting adds nothing, and k = 320 makes less than half a pixel.
 TEST(PixelError, HalfAPixelAtTheDistanceOfThePage) {
-  const auto all = trade::measure_pixel_errors({}, 1, 100, never);
+  const auto all = measure::measure_pixel_errors({}, 1, 100, never);
   EXPECT_EQ(named(all, "q16_16_i8088").safe_from, 322);
   EXPECT_EQ(named(all, "q16_16_i8088_unrounded").safe_from, 320);
 }
@@ -59,13 +59,13 @@ TEST(PixelError, HalfAPixelJustBelow320Unrounded) {
 // 16434.502, drawn as 16435 * 640 / 65536 = 160.49805. It belongs at 159.99786.
 TEST(PixelError, SafeDistanceOfAnotherPage) {
   const auto all =
-      trade::measure_pixel_errors({.constant = -640, .half_width = 160}, 1, 100, never);
+      measure::measure_pixel_errors({.constant = -640, .half_width = 160}, 1, 100, never);
   EXPECT_EQ(named(all, "q16_16_i8088").safe_from, 324);
 }
 
 // From z = -1 on, 160 / k is 160 at most, and comes near that.
 TEST(PixelError, LargestAtTheNearPlane) {
-  const auto all = trade::measure_pixel_errors({}, 1, 2000, never);
+  const auto all = measure::measure_pixel_errors({}, 1, 2000, never);
   const auto& octaves = named(all, "q16_16_i8088").octaves;
   ASSERT_EQ(octaves.size(), 15U);
   EXPECT_EQ(octaves.front().nearest, 1);
@@ -82,12 +82,12 @@ TEST(PixelError, LargestAtTheNearPlane) {
 // A whole divisor leaves the quotient half a unit off: 160 units of the last place in the product,
 // and half a unit of its own. Truncation is twice that.
 TEST(PixelError, AFullDivideIsNowhereNearHalfAPixel) {
-  const auto all = trade::measure_pixel_errors({}, 1, 2000, never);
-  for (const trade::DistanceOctave& o : named(all, "q16_16_i386").octaves) {
+  const auto all = measure::measure_pixel_errors({}, 1, 2000, never);
+  for (const measure::DistanceOctave& o : named(all, "q16_16_i386").octaves) {
     EXPECT_LE(o.max, 160.5 / 65536);
     EXPECT_EQ(o.half, 0);
   }
-  for (const trade::DistanceOctave& o : named(all, "q16_16_i386_unrounded").octaves) {
+  for (const measure::DistanceOctave& o : named(all, "q16_16_i386_unrounded").octaves) {
     EXPECT_LE(o.max, 321.0 / 65536);
   }
   EXPECT_EQ(named(all, "q16_16_i386").safe_from, 1);

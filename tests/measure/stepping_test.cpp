@@ -7,11 +7,11 @@
 
 #include "fixed/fixed.hpp"
 #include "tests/measure/never.hpp"
-#include "trade/stepping/stepping_clocks.hpp"
-#include "trade/stepping/stepping_line.hpp"
-#include "trade/stepping/stepping_run.hpp"
-#include "trade/stepping/stepping_statistics.hpp"
-#include "trade/stepping/stepping_times.hpp"
+#include "measure/stepping/stepping_clocks.hpp"
+#include "measure/stepping/stepping_line.hpp"
+#include "measure/stepping/stepping_run.hpp"
+#include "measure/stepping/stepping_statistics.hpp"
+#include "measure/stepping/stepping_times.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
 #include "xsharp/raster/step_filler.hpp"
 
@@ -20,23 +20,23 @@ namespace {
 using namespace fixproof;
 
 constexpr std::int64_t level = 65536;
-constexpr trade::LineFormat narrow{8, 16, 2 * level, 254 * level};
-constexpr trade::LineFormat wide{0, 16, 2 * level, 254 * level};
-constexpr trade::SpanPlace three_pixels{3, 3 * 65536, 0};
+constexpr measure::LineFormat narrow{8, 16, 2 * level, 254 * level};
+constexpr measure::LineFormat wide{0, 16, 2 * level, 254 * level};
+constexpr measure::SpanPlace three_pixels{3, 3 * 65536, 0};
 /// From half a pixel left of the first centre to half a pixel right of the second.
-constexpr trade::SpanPlace half_in{2, 2 * 65536, 32768};
+constexpr measure::SpanPlace half_in{2, 2 * 65536, 32768};
 
-std::vector<trade::SteppedValue> judged_values(trade::LineRule rule,
-                                               const trade::LineFormat& format,
-                                               const trade::LineEnds& ends,
-                                               const trade::SpanPlace& place) {
-  trade::SteppedSpan span;
-  trade::judge_line(rule, format, ends, place, trade::line_words(rule, ends, place, format.dropped),
+std::vector<measure::SteppedValue> judged_values(measure::LineRule rule,
+                                               const measure::LineFormat& format,
+                                               const measure::LineEnds& ends,
+                                               const measure::SpanPlace& place) {
+  measure::SteppedSpan span;
+  measure::judge_line(rule, format, ends, place, measure::line_words(rule, ends, place, format.dropped),
                     span);
   return span.values;
 }
 
-void expect_value(const trade::SteppedValue& value, double error_units, double bound_units) {
+void expect_value(const measure::SteppedValue& value, double error_units, double bound_units) {
   EXPECT_NEAR(value.error * 65536, error_units, 1e-9);
   EXPECT_NEAR(value.bound * 65536, bound_units, 1e-9);
   EXPECT_TRUE(value.within);
@@ -46,7 +46,7 @@ void expect_value(const trade::SteppedValue& value, double error_units, double b
 // a unit is what each slope may lose.
 TEST(SteppedLine, RoundedSlope) {
   const auto values =
-      judged_values(trade::LineRule::rounded, wide, {10 * level, 11 * level}, three_pixels);
+      judged_values(measure::LineRule::rounded, wide, {10 * level, 11 * level}, three_pixels);
   ASSERT_EQ(values.size(), 3U);
   expect_value(values[0], 0, 0);
   expect_value(values[1], -1.0 / 3, 0.5);
@@ -57,7 +57,7 @@ TEST(SteppedLine, RoundedSlope) {
 // a word and half a unit a pixel.
 TEST(SteppedLine, NarrowWord) {
   const auto values =
-      judged_values(trade::LineRule::rounded, narrow, {10 * level, 11 * level}, three_pixels);
+      judged_values(measure::LineRule::rounded, narrow, {10 * level, 11 * level}, three_pixels);
   expect_value(values[1], -85 - 1.0 / 3, 128 + 128.5);
   expect_value(values[2], -170 - 2.0 / 3, 128 + 257);
 }
@@ -65,7 +65,7 @@ TEST(SteppedLine, NarrowWord) {
 // Down a level the slope is cut toward zero: a third too much each time, and it may be a unit.
 TEST(SteppedLine, CutSlope) {
   const auto values =
-      judged_values(trade::LineRule::cut, wide, {11 * level, 10 * level}, three_pixels);
+      judged_values(measure::LineRule::cut, wide, {11 * level, 10 * level}, three_pixels);
   expect_value(values[1], 1.0 / 3, 1);
   expect_value(values[2], 2.0 / 3, 2);
 }
@@ -73,13 +73,13 @@ TEST(SteppedLine, CutSlope) {
 // Three units over two pixels: 1.5, rounded 2. Half a pixel in it is 1 where 0.75 belongs, then 3
 // where 2.25 does. Half a unit for each pixel since the end, and half for the product.
 TEST(SteppedLine, PreStep) {
-  const trade::LineEnds ends{10 * level, 10 * level + 3};
-  const auto values = judged_values(trade::LineRule::rounded, wide, ends, half_in);
+  const measure::LineEnds ends{10 * level, 10 * level + 3};
+  const auto values = judged_values(measure::LineRule::rounded, wide, ends, half_in);
   expect_value(values[0], 0.25, 0.75);
   expect_value(values[1], 0.75, 1.25);
   // Without it the end stands for the first pixel: 0, then 2. Half a pixel of the slope is 0.75
   // units, 1 in the bound.
-  const auto from_end = judged_values(trade::LineRule::at_end, wide, ends, half_in);
+  const auto from_end = judged_values(measure::LineRule::at_end, wide, ends, half_in);
   expect_value(from_end[0], -0.75, 1);
   expect_value(from_end[1], -0.25, 1.5);
 }
@@ -87,7 +87,7 @@ TEST(SteppedLine, PreStep) {
 // 256 words over three pixels: 85 of 85.3. A word a step, half for the start, one for both ends.
 TEST(SteppedLine, WholeWords) {
   const auto values =
-      judged_values(trade::LineRule::whole_words, narrow, {10 * level, 11 * level}, three_pixels);
+      judged_values(measure::LineRule::whole_words, narrow, {10 * level, 11 * level}, three_pixels);
   expect_value(values[2], -170 - 2.0 / 3, 3.5 * 256);
 }
 
@@ -95,7 +95,7 @@ TEST(SteppedLine, WholeWords) {
 // 96: 133.3333 instead of 132.6425. By 12352, the divisor doubled seven times more, it loses
 // nothing but half a unit by rounding, and half a one by the product.
 TEST(SteppedLine, SteepOnAn8088) {
-  const auto values = judged_values(trade::LineRule::i8088, wide, {10 * level, 210 * level},
+  const auto values = judged_values(measure::LineRule::i8088, wide, {10 * level, 210 * level},
                                     {2, 65536 + 32768 + 512, 0});
   EXPECT_LE(std::fabs(values[1].error), 1.0 / 65536);
   EXPECT_TRUE(values[1].within);
@@ -104,7 +104,7 @@ TEST(SteppedLine, SteepOnAn8088) {
 
 // 1 level over 1.5 pixels and a unit: doubled until 8192 by 12288.125, of which it sees 12288.
 TEST(SteppedLine, DivisorCutByAn8088) {
-  const auto values = judged_values(trade::LineRule::i8088, wide, {10 * level, 11 * level},
+  const auto values = judged_values(measure::LineRule::i8088, wide, {10 * level, 11 * level},
                                     {2, 65536 + 32768 + 1, 0});
   // 2/3 of a level is 43690.67 units, seen 43691; less a hundred thousandth, 43690.22, in truth.
   EXPECT_NEAR(values[1].error * 65536, 43691 - 65536.0 * 8192 / 12288.125, 1e-6);
@@ -114,15 +114,15 @@ TEST(SteppedLine, DivisorCutByAn8088) {
 
 // Of the bound as of the errors: words that are one step too great leave it.
 TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
-  const trade::LineEnds ends{10 * level, 11 * level};
-  xsharp::StepWords words = trade::line_words(trade::LineRule::rounded, ends, three_pixels, 0);
+  const measure::LineEnds ends{10 * level, 11 * level};
+  xsharp::StepWords words = measure::line_words(measure::LineRule::rounded, ends, three_pixels, 0);
   words.step += 2;
-  trade::SteppedSpan span;
-  trade::judge_line(trade::LineRule::rounded, wide, ends, three_pixels, words, span);
+  measure::SteppedSpan span;
+  measure::judge_line(measure::LineRule::rounded, wide, ends, three_pixels, words, span);
   EXPECT_TRUE(span.values[0].within);
   EXPECT_FALSE(span.values[1].within);
   span.drawn = span.exact;
-  trade::SteppingStatistics statistics;
+  measure::SteppingStatistics statistics;
   statistics.add_errors(three_pixels, span);
   EXPECT_EQ(statistics.beyond().substr(0, 12), "pixel 1 of 3");
   EXPECT_GT(statistics.part_of_bound(), 1);
@@ -130,17 +130,17 @@ TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
 
 // Exact values are cut downwards: a third of a unit below level 11 is level 10.
 TEST(SteppedLine, TheExactPictureIsCut) {
-  trade::SteppedSpan span;
-  const trade::LineEnds ends{11 * level, 11 * level - 1};
-  trade::judge_line(trade::LineRule::rounded, wide, ends, three_pixels, {}, span);
+  measure::SteppedSpan span;
+  const measure::LineEnds ends{11 * level, 11 * level - 1};
+  measure::judge_line(measure::LineRule::rounded, wide, ends, three_pixels, {}, span);
   EXPECT_EQ(span.exact, (std::vector<std::int64_t>{11, 10, 10}));
 }
 
 TEST(SteppingStatistics, BandsAndWrongPixels) {
-  trade::SteppedSpan span;
+  measure::SteppedSpan span;
   span.exact = {1, 1, 2, 2, 3};
   span.drawn = {1, 1, 1, 2, 3};
-  trade::SteppingStatistics statistics;
+  measure::SteppingStatistics statistics;
   statistics.add_picture(span, false);
   EXPECT_EQ(statistics.drawn(), 5U);
   EXPECT_EQ(statistics.wrong(), 1U);
@@ -153,10 +153,10 @@ TEST(SteppingStatistics, BandsAndWrongPixels) {
 }
 
 TEST(SteppingStatistics, MissedTexels) {
-  trade::SteppedSpan span;
+  measure::SteppedSpan span;
   span.exact = {5, 6, 7, 256 + 8};
   span.drawn = {5, 5, 7, 3 * 256 + 7};
-  trade::SteppingStatistics statistics;
+  measure::SteppingStatistics statistics;
   statistics.add_picture(span, true);
   EXPECT_EQ(statistics.wanted(), 4U);
   EXPECT_EQ(statistics.missed(), 2U);
@@ -168,7 +168,7 @@ TEST(SteppingStatistics, MissedTexels) {
 TEST(SteppingRun, PlacesHaveTheirPixels) {
   for (std::size_t pixels = 1; pixels <= xsharp::longest_span; ++pixels) {
     for (std::uint64_t i = 0; i < 64; ++i) {
-      const trade::SpanPlace place = trade::span_place(7, pixels, i);
+      const measure::SpanPlace place = measure::span_place(7, pixels, i);
       ASSERT_EQ(place.pixels, pixels);
       ASSERT_GE(place.distance, 0);
       ASSERT_LT(place.distance, 65536);
@@ -179,9 +179,9 @@ TEST(SteppingRun, PlacesHaveTheirPixels) {
   }
 }
 
-const trade::SteppingStatistics& of_rule(const std::vector<trade::SteppingRow>& rows,
+const measure::SteppingStatistics& of_rule(const std::vector<measure::SteppingRow>& rows,
                                          const std::string& rule) {
-  for (const trade::SteppingRow& row : rows) {
+  for (const measure::SteppingRow& row : rows) {
     if (row.variant.rule == rule) return row.statistics;
   }
   throw std::invalid_argument(rule);
@@ -189,8 +189,8 @@ const trade::SteppingStatistics& of_rule(const std::vector<trade::SteppingRow>& 
 
 // Every value within its bound, and somewhere the bound nearly taken.
 TEST(SteppingRun, LinesTakeTheirBounds) {
-  for (const trade::SteppingRow& row :
-       trade::measure_stepping_rows(trade::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
+  for (const measure::SteppingRow& row :
+       measure::measure_stepping_rows(measure::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
     EXPECT_EQ(row.statistics.beyond(), "") << row.variant.value << ", " << row.variant.rule;
     EXPECT_GT(row.statistics.part_of_bound(), 0.9);
     EXPECT_EQ(row.statistics.spans(), 4 * 320U);
@@ -202,12 +202,12 @@ TEST(SteppingRun, LinesTakeTheirBounds) {
 // 255 texels between the ends, 43.75, and an exact place every sixteenth pixel takes that away.
 TEST(SteppingRun, LinearTextureBesideTrueOne) {
   const auto rows =
-      trade::measure_stepping_rows(trade::texture_variants(), 1, 4, never, [](std::uint64_t) {});
-  for (const trade::SteppingRow& row : rows)
+      measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never, [](std::uint64_t) {});
+  for (const measure::SteppingRow& row : rows)
     EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
   EXPECT_GT(of_rule(rows, "never (affine)").all().error, 43);
   EXPECT_LT(of_rule(rows, "never (affine)").all().error, 43.75 + 0.63);
-  for (const trade::ErrorAndBound& e : of_rule(rows, "every 16th").along())
+  for (const measure::ErrorAndBound& e : of_rule(rows, "every 16th").along())
     EXPECT_LT(e.error, 0.25);
   EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.01);
 }
@@ -217,8 +217,8 @@ TEST(SteppingRun, LinearTextureBesideTrueOne) {
 // best, 8.3 levels off the line.
 TEST(SteppingRun, PhongByParabola) {
   const auto rows =
-      trade::measure_stepping_rows(trade::phong_variants(), 1, 4, never, [](std::uint64_t) {});
-  for (const trade::SteppingRow& row : rows)
+      measure::measure_stepping_rows(measure::phong_variants(), 1, 4, never, [](std::uint64_t) {});
+  for (const measure::SteppingRow& row : rows)
     EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
   EXPECT_GT(of_rule(rows, "ends alone, linear").all().error, 62 * (1 - std::sqrt(0.75)) - 0.4);
   EXPECT_LT(of_rule(rows, "ends alone, linear").all().error, 10.33 + 0.4);
@@ -229,7 +229,7 @@ TEST(SteppingRun, PhongByParabola) {
 
 TEST(SteppingRun, EndsWhenStopped) {
   const std::atomic<bool> now{true};
-  EXPECT_TRUE(trade::measure_stepping_rows(trade::line_variants(), 1, 1, now, [](std::uint64_t) {
+  EXPECT_TRUE(measure::measure_stepping_rows(measure::line_variants(), 1, 1, now, [](std::uint64_t) {
               }).empty());
 }
 
@@ -258,7 +258,7 @@ class WordsOfLight final : public xsharp::SpanLoops {
 
 /// The words for a rectangle one row high, with a value at its left and one at its right.
 template <class N>
-xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const trade::LineEnds& ends,
+xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const measure::LineEnds& ends,
                               std::int32_t pixels) {
   xsharp::Scene scene;
   scene.objects.resize(1);
@@ -278,14 +278,14 @@ xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const trade::LineEnds& e
 
 TEST(SteppedLine, IsWhatTheFillerDraws) {
   for (std::int32_t pixels = 1; pixels <= 320; ++pixels) {
-    const trade::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
-    const trade::LineEnds ends{5 * level + pixels, 250 * level - 77 * pixels};
+    const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
+    const measure::LineEnds ends{5 * level + pixels, 250 * level - 77 * pixels};
     EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud16, ends, pixels),
-              trade::line_words(trade::LineRule::rounded, ends, place, 0));
+              measure::line_words(measure::LineRule::rounded, ends, place, 0));
     EXPECT_EQ(
         drawn_words<fixed::q16_16_i386_unrounded>(xsharp::SurfaceKind::gouraud16, ends, pixels),
-        trade::line_words(trade::LineRule::cut, ends, place, 0));
-    xsharp::StepWords narrow_words = trade::line_words(trade::LineRule::rounded, ends, place, 8);
+        measure::line_words(measure::LineRule::cut, ends, place, 0));
+    xsharp::StepWords narrow_words = measure::line_words(measure::LineRule::rounded, ends, place, 8);
     narrow_words.step &= 0xFFFFU;
     EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud8, ends, pixels),
               narrow_words);
@@ -299,12 +299,12 @@ TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
   buffer.begin(320, 1);
   const xsharp::StepWords nothing = buffer.words(xsharp::Step<N>{});
   for (std::int32_t pixels = 1; pixels <= 320; ++pixels) {
-    const trade::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
-    const trade::LineEnds ends{5 * level + pixels, 32000 * level - 77 * pixels};
+    const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
+    const measure::LineEnds ends{5 * level + pixels, 32000 * level - 77 * pixels};
     const auto step = xsharp::step_across(N::from_raw(static_cast<std::int32_t>(ends.from)),
                                           N::from_raw(static_cast<std::int32_t>(ends.to)),
                                           place.units, place.distance);
-    xsharp::StepWords words = trade::line_words(trade::LineRule::rounded, ends, place, 10);
+    xsharp::StepWords words = measure::line_words(measure::LineRule::rounded, ends, place, 10);
     words.start += nothing.start;
     EXPECT_EQ(buffer.words(step), words);
   }
@@ -313,29 +313,29 @@ TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
 // 21845 units are 21.3 words of 1024 units, so 21: 21504 a pixel. In units of four depths, 2^18:
 // half a word of the start, and half a word and half a unit a pixel.
 TEST(SteppedLine, WordOfABufferThatIsNotCleared) {
-  constexpr trade::LineFormat uncleared{10, 18, 0, 32767 * level};
+  constexpr measure::LineFormat uncleared{10, 18, 0, 32767 * level};
   const auto values =
-      judged_values(trade::LineRule::rounded, uncleared, {8 * level, 9 * level}, three_pixels);
+      judged_values(measure::LineRule::rounded, uncleared, {8 * level, 9 * level}, three_pixels);
   expect_value(values[1], (-341 - 1.0 / 3) / 4, (512 + 512.5) / 4.0);
   expect_value(values[2], (-682 - 2.0 / 3) / 4, (512 + 1025) / 4.0);
 }
 
 // The loop, two quotients every eighth pixel, and three values that begin a span of 160 pixels.
 TEST(SteppingTimes, AddUpToAPixel) {
-  const std::vector<trade::SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
+  const std::vector<measure::SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
                                                 {"an exact place", "pixel", {4, 4, 0}},
                                                 {"slope, start and words", "value", {16, 16, 0}}};
-  EXPECT_NEAR(trade::nanoseconds_a_pixel("texture, perspective", "every 8th", times).value(),
+  EXPECT_NEAR(measure::nanoseconds_a_pixel("texture, perspective", "every 8th", times).value(),
               1 + 4.0 / 8 + 3 * 16.0 / 160, 1e-12);
-  EXPECT_FALSE(trade::nanoseconds_a_pixel("intensity 8.8", "8088", times));
+  EXPECT_FALSE(measure::nanoseconds_a_pixel("intensity 8.8", "8088", times));
 }
 
 // A value's divide and multiply, spread over ten pixels.
 TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
-  const std::vector<trade::SetupClocks> setups{{x86model::Cpu::i386, {100, 110}, {50, 60}}};
-  const auto costs = trade::measure_pixel_costs(setups);
+  const std::vector<measure::SetupClocks> setups{{x86model::Cpu::i386, {100, 110}, {50, 60}}};
+  const auto costs = measure::measure_pixel_costs(setups);
   ASSERT_EQ(costs.size(), 5U);
-  for (const trade::PixelCost& cost : costs) {
+  for (const measure::PixelCost& cost : costs) {
     EXPECT_NEAR(cost.of_span[0].min - cost.pixel.min, 15.0 * cost.values, 1e-9) << cost.loop;
     EXPECT_NEAR(cost.of_span[0].max - cost.pixel.max, 17.0 * cost.values, 1e-9) << cost.loop;
   }
@@ -344,17 +344,17 @@ TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
 
 // With a divide of 200 clocks two a pixel are 400 and the loop, of which Intel says less than 30.
 TEST(SteppingClocks, ClaimsAreJudged) {
-  const auto claims = trade::judge_stepping_claims({{x86model::Cpu::i386, {200, 200}, {50, 50}}});
+  const auto claims = measure::judge_stepping_claims({{x86model::Cpu::i386, {200, 200}, {50, 50}}});
   ASSERT_EQ(claims.size(), 3U);
   ASSERT_EQ(claims[0].figures.size(), 2U);
   // MOV to memory twice 2, INC 2; STOSB 4. Then 42 clocks a pixel to 19.
   EXPECT_EQ(claims[0].figures[0].measured.min, 6.0 / 4);
   EXPECT_EQ(claims[0].figures[0].measured.max, 6.0 / 4);
-  EXPECT_EQ(claims[0].figures[0].verdict, trade::Verdict::does_not_hold);
+  EXPECT_EQ(claims[0].figures[0].verdict, measure::Verdict::does_not_hold);
   EXPECT_NEAR(claims[0].figures[1].measured.min, 42.0 / 19, 1e-9);
-  EXPECT_EQ(trade::verdict_on(claims[0]), trade::Verdict::in_part);
+  EXPECT_EQ(measure::verdict_on(claims[0]), measure::Verdict::in_part);
   for (const std::size_t i : {1U, 2U}) ASSERT_EQ(claims[i].figures.size(), 1U) << claims[i].text;
-  EXPECT_EQ(trade::verdict_on(claims[2]), trade::Verdict::holds);
+  EXPECT_EQ(measure::verdict_on(claims[2]), measure::Verdict::holds);
   EXPECT_GT(claims[2].figures[0].measured.min, 400.0 / 30);
 }
 

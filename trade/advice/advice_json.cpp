@@ -1,6 +1,6 @@
 
 #include "trade/advice/advice.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 
 namespace fixproof::trade {
 
@@ -38,8 +38,8 @@ Json place(const std::optional<std::size_t>& index) { return index ? Json(*index
 Json to_json(const AdviceReport& report) {
   const Advice advice = advise(report.tried, report.budget);
   Json json;
-  json["made"] = made_by_json("advise");
-  json["made"]["processor"] = report.cpu ? Json() : Json(processor_name());
+  json["made"] = measure::made_by_json("advise");
+  json["made"]["processor"] = report.cpu ? Json() : Json(measure::processor_name());
   json["scene"] = report.scene;
   json["frames"] = report.frames;
   json["frames_per_second"] = advised_rate;

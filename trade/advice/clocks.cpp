@@ -1,4 +1,4 @@
-// Clocks a frame, from the calls of the model.
+// measure::Clocks a frame, from the calls of the model.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -7,7 +7,7 @@
 #include "player/model_number.hpp"
 #include "player/players.hpp"
 #include "trade/advice/cost.hpp"
-#include "trade/clocks/frame_clocks.hpp"
+#include "measure/clocks/frame_clocks.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/rotation.hpp"
 
@@ -57,7 +57,7 @@ class FromAngles {
   std::vector<Turned> objects_;
 };
 
-Cost cost_of(const Clocks& c, x86model::Cpu cpu) {
+Cost cost_of(const measure::Clocks& c, x86model::Cpu cpu) {
   const auto [least, most] = c.at_least();
   Cost cost{least, most, (least + most) / 2};
   if (cpu == x86model::Cpu::i8088) cost.bus = c.bus;
@@ -65,14 +65,14 @@ Cost cost_of(const Clocks& c, x86model::Cpu cpu) {
 }
 
 /// The clocks of the sampled frames, as counted.
-Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
+measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto player = player::make_player(scene, scene.arithmetic);
   const auto canvas = player::canvas_of_surfaces(scene);
   std::optional<FromAngles> angles;
   if (scene.from_scratch) angles.emplace(scene);
   const cases::Build build = player::build_of(scene.arithmetic).value();
   xsharp::Picture picture;
-  FrameClocks sum;
+  measure::FrameClocks sum;
   for (std::uint64_t place = 0; place < ClockSample::places; ++place) {
     // Afterwards nothing is left to prepare but what moves.
     player->draw(picture);
@@ -87,7 +87,7 @@ Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
         if (counts) player->draw(picture);
         if (counts && canvas) canvas->show(picture);
       }
-      if (counts) sum += clocks_of(log, build, cpu);
+      if (counts) sum += measure::clocks_of(log, build, cpu);
     }
   }
   constexpr double frames = ClockSample::places * ClockSample::in_a_row;
@@ -95,7 +95,7 @@ Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
 }
 
 /// Of the motions between always and never restoring.
-Clocks shared_out(const Clocks& never, const Clocks& always, double rotations) {
+measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& always, double rotations) {
   const auto mean = [rotations](double a, double b) { return a + (b - a) / rotations; };
   return {{mean(never.table.min, always.table.min), mean(never.table.max, always.table.max)},
           mean(never.bus, always.bus)};
@@ -110,13 +110,13 @@ class ClockMemory {
     const std::int32_t every = choice.turning.restore_every;
     if (every <= 1) return cost_of(counted(choice), cpu_);
     choice.turning.restore_every = 0;
-    const Clocks never = counted(choice);
+    const measure::Clocks never = counted(choice);
     choice.turning.restore_every = 1;
     return cost_of(shared_out(never, counted(choice), every), cpu_);
   }
 
  private:
-  Clocks counted(const Choice& choice) {
+  measure::Clocks counted(const Choice& choice) {
     for (const auto& [known, clocks] : counted_) {
       if (known == choice) return clocks;
     }
@@ -126,7 +126,7 @@ class ClockMemory {
 
   const xsharp::Scene& scene_;
   x86model::Cpu cpu_;
-  std::vector<std::pair<Choice, Clocks>> counted_;
+  std::vector<std::pair<Choice, measure::Clocks>> counted_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "player/canvas.hpp"
 #include "player/players.hpp"
 #include "trade/advice/cost.hpp"
-#include "trade/host/host_times.hpp"
+#include "measure/host/host_times.hpp"
 
 namespace fixproof::trade {
 
@@ -17,13 +17,13 @@ double time_a_frame(const xsharp::Scene& scene, xsharp::Picture& picture) {
   const auto canvas = player::canvas_of_surfaces(scene);
   // Afterwards nothing is left to prepare but what moves.
   player->draw(picture);
-  const auto begin = thread_time();
+  const auto begin = measure::thread_time();
   for (std::uint64_t frame = 0; frame < TimeSample::frames; ++frame) {
     player->move();
     player->draw(picture);
     if (canvas) canvas->show(picture);
   }
-  const std::chrono::duration<double, std::nano> passed = thread_time() - begin;
+  const std::chrono::duration<double, std::nano> passed = measure::thread_time() - begin;
   return passed.count() / static_cast<double>(TimeSample::frames);
 }
 
@@ -98,7 +98,7 @@ std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<cons
   }
   std::vector<Cost> costs;
   for (const Choice& choice : choices) {
-    const Times times = times_of(rounds.of(choice));
+    const measure::Times times = measure::times_of(rounds.of(choice));
     costs.push_back({times.min, times.median, times.median, times.spread * times.median});
   }
   return costs;

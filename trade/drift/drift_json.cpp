@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "support/json.hpp"
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 
 namespace fixproof::trade {
 
@@ -46,7 +46,7 @@ Json json_of(const DriftCase& c, const DriftResult& r) {
 Json drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
                 const std::vector<DriftCase>& cases, const std::vector<DriftResult>& results) {
   Json json{
-      {"made", made_by_json("drift")},
+      {"made", measure::made_by_json("drift")},
       {"scene", scene},
       {"frames", frames},
       {"frames_a_second", rate},

@@ -1,5 +1,5 @@
 
-#include "trade/host/provenance.hpp"
+#include "measure/host/provenance.hpp"
 #include "trade/profile/places.hpp"
 #include "trade/profile/profile.hpp"
 #include "x86model/text.hpp"
@@ -56,7 +56,7 @@ Json number(const std::optional<Number>& value) {
 
 Json to_json(const SceneProfile& profile, const std::string& scene) {
   Json json;
-  json["made"] = made_by_json("profile");
+  json["made"] = measure::made_by_json("profile");
   json["scene"] = scene;
   json["target"] = profile.arithmetic.target;
   json["mul_round"] = profile.arithmetic.mul_round;

@@ -1,0 +1,98 @@
+#include "measure/accuracy/accuracy.hpp"
+
+#include <utility>
+
+#include "measure/accuracy/scene_operands.hpp"
+#include "measure/host/provenance.hpp"
+
+namespace fixproof::measure {
+
+namespace {
+
+using support::Json;
+
+constexpr std::uint64_t default_accuracy_cases = 500'000;
+/// Operands of the other measurements per point of an octave of distance.
+constexpr std::uint64_t points_share = 10;
+
+Json to_json(const AccuracyRow& row) {
+  const ErrorStatistics& e = row.errors;
+  return {{"operation", row.operation},
+          {"operands", row.operands},
+          {"variant", row.subject.name},
+          {"alike", row.subject.alike},
+          {"cases", e.cases()},
+          {"left_out", row.beyond},
+          {"faults", row.faults},
+          {"max", e.max()},
+          {"mean", e.mean()},
+          {"mean_error", e.mean_error()},
+          {"rms", e.root_mean_square()},
+          {"correct", e.correct()},
+          {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
+}
+
+Json to_json(const PixelErrors& errors) {
+  Json octaves = Json::array();
+  for (const DistanceOctave& o : errors.octaves) {
+    octaves.push_back({{"from", o.nearest},
+                       {"to", 2 * o.nearest},
+                       {"max", o.max},
+                       {"mean", o.mean},
+                       {"half_a_pixel", o.half}});
+  }
+  return {
+      {"variant", errors.name}, {"safe_from", errors.safe_from}, {"octaves", std::move(octaves)}};
+}
+
+}  // namespace
+
+std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
+                                               MeasureProgress& progress) {
+  const std::vector<MeasuredOperation> operations = measured_operations();
+  const std::uint64_t cases = request.cases.value_or(default_accuracy_cases);
+  const std::atomic<bool>& stop = progress.stop();
+  AccuracyResult result;
+  result.seed = request.seed;
+  result.points = cases / points_share + 1;
+  progress.begin(request.scenes.size() + operations.size() + 1, "parts");
+  std::vector<player::OperandLog> logs;
+  for (const xsharp::Scene& scene : request.scenes) {
+    result.scenes.push_back(scene.name);
+    logs.push_back(record_scene(scene, cases::Build{}, stop).log);
+    progress.add_part();
+  }
+  for (const MeasuredOperation& operation : operations) {
+    std::vector<OperandSet> sets = random_operands(operation, request.seed, cases);
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      sets.push_back(scene_operands(operation, result.scenes[i], logs[i], cases));
+    }
+    for (const OperandSet& set : sets) {
+      if (set.words.empty()) continue;
+      for (AccuracyRow& row : measure_errors(operation, set, stop)) {
+        result.rows.push_back(std::move(row));
+      }
+    }
+    if (stop) return std::nullopt;
+    progress.add_part();
+  }
+  result.pixels = measure_pixel_errors(result.page, request.seed, result.points, stop);
+  if (stop) return std::nullopt;
+  progress.add_part();
+  return result;
+}
+
+Json to_json(const AccuracyResult& result) {
+  Json json{{"made", made_by_json(result.seed, "measure --accuracy")}};
+  json["scenes"] = result.scenes;
+  json["libfixmath"] = has_libfixmath();
+  json["FreeType"] = has_freetype();
+  json["accuracy"] = Json::array();
+  for (const AccuracyRow& row : result.rows) json["accuracy"].push_back(to_json(row));
+  json["pixels"] = {{"constant", result.page.constant}, {"half_width", result.page.half_width}};
+  json["pixels"]["variants"] = Json::array();
+  for (const PixelErrors& e : result.pixels) json["pixels"]["variants"].push_back(to_json(e));
+  return json;
+}
+
+}  // namespace fixproof::measure

@@ -1,0 +1,163 @@
+#include "measure/accuracy/accuracy_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "cases/draw.hpp"
+#include "cases/streams.hpp"
+#include "oracle/unbounded.hpp"
+#include "measure/accuracy/scene_operands.hpp"
+
+namespace fixproof::measure {
+
+namespace {
+
+using oracle::Integer;
+
+/// Random words of a stream; which operation they are said to be of only chooses other ones.
+std::vector<std::uint32_t> words_of_stream(cases::Stream stream, std::uint64_t seed,
+                                           std::size_t words) {
+  std::vector<std::uint32_t> all(words + words % 2);
+  cases::make_cases(stream, {.operation = cases::Operation::mul}, seed, 0, all);
+  all.resize(words);
+  return all;
+}
+
+/// The upper bits of a word as a number of that many bits with a sign.
+std::uint32_t signed_bits(std::uint32_t word, int bits) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(word) >> (32 - bits));
+}
+
+/// What the kind's uniform operands are, made of words that are all as likely.
+std::uint32_t confined(OperandKind kind, std::uint32_t word) {
+  switch (kind) {
+    case OperandKind::factors:
+      return signed_bits(word, 24);
+    case OperandKind::terms:
+      return signed_bits(word, 23);
+    case OperandKind::radicand:
+      return word >> 1U;
+    default:
+      return word;
+  }
+}
+
+/// Whether a word can hold the exact result, rounded to either side of it.
+bool fits(const ExactResult& exact) {
+  static const Integer limit = Integer(1) << 31;
+  return exact.numerator >= -limit * exact.denominator &&
+         exact.numerator <= (limit - 1) * exact.denominator;
+}
+
+void add(AccuracyRow& row, CaseWords in, const ExactResult& exact) {
+  const auto result = row.subject.answer(in);
+  if (!result) {
+    ++row.faults;
+    return;
+  }
+  add_error(row.errors, *result, exact);
+}
+
+}  // namespace
+
+void add_error(ErrorStatistics& errors, double result, const ExactResult& exact) {
+  // mantissa 2^-places
+  int places = 0;
+  double mantissa = result;
+  if (result != std::trunc(result)) {
+    int exponent = 0;
+    constexpr int bits = std::numeric_limits<double>::digits;
+    mantissa = std::ldexp(std::frexp(result, &exponent), bits);
+    places = bits - exponent;  // positive, as the result is no whole number
+  }
+  const Integer denominator = exact.denominator << places;
+  const Integer off = Integer(static_cast<std::int64_t>(mantissa)) * exact.denominator -
+                      (exact.numerator << places);
+  errors.add(static_cast<double>(off) / static_cast<double>(denominator),
+             2 * abs(off) <= denominator);
+}
+
+std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std::uint64_t seed,
+                                        std::uint64_t cases) {
+  if (operation.kind == OperandKind::angle) {
+    std::vector<std::uint32_t> angles(3600);
+    std::iota(angles.begin(), angles.end(), 0U);
+    return {{"every angle", std::move(angles)}};
+  }
+  OperandSet uniform{"uniform",
+                     words_of_stream(cases::Stream::uniform, seed, cases * operation.words)};
+  for (std::uint32_t& word : uniform.words) word = confined(operation.kind, word);
+  std::vector<OperandSet> sets{uniform};
+  if (operation.kind == OperandKind::quotients) {
+    // Random words are nearly all large: smaller ones make other quotients.
+    sets.push_back({"uniform to 2048", std::move(uniform.words)});
+    for (std::uint32_t& word : sets.back().words) word = signed_bits(word, 28);
+  }
+  OperandSet scaled{"log-uniform",
+                    words_of_stream(cases::Stream::scaled, seed, cases * operation.words)};
+  if (operation.kind == OperandKind::radicand) {
+    // A root's operand has no sign: the magnitude in its place.
+    for (std::uint32_t& word : scaled.words) {
+      if (static_cast<std::int32_t>(word) < 0) word = ~word;
+    }
+  }
+  sets.push_back(std::move(scaled));
+  return sets;
+}
+
+OperandSet scene_operands(const MeasuredOperation& operation, const std::string& scene,
+                          const player::OperandLog& log, std::uint64_t cases) {
+  std::vector<std::uint32_t> all;
+  switch (operation.kind) {
+    case OperandKind::factors:
+      all = products_of(log);
+      break;
+    case OperandKind::terms:
+      all = dots_of(log);
+      break;
+    case OperandKind::quotients:
+      all = log.at(static_cast<std::size_t>(cases::Operation::div));
+      break;
+    case OperandKind::angle:
+      for (const std::uint32_t word : log.at(static_cast<std::size_t>(cases::Operation::cossin))) {
+        // 16 bits with a sign.
+        all.push_back(static_cast<std::uint32_t>(static_cast<std::int16_t>(word)));
+      }
+      break;
+    case OperandKind::radicand:
+    case OperandKind::radians:
+      break;
+  }
+  const std::uint64_t recorded = all.size() / operation.words;
+  const std::uint64_t kept = std::min(recorded, cases);
+  OperandSet set{scene, {}};
+  for (std::uint64_t i = 0; i < kept; ++i) {
+    // One of each stretch: at equal steps a scene's own rhythm could show.
+    const std::uint64_t begin = i * recorded / kept;
+    cases::Draw draw(0, i);
+    const std::uint64_t chosen = begin + draw.below((i + 1) * recorded / kept - begin);
+    const CaseWords words = CaseWords(all).subspan(chosen * operation.words, operation.words);
+    set.words.insert(set.words.end(), words.begin(), words.end());
+  }
+  return set;
+}
+
+std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,
+                                        const std::atomic<bool>& stop) {
+  std::vector<AccuracyRow> rows;
+  for (const Subject& subject : operation.subjects) {
+    rows.push_back({operation.name, subject, set.name, {}, 0, 0});
+  }
+  const CaseWords words = set.words;
+  for (std::size_t i = 0; i + operation.words <= words.size() && !stop; i += operation.words) {
+    const CaseWords in = words.subspan(i, operation.words);
+    const auto exact = operation.exact(in);
+    const bool counts = exact && fits(*exact);
+    for (AccuracyRow& row : rows) counts ? add(row, in, *exact) : void(++row.beyond);
+  }
+  return rows;
+}
+
+}  // namespace fixproof::measure

@@ -1,0 +1,83 @@
+// libfixmath, as Debian ships it.
+#include <libfixmath/fix16.h>
+
+#include <cmath>
+
+#include "measure/accuracy/number_subject.hpp"
+#include "measure/host/host_contenders.hpp"
+
+namespace fixproof::measure {
+
+namespace {
+
+struct Fix16Number {
+  fix16_t value = 0;
+
+  friend Fix16Number operator+(Fix16Number a, Fix16Number b) {
+    return {fix16_add(a.value, b.value)};
+  }
+  friend Fix16Number operator*(Fix16Number a, Fix16Number b) {
+    return {fix16_mul(a.value, b.value)};
+  }
+  friend Fix16Number operator/(Fix16Number n, Fix16Number d) {
+    return {fix16_div(n.value, d.value)};
+  }
+};
+
+constexpr const char* libfixmath = "libfixmath";
+
+/// Its long division begins with an estimate that can lose a unit of the remainder, with divisors
+/// of 2^20 units and more: a sixteenth of a unit beside the half.
+HostJudgement fix16_quotient(const HostCase& c) {
+  const HostJudgement plain = quotient_rounded<oracle::Rounding::half_away>(c);
+  if (plain == HostJudgement::right) return plain;
+  const auto divisor = static_cast<std::int64_t>(c.operands[1]);
+  const auto off = static_cast<std::int64_t>(c.result) * divisor -
+                   static_cast<std::int64_t>(c.operands[0]) * 65536;
+  return 16 * std::abs(off) <= 9 * std::abs(divisor) ? HostJudgement::exception
+                                                     : HostJudgement::wrong;
+}
+
+/// For roots from 2^23 units on it takes (r + 1/2)^2 for r^2 + r + 1/2, a quarter of a unit too
+/// much: 2^-10 of a unit beside the half.
+HostJudgement fix16_root(const HostCase& c) {
+  const HostJudgement plain = root_rounded(c);
+  if (plain == HostJudgement::right) return plain;
+  const double exact = std::sqrt(c.operands[0] * 65536);
+  return std::fabs(c.result - exact) <= 0.501 ? HostJudgement::exception : HostJudgement::wrong;
+}
+
+}  // namespace
+
+template <>
+struct MeasuredNumber<Fix16Number> {
+  static Fix16Number of_word(std::uint32_t word) { return {static_cast<fix16_t>(word)}; }
+  static double in_units(Fix16Number x) { return x.value; }
+  static Fix16Number root(Fix16Number x) { return {fix16_sqrt(x.value)}; }
+  static Fix16Number sine_of_radians(Fix16Number x) { return {fix16_sin(x.value)}; }
+};
+
+std::optional<Subject> libfixmath_subject(const std::string& operation) {
+  return subject_of_number<Fix16Number>(libfixmath, operation);
+}
+
+std::vector<HostContender> libfixmath_contenders(const std::string& operation) {
+  using enum oracle::Rounding;
+  std::vector<HostContender> all;
+  if (operation == "mul") {
+    all.push_back(product_contender<Fix16Number, half_away>(libfixmath, "", HostKind::library));
+  } else if (operation == "div") {
+    all.push_back(array_contender<Fix16Number, HostQuotient>(
+        libfixmath, "", HostKind::library, rounding_text(half_away), fix16_quotient));
+  } else if (operation == "sqrt") {
+    all.push_back(array_contender<Fix16Number, HostRoot>(libfixmath, "", HostKind::library,
+                                                         "to nearest", fix16_root));
+  } else if (operation == "vertex") {
+    all.push_back(vertex_contender<Fix16Number, half_away>(libfixmath, "", HostKind::library));
+  }
+  return all;
+}
+
+bool has_libfixmath() { return true; }
+
+}  // namespace fixproof::measure

@@ -1,0 +1,12 @@
+// Where FreeType was not there when Fixproof was built.
+#include "measure/host/host_contenders.hpp"
+
+namespace fixproof::measure {
+
+std::optional<Subject> freetype_subject(const std::string& /*operation*/) { return std::nullopt; }
+
+std::vector<HostContender> freetype_contenders(const std::string& /*operation*/) { return {}; }
+
+bool has_freetype() { return false; }
+
+}  // namespace fixproof::measure

@@ -1,0 +1,12 @@
+// Where libfixmath was not there when Fixproof was built.
+#include "measure/host/host_contenders.hpp"
+
+namespace fixproof::measure {
+
+std::optional<Subject> libfixmath_subject(const std::string& /*operation*/) { return std::nullopt; }
+
+std::vector<HostContender> libfixmath_contenders(const std::string& /*operation*/) { return {}; }
+
+bool has_libfixmath() { return false; }
+
+}  // namespace fixproof::measure

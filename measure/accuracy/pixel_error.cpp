@@ -1,0 +1,105 @@
+#include "measure/accuracy/pixel_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/draw.hpp"
+#include "fixed/fixed.hpp"
+
+namespace fixproof::measure {
+
+namespace {
+
+constexpr std::int64_t unit = 65536;
+/// Distances from 1 to 32768: fifteen octaves.
+constexpr int octave_count = 15;
+
+/// The furthest x that is on the page at distance `z`, both in units.
+std::int32_t edge(const PageProjection& page, std::int32_t z) {
+  return static_cast<std::int32_t>(std::int64_t{page.half_width} * z / std::abs(page.constant));
+}
+
+/// How many pixels too far right the point x at distance z is drawn. Where a word holds what is
+/// drawn, 64 bits hold its product with the distance.
+template <class N>
+double error_of(const PageProjection& page, std::int32_t x, std::int32_t z) {
+  const N depth = N::from_raw(-z);
+  const auto quotient = fixed::try_divide(N::from_raw(x), depth);
+  // No divide faults: |z| is 1 at least, and |x| less.
+  const N drawn = *quotient * N(page.constant);
+  const std::int64_t off =
+      std::int64_t{drawn.raw()} * depth.raw() - std::int64_t{x} * page.constant * unit;
+  return static_cast<double>(off) / (static_cast<double>(depth.raw()) * unit);
+}
+
+template <class N>
+DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponent,
+                      std::uint64_t cases, const std::atomic<bool>& stop) {
+  DistanceOctave o{.nearest = 1 << exponent};
+  const auto first = static_cast<std::int32_t>(o.nearest * unit);
+  double sum = 0;
+  std::uint64_t far_off = 0;
+  for (std::uint64_t i = 0; i < cases && !stop; ++i) {
+    cases::Draw draw(key, i);
+    const auto z = first + static_cast<std::int32_t>(draw.below(static_cast<std::uint64_t>(first)));
+    const std::int32_t most = edge(page, z);
+    const auto x = static_cast<std::int32_t>(draw.below(2 * static_cast<std::uint64_t>(most) + 1));
+    const double error = std::fabs(error_of<N>(page, x - most, z));
+    o.max = std::max(o.max, error);
+    sum += error;
+    far_off += error >= 0.5 ? 1 : 0;
+  }
+  o.mean = sum / static_cast<double>(cases);
+  o.half = static_cast<double>(far_off) / static_cast<double>(cases);
+  return o;
+}
+
+/// Whether no point can be half a pixel off at a distance of `whole` to one more. What the divisor
+/// drops puts a point half_width / whole too far out at most, the quotient's rounding a unit of it.
+bool bounded_below_half(const PageProjection& page, std::int32_t whole) {
+  const std::int64_t off = page.half_width * unit + std::int64_t{std::abs(page.constant)} * whole;
+  return 2 * off < whole * unit;
+}
+
+/// From where on no point is half a pixel off. An 8088 divides by the whole part of the distance:
+/// between two whole distances the farthest is the worst. There a point nearer the middle by
+/// `whole` units has a quotient less by one unit, rounded the same way, and is less far off: the
+/// worst point is among so many at the edge of the page.
+template <class N>
+std::int32_t safe_distance(const PageProjection& page, const std::atomic<bool>& stop) {
+  for (std::int32_t whole = 32767; whole > 0 && !stop; --whole) {
+    if (bounded_below_half(page, whole)) continue;
+    const auto z = static_cast<std::int32_t>(whole * unit + (unit - 1));
+    const std::int32_t most = edge(page, z);
+    for (std::int32_t x = most; x > most - whole && x > 0; --x) {
+      if (std::max(std::fabs(error_of<N>(page, x, z)), std::fabs(error_of<N>(page, -x, z))) >= 0.5)
+        return whole + 1;
+    }
+  }
+  return 1;
+}
+
+template <class N>
+PixelErrors errors_of(std::string name, const PageProjection& page, std::uint64_t seed,
+                      std::uint64_t cases, const std::atomic<bool>& stop) {
+  PixelErrors errors{
+      .name = std::move(name), .octaves = {}, .safe_from = safe_distance<N>(page, stop)};
+  for (int exponent = 0; exponent < octave_count; ++exponent) {
+    const std::uint64_t key = cases::mix(seed) + static_cast<std::uint64_t>(exponent);
+    errors.octaves.push_back(octave<N>(page, key, exponent, cases, stop));
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<PixelErrors> measure_pixel_errors(const PageProjection& page, std::uint64_t seed,
+                                              std::uint64_t cases, const std::atomic<bool>& stop) {
+  using namespace fixed;
+  return {errors_of<q16_16_i8088>("q16_16_i8088", page, seed, cases, stop),
+          errors_of<q16_16_i8088_unrounded>("q16_16_i8088_unrounded", page, seed, cases, stop),
+          errors_of<q16_16_i386>("q16_16_i386", page, seed, cases, stop),
+          errors_of<q16_16_i386_unrounded>("q16_16_i386_unrounded", page, seed, cases, stop)};
+}
+
+}  // namespace fixproof::measure

@@ -1,0 +1,162 @@
+#include "measure/clocks/clocks.hpp"
+
+#include <utility>
+
+#include "machine_code/programs.hpp"
+#include "measure/clocks/claim_clocks.hpp"
+#include "measure/clocks/frame_clocks.hpp"
+#include "measure/host/provenance.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof::measure {
+
+namespace {
+
+using support::Json;
+
+constexpr std::uint64_t default_cases = 1000;
+/// Transforms get a tenth of the cases, because they take up to 36 products each.
+constexpr std::uint64_t transforms_share = 10;
+
+/// The log of the build that a variant stands for.
+const player::OperandLog& log_of(const RecordedScene& scene, const cases::Variant& variant) {
+  const bool round = cases::rounds(variant);
+  return operands_of(scene, {variant.build.target, round, round}).log;
+}
+
+std::vector<FrameOn8088> frames_on_8088(const std::vector<RecordedScene>& scenes) {
+  std::vector<FrameOn8088> all;
+  for (const RecordedScene& scene : scenes) {
+    for (const SceneOperands& operands : scene.builds) {
+      if (operands.build.target != cases::Target::i8088) continue;
+      const FrameClocks clocks = clocks_of(operands.log, operands.build, x86model::Cpu::i8088);
+      const auto frames = static_cast<double>(operands.frames);
+      all.push_back({scene.name, operands.build.mul_round,
+                     static_cast<double>(clocks.bus.code) / frames,
+                     static_cast<double>(clocks.bus.data) / frames, clocks.per_frame(frames)});
+    }
+  }
+  return all;
+}
+
+Json to_json(const Spread& s) {
+  Json json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
+  if (s.calls() > 0) json["mean"] = {{"min", s.mean_min()}, {"max", s.mean_max()}};
+  return json;
+}
+
+Json to_json(const CallClocks& row) {
+  Json processors = Json::array();
+  for (const ProcessorClocks& on : row.processors) {
+    Json one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", to_json(on.clocks)}};
+    if (on.bus) {
+      one["bus"] = to_json(*on.bus);
+      one["limit"] = on.mean().limit();
+    }
+    processors.push_back(std::move(one));
+  }
+  return {{"routine", cases::name_of(row.variant.operation)},
+          {"target", cases::name_of(row.variant.build.target)},
+          {"chapter", row.variant.build.chapter_52 ? 52 : 54},
+          {"rounds", cases::rounds(row.variant)},
+          {"instructions", to_json(row.instructions)},
+          {"processors", std::move(processors)},
+          {"faults", row.faults}};
+}
+
+Json to_json(const NotJudged& statement) {
+  return {{"claim", statement.text}, {"place", statement.place}, {"reason", statement.reason}};
+}
+
+Json to_json(const FrameOn8088& f) {
+  return {{"scene", f.scene},           {"rounds", f.rounds},         {"table", f.clocks.table.max},
+          {"code_bytes", f.code_bytes}, {"data_bytes", f.data_bytes}, {"bus", f.clocks.bus},
+          {"limit", f.clocks.limit()}};
+}
+
+Json to_json(const LoopClocks& row) {
+  Json processors = Json::array();
+  for (std::size_t i = 0; i < row.on.size(); ++i) {
+    const auto& clocks = row.on.at(i);
+    if (!clocks) continue;
+    const x86model::Cpu cpu = loop_processors.at(i);
+    Json on{
+        {"cpu", x86model::name_of(cpu)}, {"min", clocks->table.min}, {"max", clocks->table.max}};
+    if (cpu == x86model::Cpu::i8088) on["bus"] = clocks->bus;
+    processors.push_back(std::move(on));
+  }
+  return {{"loop", machine_code::name_of_loop(row.form.loop)},
+          {"counting", x86model::name_of(row.form.counting)},
+          {"target", target_name(row.form)},
+          {"as_printed", row.form.as_printed},
+          {"pixels", row.pixels == Pixels::drawn ? "drawn" : "hidden"},
+          {"clocks", std::move(processors)}};
+}
+
+Json to_json(const LoopClaim& claim) {
+  Json gains = Json::array();
+  for (const LoopGain& gain : claim.gains) {
+    gains.push_back({{"where", gain.where}, {"min", gain.min}, {"max", gain.max}});
+  }
+  return {{"claim", claim.text}, {"place", claim.place}, {"gains", std::move(gains)}};
+}
+
+template <class Rows>
+Json list_of(const Rows& rows) {
+  Json json = Json::array();
+  for (const auto& row : rows) json.push_back(to_json(row));
+  return json;
+}
+
+}  // namespace
+
+std::optional<ClockResult> measure_clocks(const MeasureRequest& request,
+                                          MeasureProgress& progress) {
+  const std::atomic<bool>& stop = progress.stop();
+  const std::vector<cases::Variant> variants = timed_variants();
+  const auto builds = recorded_builds();
+  ClockResult result;
+  result.seed = request.seed;
+  progress.begin(request.scenes.size() * builds.size() + variants.size(), "parts");
+  std::vector<RecordedScene> scenes;
+  for (const xsharp::Scene& scene : request.scenes) {
+    scenes.push_back({scene.name, {}});
+    result.scenes.push_back(scene.name);
+    for (const auto& choice : builds) {
+      scenes.back().builds.push_back(record_scene(scene, choice, stop));
+      if (stop) return std::nullopt;
+      progress.add_part();
+    }
+  }
+  const std::uint64_t cases = request.cases.value_or(default_cases);
+  for (const cases::Variant& variant : variants) {
+    CallClocks row = no_calls(variant);
+    const bool transforms = cases::words_in(variant.operation) > 2;
+    add_cases(row, request.seed, transforms ? cases / transforms_share + 1 : cases, scenes.empty(),
+              stop);
+    for (const RecordedScene& scene : scenes) {
+      add_calls(row, log_of(scene, variant).at(static_cast<std::size_t>(variant.operation)), true,
+                stop);
+    }
+    if (stop) return std::nullopt;
+    result.rows.push_back(std::move(row));
+    progress.add_part();
+  }
+  if (!scenes.empty()) result.claims = judge_claims(scenes);
+  result.frames = frames_on_8088(scenes);
+  result.loops = loop_clocks();
+  result.loop_claims = loop_claims();
+  return result;
+}
+
+Json to_json(const ClockResult& result) {
+  return {{"made", made_by_json(result.seed, "measure --clocks")},
+          {"scenes", result.scenes},
+          {"clocks", list_of(result.rows)},
+          {"claims", list_of(result.claims)},
+          {"not_judged", list_of(not_judged())},
+          {"frames_8088", list_of(result.frames)},
+          {"loops", {{"pixels", list_of(result.loops)}, {"claims", list_of(result.loop_claims)}}}};
+}
+
+}  // namespace fixproof::measure

@@ -1,0 +1,35 @@
+/// @file
+/// The clocks of the listings on the processors of their time.
+#pragma once
+
+#include "cases/variant.hpp"
+#include "player/model_call.hpp"
+#include "measure/clocks/bounds.hpp"
+#include "x86model/bus.hpp"
+#include "x86model/clocks.hpp"
+
+namespace fixproof::measure {
+
+/// The clocks of calls: of the listings alone, without the C around them.
+struct FrameClocks {
+  x86model::Range table;   ///< by Intel's tables, which have ranges in places
+  x86model::BusBytes bus;  ///< on an 8088; see x86model/bus.hpp
+
+  /// The mean of so many frames.
+  [[nodiscard]] Clocks per_frame(double frames) const {
+    return {{static_cast<double>(table.min) / frames, static_cast<double>(table.max) / frames},
+            static_cast<double>(bus.clocks()) / frames};
+  }
+  FrameClocks& operator+=(const FrameClocks& other) {
+    table += other.table;
+    bus += other.bus;
+    return *this;
+  }
+};
+
+/// The clocks of the calls in a log.
+/// @param build the listings that made the calls
+/// @throws std::invalid_argument where `cpu` cannot run the listings
+FrameClocks clocks_of(const player::OperandLog& log, const cases::Build& build, x86model::Cpu cpu);
+
+}  // namespace fixproof::measure

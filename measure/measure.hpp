@@ -1,0 +1,54 @@
+/// @file
+/// The options of a measurement, and how it reports progress.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "support/frame_progress.hpp"
+#include "xsharp/scene.hpp"
+
+namespace fixproof::measure {
+
+/// The options of `fixproof measure`. Each measurement has its own default for `cases`.
+struct MeasureRequest {
+  std::vector<xsharp::Scene> scenes;   ///< their operands are recorded
+  std::uint64_t seed = 1994;           ///< of random operands
+  std::optional<std::uint64_t> cases;  ///< random cases of each kind
+  std::uint64_t rounds = 101;          ///< in each round, every loop is timed once
+};
+
+/// Counts the finished parts of a measurement, shows them on the terminal, and says when to stop.
+/// A measurement that stops early returns nothing.
+class MeasureProgress {
+ public:
+  explicit MeasureProgress(const std::atomic<bool>& stop) : stop_(stop) {}
+
+  /// @param unit what the parts are, in the plural
+  void begin(std::uint64_t all, std::string_view unit) {
+    all_ = all;
+    unit_ = unit;
+    line_.emplace(all, unit);
+  }
+  void show(std::uint64_t done) { line_->show(done_ = done); }
+  void add_part() { show(done_ + 1); }
+  /// Removes the line from the terminal.
+  void end() { line_.reset(); }
+
+  [[nodiscard]] const std::atomic<bool>& stop() const { return stop_; }
+  [[nodiscard]] std::uint64_t done() const { return done_; }
+  [[nodiscard]] std::uint64_t all() const { return all_; }
+  [[nodiscard]] std::string_view unit() const { return unit_; }
+
+ private:
+  const std::atomic<bool>& stop_;
+  std::uint64_t done_ = 0;
+  std::uint64_t all_ = 0;
+  std::string_view unit_;
+  std::optional<support::FrameProgress> line_;
+};
+
+}  // namespace fixproof::measure

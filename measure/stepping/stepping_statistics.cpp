@@ -1,0 +1,109 @@
+#include "measure/stepping/stepping_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace fixproof::measure {
+
+namespace {
+
+/// The first pixel behind the run that begins at `from`.
+std::size_t end_of_run(const std::vector<std::int64_t>& pixels, std::size_t from) {
+  std::size_t to = from + 1;
+  while (to < pixels.size() && pixels[to] == pixels[from]) ++to;
+  return to;
+}
+
+std::uint64_t runs_of(const std::vector<std::int64_t>& pixels) {
+  std::uint64_t runs = 0;
+  for (std::size_t i = 0; i < pixels.size(); i = end_of_run(pixels, i)) ++runs;
+  return runs;
+}
+
+/// How far apart two pixels are, of texels in columns or rows.
+std::int64_t apart(std::int64_t a, std::int64_t b, bool texels) {
+  if (!texels) return std::abs(a - b);
+  return std::max(std::abs(a % 256 - b % 256), std::abs(a / 256 - b / 256));
+}
+
+}  // namespace
+
+void ErrorAndBound::add(const SteppedValue& value) {
+  error = std::max(error, std::fabs(value.error));
+  bound = std::max(bound, value.bound);
+}
+
+void SteppingStatistics::add_errors(const SpanPlace& place, const SteppedSpan& span) {
+  ++spans_;
+  pixels_ += place.pixels;
+  for (std::size_t k = 0; k < place.pixels; ++k) {
+    const SteppedValue& value = span.values[k];
+    all_.add(value);
+    if (value.error != 0) part_ = std::max(part_, std::fabs(value.error) / value.bound);
+    if (!value.within && beyond_.empty()) {
+      beyond_ = fmt::format(
+          "pixel {} of {}, the first {}/65536 of {}/65536 pixels in, is off by {}, "
+          "bound {}",
+          k, place.pixels, place.distance, place.units, value.error, value.bound);
+    }
+  }
+  last_.add(span.values.back());
+  for (std::size_t i = 0; i < lengths; ++i) {
+    if (length(i) == place.pixels) last_of_.at(i).add(span.values.back());
+  }
+  if (place.pixels == xsharp::longest_span) {
+    for (std::size_t i = 0; i < places; ++i) along_.at(i).add(span.values[pixel_at(i)]);
+  }
+}
+
+void SteppingStatistics::add_picture(const SteppedSpan& span, bool texels) {
+  drawn_ += span.drawn.size();
+  for (std::size_t k = 0; k < span.drawn.size(); ++k) {
+    if (span.drawn[k] == span.exact[k]) continue;
+    ++wrong_;
+    most_off_ = std::max(most_off_, apart(span.drawn[k], span.exact[k], texels));
+  }
+  add_bands(span);
+  add_missed(span);
+}
+
+void SteppingStatistics::add_bands(const SteppedSpan& span) {
+  bands_.exact += runs_of(span.exact);
+  std::uint64_t wrong_in_a_row = 0;
+  for (std::size_t from = 0; from < span.drawn.size();) {
+    const std::size_t to = end_of_run(span.drawn, from);
+    ++bands_.drawn;
+    // The exact picture has the same run where it begins and ends with it.
+    const bool begins = from == 0 || span.exact[from - 1] != span.exact[from];
+    const bool same =
+        begins && span.exact[from] == span.drawn[from] && end_of_run(span.exact, from) == to;
+    if (!same) ++bands_.wrong;
+    from = to;
+  }
+  for (std::size_t k = 0; k < span.drawn.size(); ++k) {
+    wrong_in_a_row = span.drawn[k] == span.exact[k] ? 0 : wrong_in_a_row + 1;
+    bands_.widest = std::max(bands_.widest, wrong_in_a_row);
+  }
+}
+
+void SteppingStatistics::add_missed(const SteppedSpan& span) {
+  static thread_local std::vector<std::int64_t> drawn;
+  static thread_local std::vector<std::int64_t> exact;
+  drawn = span.drawn;
+  exact = span.exact;
+  std::ranges::sort(drawn);
+  std::ranges::sort(exact);
+  exact.erase(std::unique(exact.begin(), exact.end()), exact.end());
+  wanted_ += exact.size();
+  auto next = drawn.begin();
+  for (const std::int64_t value : exact) {
+    while (next != drawn.end() && *next < value) ++next;
+    if (next == drawn.end() || *next != value) ++missed_;
+  }
+}
+
+}  // namespace fixproof::measure
