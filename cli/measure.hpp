@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "support/interrupt.hpp"
 #include "measure/host/host_run.hpp"
 #include "measure/measure.hpp"
 #include "measure/stepping/stepping.hpp"
+#include "support/interrupt.hpp"
 
 namespace fixproof::cli {
 
@@ -32,7 +32,8 @@ std::vector<std::string> broken_bounds(const Result& /*result*/) {
 }
 
 template <class Result>
-Measured<Result> run_measurement(Measurement<Result> measure, const measure::MeasureRequest& request,
+Measured<Result> run_measurement(Measurement<Result> measure,
+                                 const measure::MeasureRequest& request,
                                  measure::MeasureProgress& progress) {
   Measured<Result> measured;
   try {

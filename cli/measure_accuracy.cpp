@@ -48,7 +48,8 @@ std::string pixels_text(const measure::AccuracyResult& result) {
   for (std::size_t i = 0; i < variants.front().octaves.size(); ++i) {
     const std::int32_t from = variants.front().octaves[i].nearest;
     text += fmt::format("{:>15}", fmt::format("{} to {}", from, 2 * from));
-    for (const measure::PixelErrors& e : variants) text += fmt::format("{:>24.4f}", e.octaves[i].max);
+    for (const measure::PixelErrors& e : variants)
+      text += fmt::format("{:>24.4f}", e.octaves[i].max);
     text += '\n';
   }
   text += fmt::format("{:>15}", "safe from");

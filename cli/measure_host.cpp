@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "cli/measure_text.hpp"
-#include "support/plain_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "support/plain_text.hpp"
 
 namespace fixproof::cli {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/plain_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "support/plain_text.hpp"
 
 namespace fixproof::cli {
 

@@ -22,6 +22,7 @@
 #include "cli/commands.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/surface_options.hpp"
+#include "measure/clocks/frame_clocks.hpp"
 #include "player/beside_exact.hpp"
 #include "player/canvas.hpp"
 #include "player/players.hpp"
@@ -30,7 +31,6 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "measure/clocks/frame_clocks.hpp"
 #include "xsharp/validate.hpp"
 
 namespace fixproof::cli {

@@ -9,13 +9,13 @@
 #include <system_error>
 
 #include "cli/command_line.hpp"
+#include "measure/host/provenance.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "measure/host/provenance.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
@@ -69,9 +69,12 @@ void make_folder(const std::string& folder) {
 Json origin_of(const ReportRequest& request, const std::vector<xsharp::Scene>& scenes) {
   Json names = Json::array();
   for (const xsharp::Scene& scene : scenes) names.push_back(scene.name);
-  return {{"version", program_version()},       {"seed", request.seed},
-          {"compiler", measure::compiler_name()}, {"processor", measure::processor_name()},
-          {"date", measure::date_now()},          {"quick", request.quick},
+  return {{"version", program_version()},
+          {"seed", request.seed},
+          {"compiler", measure::compiler_name()},
+          {"processor", measure::processor_name()},
+          {"date", measure::date_now()},
+          {"quick", request.quick},
           {"scenes", std::move(names)}};
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
 #include "measure/accuracy/accuracy_run.hpp"
 #include "measure/accuracy/pixel_error.hpp"
 #include "measure/measure.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::measure {
 

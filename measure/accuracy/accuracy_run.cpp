@@ -7,8 +7,8 @@
 
 #include "cases/draw.hpp"
 #include "cases/streams.hpp"
-#include "oracle/unbounded.hpp"
 #include "measure/accuracy/scene_operands.hpp"
+#include "oracle/unbounded.hpp"
 
 namespace fixproof::measure {
 

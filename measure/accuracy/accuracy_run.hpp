@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "player/model_call.hpp"
 #include "measure/accuracy/error_statistics.hpp"
 #include "measure/accuracy/subjects.hpp"
+#include "player/model_call.hpp"
 
 namespace fixproof::measure {
 

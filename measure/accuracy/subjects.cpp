@@ -3,9 +3,9 @@
 #include <array>
 
 #include "fixed/fixed.hpp"
+#include "measure/accuracy/number_subject.hpp"
 #include "oracle/real.hpp"
 #include "oracle/unbounded.hpp"
-#include "measure/accuracy/number_subject.hpp"
 
 namespace fixproof::measure {
 

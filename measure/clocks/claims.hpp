@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "support/json.hpp"
 #include "measure/accuracy/scene_operands.hpp"
 #include "measure/clocks/bounds.hpp"
+#include "support/json.hpp"
 #include "x86model/clocks.hpp"
 
 namespace fixproof::measure {

@@ -5,10 +5,10 @@
 #include <array>
 #include <cstdlib>
 
-#include "player/model_call.hpp"
 #include "measure/clocks/call_clocks.hpp"
 #include "measure/clocks/claim_clocks.hpp"
 #include "measure/clocks/frame_clocks.hpp"
+#include "player/model_call.hpp"
 
 namespace fixproof::measure {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
 #include "measure/clocks/call_clocks.hpp"
 #include "measure/clocks/claims.hpp"
 #include "measure/clocks/span_clocks.hpp"
 #include "measure/measure.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::measure {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cases/variant.hpp"
-#include "player/model_call.hpp"
 #include "measure/clocks/bounds.hpp"
+#include "player/model_call.hpp"
 #include "x86model/bus.hpp"
 #include "x86model/clocks.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
 #include "measure/host/host_run.hpp"
 #include "measure/measure.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::measure {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 
+#include "measure/host/host_loop.hpp"
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
-#include "measure/host/host_loop.hpp"
 
 namespace fixproof::measure {
 

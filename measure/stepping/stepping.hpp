@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "support/json.hpp"
 #include "measure/clocks/claims.hpp"
 #include "measure/measure.hpp"
 #include "measure/stepping/stepping_clocks.hpp"
 #include "measure/stepping/stepping_run.hpp"
 #include "measure/stepping/stepping_times.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::measure {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "parties/interpreter.hpp"
 #include "measure/clocks/frame_clocks.hpp"
+#include "parties/interpreter.hpp"
 #include "x86model/count_clocks.hpp"
 #include "xsharp/shapes.hpp"
 

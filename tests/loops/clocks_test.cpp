@@ -69,7 +69,8 @@ TEST(LoopClocks, DepthTest) {
 // 1 + 2 + 4 + 1 + 2 of code, a byte read, one stored, a word read.
 TEST(LoopClocks, BusOfAn8088) {
   const auto bus = [](Loop loop, Counting counting) {
-    return measure::pixel_clocks({loop, counting, Target::i8088}, measure::Pixels::drawn, Cpu::i8088)
+    return measure::pixel_clocks({loop, counting, Target::i8088}, measure::Pixels::drawn,
+                                 Cpu::i8088)
         ->bus;
   };
   EXPECT_DOUBLE_EQ(bus(Loop::gouraud_byte, Counting::unrolled), 4 * (5 + 1));

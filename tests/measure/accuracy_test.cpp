@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "fixed/fixed.hpp"
+#include "measure/accuracy/accuracy_run.hpp"
 #include "oracle/real.hpp"
 #include "tests/measure/never.hpp"
-#include "measure/accuracy/accuracy_run.hpp"
 
 namespace {
 
@@ -24,7 +24,7 @@ measure::MeasuredOperation operation_named_here(std::string_view name) {
 
 /// The errors of one subject over uniform operands, or over one set of words.
 measure::AccuracyRow row_of_set(std::string_view operation, std::string_view subject,
-                              const measure::OperandSet& set) {
+                                const measure::OperandSet& set) {
   for (measure::AccuracyRow& row :
        measure::measure_errors(operation_named_here(operation), set, never)) {
     if (row.subject.name == subject) return std::move(row);

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/measure/never.hpp"
 #include "measure/clocks/call_clocks.hpp"
+#include "tests/measure/never.hpp"
 
 namespace {
 
@@ -77,7 +77,7 @@ TEST(CallClocks, FixedMulOnA386) {
   measure::CallClocks clocks = measure::no_calls(
       {.operation = cases::Operation::mul, .build = {.target = cases::Target::i386}});
   measure::add_calls(clocks, std::array{0x00010000U, 0x00030000U, 0x00030000U, 0x00010000U}, true,
-                   never);
+                     never);
   EXPECT_EQ(clocks.processors.size(), 2U);
   EXPECT_EQ(clocks.instructions.least(), 9U);
   EXPECT_EQ(clocks.instructions.most(), 9U);
@@ -122,7 +122,8 @@ measure::RecordedScene one_product() {
   return scene;
 }
 
-const measure::Claim& claim_about(const std::vector<measure::Claim>& claims, std::string_view words) {
+const measure::Claim& claim_about(const std::vector<measure::Claim>& claims,
+                                  std::string_view words) {
   for (const measure::Claim& c : claims) {
     if (c.text.find(words) != std::string::npos) return c;
   }

@@ -36,8 +36,9 @@ TEST(HostRules, TiesOfProducts) {
 // What has more than 32 bits, or is no whole number of units, is no word.
 TEST(HostRules, AResultOfTheTypeIsAWord) {
   EXPECT_EQ(measure::product_rounded<Rounding::half_up>(values(2, 3, 6)), right);
-  EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0x1p32)),
-            wrong);
+  EXPECT_EQ(
+      measure::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0x1p32)),
+      wrong);
   EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(0x20000, 0x30000, 0x60000 + 0.25)),
             wrong);
 }

@@ -5,9 +5,9 @@
 #include <set>
 #include <string_view>
 
-#include "tests/measure/never.hpp"
 #include "measure/accuracy/accuracy_run.hpp"
 #include "measure/host/host_run.hpp"
+#include "tests/measure/never.hpp"
 
 /// Products toward minus infinity.
 struct CutNumber {
@@ -42,13 +42,13 @@ TEST(HostTimes, LoopsAreTimedInTurn) {
   std::string order;
   const auto loop = [&order](char name) {
     return measure::TimedLoop{[&order, name] {
-                              if (order.empty() || order.back() != name) order += name;
-                            },
-                            1};
+                                if (order.empty() || order.back() != name) order += name;
+                              },
+                              1};
   };
   std::vector<std::uint64_t> rounds;
-  const auto times = measure::time_in_turn({loop('a'), loop('b')}, 3, never,
-                                         [&rounds](std::uint64_t done) { rounds.push_back(done); });
+  const auto times = measure::time_in_turn(
+      {loop('a'), loop('b')}, 3, never, [&rounds](std::uint64_t done) { rounds.push_back(done); });
   EXPECT_EQ(times.size(), 2U);
   EXPECT_EQ(rounds, (std::vector<std::uint64_t>{1, 2, 3}));
   EXPECT_EQ(order, "abababab") << "once for the length of a sample, then three rounds";
@@ -56,7 +56,8 @@ TEST(HostTimes, LoopsAreTimedInTurn) {
 
 TEST(HostTimes, NoneWhereItIsStopped) {
   const std::atomic<bool> stopped{true};
-  EXPECT_TRUE(measure::time_in_turn({{[] {}, 1}}, 3, stopped, [](std::uint64_t) { FAIL(); }).empty());
+  EXPECT_TRUE(
+      measure::time_in_turn({{[] {}, 1}}, 3, stopped, [](std::uint64_t) { FAIL(); }).empty());
 }
 
 TEST(HostErrors, AreExactForWhatIsNoWord) {

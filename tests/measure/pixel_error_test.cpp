@@ -10,7 +10,8 @@ namespace {
 
 using namespace fixproof;
 
-const measure::PixelErrors& named(const std::vector<measure::PixelErrors>& all, std::string_view name) {
+const measure::PixelErrors& named(const std::vector<measure::PixelErrors>& all,
+                                  std::string_view name) {
   for (const measure::PixelErrors& e : all) {
     if (e.name == name) return e;
   }

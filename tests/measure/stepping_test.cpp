@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "fixed/fixed.hpp"
-#include "tests/measure/never.hpp"
 #include "measure/stepping/stepping_clocks.hpp"
 #include "measure/stepping/stepping_line.hpp"
 #include "measure/stepping/stepping_run.hpp"
 #include "measure/stepping/stepping_statistics.hpp"
 #include "measure/stepping/stepping_times.hpp"
+#include "tests/measure/never.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
 #include "xsharp/raster/step_filler.hpp"
 
@@ -27,12 +27,12 @@ constexpr measure::SpanPlace three_pixels{3, 3 * 65536, 0};
 constexpr measure::SpanPlace half_in{2, 2 * 65536, 32768};
 
 std::vector<measure::SteppedValue> judged_values(measure::LineRule rule,
-                                               const measure::LineFormat& format,
-                                               const measure::LineEnds& ends,
-                                               const measure::SpanPlace& place) {
+                                                 const measure::LineFormat& format,
+                                                 const measure::LineEnds& ends,
+                                                 const measure::SpanPlace& place) {
   measure::SteppedSpan span;
-  measure::judge_line(rule, format, ends, place, measure::line_words(rule, ends, place, format.dropped),
-                    span);
+  measure::judge_line(rule, format, ends, place,
+                      measure::line_words(rule, ends, place, format.dropped), span);
   return span.values;
 }
 
@@ -180,7 +180,7 @@ TEST(SteppingRun, PlacesHaveTheirPixels) {
 }
 
 const measure::SteppingStatistics& of_rule(const std::vector<measure::SteppingRow>& rows,
-                                         const std::string& rule) {
+                                           const std::string& rule) {
   for (const measure::SteppingRow& row : rows) {
     if (row.variant.rule == rule) return row.statistics;
   }
@@ -189,8 +189,8 @@ const measure::SteppingStatistics& of_rule(const std::vector<measure::SteppingRo
 
 // Every value within its bound, and somewhere the bound nearly taken.
 TEST(SteppingRun, LinesTakeTheirBounds) {
-  for (const measure::SteppingRow& row :
-       measure::measure_stepping_rows(measure::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
+  for (const measure::SteppingRow& row : measure::measure_stepping_rows(
+           measure::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
     EXPECT_EQ(row.statistics.beyond(), "") << row.variant.value << ", " << row.variant.rule;
     EXPECT_GT(row.statistics.part_of_bound(), 0.9);
     EXPECT_EQ(row.statistics.spans(), 4 * 320U);
@@ -201,8 +201,8 @@ TEST(SteppingRun, LinesTakeTheirBounds) {
 // A face twice as far at one end: a straight line is off by (√2 - 1) / (√2 + 1) = 0.17157 of the
 // 255 texels between the ends, 43.75, and an exact place every sixteenth pixel takes that away.
 TEST(SteppingRun, LinearTextureBesideTrueOne) {
-  const auto rows =
-      measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never, [](std::uint64_t) {});
+  const auto rows = measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never,
+                                                   [](std::uint64_t) {});
   for (const measure::SteppingRow& row : rows)
     EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
   EXPECT_GT(of_rule(rows, "never (affine)").all().error, 43);
@@ -229,8 +229,9 @@ TEST(SteppingRun, PhongByParabola) {
 
 TEST(SteppingRun, EndsWhenStopped) {
   const std::atomic<bool> now{true};
-  EXPECT_TRUE(measure::measure_stepping_rows(measure::line_variants(), 1, 1, now, [](std::uint64_t) {
-              }).empty());
+  EXPECT_TRUE(
+      measure::measure_stepping_rows(measure::line_variants(), 1, 1, now, [](std::uint64_t) {
+      }).empty());
 }
 
 /// Notes the words of light that a filler draws with.
@@ -278,14 +279,16 @@ xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const measure::LineEnds&
 
 TEST(SteppedLine, IsWhatTheFillerDraws) {
   for (std::int32_t pixels = 1; pixels <= 320; ++pixels) {
-    const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
+    const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536,
+                                   0};
     const measure::LineEnds ends{5 * level + pixels, 250 * level - 77 * pixels};
     EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud16, ends, pixels),
               measure::line_words(measure::LineRule::rounded, ends, place, 0));
     EXPECT_EQ(
         drawn_words<fixed::q16_16_i386_unrounded>(xsharp::SurfaceKind::gouraud16, ends, pixels),
         measure::line_words(measure::LineRule::cut, ends, place, 0));
-    xsharp::StepWords narrow_words = measure::line_words(measure::LineRule::rounded, ends, place, 8);
+    xsharp::StepWords narrow_words =
+        measure::line_words(measure::LineRule::rounded, ends, place, 8);
     narrow_words.step &= 0xFFFFU;
     EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud8, ends, pixels),
               narrow_words);
@@ -299,7 +302,8 @@ TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
   buffer.begin(320, 1);
   const xsharp::StepWords nothing = buffer.words(xsharp::Step<N>{});
   for (std::int32_t pixels = 1; pixels <= 320; ++pixels) {
-    const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536, 0};
+    const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536,
+                                   0};
     const measure::LineEnds ends{5 * level + pixels, 32000 * level - 77 * pixels};
     const auto step = xsharp::step_across(N::from_raw(static_cast<std::int32_t>(ends.from)),
                                           N::from_raw(static_cast<std::int32_t>(ends.to)),
@@ -323,8 +327,8 @@ TEST(SteppedLine, WordOfABufferThatIsNotCleared) {
 // The loop, two quotients every eighth pixel, and three values that begin a span of 160 pixels.
 TEST(SteppingTimes, AddUpToAPixel) {
   const std::vector<measure::SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
-                                                {"an exact place", "pixel", {4, 4, 0}},
-                                                {"slope, start and words", "value", {16, 16, 0}}};
+                                                  {"an exact place", "pixel", {4, 4, 0}},
+                                                  {"slope, start and words", "value", {16, 16, 0}}};
   EXPECT_NEAR(measure::nanoseconds_a_pixel("texture, perspective", "every 8th", times).value(),
               1 + 4.0 / 8 + 3 * 16.0 / 160, 1e-12);
   EXPECT_FALSE(measure::nanoseconds_a_pixel("intensity 8.8", "8088", times));

@@ -1,6 +1,6 @@
 
-#include "trade/advice/advice.hpp"
 #include "measure/host/provenance.hpp"
+#include "trade/advice/advice.hpp"
 
 namespace fixproof::trade {
 

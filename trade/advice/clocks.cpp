@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include "measure/clocks/frame_clocks.hpp"
 #include "player/canvas.hpp"
 #include "player/model_number.hpp"
 #include "player/players.hpp"
 #include "trade/advice/cost.hpp"
-#include "measure/clocks/frame_clocks.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/rotation.hpp"
 
@@ -95,7 +95,8 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
 }
 
 /// Of the motions between always and never restoring.
-measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& always, double rotations) {
+measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& always,
+                           double rotations) {
   const auto mean = [rotations](double a, double b) { return a + (b - a) / rotations; };
   return {{mean(never.table.min, always.table.min), mean(never.table.max, always.table.max)},
           mean(never.bus, always.bus)};

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <cstddef>
 
+#include "measure/host/host_times.hpp"
 #include "player/canvas.hpp"
 #include "player/players.hpp"
 #include "trade/advice/cost.hpp"
-#include "measure/host/host_times.hpp"
 
 namespace fixproof::trade {
 

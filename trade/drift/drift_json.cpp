@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "support/json.hpp"
 #include "measure/host/provenance.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::trade {
 
