@@ -21,60 +21,56 @@ NONE = "–"
 PAGE = """\
 # Performance
 
-How fast the number type is, compared with the fastest alternative of the same accuracy. `scripts/performance` builds and
-runs the programs of [bench/](../bench/README.md) and writes this page. [trade.md](trade.md#time-on-this-processor) sets the
-time of each preset, of libfixmath, FreeType, `float` and `double` against its error.
+This page compares the number type with the fastest alternative of the same accuracy. `scripts/performance` writes it from
+the output of the programs in `build/release/bench/` ([bench/](../bench/README.md)). All except `limit_bench` check their
+results before they time them. [trade.md](trade.md#time-on-this-processor) sets times against errors.
 
 - **Machine**: MACHINE
 - **Times** are medians in nanoseconds of processor time, for one element, vertex or object. A **ratio** is the peer's time
   divided by ours: above 1, ours is faster. Compare figures of this page with each other, not with another machine's.
 - **An exact peer** returns the nearest 16.16 word for every operand that is timed; in a transform, for every product. The
-  idiom is `(int64_t(a) * b + 0x8000) >> 16`; its divide truncates, so it is no exact peer of a divide.
-- **What makes the figures comparable**: one compiler builds ours and the peers with the same flags, `ALL_FLAGS`
-  (`batch_bench`: `BATCH_FLAGS`). FreeType and the C library are the installed ones. Without `-march`, the peers,
-  the type and the portable path have SSE2 on x86-64. The AVX2 and AVX-512 paths have wider registers, because
-  `fixed/batch.hpp` chooses its path at run time: those ratios are the gain of a program that is built for every x86-64
-  processor. Peers built with `-march=native` are faster than here, and those ratios smaller. This page does not measure that.
-- Every program except `limit_bench` checks the results before it times them.
+  idiom is `(int64_t(a) * b + 0x8000) >> 16`; its divide truncates, so it is no exact peer of a divide. "Unrounded": the
+  peer's result stays in `double` or `float`. "Loop": the type's own operators, where there is no exact peer. FT_DivFix is
+  FreeType's, timed by `arithmetic_bench`.
+- **Flags**, the same for ours and the peers: `ALL_FLAGS` (`batch_bench`: `BATCH_FLAGS`).
+  FreeType and the C library are the installed ones. Without `-march`, all but the AVX2 and AVX-512 paths have SSE2 on
+  x86-64. Those two are chosen at run time, so their ratios are the gain of a program that is built for every x86-64
+  processor. With `-march=native` the peers are faster and the ratios smaller; this page does not measure that.
 
 ## Arrays
 
-`build/release/bench/batch_bench`: the operations of `fixed/batch.hpp` on 1,024 elements in the first-level cache. The arrays
-begin at multiples of 64 bytes. The limit is what the scarcest resource alone takes on the fastest path, by `limit_bench`:
+`batch_bench`: the operations of `fixed/batch.hpp` on 1,024 elements in the first-level cache, in arrays that begin at
+multiples of 64 bytes. The limit is what the scarcest resource alone takes on the fastest path, by `limit_bench`:
 RESOURCES.
 
 BATCHES
 
-`arithmetic_bench` times FT_DivFix of FreeType. "Loop" is no peer but the operators of the type, for operations that have
-no exact peer here. "Unrounded" means that the peer's result stays in `double` or `float`.
-
 ## Vertices in memory
 
-`build/release/bench/batch_bench`: the transform by a 3 x 4 matrix on the fastest path reads and writes 12 bytes for each
-vertex, `memcpy` copies as many. It is no lower limit: large transforms [write past the caches](batch.md#large-transforms).
+`batch_bench`: the transform by a 3 x 4 matrix on the fastest path and `memcpy` both read and write 12 bytes per vertex.
+`memcpy` is no lower limit, because large transforms [write past the caches](batch.md#large-transforms).
 
 MOVING
 
 ## Single operations
 
-`build/release/bench/arithmetic_bench`, the loops of `fixproof measure --host`: over arrays (each), and in chains, where
-every result is an operand of the next. A divide in a chain [waits for conversions](batch.md#the-scalar-divide) to `double`
-and back.
+`arithmetic_bench`, the loops of `fixproof measure --host`: over arrays (each), and in chains, where every result is an
+operand of the next. A divide in a chain [waits for conversions](batch.md#the-scalar-divide) to `double` and back.
 
 SINGLE
 
 ## Sine and cosine of radians
 
-`build/release/bench/radian_bench`. The peer is `std::sin` of `double` and `lrint`, one by one. Errors are in
-[measurements.md](measurements.md#sines-and-cosines-of-radians).
+`radian_bench`. The peer is `std::sin` of `double` and `lrint`, one by one.
+[measurements.md](measurements.md#sines-and-cosines-of-radians) has the errors.
 
 SINES
 
 ## Large scenes
 
-`build/release/bench/scale_bench`: elapsed nanoseconds per vertex for a frame before it is filled (move, transform,
-project, hide, sort, make polygons). The objects are balls of 114 vertices and 128 faces, which all turn and are all in
-sight. The type is `q16_16_i386`. The copy moves the coordinates alone, 12 bytes in and 12 out.
+`scale_bench`: elapsed nanoseconds per vertex for a frame before it is filled (move, transform, project, hide, sort, make
+polygons). The objects are balls of 114 vertices and 128 faces, all turning and in sight, and the type is `q16_16_i386`.
+The copy moves the coordinates alone, 12 bytes in and 12 out.
 
 FRAMES
 
