@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <random>
 #include <sstream>
@@ -156,8 +156,7 @@ TEST(Proof, AWrongProgramComesBackWithACase) {
       const std::array answers{
           parties::ask(*party(all[i].program), v, proof.counterexample),
           parties::ask(parties::party_named("oracle"), v, proof.counterexample)};
-      EXPECT_FALSE(parties::agree(answers))
-          << all[i].change;
+      EXPECT_FALSE(parties::agree(answers)) << all[i].change;
       ++disproven;
     }
   }

@@ -78,6 +78,7 @@ void note_divide(DivideProfile& divides, const RoutineProfile& div,
 
 Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
     : scene_(scene) {
+  if (!xsharp::is_listing(choice)) throw player::no_arithmetic(choice);
   profile_.arithmetic = choice;
   const cases::Build build = player::build_of(choice).value();
   for (int i = 0; i < x86model::routine_count; ++i) {
