@@ -25,8 +25,8 @@ namespace {
 using support::Json;
 
 /// Reads every scene once, so that all steps measure the same scenes even if a file changes.
-/// @throws UsageError if two scenes have one name, because the page tells them apart by name, or if
-///         the first has no objects, whose drift could be measured
+/// @throws UsageError if two scenes share a name, because the page identifies them by name, or if
+///         the first scene has no objects, because the drift step needs one
 std::vector<xsharp::Scene> read_scenes(const std::vector<std::string>& files) {
   std::vector<xsharp::Scene> scenes;
   for (const std::string& file : files) {
@@ -43,8 +43,9 @@ std::vector<xsharp::Scene> read_scenes(const std::vector<std::string>& files) {
   return scenes;
 }
 
-/// Makes the folder and checks that every file in it can be written, before anything takes long.
-/// @throws UsageError, also if one of the files is a file of a scene
+/// Checks before the long measurements that every output file can be written.
+/// @throws UsageError if an output file is an input of a scene, std::runtime_error if it cannot be
+///         written
 void check_outputs(const ReportRequest& request, const std::vector<xsharp::Scene>& scenes,
                    const std::vector<ReportStep>& steps) {
   std::vector<std::string> files{request.folder + "/report.html", request.folder + "/report.json"};

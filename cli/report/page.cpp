@@ -36,7 +36,7 @@ std::string figure_of(const PagePicture& picture) {
       escaped_html(picture.name), base64(picture.png));
 }
 
-/// Full size in a box that scrolls: in a smaller picture, single pixels would disappear.
+/// Shows the picture at full size in a scrolling box, because scaling would hide single pixels.
 std::string beside_of(const PagePicture& picture) {
   if (picture.beside.empty()) return {};
   return fmt::format(
@@ -73,8 +73,7 @@ std::string escaped_html(std::string_view text) {
 }
 
 std::string script_json(const support::Json& json) {
-  // In JSON, < occurs only in strings, where an escape may stand for it. Invalid UTF-8 is replaced,
-  // because file names may contain it.
+  // In JSON, < occurs only in strings. dump() replaces invalid UTF-8, which file names may contain.
   std::string text;
   for (const char c : json.dump(-1, ' ', false, support::Json::error_handler_t::replace)) {
     if (c == '<') {
@@ -114,8 +113,7 @@ std::string assemble_page(const PageParts& parts, const support::Json& report,
     beside += beside_of(picture);
   }
   std::string page(parts.page);
-  // The project's own parts come first: their markers must not be sought in the texts of scenes and
-  // libraries.
+  // The project's own parts come first, so that put() finds no marker in scene texts or libraries.
   put(page, "<!--style-->", fmt::format("<style>\n{}</style>", parts.style));
   put(page, "<!--pictures-->", shown);
   put(page, "<!--beside-->",

@@ -11,26 +11,26 @@
 
 namespace fixproof::cli {
 
-/// An animation of a scene.
 struct PagePicture {
   std::string name;
-  std::string png;     ///< the bytes of the file
-  std::string beside;  ///< a PNG: stepped, exact, and their difference; may be empty
+  std::string png;     ///< contents of the PNG file
+  std::string beside;  ///< PNG of stepped, exact and their difference; may be empty
   std::string beside_text;
 };
 
-/// Text escaped for HTML, between tags or in double quotes.
+/// Escapes text for HTML, between tags or in double quotes.
 std::string escaped_html(std::string_view text);
 
-/// JSON for a script element: it cannot end the script or begin a comment.
+/// Serializes JSON so that it cannot end a script element or begin a comment in it.
 std::string script_json(const support::Json& json);
 
-/// Base64 of RFC 4648.
+/// Encodes bytes in base64 (RFC 4648).
 std::string base64(std::string_view bytes);
 
+/// Fills the markers of the page.
 /// @param strip an SVG, or empty
-/// @throws std::logic_error if a script contains its own end, or if the page does not have each
-///         marker exactly once
+/// @throws std::logic_error if a script contains its own end tag, or if a marker does not occur
+///         exactly once
 std::string assemble_page(const PageParts& parts, const support::Json& report,
                           const std::vector<PagePicture>& pictures, std::string_view strip);
 

@@ -1,5 +1,5 @@
 /// @file
-/// The files of `report/`, built into the program.
+/// The files of `report/`, embedded in the program.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@ struct PageParts {
   /// HTML with the markers <!--style-->, <!--libraries-->, <!--pictures-->, <!--beside-->,
   /// <!--strip-->, <!--data--> and <!--charts-->
   std::string_view page;
-  std::string_view style;  ///< CSS
+  std::string_view style;
   std::string_view d3;
   std::string_view plot;
   std::string_view charts;  ///< the project's scripts, concatenated

@@ -29,14 +29,12 @@ namespace {
 using support::Json;
 using Words = std::vector<std::string>;
 
-/// Two seconds.
+/// Two seconds at 60 frames per second.
 constexpr std::uint64_t animation_frames = 120;
-/// What --quick takes instead.
 constexpr std::uint64_t quick_frames = 3;
 constexpr std::uint64_t quick_cases = 300;
 constexpr std::uint64_t quick_spans = 4;
 
-/// A word of a command line as a POSIX shell takes it, quoted if necessary.
 std::string shell_word(const std::string& word) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -60,7 +58,7 @@ void append(Words& words, const Words& more) {
 
 ReportStep verify_step(const ReportRequest& request, const std::string& stem) {
   Selection selection;
-  // The smallest routines alone.
+  // These routines are the fastest to verify.
   if (request.quick) selection.operations = {"cossin", "sqrt"};
   const std::string json = stem + ".json";
   Words arguments{"verify"};
@@ -83,7 +81,7 @@ ReportStep verify_step(const ReportRequest& request, const std::string& stem) {
           }};
 }
 
-/// @param options those of the command beside --seed and --json
+/// @param options of the command, without --seed and --json
 template <class Result>
 ReportStep measure_step(const std::string& name, Measurement<Result> measure, const Words& options,
                         measure::MeasureRequest request, const std::string& stem) {
@@ -172,7 +170,7 @@ std::vector<ReportStep> report_steps(const ReportRequest& request,
   Words span_options;
   with_scenes.scenes = scenes;
   if (request.quick) {
-    // Clocks take seconds for each scene.
+    // Counting clocks takes seconds per scene.
     with_scenes.scenes.resize(1);
     with_scenes.cases = without_scenes.cases = quick_cases;
     spans.cases = quick_spans;
