@@ -25,7 +25,6 @@ std::string after(std::uint64_t frame) {
   return support::duration(static_cast<double>(frame) / static_cast<double>(trade::advised_rate));
 }
 
-/// A share as `3.1 %`, small ones as `0.04 %`.
 std::string percent_text(double share) {
   return fmt::format("{:.{}f} %", 100 * share, share < 0.01 ? 2 : 1);
 }
@@ -73,7 +72,7 @@ std::string sentences_of(const trade::AdviceReport& report) {
         "Its motion alone, as drift measures it over all these frames, is at most {:.3f} pixels "
         "off{}.\n",
         *report.drift_pixels,
-        // Such corners alone can be farther off than the budget.
+        // Only clipped corners can be farther off than the budget.
         *report.drift_pixels > report.budget ? ", corners that are clipped among them" : "");
   }
   if (advice.runner_up) {

@@ -1,5 +1,5 @@
 /// @file
-/// The text of `fixproof advise`.
+/// Text output of `fixproof advise`.
 #pragma once
 
 #include <string>
@@ -8,10 +8,9 @@
 
 namespace fixproof::cli {
 
-/// One row per choice, the cheapest first.
+/// Returns a table with one row per choice, cheapest first.
 std::string table_of(const trade::AdviceReport& report);
 
-/// The advice in sentences.
 std::string sentences_of(const trade::AdviceReport& report);
 
 }  // namespace fixproof::cli

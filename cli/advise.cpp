@@ -1,4 +1,3 @@
-// fixproof advise: the cheapest way to draw a scene that stays accurate enough.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -38,13 +37,12 @@ struct AdviseOptions {
 
 constexpr double most_pixels = 10'000;
 
-/// @throws UsageError for what is no number of pixels
 double pixels_of(std::string_view text) {
   std::string_view number = text;
   if (number.ends_with("px")) number.remove_suffix(2);
   double pixels = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), pixels);
-  // Also where it is no number that compares.
+  // The negated condition also rejects NaN.
   if (error != std::errc{} || end != number.data() + number.size() ||
       !(pixels > 0 && pixels <= most_pixels)) {
     throw support::UsageError(
@@ -54,7 +52,7 @@ double pixels_of(std::string_view text) {
   return pixels;
 }
 
-/// The worst of the choice's motion, as drift has it.
+/// Returns the largest error of the choice's motion in pixels, as `fixproof drift` measures it.
 double drift_of(const xsharp::Scene& scene, const trade::Choice& choice, std::uint64_t& frames) {
   const trade::DriftCase motion{.build = choice.build,
                                 .restore_every = choice.turning.restore_every,

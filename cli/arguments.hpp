@@ -1,5 +1,5 @@
 /// @file
-/// What an option may be given, shared by the commands.
+/// Validators for option values.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,11 +7,11 @@
 
 namespace fixproof::cli {
 
-/// A whole number in decimal; to be given to transform(). CLI11 itself takes -1 for the largest
-/// unsigned number and 010 for eight: it is handed digits that it cannot misread.
+/// Accepts a decimal integer from `first` to `last`. Pass it to transform(), which replaces the
+/// text: CLI11 itself reads -1 as the largest unsigned number and 010 as octal.
 CLI::Validator whole_number(std::uint64_t first, std::uint64_t last);
 
-/// An option that is given says something: a script's empty variable is not taken for none.
+/// Rejects an empty value, which a script may pass by way of an unset variable.
 CLI::Validator not_empty();
 
 }  // namespace fixproof::cli

@@ -1,5 +1,5 @@
 /// @file
-/// The options that choose cases, shared by `gen` and `check`.
+/// Options of `gen` and `check` that select cases.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,3 @@
-// fixproof check: judges what somebody else's arithmetic said of the cases of fixproof gen.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -36,7 +35,6 @@ struct CheckOptions {
   std::size_t shown = 10;
 };
 
-/// The rule of that name; `any` where that is one.
 template <class Rule>
 Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
                 std::optional<Rule> any = std::nullopt) {
@@ -86,7 +84,8 @@ std::string heading(const check::Rules& rules, const std::string& cases) {
   return text + fmt::format("; cases of {}\n\n", cases);
 }
 
-/// Judges a result for every case. What stops it before the end is thrown, or is an interrupt.
+/// Judges the result of every case, or stops early after an interrupt.
+/// @throws UsageError for an invalid result, or if there are more or fewer results than cases
 void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& judge) {
   const support::Interrupt interrupt;
   support::FrameProgress progress(cases.count().value_or(1), "cases");
@@ -115,7 +114,7 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   }
 }
 
-/// An option without a say is a slip of the pen.
+/// Rejects options that have no effect on the operation, because they are probably mistakes.
 void refuse_idle_options(const CLI::App& command, cases::Operation operation) {
   const auto refuse = [&command](const char* option, bool has_a_say, std::string_view of) {
     if (has_a_say || command.count(option) == 0) return;
@@ -154,7 +153,7 @@ int check(const CheckOptions& options) {
   } catch (const support::UsageError& error) {
     failure = error.what();
   }
-  // What has been judged is shown, whatever came then.
+  // Show the verdict on the results judged so far, even after an error.
   if (judge.cases() > 0) {
     std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation)
                                                      : options.from)

@@ -51,7 +51,7 @@ int run_command_line(std::vector<std::string> arguments) {
   int status = 0;
   add_all(app, status);
   try {
-    // The library takes them from the back.
+    // CLI11 expects the arguments in reverse order.
     std::reverse(arguments.begin(), arguments.end());
     app.parse(std::move(arguments));
     if (app.get_subcommands().empty())
@@ -75,7 +75,7 @@ int run_command_line(std::vector<std::string> arguments) {
     fmt::print(stderr, "fixproof: {}\n", support::printable(error.what()));
     return 2;
   }
-  // A full disk or a closed pipe shows at the latest here.
+  // Flushing reveals a full disk or a closed pipe.
   std::cout.flush();
   if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     fmt::print(stderr, "fixproof: cannot write standard output\n");

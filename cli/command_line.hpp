@@ -1,5 +1,5 @@
 /// @file
-/// The whole command line.
+/// Entry point of the command line.
 #pragma once
 
 #include <string>
@@ -8,11 +8,10 @@
 
 namespace fixproof::cli {
 
-/// Runs `fixproof ARGUMENT...`, and prints an error as one line on stderr.
-/// @return the exit status
+/// Runs `fixproof ARGUMENT...`, prints an error as one line on stderr and returns the exit status.
 int run_command_line(std::vector<std::string> arguments);
 
-/// The version that `fixproof --version` prints.
+/// Returns the version that `fixproof --version` prints.
 std::string_view program_version();
 
 }  // namespace fixproof::cli

@@ -1,7 +1,6 @@
 /// @file
-/// The commands of fixproof. Each function adds one to the command line; when it has been chosen,
-/// `status` is set to the exit status: 0 all well, 1 a mismatch was found, 2 bad usage or input,
-/// 130 stopped before the end.
+/// The commands of fixproof. Each function adds one to the command line. The command sets `status`
+/// when it runs: 0 for success, 1 for a mismatch, 2 for bad usage or input, 130 if interrupted.
 #pragma once
 
 #include <CLI/CLI.hpp>

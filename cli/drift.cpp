@@ -1,4 +1,3 @@
-// fixproof drift: how long the objects of a scene keep their shape.
 #include "cli/drift.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +30,7 @@ struct DriftOptions {
   std::string json;
 };
 
-/// Frame rates at which the same frames are shown.
+/// Frame rates, in frames per second, at which the duration is printed.
 constexpr std::uint64_t slow = 15;
 constexpr std::uint64_t fast = 60;
 
@@ -78,7 +77,6 @@ void print(const std::vector<trade::DriftCase>& cases,
   }
 }
 
-/// The scene without its own way of restoring orthogonality.
 xsharp::Scene unrestored(xsharp::Scene scene) {
   scene.restore_every = 0;
   scene.from_scratch = false;

@@ -1,4 +1,3 @@
-// fixproof gen: the cases of a verification, for somebody else's arithmetic.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -27,14 +26,14 @@ struct GenOptions {
   std::string file;
 };
 
-/// Where lines go: a file that is there when it is complete, or standard output.
+/// Writes to standard output, or to a file that appears only once it is complete.
 class LineOutput {
  public:
   explicit LineOutput(const std::string& path) {
     if (!path.empty()) file_.emplace(path);
   }
 
-  /// @return false where the reader has gone away: it has what it wanted
+  /// @return false if the reader has closed the pipe, which is not an error
   bool write(std::string_view text) {
     if (file_) {
       file_->append(text);

@@ -1,5 +1,5 @@
 /// @file
-/// Commands that answer one line for each line they read.
+/// The loop of commands that write one line per input line.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace fixproof::cli {
 
-/// Reads `in` line by line and appends what `answer(line, output)` gives to `out`. Blank lines and
-/// lines that start with # are passed over; the CR of a CR LF is dropped. Output is written before
-/// more input is waited for, so that another program can ask and read in turn.
-/// @throws UsageError naming the line where `answer` throws one, after everything answered so far
-/// is written; also where `out` takes no more
+/// Calls `answer(line, output)` for each line of `in` and writes `output` to `out`. It skips blank
+/// lines and lines that start with #, and drops the CR of a CR LF. It writes all pending output
+/// before it waits for input, so that another program can alternate between writing and reading.
+/// @throws UsageError with the line number if `answer` throws one, after writing all earlier
+///         answers; also if `out` cannot be written
 void answer_lines(std::istream& in, std::ostream& out,
                   const std::function<void(std::string_view line, std::string& output)>& answer);
 

@@ -1,4 +1,3 @@
-// fixproof measure: the errors and the speed of the arithmetic.
 #include "cli/measure.hpp"
 
 #include <fmt/format.h>
@@ -29,8 +28,8 @@ struct MeasureOptions {
   measure::MeasureRequest request;
 };
 
-/// Reads the scenes and checks that the JSON file can be written, before anything takes long.
-/// @throws xsharp::SceneError, UsageError if the file is one of a scene's, std::runtime_error if it
+/// Reads the scenes and checks, before the long measurement, that the JSON file can be written.
+/// @throws xsharp::SceneError, UsageError if the JSON file is an input, std::runtime_error if it
 ///         cannot be written
 measure::MeasureRequest read_request(const MeasureOptions& options) {
   measure::MeasureRequest request = options.request;

@@ -1,5 +1,5 @@
 /// @file
-/// Running one measurement, as `fixproof measure` and the report do it.
+/// Runs one measurement for `fixproof measure` and the report.
 #pragma once
 
 #include <optional>
@@ -20,11 +20,11 @@ using Measurement = std::optional<Result> (*)(const measure::MeasureRequest&,
 template <class Result>
 struct Measured {
   std::optional<Result> result;
-  int status = 0;                   ///< the exit status: 0, 1 with `errors`, or 130
+  int status = 0;                   ///< exit status: 0, 1 if there are `errors`, 130 if interrupted
   std::vector<std::string> errors;  ///< rules and bounds that the measured arithmetic breaks
 };
 
-/// Errors beyond the derived bounds, one line each. Only stepped values have such bounds.
+/// Returns one line per error beyond its derived bound. Only stepped values have such bounds.
 std::vector<std::string> broken_bounds(const measure::SteppingResult& result);
 template <class Result>
 std::vector<std::string> broken_bounds(const Result& /*result*/) {

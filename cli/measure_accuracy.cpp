@@ -1,4 +1,3 @@
-// The tables of `fixproof measure --accuracy`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +10,6 @@ namespace fixproof::cli {
 
 namespace {
 
-/// One character per bucket; an empty bucket is a space.
 std::string sparkline(const measure::ErrorHistogram& histogram) {
   static constexpr std::array heights{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   const auto& counts = histogram.counts();

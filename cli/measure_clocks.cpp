@@ -1,4 +1,3 @@
-// The tables of `fixproof measure --clocks`.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,3 @@
-// The tables of `fixproof measure --host`.
 #include <fmt/format.h>
 
 #include "cli/measure_text.hpp"

@@ -1,4 +1,3 @@
-// The tables of `fixproof measure --stepping`.
 #include <fmt/format.h>
 
 #include "cli/measure_text.hpp"
@@ -10,12 +9,10 @@ namespace fixproof::cli {
 
 namespace {
 
-/// Four significant digits.
 std::string figure_text(double x) { return x < 1e-9 ? "0" : fmt::format("{:.4g}", x); }
 std::string percent_text(double x) { return x == 0 ? "0" : fmt::format("{:.3g} %", 100 * x); }
 std::string clocks_text(const measure::Bounds& b) { return between(b.min, b.max, 1); }
 
-/// One line per row, under a heading for each value.
 template <class Columns>
 std::string rows_text(const std::vector<measure::SteppingRow>& rows, Columns columns) {
   std::string text;

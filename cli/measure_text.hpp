@@ -1,5 +1,5 @@
 /// @file
-/// The tables of `fixproof measure`.
+/// Tables of `fixproof measure`.
 #pragma once
 
 #include <cstdint>
@@ -17,28 +17,27 @@ std::string text_of(const measure::ClockResult& result);
 std::string text_of(const measure::HostResult& result);
 std::string text_of(const measure::SteppingResult& result);
 
-/// A claim, its verdict, and one line per figure.
 std::string text_of(const measure::Claim& claim);
 
-/// `seed 1994, g++ 12.2.0`
+/// Formats the seed and the compiler, as in `seed 1994, g++ 12.2.0`.
 std::string made_by(std::uint64_t seed);
 
-/// One line for each library that is not built in.
+/// Returns one line per library that this program was built without.
 std::string missing_libraries();
 
-/// An error in ulps.
+/// Formats an error in ulps.
 std::string error_text(double x, bool with_sign = false);
 
-/// The largest of some errors. It is truncated, so that an error below 1 is not shown as 1.
+/// Formats a maximum error. It truncates, so that an error below 1 never appears as 1.
 std::string largest_text(double x);
 
-/// A share of 0 ... 1 in percent. Only a share of 1 is shown as 100 %.
+/// Formats a share from 0 to 1 in percent. Only a share of 1 appears as 100 %.
 std::string share_text(double x);
 
-/// A count or a mean of counts; two numbers where Intel's tables give a range.
+/// Formats a count or a mean of counts, as a range if Intel's tables give one.
 std::string between(double min, double max, int decimals);
 
-/// Least, median and spread of a time, as three columns.
+/// Formats the minimum, the median and the spread of a time as three columns.
 std::string columns_of(const measure::Times& times);
 
 }  // namespace fixproof::cli

@@ -28,7 +28,7 @@ int run(const MergeOptions& options) {
   std::cout << table(sum) << std::flush;
   const std::string lacking = verify::missing(sum, parts);
   if (!lacking.empty()) fmt::print(stderr, "fixproof: {}\n", lacking);
-  // What is missing cannot undo a mismatch.
+  // A mismatch counts even if parts are missing.
   if (sum.mismatches() > 0) return 1;
   return lacking.empty() ? 0 : 2;
 }

@@ -34,11 +34,10 @@ struct MutateOptions {
   bool verbose = false;
 };
 
-/// A mutant and what became of it.
 struct Trial {
   cases::Variant variant{};
-  std::optional<x86model::LoopForm> loop{};  ///< in the place of a variant
-  std::size_t number = 0;                    ///< among the mutants of its variant, from 1
+  std::optional<x86model::LoopForm> loop{};  ///< if set, replaces `variant`
+  std::size_t number = 0;                    ///< position among the mutants of its variant, from 1
   x86model::Mutant mutant;
   proof::Judgement judgement{};
   bool done = false;
@@ -88,7 +87,7 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options,
         progress.show(++done);
       }
     } catch (const proof::Stopped&) {
-      // Ends the solver, and the threads one after the other: that trial is not judged.
+      // An interrupt stopped the solver. This trial has no verdict, and every thread ends.
     } catch (...) {
       const std::lock_guard lock(mutex);
       failure = std::current_exception();
@@ -121,7 +120,6 @@ std::string what_became_of(const Trial& trial) {
                      cases::hex_words(j.proof.counterexample, cases::operand_bits(trial.variant)));
 }
 
-/// Counts of one variant, or of all.
 struct Score {
   std::size_t mutants = 0;
   std::size_t killed = 0;
@@ -189,7 +187,7 @@ int run(const MutateOptions& options) {
   std::vector<Trial> trials = trials_of(options.selection);
   const auto begin = std::chrono::steady_clock::now();
   {
-    // Not longer: a report may wait for its reader, and Ctrl-C must end that.
+    // Restore Ctrl-C before printing, because the output may block on its reader.
     const support::Interrupt interrupt;
     const proof::Solver solver(options.solver.name);
     std::cout << fmt::format("{} mutants, seed {}, {}\n\n", support::grouped(trials.size()),

@@ -29,7 +29,7 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
           of_rows ? "whose rules: i386, i8088, both of these, or standard (those of the type)"
                   : "which half of the listing: i386 or i8088")
       ->check(named(of_rows ? targets_of_rows : targets_of_programs));
-  // Contradicting options exclude each other, because neither is more likely to be meant.
+  // Contradictory options exclude each other, because neither is the more likely intent.
   auto* both =
       command
           .add_option_function<std::string>(
@@ -66,7 +66,7 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
 
 cases::Build VariantOptions::build_for(cases::Target target) const {
   const bool multiply = mul_round.value_or(true);
-  // Chapter 52 has no switches: both routines round.
+  // Chapter 52 has no switches. Its multiply and its divide always round.
   cases::Build build = as_printed
                            ? cases::printed_build(target, multiply, div_round.value_or(chapter_52))
                            : cases::Build{target, multiply, div_round.value_or(true)};

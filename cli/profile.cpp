@@ -1,4 +1,3 @@
-// fixproof profile: what a scene asks of the arithmetic.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +54,7 @@ int run_profile(const ProfileOptions& options) {
       if (player) {
         player->move();
       } else {
-        // Sines of steps are looked up here: they count for the first frame.
+        // make_player() looks up the sines of the steps. They count towards the first frame.
         player = player::make_player(scene, scene.arithmetic);
       }
       player->draw(picture);
@@ -86,7 +85,7 @@ void add_profile(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("profile", "record what a scene asks of the arithmetic while it runs");
   options->scene.add_to(*command);
-  // Listings alone have instructions to be recorded.
+  // The profile records instructions, which only the listings have.
   command->remove_option(command->get_option("--arith"));
   options->scene.by = "model";
   command->get_option("--target")->description("rules of i386 or i8088");

@@ -19,7 +19,6 @@ std::string in_units(std::int64_t value) {
   return fmt::format("{:.5f}", static_cast<double>(value) / 65536.0);
 }
 
-/// Bits of the operands are those of a word; an angle has 16.
 int bits_there(cases::Operation operation, bool is_operand) {
   return operation == cases::Operation::cossin && is_operand ? word_bits / 2 : word_bits;
 }
@@ -74,7 +73,6 @@ std::string wrapped_text(const trade::SceneProfile& profile) {
   return fmt::format("Overflow: {} calls had a result outside 16.16", support::grouped(wrapped));
 }
 
-/// The most bits of any word but angles.
 int most_bits(const trade::SceneProfile& profile) {
   int bits = 0;
   for (const trade::RoutineProfile& r : profile.routines) {
@@ -85,8 +83,8 @@ int most_bits(const trade::SceneProfile& profile) {
   return bits;
 }
 
-/// Where a quotient no longer fits: the rounded 386 divide wraps before it faults, as does the
-/// 8088's, which faults for its divisors alone.
+/// Describes where quotients overflow. The rounded 386 divide wraps before it faults. The 8088
+/// divide only wraps; its faults depend on the divisor alone.
 std::string quotient_limit(const trade::SceneProfile& profile) {
   if (profile.arithmetic.target == "i8088") return " (from 32768 they wrap)";
   return profile.arithmetic.div_round ? " (from 32768 they wrap, from 65536 they fault)"
@@ -121,7 +119,7 @@ std::string closeness_text(const trade::SceneProfile& profile) {
   return text;
 }
 
-/// `FixedDiv: 2 of 40 instructions: neg edx; js .FD1`, or that it was never called.
+/// Lists the unused instructions, as in `FixedDiv: 2 of 40 instructions: 7 neg edx; 9 js .FD1`.
 std::string unexecuted_text(const trade::RoutineProfile& r) {
   const auto name = x86model::name_of(static_cast<x86model::Routine>(r.variant.operation));
   if (r.calls == 0) return fmt::format("  {}: never called\n", name);

@@ -1,5 +1,5 @@
 /// @file
-/// The tables of `fixproof profile`.
+/// Tables of `fixproof profile`.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace fixproof::cli {
 
-/// Calls, ranges, distances from overflow, faults and the near plane, and unused instructions.
+/// Formats calls, ranges, margins to overflow, faults and the near plane, and unused instructions.
 std::string text_of(const trade::SceneProfile& profile);
 
 }  // namespace fixproof::cli

@@ -1,5 +1,5 @@
 /// @file
-/// Which program `trace` and `list` are to show, or `dos` to write.
+/// Options that select the program that `trace` and `list` show and `dos` writes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,20 +11,20 @@
 
 namespace fixproof::cli {
 
-/// The routine and the variant options, and --as-scanned; or an inner loop and --loop.
+/// A routine with the variant options and --as-scanned, or an inner loop with --loop.
 struct ProgramOptions {
   std::string operation;
   VariantOptions variant;
   bool as_scanned = false;
-  std::string counting;  ///< of an inner loop; empty: not given
+  std::string counting;  ///< --loop of an inner loop; empty if not given
 
-  /// @param with_loops whether an inner loop may be named too
+  /// @param with_loops whether the command also accepts inner loops
   void add_to(CLI::App& command, bool with_loops = false);
-  /// @throws std::invalid_argument for what is no routine; UsageError for a combination that does
-  /// not exist
+  /// @throws std::invalid_argument for an unknown routine, UsageError if the combination of options
+  ///         does not exist
   [[nodiscard]] machine_code::ProgramKey choose() const;
-  /// The form of an inner loop; nothing where none is named.
-  /// @throws UsageError for a combination that does not exist
+  /// Returns the form of the inner loop, or nothing if the command names a routine.
+  /// @throws UsageError if the combination of options does not exist
   [[nodiscard]] std::optional<x86model::LoopForm> choose_loop() const;
 };
 

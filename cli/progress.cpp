@@ -10,7 +10,6 @@ namespace fixproof::cli {
 
 namespace {
 
-/// The row of the first chunk that is still to be done.
 std::string row_at_work(const verify::Report& report) {
   for (std::uint64_t chunk = 0; chunk < report.done.size(); ++chunk) {
     if (!report.shard.has(chunk) || report.done[chunk]) continue;
@@ -27,7 +26,7 @@ std::string progress_text(const verify::Report& report, std::uint64_t fresh, dou
   std::string text = fmt::format("{:3} %, {} cases", all == 0 ? 100 : done * 100 / all,
                                  support::grouped(report.cases()));
   if (fresh > 0) {
-    // Chunks are cut to take about the same time.
+    // All chunks take about the same time.
     const double left = seconds * static_cast<double>(all - done) / static_cast<double>(fresh);
     text += fmt::format(", about {} left",
                         left < 60 ? fmt::format("{:.0f} s", left) : support::duration(left));

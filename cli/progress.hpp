@@ -1,5 +1,5 @@
 /// @file
-/// The line that shows how far a run has come.
+/// Progress line of a verification.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,6 @@
 
 namespace fixproof::cli {
 
-/// How far a verification is, and the row at work.
 class Progress {
  public:
   void show(const verify::Report& report);
@@ -19,12 +18,11 @@ class Progress {
  private:
   support::TerminalLine line_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  /// Chunks that were done when this run began: they say nothing about its speed.
-  std::uint64_t before_ = 0;
+  std::uint64_t before_ = 0;  ///< chunks done by earlier runs, which its speed excludes
 };
 
-/// The text of the line, less than 80 columns: percent done, cases, time left, row at work. `fresh`
-/// chunks were done in the last `seconds`; without any there is no estimate.
+/// Formats percent done, cases, time left and the current row in less than 80 columns.
+/// @param fresh chunks done in the last `seconds`; if 0, the text omits the time left
 std::string progress_text(const verify::Report& report, std::uint64_t fresh, double seconds);
 
 }  // namespace fixproof::cli

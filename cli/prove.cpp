@@ -32,10 +32,9 @@ struct ProveOptions {
   Selection selection;
   SolverOptions solver{.seconds = 60};
   std::string directory;
-  std::size_t mutant = 0;  ///< 0: none
+  std::size_t mutant = 0;  ///< from 1; 0 if none
 };
 
-/// What was asked, by how it stands.
 struct Tally {
   std::size_t proven = 0;
   std::size_t disproven = 0;
@@ -71,13 +70,13 @@ x86model::Program sound_program(const x86model::LoopForm& form) {
   return x86model::assemble(x86model::listing(form), {});
 }
 
-/// What the proofs of the routines rest on; those of the loops rest on nothing.
+/// Returns the lemmas that the proofs of routines need. The proofs of loops need none.
 std::span<const proof::Lemma> lemmas_for(const Programs& programs) {
   return programs.routines.empty() ? std::span<const proof::Lemma>{} : proof::lemmas();
 }
 
-/// The roundings for which the proof of the lost carry runs: those of the repaired ConcatXforms
-/// that are chosen.
+/// Returns the roundings for which the lost-carry proof runs: one per selected repaired
+/// ConcatXforms, none for a mutant.
 std::vector<bool> lost_carries(const ProveOptions& options, const Programs& programs) {
   std::vector<bool> roundings;
   for (const cases::Variant& v : programs.routines) {
@@ -90,7 +89,6 @@ std::string name_of_lost_carry(bool mul_round) {
   return fmt::format("lost carry, i8088 {}", mul_round ? "on" : "off");
 }
 
-/// `mul i386 on` as `mul-i386-on.smt2`.
 std::string file_name(std::string name) {
   for (char& c : name) {
     if (c == ' ') c = '-';
@@ -179,7 +177,6 @@ void prove_routine(const cases::Variant& v, const ProveOptions& options,
                            verify::trace_line(v, proof.counterexample), which);
 }
 
-/// Proves all of it, or as much as there is time for until somebody stops it.
 Tally prove_all(const Programs& programs, const ProveOptions& options) {
   const support::Interrupt interrupt;
   const proof::Solver solver(options.solver.name);
@@ -202,12 +199,11 @@ Tally prove_all(const Programs& programs, const ProveOptions& options) {
       prove_loop(form, options.solver.seconds, solver, tally);
     }
   } catch (const proof::Stopped&) {
-    // What is left has no answer, as the summary says.
+    // The summary counts the remaining goals.
   }
   return tally;
 }
 
-/// @return the exit status
 int summarize(const Tally& tally, std::size_t goals) {
   std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
                            tally.disproven, tally.open, support::duration(tally.seconds));
@@ -215,7 +211,7 @@ int summarize(const Tally& tally, std::size_t goals) {
   if (left > 0) {
     std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} have no answer.\n", left, goals);
   }
-  // What is missing cannot undo a counterexample.
+  // A counterexample counts even if goals remain.
   if (tally.disproven > 0) return 1;
   if (left > 0) return support::interrupted_status;
   return tally.open > 0 ? 2 : 0;

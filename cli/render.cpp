@@ -1,4 +1,3 @@
-// fixproof render: draws a scene into files, or into a window.
 #include "cli/render.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +76,7 @@ void set_size(xsharp::Scene& scene, const std::string& size) {
   }
 }
 
-/// Spots are counted from 0, as the text of chapter 54 does.
+/// Toggles spotlights. Their numbers start at 0, as in the text of chapter 54.
 void switch_spots(xsharp::Scene& scene, const std::vector<std::uint64_t>& spots) {
   for (const std::uint64_t spot : spots) {
     if (spot >= scene.lights.spots.size()) {
@@ -89,7 +88,7 @@ void switch_spots(xsharp::Scene& scene, const std::vector<std::uint64_t>& spots)
   }
 }
 
-/// Clocks of the listings in a frame, on the processors that people would ask about.
+/// Averages the clocks that the listings take per frame, on the 386 and, for 8088 rules, the 8088.
 class ClockMeter {
  public:
   ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops) : has_loops_(has_loops) {
@@ -99,7 +98,7 @@ class ClockMeter {
     totals_.push_back({x86model::Cpu::i386});
   }
 
-  /// Whether the calls of this frame are to be recorded: counting takes longer than drawing.
+  /// Selects every tenth frame, because counting takes longer than drawing.
   [[nodiscard]] bool wants(std::uint64_t frame) const {
     return !totals_.empty() && frame % every == 0;
   }
@@ -114,7 +113,7 @@ class ClockMeter {
     ++counted_;
   }
 
-  /// `Listings alone: 123,456 clocks a frame on the 386`; empty where no model ran.
+  /// Returns `Listings alone: 123,456 clocks a frame on the 386`, or nothing without a model.
   [[nodiscard]] std::string text() const {
     std::string text;
     if (counted_ == 0) return text;

@@ -1,5 +1,5 @@
 /// @file
-/// Drawing a scene into files, as `fixproof render` and the report do it.
+/// Draws a scene into files for `fixproof render` and the report.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,19 @@ struct DrawOptions {
 };
 
 struct DrawnFrames {
-  std::uint64_t frames = 0;  ///< fewer than wanted after an interrupt
+  std::uint64_t frames = 0;  ///< fewer than requested after an interrupt
   xsharp::Tally tally;
   xsharp::DrawingCount count;
-  double seconds = 0;       ///< of drawing, without writing files
-  std::string clocks;       ///< a line on the clocks of the listings; empty unless the model draws
-  std::string differences;  ///< from the exact picture, if outputs.beside is given
-  std::string older_frame;  ///< a file of an earlier, longer run; empty if there is none
+  double seconds = 0;       ///< drawing time, without writing files
+  std::string clocks;       ///< one line, the listings' clocks; empty unless the model draws
+  std::string differences;  ///< from the exact picture; empty without outputs.beside
+  std::string older_frame;  ///< a leftover file of an earlier, longer run, or empty
 };
 
-/// Shows its progress on the terminal, and stops early when support::Interrupt::flag() is set. The
-/// files are complete for the frames drawn.
-/// @throws UsageError for outputs that clash or cannot be written, std::runtime_error naming the
-///         frame in which the arithmetic failed
+/// Shows progress on the terminal and stops early when support::Interrupt::flag() is set. The files
+/// are complete for the frames drawn.
+/// @throws UsageError if outputs clash or cannot be written, std::runtime_error with the frame
+///         number if the arithmetic fails
 DrawnFrames draw_frames(const xsharp::Scene& scene, std::uint64_t frames,
                         const DrawOptions& options);
 

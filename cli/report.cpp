@@ -1,4 +1,3 @@
-// fixproof report: all measurements on one page.
 #include <filesystem>
 #include <memory>
 
@@ -11,7 +10,6 @@ namespace fixproof::cli {
 
 namespace {
 
-/// The default scenes that exist in the current directory.
 std::vector<std::string> default_scenes() {
   std::vector<std::string> scenes;
   for (const char* name :

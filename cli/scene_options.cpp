@@ -50,7 +50,7 @@ xsharp::Scene SceneOptions::read() const { return applied_to(xsharp::read_scene(
 xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
   xsharp::ArithmeticChoice& choice = scene.arithmetic;
   if (by) choice.by = *by;
-  // The model has no other rules than the listings'.
+  // The model has only the rules of the listings.
   if (by == "model" && !target && !xsharp::is_listing(choice))
     choice = {"model", "i386", true, true};
   if (choice.by == "double" && (target || mul_round || div_round)) {

@@ -1,5 +1,5 @@
 /// @file
-/// The options of the commands that draw a scene: which one, and with what arithmetic.
+/// Options that select a scene and its arithmetic.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,7 +11,7 @@
 
 namespace fixproof::cli {
 
-/// What was given on the command line; what was not given is the scene's.
+/// The scene options of a command line. Options that are not given keep the scene's settings.
 struct SceneOptions {
   std::string file;
   std::optional<std::string> by;
@@ -23,15 +23,14 @@ struct SceneOptions {
   std::optional<std::string> restore_rows;
   bool from_scratch = false;
 
-  /// Adds SCENE, --arith, --target, --round, --mul-round, --div-round, --repaired, --reortho,
-  /// --reortho-rows and --from-scratch.
+  /// Adds the options to a command, which must not outlive this object.
   void add_to(CLI::App& command);
 
-  /// The scene as it is to be drawn.
-  /// @throws xsharp::SceneError for a scene that is refused, UsageError for options that contradict
-  ///         one another
+  /// Reads the scene and applies the options.
+  /// @throws xsharp::SceneError if the scene is invalid or cannot be read, UsageError if options
+  ///         contradict each other
   [[nodiscard]] xsharp::Scene read() const;
-  /// The same for a scene that is read already.
+  /// Applies the options to a scene. Throws as read() does.
   [[nodiscard]] xsharp::Scene applied_to(xsharp::Scene scene) const;
 };
 

@@ -13,8 +13,8 @@ namespace fixproof::cli {
 
 namespace {
 
-/// Whether the variant rounds as the options say, if they say anything about its operation. The
-/// standard rules always round, and they were never printed.
+/// Whether the variant rounds as the options require. The standard rules always round, and no
+/// listing prints them.
 bool rounding_fits(const VariantOptions& options, const cases::Variant& v) {
   if (options.as_printed && v.build.target == cases::Target::standard) return false;
   const auto& given = v.operation == cases::Operation::div ? options.div_round : options.mul_round;
@@ -23,7 +23,6 @@ bool rounding_fits(const VariantOptions& options, const cases::Variant& v) {
   return cases::rounds(wanted) == cases::rounds(v);
 }
 
-/// @throws UsageError for --repaired with an operation or a target that has no repaired routine
 void check_repaired(const Selection& selection) {
   const VariantOptions& options = selection.variant;
   if (!options.repaired) return;
@@ -129,15 +128,14 @@ Programs chosen_programs(const Selection& selection) {
     if (asked(form)) chosen.loops.push_back(form);
   }
   if (chosen.routines.empty() && chosen.loops.empty()) {
-    throw support::UsageError("the loop depth is for the 386 alone");  // all others are for both
+    throw support::UsageError("the loop depth is for the 386 alone");  // the others run on both
   }
   return chosen;
 }
 
 namespace {
 
-/// A row that is not compared as it was asked for would be taken for one that is equal, were it
-/// passed over.
+/// Rejects a row that cannot be compared as requested. Skipping it would suggest that it is equal.
 [[noreturn]] void refuse(const cases::Row& row, std::string_view reason) {
   throw support::UsageError(
       fmt::format("{}: {}; choose rows (--target, the operations) or other parties",
@@ -160,7 +158,7 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
     auto variant = cases::at_level(selection.level, listed);
     if (!variant) continue;
     if (selection.half_width) {
-      // The table has no cosines of 8.8, and so nobody has.
+      // The cosine table has no 8.8 values, so that no party computes cossin in 8.8.
       if (variant->operation == cases::Operation::cossin) continue;
       variant->fraction_bits = 8;
     }

@@ -1,5 +1,5 @@
 /// @file
-/// From what was asked on the command line to the rows of a plan.
+/// Turns options into parties, variants and the rows of a plan.
 #pragma once
 
 #include <optional>
@@ -13,43 +13,41 @@
 
 namespace fixproof::cli {
 
-/// Which rows of the verification table are asked for, and who is to answer.
+/// The rows of the verification table and the parties that the command line selects.
 struct Selection {
-  std::vector<std::string> operations;  ///< none: all
+  std::vector<std::string> operations;  ///< all if empty
   VariantOptions variant;
   bool chapter_given = false;
   bool half_width = false;
   int level = 1;
-  std::string by;                    ///< empty: model
-  std::vector<std::string> against;  ///< none: the usual ones of the level
+  std::string by;                    ///< the judged party; the model if empty
+  std::vector<std::string> against;  ///< the default parties of the level if empty
 };
 
-/// The parties, the judged one first, no one twice.
-/// @throws std::invalid_argument for a name that no party has; UsageError if there is only one
+/// Returns the parties without duplicates, the judged one first.
+/// @throws std::invalid_argument for an unknown party, UsageError if there is only one
 std::vector<const parties::Party*> chosen_parties(const Selection& selection);
 
-/// The variants asked for, in the order of the verification table, at full width.
-/// @throws std::invalid_argument for a name that no operation has
+/// Returns the selected variants at full width, in the order of the verification table.
+/// @throws std::invalid_argument for an unknown operation, UsageError if --repaired does not apply
 std::vector<cases::Variant> chosen_variants(const Selection& selection);
 
-/// Of these the ones that have a program; CosSin, which has no switch, once for each target.
-/// @throws UsageError if there is none; std::invalid_argument for a name that no routine has
+/// Returns the variants that have a program. CosSin has no switch and appears once per target.
+/// @throws std::invalid_argument for an unknown routine, UsageError if no variant is left
 std::vector<cases::Variant> chosen_routines(const Selection& selection);
 
-/// The same with inner loops among the names: `routines` as chosen_routines() chooses them, empty
-/// where loops alone are named; `loops` in every form there is for the target, all of them where
-/// nothing is named, and none where a rounding, a chapter or --repaired is given without a name.
 struct Programs {
-  std::vector<cases::Variant> routines;
-  std::vector<x86model::LoopForm> loops;
+  std::vector<cases::Variant> routines;   ///< see chosen_routines(); empty if only loops are named
+  std::vector<x86model::LoopForm> loops;  ///< every form that exists for the target
 };
-/// @throws as chosen_routines(); UsageError for a loop with a rounding or a chapter
+/// Selects routines and inner loops by name. Without names it selects all routines and loops, but
+/// no loops if a rounding, a chapter, --as-printed or --repaired is given.
+/// @throws as chosen_routines(); UsageError if one of these options is given for a named loop
 Programs chosen_programs(const Selection& selection);
 
-/// The rows, in the order of the verification table. Parties that nobody has named are left out of
-/// rows that they do not answer.
-/// @throws UsageError if none fits, or a party that was named does not answer one;
-/// std::invalid_argument for a name that no operation has
+/// Returns the rows in table order. A row omits default parties that cannot answer it.
+/// @throws std::invalid_argument for an unknown operation, UsageError if no row matches, a named
+///         party cannot answer a row, or a row has fewer than two parties
 std::vector<cases::Row> chosen_rows(const Selection& selection,
                                     std::span<const parties::Party* const> parties);
 

@@ -18,7 +18,7 @@ namespace {
 using singlestep::Differences;
 using singlestep::Skip;
 
-/// More mismatches of one file are only counted.
+/// Mismatches printed per file; further ones are only counted.
 constexpr std::uint64_t most_shown = 20;
 
 struct Counts {

@@ -1,5 +1,5 @@
 /// @file
-/// Files of single-step cases, judged: what `fixproof step --singlestep` does.
+/// Judges files of single-step cases for `fixproof step --singlestep`.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace fixproof::cli {
 
-/// Judges the cases of every file; writes what differs and a line for each file to standard output,
-/// what is wrong with a file to standard error.
-/// @return the exit status: 1 where a case differs, else 2 where a file is bad or had no case that
-/// could be run, else 0
+/// Judges all cases. Prints mismatches and one summary line per file to standard output, and file
+/// errors to standard error.
+/// @return the exit status: 1 if a case differs, else 2 if a file is bad or none of its cases can
+///         run, else 0
 int judge_files(const std::vector<std::string>& files, x86model::Target cpu);
 
 }  // namespace fixproof::cli

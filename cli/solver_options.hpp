@@ -1,5 +1,5 @@
 /// @file
-/// The options of the commands that ask a solver.
+/// Options of the commands that run an SMT solver.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,9 +11,9 @@ namespace fixproof::cli {
 
 struct SolverOptions {
   std::string name = "z3";
-  int seconds;  ///< that one question may take
+  int seconds;  ///< time limit per query
 
-  /// Adds --solver and --timeout to a command.
+  /// Adds the options to a command, which must not outlive this object.
   void add_to(CLI::App& command) {
     command.add_option("--solver", name, "z3 or cvc5, from the PATH")
         ->check(not_empty())

@@ -27,14 +27,14 @@ namespace {
 
 namespace x86 = x86model;
 
-/// Register state as a line writes it.
 struct State {
   singlestep::StepMachine machine;
-  std::array<bool, singlestep::shown_registers.size()> wide{};  ///< given as eax=…, with 8 digits
-  std::uint32_t other_flags = 0;  ///< bits of fl that are none of the six
+  std::array<bool, singlestep::shown_registers.size()>
+      wide{};                     ///< whether given as eax=…, with 8 digits
+  std::uint32_t other_flags = 0;  ///< bits of fl other than the six arithmetic flags
 };
 
-/// Fields of a line, NAME=DIGITS with spaces between, by name.
+/// The space-separated NAME=DIGITS fields of a line, by name.
 using Fields = std::map<std::string_view, std::string_view>;
 
 Fields split_fields(std::string_view text) {
@@ -55,7 +55,7 @@ Fields split_fields(std::string_view text) {
   }
 }
 
-/// Removes the field of that name. @return its digits, or nothing where it is not given
+/// Removes a field and returns its digits, or nothing if the line does not have it.
 std::optional<std::string_view> take(Fields& fields, std::string_view name) {
   const auto node = fields.extract(name);
   if (node.empty()) return std::nullopt;
@@ -94,7 +94,7 @@ void append_state(std::string& output, const State& state) {
   for (std::size_t i = 0; i < singlestep::shown_registers.size(); ++i) {
     const std::uint32_t value =
         state.machine.registers.read(singlestep::shown_registers[i], x86::Size::dword);
-    // An upper half that the instruction has filled is shown even where it was not given.
+    // Show an upper half that the instruction has set even if the input did not give it.
     const bool wide = state.wide[i] || value > 0xFFFF;
     output +=
         x86::name_of(singlestep::shown_registers[i], wide ? x86::Size::dword : x86::Size::word);
@@ -126,8 +126,9 @@ void append_clocks(std::string& output, const std::optional<x86::Range>& clocks)
   }
 }
 
-/// Answers one line; counts it where the instruction is not modelled.
-/// @param timed the processor whose clocks are appended, if any
+/// Answers one line.
+/// @param timed the processor whose clocks the answer includes, if any
+/// @param unmodelled incremented if the model cannot run the instruction
 void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> timed,
             std::string& output, std::uint64_t& unmodelled) {
   const auto bar = line.find('|');
@@ -146,7 +147,7 @@ void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> time
   };
   if (!instruction || !x86::is_modelled(*instruction, cpu)) return without_answer();
   const x86::Mnemonic op = instruction->mnemonic;
-  // CALL and RET need code and a stack; a jump, not taken, changes nothing but the count of LOOP.
+  // CALL and RET need code and a stack. Jumps are not taken; only LOOP changes a register.
   if (op == x86::Mnemonic::call || op == x86::Mnemonic::ret) return without_answer();
   std::optional<x86::Range> clocks;
   if (timed) clocks = singlestep::step_clocks(*timed, *instruction, state.machine);

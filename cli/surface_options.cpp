@@ -17,7 +17,6 @@ namespace {
 
 using xsharp::SurfaceKind;
 
-/// An option whose value is one of `words`; `set` gets its index.
 template <class Set>
 void add_word(CLI::App& command, const char* name, std::span<const std::string_view> words,
               const char* what, const Set& set) {

@@ -1,5 +1,5 @@
 /// @file
-/// The options that choose a variant of a scene's surfaces.
+/// Options that change the surfaces of a scene.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@
 
 namespace fixproof::cli {
 
-/// What was given on the command line; what was not given is the scene's.
+/// The surface options of a command line. Options that are not given keep the scene's settings.
 struct SurfaceOptions {
   std::optional<xsharp::SurfaceKind> kind;
   std::optional<xsharp::PhongForm> phong;
@@ -18,11 +18,12 @@ struct SurfaceOptions {
   std::optional<xsharp::DepthBuffering> depth_buffer;
   std::optional<xsharp::DepthMeasure> depth_measure;
 
-  /// Adds --surface, --phong, --texture-every, --depth-buffer and --depth-measure.
+  /// Adds the options to a command, which must not outlive this object.
   void add_to(CLI::App& command);
 
-  /// Changes the scene.
-  /// @throws UsageError for a scene that has no such surface, or is refused with it
+  /// Applies the options to a scene.
+  /// @throws UsageError if the scene lacks the surface or depth buffer that an option needs, or if
+  ///         the changed scene is invalid
   void apply(xsharp::Scene& scene) const;
 };
 

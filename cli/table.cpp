@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t columns = 7;
 using Line = std::array<std::string, columns>;
 
-/// For each row, whether chunks of it are still to be done.
 std::vector<bool> unfinished_rows(const verify::Report& report) {
   std::vector<bool> unfinished(report.findings.size());
   for (std::uint64_t number = 0; number < report.done.size(); ++number) {
@@ -53,7 +52,6 @@ Line line_of(const cases::Row& row, const verify::Findings& found, bool unfinish
           result_of(row, found, unfinished)};
 }
 
-/// The lines under one another: texts to the left, numbers to the right.
 std::string aligned(const std::vector<Line>& lines) {
   std::array<std::size_t, columns> widths{};
   for (const Line& line : lines) {
@@ -77,7 +75,7 @@ std::string aligned(const std::vector<Line>& lines) {
   return text;
 }
 
-/// The mismatches kept of one row. Many cases shrink to the same: each such is shown once.
+/// Formats the recorded mismatches of a row. Cases that shrink to the same case appear once.
 std::string mismatch_lines(const cases::Row& row, const verify::Findings& found) {
   std::vector<const verify::Mismatch*> distinct;
   std::map<std::vector<std::uint32_t>, std::size_t> alike;

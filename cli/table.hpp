@@ -1,5 +1,5 @@
 /// @file
-/// A report as people read it.
+/// Text form of a verification report.
 #pragma once
 
 #include <string>
@@ -8,12 +8,11 @@
 
 namespace fixproof::cli {
 
-/// The table, a line for each row; below it the mismatches, a line each; the totals and the
-/// verdict.
+/// Returns the table, one line per mismatch, the totals and the verdict.
 std::string table(const verify::Report& report);
 
-/// The answers to one case as text on one line, those who say the same together: `model 00000001,
-/// oracle fast type 00000002`.
+/// Formats the answers to one case on one line and groups parties that agree, as in
+/// `model 00000001, oracle fast type 00000002`.
 std::string grouped_answers(const std::vector<std::pair<std::string, std::string>>& said);
 
 }  // namespace fixproof::cli

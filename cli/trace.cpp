@@ -29,10 +29,10 @@ namespace x86 = x86model;
 struct TraceOptions {
   ProgramOptions program;
   std::vector<std::string> words;
-  std::size_t mutant = 0;  ///< 0: none
+  std::size_t mutant = 0;  ///< from 1; 0 if none
 };
 
-/// Registers and memory words that differ, after two spaces: "  bp=0058 [0054]=0000".
+/// Formats the registers and memory words that differ, as in "  bp=0058 [0054]=0000".
 template <class M>
 std::string changes(const M& before, const M& after, x86::Size size) {
   std::string text;
@@ -76,15 +76,13 @@ std::string decimal(std::uint32_t word) {
   return fmt::format("{}", static_cast<double>(static_cast<std::int32_t>(word)) / 65536.0);
 }
 
-/// A program to follow, and what it is called with.
 struct Traced {
   machine_code::ProgramKey key;
   x86::Program program;
-  std::string mistake;  ///< of a mutant; empty: none
+  std::string mistake;  ///< the mutation; empty if none
   std::vector<std::uint32_t> in;
 };
 
-/// The row of the instruction that a run stops at.
 void print_end(std::size_t at, const x86::Instruction& instruction, const x86::Flags& flags,
                std::string_view why) {
   fmt::print(std::cout, "{:4}  {:<30}{}  {}\n", at, x86::text_of(instruction),
@@ -95,7 +93,7 @@ template <x86::Routine routine>
 void trace(const Traced& traced) {
   const auto code = traced.program.instructions();
   x86::CallMachine<routine, 16> machine;
-  // A mistake may show only where registers hold what a caller has left; else zeros read better.
+  // A mutation may show only if registers hold junk from a caller. Otherwise zeros are clearer.
   if (!traced.mistake.empty()) x86::fill_with_junk<routine>(machine, traced.in);
   x86::enter<routine>(machine, traced.in);
   const auto size = traced.key.target == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
@@ -103,7 +101,7 @@ void trace(const Traced& traced) {
   fmt::print(std::cout, "   #  {:<30} CF PF AF ZF SF OF  changes\n", x86::name_of(routine));
   const auto entered = machine.registers;
   auto before = machine;
-  // A mutant may hold a form that its processor has and no listing uses.
+  // A mutant may use an instruction form that its processor has but no listing uses.
   const bool has_every_form = !traced.mistake.empty();
   bool stopped = false;
   const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {

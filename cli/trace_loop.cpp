@@ -20,7 +20,7 @@ namespace x86 = x86model;
 
 constexpr std::uint32_t traced_row = 0x2800;
 
-/// 64 KiB of zeros but for the texture, which goes to their end.
+/// Returns 64 KiB of zeros; for a texture loop, the texture fills the end.
 std::vector<std::uint8_t> loop_memory(const x86::LoopForm& form) {
   std::vector<std::uint8_t> memory(0x10000);
   if (form.loop != x86::Loop::texture) return memory;
@@ -59,7 +59,7 @@ x86::LoopCall loop_call(const x86::LoopForm& form, const std::vector<std::string
   return call;
 }
 
-/// Registers and bytes of memory that differ, after two spaces: "  edi=00002801 [2800]=20".
+/// Formats the registers and memory bytes that differ, as in "  edi=00002801 [2800]=20".
 std::string loop_changes(const x86::Registers<16>& before, const x86::Registers<16>& after,
                          std::vector<std::uint8_t>& seen, const std::vector<std::uint8_t>& memory,
                          x86::Size size) {

@@ -1,5 +1,5 @@
 /// @file
-/// The instructions of an inner loop, and what each changes.
+/// Traces the instructions of an inner loop and their effects.
 #pragma once
 
 #include <string>
@@ -9,9 +9,8 @@
 
 namespace fixproof::cli {
 
-/// Prints the trace of a loop.
-/// @param words hexadecimal: pixels, value and step; of a texture also row and step
-/// @throws UsageError for another number of words, or of pixels
+/// @param words hexadecimal: pixels, value and step; for a texture also row and row step
+/// @throws UsageError if the number of words or pixels is wrong
 void trace_loop(const x86model::LoopForm& form, const std::vector<std::string>& words);
 
 }  // namespace fixproof::cli

@@ -25,7 +25,7 @@ namespace fixproof::cli {
 
 namespace {
 
-/// A kill -9 loses little more than this.
+/// A killed process loses little more work than this.
 constexpr std::chrono::milliseconds checkpoint_every{500};
 
 struct VerifyOptions {
@@ -39,7 +39,6 @@ struct VerifyOptions {
   std::string words;
 };
 
-/// Compares one case in every row. @return the exit status
 int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows) {
   if (options.selection.operations.size() != 1)
     throw support::UsageError("--case needs one operation");
@@ -62,7 +61,6 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
   return status;
 }
 
-/// The state to begin with: nothing done, or what the file to resume from holds.
 verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows) {
   verify::Report fresh(cases::Plan(options.selection.level, options.seed, std::move(rows)),
                        cases::parse_shard(options.shard), options.max_reports);
@@ -109,7 +107,6 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
   if (!std::cout) throw support::UsageError("cannot write standard output");
 }
 
-/// Runs what is left, showing progress and keeping the state for --resume.
 void run_rest(const VerifyOptions& options, verify::Report& report) {
   const auto parties = chosen_parties(options.selection);
   Progress progress;
@@ -122,8 +119,7 @@ void run_rest(const VerifyOptions& options, verify::Report& report) {
     try {
       support::replace_file(options.resume, verify::to_json(state));
     } catch (const std::runtime_error&) {
-      // A full disk may have room again at the end, when the file is written once more; that
-      // counts.
+      // A failed checkpoint is no error: the disk may have space again for the final write.
     }
   };
   verify::run(
@@ -156,12 +152,12 @@ int verify(const VerifyOptions& options) {
   print_heading(options, report);
 
   {
-    // Not longer: a report that goes into a pipe may wait for its reader, and Ctrl-C must end that.
+    // Restore Ctrl-C before printing, because a write to a pipe may block on its reader.
     const support::Interrupt interrupt;
     run_rest(options, report);
   }
 
-  // What was found is shown even if it cannot be kept.
+  // Print the findings even if a file cannot be written.
   std::string failure;
   for (const std::string& file : files) {
     try {
@@ -174,7 +170,7 @@ int verify(const VerifyOptions& options) {
   if (!report.complete()) std::cout << how_to_go_on(options);
   std::cout.flush();
   if (!failure.empty()) throw std::runtime_error(failure);
-  // What is missing cannot undo a mismatch.
+  // A mismatch counts even if the run is incomplete.
   if (report.mismatches() > 0) return 1;
   return report.complete() ? 0 : support::interrupted_status;
 }
