@@ -19,7 +19,7 @@ FolderLock::FolderLock(const std::string& option, const std::string& folder)
     throw UsageError(fmt::format("{} {}: cannot be opened: {}", option, folder,
                                  std::generic_category().message(errno)));
   }
-  // A file system without locks keeps nobody out.
+  // On a file system without locks the folder stays unlocked.
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(descriptor_);
     throw UsageError(
