@@ -27,7 +27,7 @@ namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// A file without a name: nothing is left if this program is killed.
+/// A file without a name, so that nothing is left if this program is killed.
 File temporary_file() {
   File file(std::tmpfile(), std::fclose);
   if (!file) {
