@@ -24,7 +24,6 @@ class ChunkRunner {
   Findings run(std::uint64_t number);
 
  private:
-  /// The answers of one party to the current batch.
   struct Answers {
     std::vector<std::uint32_t> out;
     std::vector<parties::Ending> endings;

@@ -9,7 +9,6 @@
 
 namespace fixproof::verify {
 
-/// A report and its name in messages.
 struct NamedReport {
   std::string name;
   Report report;
@@ -19,8 +18,7 @@ struct NamedReport {
 /// @throws std::runtime_error if the parts belong to different verifications or share a chunk
 Report merged(std::span<const NamedReport> parts);
 
-/// Returns one line that names the missing shards, by the finest division among the parts. Returns
-/// an empty string if the sum is complete.
+/// Returns one line that names the missing shards, by the finest division among the parts, or "".
 std::string missing(const Report& sum, std::span<const NamedReport> parts);
 
 }  // namespace fixproof::verify

@@ -11,7 +11,6 @@
 
 namespace fixproof::verify {
 
-/// A case on which parties differ.
 struct Mismatch {
   std::uint64_t chunk = 0;
   std::uint64_t index = 0;  ///< position of the case in its stream
@@ -24,7 +23,6 @@ struct Mismatch {
   friend bool operator==(const Mismatch&, const Mismatch&) = default;
 };
 
-/// The findings of one row.
 struct Findings {
   std::uint64_t cases = 0;       ///< each counted once, regardless of the number of parties
   std::uint64_t faults = 0;      ///< cases on which the judged party reports #DE

@@ -18,8 +18,7 @@ namespace {
 using support::Json;
 
 constexpr std::string_view format_name = "fixproof report";
-/// Version 1 expected a carry in the printed 8088 ConcatXforms, so its rows cannot be added to
-/// these.
+/// Version 1 expected a carry in the printed 8088 ConcatXforms, so its rows differ.
 constexpr int format_version = 2;
 
 /// The maximum that `verify` accepts for --max-reports.
@@ -74,8 +73,7 @@ Json json_of(const Mismatch& m, int word_bits) {
           {"said", said}};
 }
 
-/// The streams of a row with their numbers of cases. They reveal whether two builds generate the
-/// same cases.
+/// The streams of a row and their sizes, which reveal whether two builds generate the same cases.
 Json streams_of(const cases::Plan& plan, std::size_t row) {
   Json streams = Json::object();
   for (const cases::Job& job : plan.jobs()) {
@@ -105,7 +103,6 @@ Json json_of(const Report& report, std::size_t number) {
           {"shown", shown}};
 }
 
-/// Calls `use` for the chunks of the report's shard, in order.
 template <class Use>
 void each_chunk(const Report& report, Use use) {
   for (std::uint64_t place = 0; place < report.chunks_in_shard(); ++place) {

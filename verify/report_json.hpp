@@ -19,8 +19,7 @@ std::string to_json(const Report& report);
 Report from_json(std::string_view text);
 
 /// Returns the first difference between two verifications (level, seed, rows, parties, mismatches
-/// kept), such as "seed 1, not 2" with the value of `a` first. Returns an empty string if there is
-/// none.
+/// kept), such as "seed 1, not 2" with the value of `a` first, or "" if there is none.
 std::string difference(const Report& a, const Report& b);
 
 }  // namespace fixproof::verify
