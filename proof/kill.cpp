@@ -62,7 +62,6 @@ class Duel {
   std::array<parties::Ending, most> ends_{}, ends_wanted_{};
 };
 
-/// Tries to prove a surviving mutant equivalent.
 template <class Subject>
 void try_to_prove(Judgement& judgement, const Subject& subject, const x86::Program& program,
                   const Solver& solver, int most_seconds) {

@@ -57,9 +57,8 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// Starts a program in `group`, so that Ctrl-C reaches this program only and terminating the group
-/// ends everything that the program started.
-/// @throws std::system_error if it cannot be started
+/// Starts a program in `group`: Ctrl-C does not reach it, and terminating the group ends all its
+/// children too. @throws std::system_error if it cannot be started
 bp::child start(const std::vector<std::string>& arguments, bp::group& group, std::FILE* in,
                 std::FILE* out, std::FILE* err) {
   const auto program = bp::search_path(arguments.front());

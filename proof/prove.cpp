@@ -11,7 +11,6 @@ namespace fixproof::proof {
 
 namespace {
 
-/// Asks the questions in order until one is not unsatisfiable.
 SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver,
                      int most_seconds, double& seconds) {
   SolverAnswer answer{.verdict = Verdict::unsatisfiable};

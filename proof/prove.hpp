@@ -30,23 +30,19 @@ struct Proof {
 };
 
 /// Proves that `program` does one turn of an inner loop: see step_questions(). Only memory is
-/// abstract, so a disproven turn fails for some registers. They are not recorded. `most_seconds`
-/// limits each question.
-/// @throws as Solver::ask()
+/// abstract, so a disproven turn fails for some registers, which are not recorded. `most_seconds`
+/// limits each question. @throws as Solver::ask()
 Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
             int most_seconds);
 
-/// Proves where the printed 8088 ConcatXforms differs from the repaired one: see
-/// lost_carry_questions(). `most_seconds` limits each question.
-/// @throws as Solver::ask()
+/// See lost_carry_questions(). `most_seconds` limits each question. @throws as Solver::ask()
 Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds);
 
 std::vector<std::string> lost_carry_questions(bool mul_round);
 
 /// Proves that `program` does what the routine of `variant` should. Products and quotients are
-/// abstract at first. If that gives a spurious counterexample, a second attempt defines them
-/// exactly. `most_seconds` limits each question.
-/// @throws as Solver::ask()
+/// abstract at first, and exact in a second attempt after a spurious counterexample. `most_seconds`
+/// limits each question. @throws as Solver::ask()
 Proof prove(const cases::Variant& variant, const x86model::Program& program, const Solver& solver,
             int most_seconds);
 

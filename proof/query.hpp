@@ -27,8 +27,8 @@ std::vector<std::string> questions(const cases::Variant& variant,
                                    std::span<const x86model::Instruction> code,
                                    Arithmetic arithmetic = Arithmetic::abstract);
 
-/// Returns whether `code` computes the same terms as the routine of `variant` on every path. The
-/// two are then equivalent without asking a solver.
+/// Returns whether every path computes the same terms as in the routine of `variant`. If so, the
+/// two are equivalent without asking a solver.
 bool has_same_terms(const cases::Variant& variant, std::span<const x86model::Instruction> code);
 
 /// Returns the operands in a solver's model for one of these scripts. An operand that the model

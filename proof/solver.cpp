@@ -29,7 +29,6 @@ std::string remark(const Output& output) {
   return first_line(output.out.empty() ? output.err : output.out);
 }
 
-/// The command that solves a script on standard input and prints a model if it is satisfiable.
 std::vector<std::string> command_of(const std::string& solver, int most_seconds) {
   if (solver == "z3") {
     return {solver, "-smt2", "-in", "dump_models=true", fmt::format("-T:{}", most_seconds)};
@@ -69,7 +68,6 @@ SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
   if (!output.in_time) return answer;
   const std::string said = remark(output);
   if (said == "unknown" || said.find("timeout") != std::string::npos) return answer;
-  // An answer does not count if the solver also reports an error.
   if (output.status != 0) {
     throw std::runtime_error(fmt::format("{} fails with status {}: {}", name_, output.status,
                                          fixproof::support::quoted(said)));

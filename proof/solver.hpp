@@ -14,7 +14,6 @@ struct SolverAnswer {
   double seconds = 0;
 };
 
-/// A solver that reads SMT-LIB from standard input.
 class Solver {
  public:
   /// @param name z3 or cvc5

@@ -26,7 +26,7 @@ using Segment = std::vector<std::uint8_t>;
 /// The whole part of a stepped word: the pixel to draw or the coordinate of a texel.
 std::uint8_t whole_part(std::uint32_t word) { return static_cast<std::uint8_t>(word >> 8U); }
 
-/// The expected memory after a span, derived from the source's description of the loop.
+/// Computes the expected memory after a span from the source's description of the loop.
 class Drawing {
  public:
   Drawing(const LoopForm& form, const LoopCall& call, const Segment& data, Segment& extra,
@@ -64,8 +64,7 @@ class Drawing {
   static constexpr std::size_t pixels = 0x100;
   static constexpr std::size_t depths = 0x500;
 
-  /// As printed, the shift moves the three lower bytes of the depth above the former top byte of
-  /// EBX.
+  /// As printed, the depth's three lower bytes move above the former top byte of EBX.
   [[nodiscard]] std::uint32_t shifted(std::uint32_t depth, std::uint32_t ebx) const {
     return form_.as_printed ? depth << 8U | ebx >> 24U : depth >> 8U;
   }
@@ -111,7 +110,6 @@ bool registers_right(const LoopForm& form, const LoopCall& c, const x86::Registe
          left.read(Register::sp, Size::word) == 0x60;
 }
 
-/// The two segments of a trial and their initial noise.
 struct Trial {
   Segment noise = Segment(segment_bytes);
   Segment data, extra, data_wanted, extra_wanted;

@@ -22,8 +22,7 @@ enum class Arithmetic { abstract, exact };
 ///   cosword   a word of the cosine table, by its offset in bytes
 std::string abstractions(Arithmetic arithmetic);
 
-/// The specified answer of a variant, in terms of the operands that x86model/symbolic/call.hpp
-/// names.
+/// The answer for the operands that x86model/symbolic/call.hpp names.
 struct Specification {
   std::string definitions;
   std::string faults;              ///< a Boolean: whether #DE occurs

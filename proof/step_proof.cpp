@@ -30,7 +30,6 @@ constexpr std::array<std::pair<Register, const char*>, 7> open_registers{{{Regis
                                                                           {Register::di, "edi"},
                                                                           {Register::bp, "ebp"}}};
 
-/// A store that the specification requires.
 struct WantedStore {
   bool extra;
   std::string address;
@@ -54,7 +53,6 @@ std::string sum(const std::string& a, const std::string& b) {
   return fmt::format("(bvadd {} {})", a, b);
 }
 std::string low(const std::string& word) { return bits(word, 15, 0); }
-/// Replaces the lower half of a register.
 std::string with_low(const std::string& word, const std::string& half) {
   return fmt::format("(concat {} {})", bits(word, 31, 16), half);
 }
@@ -157,7 +155,6 @@ sym::State open_state(sym::Terms& terms) {
   return state;
 }
 
-/// The bounds of one turn in a program.
 sym::RunOptions one_turn(const LoopForm& form, const x86::Program& program) {
   sym::RunOptions options{.memory_is_open = true};
   if (form.counting == Counting::unrolled) {
