@@ -107,7 +107,6 @@ class Decoder {
     const std::uint32_t byte = next();
     return immediate((byte ^ 0x80U) - 0x80U);
   }
-  /// An immediate of the operand's size.
   Operand whole() {
     std::uint32_t value = 0;
     for (int bits = 0; bits < (size_ == Size::word ? 16 : 32); bits += 8) {

@@ -19,7 +19,6 @@ inline constexpr std::size_t skip_count = 5;
 
 std::string_view name_of(Skip reason);
 
-/// One instruction and its length in bytes.
 struct Decoded {
   x86model::Instruction instruction;
   std::size_t length = 0;

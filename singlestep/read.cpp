@@ -132,7 +132,7 @@ std::string label_of(const Json& json, std::size_t index) {
                      fixproof::support::quoted(name->get_ref<const std::string&>()));
 }
 
-/// Receives cases while the parser completes them, so that they are not all kept in memory.
+/// Receives each case when the parser completes it, so that no more than one stays in memory.
 class Sink {
  public:
   Sink(x86model::Target cpu, const std::function<void(const Case&)>& use) : cpu_(cpu), use_(use) {}

@@ -45,10 +45,9 @@ inline constexpr std::size_t place_count = static_cast<std::size_t>(Place::dr7) 
 
 /// The register's name in the sets of a processor, such as `eflags` for `flags` in the 386 sets.
 std::string_view name_of(Place place, x86model::Target cpu);
-/// The register's width: 16 or 32.
+/// 16 or 32.
 int bits_of(Place place, x86model::Target cpu);
 
-/// The registers and memory bytes that one state lists.
 struct State {
   std::array<std::optional<std::uint32_t>, place_count> registers;
   std::map<std::uint32_t, std::uint8_t> ram;
@@ -64,8 +63,7 @@ struct Case {
   std::string name;
   std::vector<std::uint8_t> bytes;
   State initial;
-  /// Every register has a value here: the reader fills in unchanged ones. `memory` holds only the
-  /// bytes that the file lists.
+  /// The reader fills in unchanged registers. `ram` holds only the bytes that the file lists.
   State final;
 };
 
