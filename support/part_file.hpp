@@ -12,9 +12,8 @@ namespace fixproof::support {
 /// Resolves symbolic links to the file that writing to `path` would change, so that links survive.
 std::string behind_links(const std::string& path);
 
-/// Writes a new file beside its destination, with `.part` (or `.2.part` and so on) appended to the
-/// name. finish() renames it, and the destructor removes it otherwise. Errors name the file and the
-/// reason.
+/// Writes `path`.part (or .2.part and so on) as a new file. finish() renames it, and the destructor
+/// removes it otherwise. Errors name the file and the reason.
 class PartFile : private boost::noncopyable {
  public:
   /// @throws std::runtime_error if the file cannot be created, or if `path` exists and is not a
@@ -22,16 +21,13 @@ class PartFile : private boost::noncopyable {
   explicit PartFile(const std::string& path);
   ~PartFile();
 
-  /// Appends `bytes` to the file.
   /// @throws std::runtime_error
   void append(std::string_view bytes);
 
-  /// Overwrites the bytes from `offset` on.
-  /// @throws std::runtime_error
+  /// Overwrites the bytes from `offset` on. @throws std::runtime_error
   void overwrite(std::uint32_t offset, std::string_view bytes);
 
-  /// Flushes to disk and renames. Nothing can be written after this call.
-  /// @throws std::runtime_error
+  /// Flushes to disk and renames. Must be the last call. @throws std::runtime_error
   void finish();
 
  private:

@@ -7,8 +7,7 @@
 
 namespace fixproof::support {
 
-/// One line on stderr that is redrawn in place and erased at the end. It writes nothing if stderr
-/// is not a terminal.
+/// One line on stderr, redrawn in place and erased at the end. Silent without a terminal.
 class TerminalLine : private boost::noncopyable {
  public:
   TerminalLine();

@@ -6,8 +6,7 @@
 
 namespace fixproof::support {
 
-/// Bad usage or input. The command prints the message as one line on stderr and exits with status
-/// 2.
+/// The command prints the message as one line on stderr and exits with status 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
