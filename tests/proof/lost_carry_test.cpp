@@ -1,5 +1,4 @@
-// Proves where the printed 8088 ConcatXforms differs from the repaired one, and checks that the
-// proof fails for wrong statements and programs.
+// Tests the proof of the lost carry, and that it fails for wrong statements and programs.
 #include "proof/lost_carry.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +43,7 @@ TEST(LostCarry, IsProvenWithRoundingAndWithout) {
   }
 }
 
-// Three scripts are about the rows, one about the other columns and one about the difference.
+// Three scripts are about the rows, one about other columns, one about the difference.
 TEST(LostCarry, AnotherStatementIsRefuted) {
   const auto scripts = proof::lost_carry_questions(true);
   EXPECT_EQ(proven(scripts), 5U);

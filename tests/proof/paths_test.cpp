@@ -1,5 +1,5 @@
-// Tests the limits of a symbolic run: it reports what it gives up, and every operand has one path
-// under any limits.
+// Tests that a symbolic run reports its limits and that every operand has one path under any
+// limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>

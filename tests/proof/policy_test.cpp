@@ -1,5 +1,4 @@
-// Replaces each preset of the type by policies that differ in one rule. Level 1 kills all of them
-// except those that are equivalent to the preset.
+// Level 1 must kill every policy that differs from a preset in one rule, unless it is equivalent.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -17,7 +16,6 @@ using fixed::overflow;
 using fixed::policy;
 using fixed::rounding;
 
-/// Multiplies and divides under one policy.
 template <policy rules>
 class Ruled final : public parties::Party {
  public:
@@ -50,7 +48,6 @@ class Ruled final : public parties::Party {
   }
 };
 
-/// The wrong policies of one preset, and those that level 1 did not kill.
 class Trials {
  public:
   explicit Trials(cases::Variant v) : v_(v) {}

@@ -49,7 +49,6 @@ TEST(Proof, LemmasHoldAndTakeNothingImpossibleForGranted) {
   }
 }
 
-/// Asks several scripts in one run and returns their answers.
 std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   std::string all;
   for (const std::string& script : scripts) all += script + "(reset)\n";

@@ -29,7 +29,6 @@ struct Answer {
   std::vector<std::uint32_t> words;
 };
 
-/// The initial value of register number `r`.
 std::uint32_t held(std::size_t r) { return 0x9E3779B9U * static_cast<std::uint32_t>(r + 1); }
 
 /// The stack starts with zeros, the value of a symbolic variable that is not set.
@@ -52,7 +51,6 @@ std::uint64_t function(const std::string& name, std::span<const std::uint64_t> a
   return sym::concrete(name, arguments);
 }
 
-/// FixedMul under `build`, run by the interpreter.
 std::uint64_t fixed_mul(const Build& build, std::span<const std::uint64_t> factors) {
   const Program program = assemble(listing(Routine::mul, Target::i8088), build);
   const std::array in{static_cast<std::uint32_t>(factors[0]),
@@ -66,7 +64,6 @@ constexpr bool is_summed_up(Routine routine, Target target) {
   return target == Target::i8088 && (routine == Routine::xformvec || routine == Routine::concat);
 }
 
-/// The number of cases by result.
 struct Tally {
   std::size_t compared = 0;
   std::size_t endless = 0;    ///< of those compared: neither run ends
@@ -90,7 +87,6 @@ struct Tally {
   }
 };
 
-/// The paths of one program, which cases are compared with.
 template <Routine routine, Target target>
 class Paths {
  public:
@@ -109,7 +105,6 @@ class Paths {
     }
   }
 
-  /// Compares one case with the interpreter's answer.
   void compare(std::span<const std::uint32_t> in, const Answer& expected, Tally& tally) {
     for (std::size_t i = 0; i < in.size(); ++i) {
       evaluation_.set(sym::operand_name(routine, static_cast<int>(i)), in[i]);

@@ -1,5 +1,4 @@
-// Tests that folding preserves the meaning of terms: terms of constants equal terms of variables
-// with the same values.
+// Tests that folding preserves meaning: constants and variables of the same values must agree.
 #include <gtest/gtest.h>
 
 #include <random>
