@@ -1,5 +1,4 @@
-// Tests that the sum of shards equals the report of the whole and that duplicate or missing parts
-// are reported.
+// Tests that shards add up to the whole, and that duplicate or missing parts are reported.
 #include "verify/merge.hpp"
 
 #include <gtest/gtest.h>

@@ -92,7 +92,6 @@ TEST(Plan, RefusesOtherLevels) {
   EXPECT_THROW(cases::Plan(4, 1, {}), std::invalid_argument);
 }
 
-/// The divides of chapter 54 that the options select.
 std::vector<cases::Variant> divides(const cli::VariantOptions& options) {
   cli::Selection selection;
   selection.operations = {"div"};

@@ -23,7 +23,6 @@ struct Shell {
   int status = -1;
 };
 
-/// Runs a line in a shell with `fixproof` on its PATH.
 Shell shell(const std::string& line) {
   const std::string folder = std::filesystem::path(FIXPROOF_COMMAND).parent_path();
   const std::string with_path = "PATH='" + folder + "':$PATH; " + line;

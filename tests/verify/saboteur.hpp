@@ -46,7 +46,6 @@ class Saboteur final : public parties::Party {
   Spoil spoil_;
 };
 
-/// The fast oracle under the name `saboteur`, with errors.
 inline Saboteur saboteur(Saboteur::Spoil spoil) {
   return {"saboteur", parties::party_named("fast"), std::move(spoil)};
 }
