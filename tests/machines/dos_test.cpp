@@ -16,7 +16,6 @@ namespace {
 
 using namespace fixproof;
 
-/// The options of fixproof that select a program.
 std::string arguments_of(const machine_code::ProgramKey& key) {
   const std::string name = machine_code::name_of(key);
   std::string arguments = name.substr(0, name.find('-'));
@@ -68,7 +67,6 @@ class Dos : public testing::Test {
     EXPECT_EQ(run.out + run.err, "");
   }
 
-  /// Runs DOS commands in the folder, without a screen.
   void in_dosbox(const std::string& commands) const {
     folder_.write("dosbox.cfg",
                   "[cpu]\ncore=normal\ncycles=max\n[mixer]\nnosound=true\n[autoexec]\n@echo off\n"

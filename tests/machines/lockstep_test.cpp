@@ -78,7 +78,6 @@ std::string shown(const x86model::Registers<16>& registers, std::uint16_t flags)
   return text + fmt::format("flags {:03x}", flags);
 }
 
-/// Compares a program of the model with machine code, case by case.
 class Lockstep {
  public:
   /// @param code machine code to run; different from the program's in tests of the comparison

@@ -24,7 +24,6 @@ const parties::Party& find(std::string_view name) {
   throw std::invalid_argument(std::string(name));
 }
 
-/// The operands of one variant and buffers for the answers.
 struct Cases {
   explicit Cases(const cases::Variant& v) : variant(v) {}
 

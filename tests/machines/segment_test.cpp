@@ -16,7 +16,7 @@ namespace {
 using namespace fixproof;
 using x86model::Routine;
 
-/// The code with a NOP for every CS: before a MOV or an operand-size prefix.
+/// Replaces every CS: before a MOV or an operand-size prefix by a NOP.
 std::vector<std::uint8_t> without_overrides(std::span<const std::uint8_t> code, int& changed) {
   constexpr std::uint8_t cs = 0x2E;
   constexpr std::uint8_t mov = 0x8B;
