@@ -19,7 +19,6 @@ void expect_refused(const std::string& text, std::string_view message,
   EXPECT_EQ(run.err, fmt::format("fixproof: FILE: {}\n", message));
 }
 
-/// A valid case, `add cx, ...` of the 8088.
 Json sound() { return vectors::load(vectors::committed[0])[0]; }
 
 /// A file with a valid case, then the case that `change` makes of it.

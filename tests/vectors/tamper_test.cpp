@@ -1,5 +1,4 @@
-// Changes cases one bit at a time. Each change must be reported, except in parts that are not
-// compared.
+// Changes cases one bit at a time. Each change must be reported if that part is compared.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +18,6 @@ void each_case(Use use) {
   }
 }
 
-/// The case with one bit of a final register flipped.
 Json flipped(Json c, const std::string& name, unsigned bit) {
   c["final"]["regs"][name] = vectors::final_value(c, name) ^ 1U << bit;
   return c;
@@ -38,7 +36,6 @@ void expect_counts(const Json& cases, std::string_view cpu, std::size_t equal) {
   EXPECT_EQ(run.status, differing > 0 ? 1 : 0);
 }
 
-/// Modified cases for each processor.
 struct Tampered {
   Json i8088 = Json::array();
   Json i386 = Json::array();
