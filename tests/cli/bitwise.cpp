@@ -21,7 +21,6 @@ void assign(std::uint16_t& flags, Flag flag, bool set) {
   flags = static_cast<std::uint16_t>(set ? flags | flag : flags & ~flag);
 }
 
-/// Sets ZF, SF and PF from a result.
 void look_at_result(Answer& answer, int bits) {
   bool zero = true;
   for (int i = 0; i < bits; ++i) zero = zero && !bit(answer.value, i);
@@ -70,7 +69,6 @@ Answer logic(std::uint32_t a, std::uint32_t b, bool exclusive, int bits) {
   return answer;
 }
 
-/// Shifts and rotates one bit at a time.
 Answer shift(std::string_view name, const Operands& o, int bits) {
   Answer answer{.value = o.first, .flags = o.flags};
   const int count = o.count % 32;

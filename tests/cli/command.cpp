@@ -29,7 +29,6 @@ struct Pipe {
   int write;
 };
 
-/// The pipe is close-on-exec.
 Pipe make_pipe() {
   std::array<int, 2> ends{};
   check(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe");

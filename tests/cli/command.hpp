@@ -11,14 +11,12 @@
 
 namespace command {
 
-/// The result of a run.
 struct Run {
   std::string out;
   std::string err;
   int status;  ///< exit status, or minus the number of the signal that ended it
 };
 
-/// The destination of standard output.
 enum class Output { pipe, full_device, reader_gone };
 
 /// A program that runs while the test writes to it and reads from it.
@@ -51,16 +49,13 @@ class Process {
 Run run(std::vector<std::string> arguments, std::string_view input = {},
         Output output = Output::pipe);
 
-/// Runs `fixproof` with arguments separated by spaces.
 Run fixproof(std::string_view arguments, std::string_view input = {}, Output output = Output::pipe);
 
-/// Splits the arguments of `fixproof` into words and puts the program first.
 std::vector<std::string> command(std::string_view arguments);
 
 /// Expects status 2 and one line on stderr that contains `part`.
 void expect_usage_error(const Run& run, std::string_view part);
 
-/// Whether the program is on the PATH.
 bool has(std::string_view program);
 
 /// Assembles with nasm and returns the machine code. Any warning fails the test.

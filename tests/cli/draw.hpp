@@ -1,5 +1,5 @@
 /// @file
-/// Draws operands for tests, half of them near powers of two.
+/// Draws operands for tests, many of them near powers of two.
 #pragma once
 
 #include <cstdint>

@@ -58,7 +58,6 @@ INSTANTIATE_TEST_SUITE_P(
                          std::get<2>(test.param), std::get<3>(test.param));
     });
 
-/// The nearest 16.16 value to a cosine or sine, as a word.
 std::uint32_t nearest(long double value) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lroundl(value * 65536)));
 }

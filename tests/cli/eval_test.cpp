@@ -24,7 +24,6 @@ void expect_from_all(std::string_view arguments, std::string_view line, std::str
   }
 }
 
-/// One case of an operation in its four forms.
 struct Case {
   std::string_view line;
   std::string_view i386_on;

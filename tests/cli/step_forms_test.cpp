@@ -22,7 +22,6 @@ struct InstructionForm {
   const char* operands;
 };
 
-/// The forms in the printed listings for the 8088.
 constexpr auto forms_8088 = std::to_array<InstructionForm>({{"mov", "ww"},
                                                             {"push", "w"},
                                                             {"add", "ww"},

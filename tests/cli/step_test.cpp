@@ -167,7 +167,7 @@ TEST(StepCommand, WordsLeaveTheUpperHalfAlone) {
 TEST(StepCommand, EachRegisterComesBackAsItWasGiven) {
   expect_step_386("mov ax, bx", "eax=00000000 bx=0001 edx=00000007",
                   "eax=00000001 bx=0001 edx=00000007");
-  // Unless its upper half was filled meanwhile.
+  // A register given as ax returns as eax if its upper half is no longer zero.
   expect_step_386("neg eax", "ax=0001", "eax=ffffffff fl=0095");
   expect_step_386("add eax, ebx", "ax=0001 bx=0001", "ax=0002 bx=0001");
 }

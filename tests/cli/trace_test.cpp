@@ -11,7 +11,6 @@
 
 namespace {
 
-/// The lines of a successful trace.
 std::vector<std::string> trace(std::string_view arguments) {
   const auto run = command::fixproof("trace " + std::string(arguments));
   EXPECT_EQ(run.status, 0) << run.err;

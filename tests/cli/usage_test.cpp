@@ -112,8 +112,7 @@ TEST(Usage, OnlyThe8088ConcatIsRepaired) {
 }
 
 TEST(Usage, NumbersAreDecimal) {
-  // Numbers are decimal despite leading zeros. In octal, 010 would be 8, 09 invalid and 064 chapter
-  // 52.
+  // In octal, 010 would be 8, 09 invalid and 064 chapter 52.
   for (const std::string_view number : {"010", "10"}) {
     const auto run =
         command::fixproof("trace mul 00018000 00028000 --mutant " + std::string(number));
