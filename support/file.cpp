@@ -28,7 +28,7 @@ constexpr std::size_t most_read = std::size_t{256} << 20U;
 class File : private boost::noncopyable {
  public:
   File(const std::string& path, int flags)
-      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
       : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC)) {
     if (descriptor_ < 0) fail(flags == O_RDONLY ? "read" : "write", path_, errno);
   }

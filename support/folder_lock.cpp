@@ -13,7 +13,7 @@
 namespace fixproof::support {
 
 FolderLock::FolderLock(const std::string& option, const std::string& folder)
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0) {
     throw UsageError(fmt::format("{} {}: cannot be opened: {}", option, folder,

@@ -51,7 +51,7 @@ PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(
     part_ = target_;
     if (number > 1) part_.append(".").append(std::to_string(number));
     part_.append(".part");
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) break;
     if (errno != EEXIST) fail(path_, errno);
