@@ -47,7 +47,7 @@ TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
 
 #if defined(__linux__) && defined(__x86_64__)
 
-// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): prctl() and execl() have no other form
+// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): prctl() and execl() are variadic
 
 /// Makes the system refuse modify_ldt() to this process, as a container may.
 void refuse_segments() {

@@ -159,7 +159,7 @@ class Lockstep {
   std::uint64_t instructions_ = 0;
 };
 
-/// Operands for a program: every fifth lattice case, and random ones.
+/// Operands for a program: a sample of the lattice where there is one, and random cases.
 std::vector<std::uint32_t> cases_for(const machine_code::ProgramKey& key) {
   const cases::Variant v{.operation = static_cast<cases::Operation>(key.routine)};
   const std::size_t in = cases::words_in(v.operation);
