@@ -21,8 +21,8 @@ struct RunOptions {
   unsigned threads = 0;
   /// If set and true, each thread stops after its current chunk.
   const std::atomic<bool>* stop = nullptr;
-  /// Called every `observe_every` on the thread that called run(). The report has no smallest
-  /// cases.
+  /// Called every `observe_every` on the thread that called run(), which computes the smallest
+  /// cases only at the end.
   std::function<void(const Report&)> observe = nullptr;
   std::chrono::milliseconds observe_every{200};
 };
