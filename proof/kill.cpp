@@ -19,8 +19,8 @@ namespace {
 
 namespace x86 = x86model;
 
-/// The buffers of a batch of one variant. Small, because most mutants are killed at once, and one
-/// that never ends takes its time for each case.
+/// Compares two parties in batches. A batch is small because most mutants fail at once, and a
+/// mutant that never ends takes long for each case.
 class Duel {
  public:
   Duel(const cases::Variant& v, const parties::Party& judged, const parties::Party& reference)
@@ -31,7 +31,7 @@ class Duel {
         out_(most * cases::words_out(v.operation)),
         expected_(out_.size()) {}
 
-  /// How many of these cases pass before one does not; `count` where all do.
+  /// Returns the number of cases before the first difference, or `count` if there is none.
   std::uint64_t passed(const cases::Job& job, std::uint64_t seed, std::uint64_t first,
                        std::uint64_t count) {
     const std::size_t taken = cases::words_in(v_.operation);
@@ -62,7 +62,6 @@ class Duel {
   std::array<parties::Ending, most> ends_{}, ends_wanted_{};
 };
 
-/// What has survived is equivalent where the solver says so.
 template <class Subject>
 void try_to_prove(Judgement& judgement, const Subject& subject, const x86::Program& program,
                   const Solver& solver, int most_seconds) {
@@ -108,7 +107,7 @@ std::optional<std::uint64_t> cases_to_kill(const cases::Variant& v, const partie
                          {cases::Row{v, {std::string(judged.name()), std::string(oracle.name())}}});
   Duel duel(v, judged, oracle);
   std::uint64_t cases = 0;
-  // A few cases of every stream first: most mutants need no more.
+  // Starts with a few cases of every stream: they kill most mutants.
   constexpr std::uint64_t few = 256;
   for (const bool first_ones : {true, false}) {
     for (const cases::Job& job : plan.jobs()) {

@@ -1,5 +1,5 @@
 /// @file
-/// What verification finds of a program with a mistake in it.
+/// Tests whether level 1 detects a mutant.
 #pragma once
 
 #include <cstdint>
@@ -14,40 +14,40 @@
 namespace fixproof::proof {
 
 enum class Fate {
-  killed,      ///< level 1 has a case on which it differs from the oracle, or breaks down
-  equivalent,  ///< proven to do what the routine does, for all operands
-  gap,         ///< level 1 does not notice, and it is not proven harmless
+  killed,      ///< it differs from the oracle on a case of level 1, or breaks down
+  equivalent,  ///< proven equivalent to the routine for all operands
+  gap,         ///< level 1 does not detect it, and no proof shows that it is harmless
 };
 
 struct Judgement {
   Fate fate = Fate::gap;
-  std::uint64_t cases = 0;  ///< of level 1 that were run until it was killed
+  std::uint64_t cases = 0;  ///< cases of level 1 run, including the one that killed it
   double seconds = 0;
-  Proof proof;          ///< of what level 1 did not kill
-  std::string failure;  ///< why there is no proof, where the solver failed
+  Proof proof;          ///< the attempt for a mutant that level 1 did not kill
+  std::string failure;  ///< why the solver failed; empty if it did not
 };
 
-/// The mutants of a variant's routine. Those of the FixedMul that an 8088 transform brings along
-/// are left to FixedMul.
+/// Returns the mutants of a variant's routine. The FixedMul inside an 8088 transform is excluded
+/// because it is mutated on its own.
 std::vector<x86model::Mutant> mutants_of(const cases::Variant& variant);
 
-/// Mutant `number`, from 1. @throws UsageError where there are fewer
+/// Returns mutant `number`, from 1. @throws UsageError if there is no such mutant
 x86model::Mutant mutant_of(const cases::Variant& variant, std::size_t number);
 
-/// Runs the cases of level 1 until one shows that `judged` is not what the oracle says:
-/// `oracle` for CosSin, else its faster form `fast`. @return how
-/// many were run, that one included; nothing where none does
+/// Runs the cases of level 1 until `judged` differs from the oracle: from `oracle` for CosSin,
+/// otherwise from its faster form `fast`.
+/// @return the number of cases run, including the one that differs; nothing if none does
 std::optional<std::uint64_t> cases_to_kill(const cases::Variant& variant,
                                            const parties::Party& judged, std::uint64_t seed);
 
-/// Runs the cases of level 1 until one kills the program; what survives is put to the solver. A
-/// solver that fails leaves a gap, and says why.
-/// @param most_seconds that one question to the solver may take
+/// Runs the cases of level 1 until one kills the program. The solver judges a program that
+/// survives. If the solver fails, the result is a gap and `failure` holds the reason.
+/// @param most_seconds time limit per question to the solver
 /// @throws Stopped
 Judgement judge(const cases::Variant& variant, const x86model::Program& program, std::uint64_t seed,
                 const Solver& solver, int most_seconds);
 
-/// The same for an inner loop, by the spans of spans_to_kill().
+/// The same for an inner loop, with the spans of spans_to_kill().
 Judgement judge(const x86model::LoopForm& form, const x86model::Program& program,
                 std::uint64_t seed, const Solver& solver, int most_seconds);
 

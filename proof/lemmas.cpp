@@ -42,8 +42,8 @@ constexpr std::array all{
 (check-sat)
 )"},
     Lemma{"one-quotient", "there are no two quotients with remainders below the divisor",
-          // The products q d and p d are named m and n; all that is asked of them is that they are
-          // a divisor apart at least where q and p differ.
+          // m and n stand for the products q d and p d. The only assumption about them is that they
+          // are at least a divisor apart if q and p differ.
           R"((set-logic QF_LIA)
 (declare-const q Int) (declare-const r Int) (declare-const p Int) (declare-const s Int)
 (declare-const d Int) (declare-const m Int) (declare-const n Int)
@@ -66,8 +66,8 @@ constexpr std::array all{
 )"},
     Lemma{"two-digit-division",
           "the second of two divides gives the lower digit of the quotient of both, which fits",
-          // The products of b with the first quotient q, the second one p, and with 65536 q + p are
-          // named m, n and k, tied by distributivity.
+          // m, n and k stand for the products of b with the first quotient q, the second quotient
+          // p, and 65536 q + p. Distributivity relates them.
           R"((set-logic QF_LIA)
 (declare-const h Int) (declare-const l Int) (declare-const b Int)
 (declare-const q Int) (declare-const r Int) (declare-const p Int) (declare-const s Int)

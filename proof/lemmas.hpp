@@ -1,5 +1,5 @@
 /// @file
-/// What the abstractions of a proof rest on, each a statement about integers.
+/// The lemmas about integers that justify the abstractions of a proof.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@ namespace fixproof::proof {
 struct Lemma {
   const char* name;
   const char* meaning;
-  const char* smt;  ///< a whole script that is unsatisfiable exactly where the lemma holds
+  const char* smt;  ///< a complete script that is unsatisfiable if and only if the lemma holds
 };
 
 std::span<const Lemma> lemmas();

@@ -23,28 +23,28 @@ std::vector<sym::Term> results_of(sym::Terms& terms, const sym::State& start,
   return sym::results(terms, Routine::concat, paths[0].state);
 }
 
-/// The sum of the products of row `row` of the first transform and the fourth column of the second.
-/// The listing gives FixedMul the second factor first.
+/// The dot product of row `row` of the first transform with the fourth column of the second. The
+/// listing passes the second factor to FixedMul first.
 std::string sum_of_products(int row) {
   std::string text = "(bvadd";
   for (int k = 0; k < 3; ++k) text += fmt::format(" (fixedmul q{} p{})", 4 * k + 3, 4 * row + k);
   return text + ")";
 }
 
-/// Adds fractions to fractions and whole parts to whole parts.
+/// Adds the fractions and the whole parts separately, without a carry between them.
 constexpr const char* in_parts =
     R"((define-fun in-parts ((s (_ BitVec 32)) (t (_ BitVec 32))) (_ BitVec 32)
   (concat (bvadd ((_ extract 31 16) s) ((_ extract 31 16) t))
           (bvadd ((_ extract 15 0) s) ((_ extract 15 0) t))))
 )";
 
-/// {0} the sum, {1} the translation, {2} the printed result, {3} the repaired one.
+/// {0} is the sum, {1} the translation, {2} the printed result and {3} the repaired result.
 constexpr const char* fourth_column =
     R"((define-fun sum () (_ BitVec 32) {0})
 (assert (not (and (= {2} (in-parts sum {1})) (= {3} (bvadd sum {1})))))
 )";
 
-/// Of any two words.
+/// For any two words, not only those of a transform.
 constexpr const char* difference = R"((declare-const s (_ BitVec 32))
 (declare-const t (_ BitVec 32))
 (define-fun low-words () (_ BitVec 17)

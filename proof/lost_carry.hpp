@@ -1,5 +1,5 @@
 /// @file
-/// Where the printed 8088 ConcatXforms differs from the repaired one: see docs/findings.md, 18.
+/// Proves where the printed 8088 ConcatXforms differs from the repaired one: docs/findings.md, 18.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@
 
 namespace fixproof::proof {
 
-/// SMT-LIB scripts. All of them are unsatisfiable if and only if this holds for every operand: the
-/// two programs differ in the fourth column alone; there a row differs exactly where the low word
-/// of the sum of products and the low word of the translation carry; and the printed result is then
-/// 1.0 lower modulo 2^32. One script for each row says that the printed program adds the two in
-/// parts and the repaired one as a whole. One script says that the other columns are the same. The
-/// last says of any two words where the two sums differ, and by how much. Products are values of an
-/// open function, as in questions().
-/// @throws std::logic_error for a program that does not return on its only path
+/// Returns SMT-LIB scripts. All of them are unsatisfiable if and only if three statements hold for
+/// every operand: the two programs differ only in the fourth column; a row differs there if and
+/// only if adding the low words of the dot product and of the translation produces a carry; and the
+/// printed result is then 1.0 lower modulo 2^32.
+/// One script per row states that the printed program adds the two in parts and the repaired one as
+/// a whole. One script states that the other columns are equal. The last states for any two words
+/// when and by how much the two sums differ. Products are values of an uninterpreted function, as
+/// in questions().
+/// @throws std::logic_error if a program has several paths or does not return
 std::vector<std::string> lost_carry_questions(const x86model::Program& printed,
                                               const x86model::Program& repaired);
 

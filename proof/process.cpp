@@ -27,7 +27,7 @@ namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// A file without a name: nothing is left if this program is killed.
+/// A file without a name, so that nothing is left if this program is killed.
 File temporary_file() {
   File file(std::tmpfile(), std::fclose);
   if (!file) {
@@ -57,9 +57,8 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// Starts a program in `group`, so that Ctrl-C reaches this program only and terminating the group
-/// ends everything that the program started.
-/// @throws std::system_error if it cannot be started
+/// Starts a program in `group`: Ctrl-C does not reach it, and terminating the group ends all its
+/// children too. @throws std::system_error if it cannot be started
 bp::child start(const std::vector<std::string>& arguments, bp::group& group, std::FILE* in,
                 std::FILE* out, std::FILE* err) {
   const auto program = bp::search_path(arguments.front());

@@ -11,7 +11,6 @@ namespace fixproof::proof {
 
 namespace {
 
-/// Asks one question after the other until one is not answered as it should be.
 SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver,
                      int most_seconds, double& seconds) {
   SolverAnswer answer{.verdict = Verdict::unsatisfiable};
@@ -23,7 +22,7 @@ SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solv
   return answer;
 }
 
-/// Where nothing that matters is abstract: a counterexample is one.
+/// Proves questions without abstract arithmetic, where every counterexample is real.
 Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, int most_seconds) {
   Proof proof;
   proof.questions = scripts.size();

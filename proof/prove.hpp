@@ -1,5 +1,5 @@
 /// @file
-/// A routine proven, or a case on which it fails.
+/// Proves a routine or finds a counterexample.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +16,33 @@ namespace fixproof::proof {
 
 enum class Standing {
   proven,     ///< for all operands
-  disproven,  ///< by a counterexample that has been run
-  open,       ///< the solver came to no end in its time, or to a case that shows nothing when run
+  disproven,  ///< the program fails when run on the counterexample
+  open,       ///< the solver timed out, or its counterexample does not fail when run
 };
 
 struct Proof {
   Standing standing = Standing::open;
-  std::size_t questions = 0;  ///< that there are for the solver
+  std::size_t questions = 0;  ///< the number of questions for the solver
   double seconds = 0;
-  std::vector<std::uint32_t> counterexample;  ///< operands; only where disproven
-  parties::Answer given;                      ///< what the program answers to them
-  parties::Answer wanted;                     ///< what the oracle does
+  std::vector<std::uint32_t> counterexample;  ///< operands; empty unless disproven
+  parties::Answer given;                      ///< the program's answer to the counterexample
+  parties::Answer wanted;                     ///< the oracle's answer to it
 };
 
-/// Proves one turn of an inner loop, `program` in its place: see step_questions(). Nothing in it is
-/// abstract but memory: a turn that is disproven goes wrong with some registers, which are not
-/// kept. Each question may take `most_seconds`. @throws what Solver::ask does
+/// Proves that `program` does one turn of an inner loop: see step_questions(). Only memory is
+/// abstract, so a disproven turn fails for some registers, which are not recorded. `most_seconds`
+/// limits each question. @throws as Solver::ask()
 Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
             int most_seconds);
 
-/// Proves where the printed 8088 ConcatXforms, with rounding or without, differs from the repaired
-/// one: see lost_carry_questions(). Each question may take `most_seconds`. @throws what Solver::ask
-/// does
+/// See lost_carry_questions(). `most_seconds` limits each question. @throws as Solver::ask()
 Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds);
 
-/// The questions of that proof.
 std::vector<std::string> lost_carry_questions(bool mul_round);
 
-/// Proves `program` in the place of the routine of `variant`: with products and quotients abstract,
-/// and, where that gives a counterexample that is none, with products and quotients as they are.
-/// Each question may take `most_seconds`. @throws what Solver::ask does
+/// Proves that `program` does what the routine of `variant` should. Products and quotients are
+/// abstract at first, and exact in a second attempt after a spurious counterexample. `most_seconds`
+/// limits each question. @throws as Solver::ask()
 Proof prove(const cases::Variant& variant, const x86model::Program& program, const Solver& solver,
             int most_seconds);
 

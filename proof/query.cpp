@@ -26,9 +26,9 @@ bool calls_fixed_mul(const cases::Variant& v) {
          (v.operation == cases::Operation::xformvec || v.operation == cases::Operation::concat);
 }
 
-/// All that a proof has to know of the unsigned divides that do not fault: the remainder is below
-/// the divisor, the quotient not above the dividend, and that of a magnitude times 2^16 is not 2^32
-/// - 1 (lemmas quotient-below-dividend and not-all-ones).
+/// The facts that a proof needs about unsigned divides without a fault: the remainder is below the
+/// divisor, the quotient is at most the dividend, and the quotient of a magnitude times 2^16 is not
+/// 2^32 - 1 (lemmas quotient-below-dividend and not-all-ones).
 std::string facts_of_divides(const sym::Terms& terms, std::span<const sym::Term> roots) {
   std::string text;
   for (const sym::Term term : sym::reached_from(terms, roots)) {
@@ -56,7 +56,7 @@ std::string facts_of_divides(const sym::Terms& terms, std::span<const sym::Term>
   return text;
 }
 
-/// Declares the variables, the operands among them whether the path depends on them or not.
+/// Declares the variables, including operands on which the path does not depend.
 std::string declare(sym::Terms& terms, std::vector<sym::Term> roots, x86::Routine routine) {
   for (int i = 0; i < x86::arity(routine).in; ++i) {
     roots.push_back(
@@ -65,8 +65,8 @@ std::string declare(sym::Terms& terms, std::vector<sym::Term> roots, x86::Routin
   return sym::declare_variables(terms, roots);
 }
 
-/// That the path's products are those of the specification, in their order; empty where that cannot
-/// be, or there is nothing to say.
+/// States that the path's products equal those of the specification, in order. Empty if their
+/// numbers differ or there are none.
 std::string same_products(const sym::Terms& terms, std::span<const sym::Term> roots,
                           const Specification& wanted) {
   std::string text;
@@ -82,7 +82,7 @@ std::string same_products(const sym::Terms& terms, std::span<const sym::Term> ro
   return fmt::format("(and{})", text);
 }
 
-/// The instructions of a routine as text, for comparison wherever it stands.
+/// The instructions of a procedure as text, which does not depend on its position.
 std::vector<std::string> body(std::span<const x86::Instruction> code, std::string_view procedure) {
   const auto is_there = [&](const x86::Instruction& i) {
     return i.is_procedure && procedure == i.label;

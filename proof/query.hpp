@@ -1,5 +1,5 @@
 /// @file
-/// What a solver is asked of one routine.
+/// The questions to a solver about one routine.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,26 @@
 
 namespace fixproof::proof {
 
-/// SMT-LIB scripts. Where all of them are unsatisfiable, `code` does what the specification of
-/// `variant` says for every operand: the same words, #DE exactly where it says, no undefined flag
-/// read, no memory but its own touched, and what it must keep kept. For each path there is one that
-/// says so, before it perhaps one that says that its products are the specification's, which the
-/// next takes for granted; the last says that there are no operands but those of the paths. Under
-/// abstract arithmetic a script may be satisfiable though `code` is right.
-/// @param code the whole program; any, a broken one too
-/// @throws std::logic_error where the 8088 transforms do not bring the FixedMul along that is
-/// proven by itself
+/// Returns SMT-LIB scripts. If all of them are unsatisfiable, `code` meets the specification of
+/// `variant` for every operand: it returns the same words, raises #DE exactly where specified,
+/// reads no undefined flag, touches only its own memory and preserves the registers that it must.
+/// One script per path states this. Another may precede it, which states that the path's products
+/// equal those of the specification; the script of the path then assumes so. The last script states
+/// that the paths cover all operands. Under abstract arithmetic a script may be satisfiable
+/// although `code` is correct.
+/// @param code the whole program, which may be broken
+/// @throws std::logic_error if an 8088 transform includes a different FixedMul from the one that is
+/// proven separately
 std::vector<std::string> questions(const cases::Variant& variant,
                                    std::span<const x86model::Instruction> code,
                                    Arithmetic arithmetic = Arithmetic::abstract);
 
-/// Whether `code` computes, path for path, the very terms that the routine of `variant` does: then
-/// the two are equivalent, and no solver need be asked.
+/// Returns whether every path computes the same terms as in the routine of `variant`. If so, the
+/// two are equivalent without asking a solver.
 bool has_same_terms(const cases::Variant& variant, std::span<const x86model::Instruction> code);
 
-/// The operands in the model that a solver gives for such a script. One that it does not name may
-/// be any: it is 0.
+/// Returns the operands in a solver's model for one of these scripts. An operand that the model
+/// omits may have any value and becomes 0.
 std::vector<std::uint32_t> operands_in(const cases::Variant& variant, const std::string& answer);
 
 }  // namespace fixproof::proof

@@ -17,19 +17,18 @@ namespace {
 
 using std::chrono::seconds;
 
-/// To say what it is takes no solver longer.
+/// Time limit for `--version`.
 constexpr seconds patience_for_a_name{10};
-/// A solver keeps to its time by itself; one that does not is ended so much later.
+/// A solver enforces its time limit itself. If it does not, it is killed this much later.
 constexpr seconds grace{2};
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// What it has to say, be it an answer or a complaint.
+/// The first line of its output, or of its error output.
 std::string remark(const Output& output) {
   return first_line(output.out.empty() ? output.err : output.out);
 }
 
-/// The command that answers a script on standard input, with the model of what is satisfiable.
 std::vector<std::string> command_of(const std::string& solver, int most_seconds) {
   if (solver == "z3") {
     return {solver, "-smt2", "-in", "dump_models=true", fmt::format("-T:{}", most_seconds)};
@@ -69,7 +68,6 @@ SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
   if (!output.in_time) return answer;
   const std::string said = remark(output);
   if (said == "unknown" || said.find("timeout") != std::string::npos) return answer;
-  // An answer counts only from a solver that has nothing to complain of.
   if (output.status != 0) {
     throw std::runtime_error(fmt::format("{} fails with status {}: {}", name_, output.status,
                                          fixproof::support::quoted(said)));

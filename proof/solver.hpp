@@ -1,5 +1,5 @@
 /// @file
-/// An SMT solver, run as a program of its own.
+/// Runs an SMT solver as a separate process.
 #pragma once
 
 #include <string>
@@ -10,24 +10,24 @@ enum class Verdict { unsatisfiable, satisfiable, unknown };
 
 struct SolverAnswer {
   Verdict verdict = Verdict::unknown;
-  std::string text{};  ///< all it said: where satisfiable, the model too
+  std::string text{};  ///< its whole output, including the model if satisfiable
   double seconds = 0;
 };
 
-/// A solver that reads SMT-LIB from standard input.
 class Solver {
  public:
   /// @param name z3 or cvc5
-  /// @throws UsageError for another name, and where no such program is on the PATH or it cannot say
-  /// its version; Stopped
+  /// @throws UsageError for another name, or if the program is not on the PATH or cannot print its
+  /// version; Stopped
   explicit Solver(const std::string& name);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   /// The first line of `--version`.
   [[nodiscard]] const std::string& version() const { return version_; }
 
-  /// Asks for at most so many seconds. @throws std::runtime_error where it cannot be run, complains
-  /// of the script, or ends with a status other than 0; Stopped
+  /// Asks with a time limit of `most_seconds`.
+  /// @throws std::runtime_error if the solver cannot run, reports an error or exits with a status
+  /// other than 0; Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int most_seconds) const;
 
  private:

@@ -18,22 +18,22 @@ using x86::Register;
 using x86::Size;
 
 constexpr std::size_t segment_bytes = 0x10000;
-/// Where STOS writes: behind all that has a name, but for the texture, which is everywhere.
+/// STOS writes here, beyond all named memory. The texture covers the whole segment.
 constexpr std::uint32_t row_address = 0x2800;
 
 using Segment = std::vector<std::uint8_t>;
 
-/// The byte of a stepped word that is drawn, or looked up.
+/// The whole part of a stepped word: the pixel to draw or the coordinate of a texel.
 std::uint8_t whole_part(std::uint32_t word) { return static_cast<std::uint8_t>(word >> 8U); }
 
-/// Memory after a span, written from what the source says of the loop.
+/// Computes the expected memory after a span from the source's description of the loop.
 class Drawing {
  public:
   Drawing(const LoopForm& form, const LoopCall& call, const Segment& data, Segment& extra,
           std::uint32_t ebx)
       : form_(form), call_(call), data_(data), extra_(extra), ebx_(ebx) {}
 
-  /// @param screen data segment to write pixels and depths of a depth test to
+  /// @param screen data segment for the pixels and depths of a depth test
   void draw(Segment& screen) {
     for (std::uint32_t i = 0; i < call_.pixels; ++i) {
       const std::uint32_t value = call_.value + i * call_.step;
@@ -49,7 +49,7 @@ class Drawing {
     }
   }
 
-  /// Puts the very depth of every seventh pixel into the buffer: such a pixel is not greater.
+  /// Stores the exact depth of every seventh pixel in the buffer. Such a pixel must not be drawn.
   void prepare_ties(Segment& screen) {
     if (form_.loop != Loop::depth_test) return;
     std::uint32_t ebx = ebx_;
@@ -64,7 +64,7 @@ class Drawing {
   static constexpr std::size_t pixels = 0x100;
   static constexpr std::size_t depths = 0x500;
 
-  /// As printed, the three lower bytes of the depth above what was the top byte of EBX.
+  /// As printed, the depth's three lower bytes move above the former top byte of EBX.
   [[nodiscard]] std::uint32_t shifted(std::uint32_t depth, std::uint32_t ebx) const {
     return form_.as_printed ? depth << 8U | ebx >> 24U : depth >> 8U;
   }
@@ -91,7 +91,7 @@ class Drawing {
   std::uint32_t ebx_;
 };
 
-/// Lower 16 bits where the target steps 16.
+/// Only the lower 16 bits change if the target steps words.
 std::uint32_t stepped(const LoopForm& form, std::uint32_t value, std::uint32_t step,
                       std::uint32_t pixels) {
   const std::uint32_t sum = value + pixels * step;
@@ -110,7 +110,6 @@ bool registers_right(const LoopForm& form, const LoopCall& c, const x86::Registe
          left.read(Register::sp, Size::word) == 0x60;
 }
 
-/// The two segments of a trial, and the noise they begin with.
 struct Trial {
   Segment noise = Segment(segment_bytes);
   Segment data, extra, data_wanted, extra_wanted;
@@ -151,7 +150,7 @@ std::vector<LoopCall> span_cases(const LoopForm& form, std::uint64_t seed) {
   for (std::uint32_t pixels = fewest; pixels <= x86::loops::max_pixels; pixels += turn) {
     cases::Draw draw(seed, pixels + 1);
     const auto word = [&] { return static_cast<std::uint32_t>(draw.bits()); };
-    // Steps as large as they come, and such as pictures have.
+    // Mixes arbitrary steps with the small steps of real pictures.
     const auto step = [&] { return pixels % 3 == 0 ? word() : word() % 1024 - 512; };
     LoopCall call{.pixels = pixels,
                   .value = word(),

@@ -1,5 +1,5 @@
 /// @file
-/// Spans to judge an inner loop by: what notices a mistake in it.
+/// Generates spans for an inner loop and tests a program on them.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,15 @@
 
 namespace fixproof::proof {
 
-/// The spans, for `seed`: every length from 1 to loops::max_pixels (of words the even ones, and of
-/// unrolled loops 0 too), with words, places and colours that differ from span to span.
+/// Returns the spans for `seed`: one for every length from 1 to loops::max_pixels (only even
+/// lengths for words, and also 0 for unrolled loops). Words, places and colours vary from span to
+/// span.
 std::vector<x86model::LoopCall> span_cases(const x86model::LoopForm& form, std::uint64_t seed);
 
-/// Runs `program` in the place of the loop over the spans, in memory full of noise, until one shows
-/// that it does not do what the source says: pixels, depths and all other memory, the registers
-/// that a caller goes on with (the place, the stepped words, EBP, SP), no undefined flag.
-/// @return how many spans were run, that one included; nothing where none shows it
+/// Runs `program` over the spans in memory full of noise until it differs from the source's
+/// description of the loop: in pixels, depths or any other memory, in the registers that a caller
+/// uses next (the place, the stepped words, EBP, SP), or by reading an undefined flag.
+/// @return the number of spans run, including the one that differs; nothing if none does
 std::optional<std::uint64_t> spans_to_kill(const x86model::LoopForm& form,
                                            const x86model::Program& program, std::uint64_t seed);
 

@@ -10,7 +10,6 @@ namespace fixproof::proof {
 
 namespace {
 
-/// Magnitudes and signs.
 constexpr const char* signs = R"((define-fun magnitude ((x (_ BitVec 32))) (_ BitVec 32)
   (ite (bvslt x (_ bv0 32)) (bvneg x) x))
 (define-fun opposite ((x (_ BitVec 32)) (y (_ BitVec 32))) Bool
@@ -21,7 +20,7 @@ constexpr const char* signs = R"((define-fun magnitude ((x (_ BitVec 32))) (_ Bi
 (define-fun low ((x (_ BitVec 32))) (_ BitVec 16) ((_ extract 15 0) x))
 )";
 
-/// The product in units of 2^-32: exact, from one signed multiply (386) or from the words of the
+/// The exact product in units of 2^-32, from one signed multiply (386) or from the words of the
 /// magnitudes (8088, lemma product-of-words).
 constexpr const char* product_i386 =
     R"((define-fun exact ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 64)
@@ -37,7 +36,7 @@ constexpr const char* product_i8088 = R"((define-fun wide ((x (_ BitVec 32))) (_
            (wide (umul16 (low m) (low n))))))
 )";
 
-/// Half a unit is 2^15 units of 2^-32; a unit is 2^16.
+/// In units of 2^-32, half a result unit is 2^15 and a result unit is 2^16.
 std::string multiply(const cases::Variant& v) {
   const char* half = v.build.mul_round ? "(_ bv32768 64)" : "(_ bv0 64)";
   if (v.build.target == cases::Target::i386) {
@@ -52,8 +51,8 @@ std::string multiply(const cases::Variant& v) {
                      product_i8088, half);
 }
 
-/// The truncated quotient q and the remainder r of the magnitudes; one more where twice the
-/// remainder is not below the divisor d; the sign.
+/// Divides the magnitudes to a truncated quotient and a remainder. Adds one to the quotient if
+/// twice the remainder is at least the divisor, then applies the sign.
 constexpr const char* divide_i386_rounded =
     R"((define-fun dividend () (_ BitVec 64) (concat (_ bv0 16) (magnitude a) (_ bv0 16)))
 (define-fun divisor () (_ BitVec 32) (magnitude b))
@@ -69,7 +68,7 @@ constexpr const char* divide_i386_unrounded =
 (define-fun quotient () (_ BitVec 32) (sdiv32 dividend b))
 (define-fun faults () Bool (sfault32 dividend b))
 )";
-/// By the whole part d of the divisor's magnitude, digit after digit (lemma two-digit-division).
+/// Divides by the whole part of the divisor's magnitude, digit by digit (lemma two-digit-division).
 constexpr const char* divide_i8088 =
     R"((define-fun divisor () (_ BitVec 16) (high (magnitude b)))
 (define-fun first () (_ BitVec 32) (concat (_ bv0 16) (high (magnitude a))))
@@ -90,8 +89,8 @@ std::string divide(const cases::Variant& v) {
   return v.build.div_round ? divide_i386_rounded : divide_i386_unrounded;
 }
 
-/// The angle less whole turns (lemma whole-turns), then by quadrants. entry(i) is the cosine of i
-/// tenths of a degree, 0 <= i <= 900.
+/// Reduces the angle by whole turns (lemma whole-turns), then by quadrants. entry(i) is the cosine
+/// of i tenths of a degree, 0 <= i <= 900.
 static_assert(x86model::cosine_table[900] == 0, "asserted below: cos(90 degrees) is 0");
 constexpr const char* cosine_and_sine =
     R"((define-fun entry ((i (_ BitVec 16))) (_ BitVec 32)
@@ -114,7 +113,7 @@ constexpr const char* cosine_and_sine =
     (bvneg (entry (bvsub turned (_ bv2700 16))))))))
 )";
 
-/// As exact (8088) multiplies.
+/// The digit products of product_i8088, in the order of the listing.
 std::vector<std::string> digit_products(const cases::Variant& v) {
   if (v.build.target != cases::Target::i8088) return {};
   std::vector<std::string> products;
@@ -125,8 +124,8 @@ std::vector<std::string> digit_products(const cases::Variant& v) {
   return products;
 }
 
-/// A sum of three products and of what is added to it. The 8088 calls FixedMul with the second
-/// factor first (lemma order-of-factors).
+/// The sum of three products and an addend. The 8088 passes the second factor to FixedMul first
+/// (lemma order-of-factors).
 std::string sum(const cases::Variant& v,
                 const std::vector<std::pair<std::string, std::string>>& products,
                 const std::string& translation) {
@@ -138,7 +137,7 @@ std::string sum(const cases::Variant& v,
   return text + (translation.empty() ? ")" : " " + translation + ")");
 }
 
-/// Adds fractions to fractions and whole parts to whole parts.
+/// Adds the fractions and the whole parts separately, without a carry between them.
 constexpr const char* sum_in_parts =
     R"((define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
   (concat (bvadd (high x) (high y)) (bvadd (low x) (low y))))
@@ -175,7 +174,7 @@ std::vector<std::string> transform_product(const cases::Variant& v) {
   return words;
 }
 
-/// Products and quotients of {0}-bit words, {1} bits wide; {2} and {3} are one less.
+/// Multiplies and divides {0}-bit words; results of {1} bits. {2} and {3} are {0} - 1 and {1} - 1.
 constexpr const char* abstract =
     R"((declare-fun umul{0} ((_ BitVec {0}) (_ BitVec {0})) (_ BitVec {1}))
 (declare-fun udiv{0} ((_ BitVec {1}) (_ BitVec {0})) (_ BitVec {0}))

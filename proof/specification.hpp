@@ -1,6 +1,6 @@
 /// @file
-/// What each routine is to return, in SMT-LIB: written from the statements of docs/semantics.md,
-/// not from any program.
+/// The specification of each routine in SMT-LIB, written from docs/semantics.md and not from any
+/// program.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace fixproof::proof {
 
-/// What a solver is told of products and quotients: nothing, or what they are. Told nothing, it
-/// proves in seconds what holds whatever they are; a counterexample may then owe to it.
+/// Whether products and quotients are uninterpreted or exactly defined. Uninterpreted, a solver
+/// proves in seconds what holds for any arithmetic, but a counterexample may be spurious.
 enum class Arithmetic { abstract, exact };
 
-/// Declarations of what stays abstract, and definitions of what follows from it:
-///   umulN   the product of two unsigned N-bit words; smulN of two signed ones, from umulN
+/// Returns declarations of the abstract functions and definitions based on them:
+///   umulN   the product of two unsigned N-bit words; smulN for signed words, from umulN
 ///   udivN, uremN, sdivN, sremN   quotient and remainder of a dividend of 2N bits
 ///   sfaultN   whether a signed quotient does not exist or does not fit
 ///   fixedmul  the product of two 16.16 words, as FixedMul returns it
 ///   cosword   a word of the cosine table, by its offset in bytes
 std::string abstractions(Arithmetic arithmetic);
 
-/// The answer of a variant for the operands that x86model/symbolic/call.hpp names.
+/// The answer for the operands that x86model/symbolic/call.hpp names.
 struct Specification {
   std::string definitions;
-  std::string faults;              ///< of #DE, a truth value
+  std::string faults;              ///< a Boolean: whether #DE occurs
   std::vector<std::string> words;  ///< 32 bits each
-  /// Where a routine multiplies digit by digit: the products, in the order of the listing. Shown to
-  /// be its own first, they make the rest easy.
+  /// The digit products of a routine that multiplies digit by digit, in the order of the listing.
+  /// Proving them equal first simplifies the rest of the proof.
   std::vector<std::string> products{};
 };
 
-/// The specification of one of the routines under FIXED.ASM's rules, at full width.
+/// Returns the specification of a routine under the rules of FIXED.ASM, at full width.
 Specification specification(const cases::Variant& variant);
 
 }  // namespace fixproof::proof

@@ -21,7 +21,7 @@ using x86::LoopForm;
 using x86::Register;
 using x86::Size;
 
-/// The registers that a loop may change or has to keep, all but ESP.
+/// All registers except ESP. A loop may change or must preserve them.
 constexpr std::array<std::pair<Register, const char*>, 7> open_registers{{{Register::ax, "eax"},
                                                                           {Register::bx, "ebx"},
                                                                           {Register::cx, "ecx"},
@@ -30,7 +30,6 @@ constexpr std::array<std::pair<Register, const char*>, 7> open_registers{{{Regis
                                                                           {Register::di, "edi"},
                                                                           {Register::bp, "ebp"}}};
 
-/// A store as the specification has it.
 struct WantedStore {
   bool extra;
   std::string address;
@@ -38,8 +37,8 @@ struct WantedStore {
   int width;
 };
 
-/// One turn: the registers after it, in the order of open_registers, what is stored where it is
-/// drawn, and whether there is another turn.
+/// One turn: the registers after it in the order of open_registers, the stores and the condition
+/// for them, and the condition for another turn.
 struct Turn {
   std::array<std::string, open_registers.size()> after;
   std::string drawn = "true";
@@ -54,7 +53,6 @@ std::string sum(const std::string& a, const std::string& b) {
   return fmt::format("(bvadd {} {})", a, b);
 }
 std::string low(const std::string& word) { return bits(word, 15, 0); }
-/// A 16-bit word in the lower half of a register.
 std::string with_low(const std::string& word, const std::string& half) {
   return fmt::format("(concat {} {})", bits(word, 31, 16), half);
 }
@@ -67,10 +65,10 @@ std::string widened(const std::string& word) {
 std::string minus_one(const std::string& word, int width) {
   return fmt::format("(bvsub {} (_ bv1 {}))", word, width);
 }
-/// The second byte: DH of EDX.
+/// The second byte of a register, such as DH of EDX.
 std::string second_byte(const std::string& word) { return bits(word, 15, 8); }
 
-/// A value stepped: by 32 bits on a 386, by 16 on an 8088.
+/// Adds the step to a value: 32 bits on a 386, 16 on an 8088.
 std::string stepped(const LoopForm& form, const std::string& value, const std::string& step) {
   return form.target == x86::Target::i386 ? sum(value, step) : low_sum(value, low(step));
 }
@@ -90,7 +88,8 @@ std::string al_set(const std::string& pixel) {
   return fmt::format("(concat {} {})", bits("eax", 31, 8), pixel);
 }
 
-/// What EBX is after the shift; without what is printed, but for its top byte.
+/// EBX after the shift. The repaired shift leaves the depth's upper 24 bits; the top byte is
+/// don't-care.
 std::string shifted_depth(bool as_printed) {
   return as_printed ? fmt::format("(concat {} {})", bits("edx", 23, 0), bits("ebx", 31, 24))
                     : fmt::format("(concat (_ bv0 8) {})", bits("edx", 31, 8));
@@ -144,7 +143,7 @@ Turn turn_of(const LoopForm& form) {
   return turn;
 }
 
-/// A machine with open registers, its stack the return address alone.
+/// A machine with free registers and only the return address on its stack.
 sym::State open_state(sym::Terms& terms) {
   sym::State state{};
   for (const auto& [r, name] : open_registers) {
@@ -156,7 +155,6 @@ sym::State open_state(sym::Terms& terms) {
   return state;
 }
 
-/// The turn of a program: where it begins and where it ends.
 sym::RunOptions one_turn(const LoopForm& form, const x86::Program& program) {
   sym::RunOptions options{.memory_is_open = true};
   if (form.counting == Counting::unrolled) {
@@ -177,7 +175,7 @@ std::string equality(const sym::Terms& terms, sym::Term term, const std::string&
   return fmt::format(" (= {} {})", sym::name_in_smt(terms, term), wanted);
 }
 
-/// That a path has stored what it should, its terms being added to `roots`.
+/// States that a path stores the specified values. Adds its terms to `roots`.
 std::string stores_right(const sym::Terms& terms, const sym::State& state, const Turn& turn,
                          std::vector<sym::Term>& roots) {
   if (state.stores.empty()) return fmt::format(" (not {})", turn.drawn);
@@ -186,7 +184,7 @@ std::string stores_right(const sym::Terms& terms, const sym::State& state, const
   for (std::size_t i = 0; i < turn.stores.size(); ++i) {
     const sym::Store& store = state.stores[i];
     const WantedStore& wanted = turn.stores[i];
-    // Another width would be no question but a complaint of the solver's.
+    // The solver would reject a comparison of different widths.
     if (store.extra != wanted.extra || terms.width(store.value) != wanted.width) return " false";
     roots.insert(roots.end(), {store.address, store.value});
     text += equality(terms, store.address, wanted.address);
@@ -195,7 +193,7 @@ std::string stores_right(const sym::Terms& terms, const sym::State& state, const
   return text;
 }
 
-/// What a path must leave to be right, its terms being added to `roots`.
+/// States that a path ends as specified. Adds its terms to `roots`.
 std::string path_right(const LoopForm& form, sym::Terms& terms, const sym::Path& path,
                        const Turn& turn, std::vector<sym::Term>& roots) {
   const bool goes_on = path.outcome == x86::Outcome::proceeds;
@@ -206,14 +204,14 @@ std::string path_right(const LoopForm& form, sym::Terms& terms, const sym::Path&
     roots.push_back(value);
     const bool is_ebx = open_registers.at(i).first == Register::bx;
     if (is_ebx && form.loop == Loop::depth_test && !form.as_printed) {
-      // The top byte is what is left of an earlier depth; nobody looks at it.
+      // The top byte is left over from an earlier depth, and nothing reads it.
       right += fmt::format(" (= {} {})", bits(sym::name_in_smt(terms, value), 23, 0),
                            bits("edx", 31, 8));
     } else {
       right += equality(terms, value, turn.after.at(i));
     }
   }
-  // RET takes the return address.
+  // RET pops the return address.
   const sym::Term sp = path.state.read(terms, Register::sp, Size::word);
   roots.push_back(sp);
   right += equality(terms, sp, goes_on ? "(_ bv94 16)" : "(_ bv96 16)");
@@ -226,15 +224,15 @@ std::string script(const sym::Terms& terms, const std::vector<sym::Term>& roots,
                      sym::declare_variables(terms, roots), sym::define(terms, roots), question);
 }
 
-/// The registers, so that all are declared whether a path depends on them or not.
+/// All registers, so that the script declares even those on which a path does not depend.
 std::vector<sym::Term> all_registers(sym::Terms& terms) {
   std::vector<sym::Term> all;
   for (const auto& [r, name] : open_registers) all.push_back(terms.variable(name, 32));
   return all;
 }
 
-/// That GouraudWords, before its first turn, halves the count and changes nothing else, for counts
-/// that are no negative numbers.
+/// States that GouraudWords halves the count before its first turn and changes nothing else, for
+/// counts that are not negative.
 std::string halving_question(const LoopForm& form, const x86::Program& program) {
   sym::Terms terms;
   std::vector<sym::Term> roots = all_registers(terms);
@@ -288,7 +286,7 @@ std::string depth_comment_question(const LoopForm& form) {
   sym::Terms terms;
   const x86::Program program = x86::assemble(x86::listing(form), {});
   sym::RunOptions options = one_turn(form, program);
-  // The shift alone.
+  // Runs the shift alone.
   options.stop = 1;
   const auto paths = sym::run(terms, program.instructions(), open_state(terms), options);
   std::vector<sym::Term> roots = all_registers(terms);

@@ -16,7 +16,7 @@ using x86::Mnemonic;
 using x86::Operand;
 using x86::Size;
 
-/// The mnemonics that a field of three bits chooses from; nothing where no routine has one.
+/// The mnemonics that a three-bit field selects; empty if no routine uses the instruction.
 using Group = std::array<std::optional<Mnemonic>, 8>;
 constexpr std::nullopt_t no = std::nullopt;
 constexpr Group arithmetic{
@@ -26,7 +26,7 @@ constexpr Group shifts{Mnemonic::rol, no, no, no, Mnemonic::shl, Mnemonic::shr, 
 constexpr Group group_f7{
     no, no, no, Mnemonic::neg, Mnemonic::mul, Mnemonic::imul, Mnemonic::div, Mnemonic::idiv};
 constexpr Group group_ff{Mnemonic::inc, Mnemonic::dec, no, no, no, no, no, no};
-/// MOV of an immediate is defined for /0 only; an 8088 takes the others for it.
+/// MOV of an immediate is defined only for /0. An 8088 also executes the other values as MOV.
 constexpr Group group_c7{Mnemonic::mov, no, no, no, no, no, no, no};
 
 bool is_between(std::uint8_t byte, int first, int last) { return byte >= first && byte <= last; }
@@ -41,7 +41,7 @@ bool is_prefix(std::uint8_t byte, bool i386) {
     case 0xF2:
     case 0xF3:
       return true;
-    case 0xF1:  // LOCK again on an 8088, an instruction on a 386
+    case 0xF1:  // LOCK again on an 8088, another instruction on a 386
       return !i386;
     default:
       return i386 && is_between(byte, 0x64, 0x67);
@@ -49,8 +49,8 @@ bool is_prefix(std::uint8_t byte, bool i386) {
 }
 
 bool is_control_flow(std::uint8_t byte, bool i386) {
-  // An 8088 does not decode bit 4 of 60h to 6Fh, nor bit 1 of C0h, C1h, C8h and C9h: jumps,
-  // returns.
+  // An 8088 ignores bit 4 of 60h to 6Fh and bit 1 of C0h, C1h, C8h and C9h, so it executes them as
+  // jumps and returns.
   const bool alias = is_between(byte, 0x60, 0x6F) || (byte & 0xF6U) == 0xC0U;
   return is_between(byte, 0x70, 0x7F) || byte == 0x9A || (byte & 0xF6U) == 0xC2U ||
          is_between(byte, 0xCC, 0xCF) || is_between(byte, 0xE0, 0xE3) ||
@@ -101,13 +101,12 @@ class Decoder {
   static Operand immediate(std::uint32_t value) {
     return {.kind = Operand::Kind::immediate, .value = static_cast<std::int32_t>(value)};
   }
-  /// An immediate of 8 bits, as the count that it is or with its sign extended.
+  /// An 8-bit immediate: zero-extended in count(), sign-extended in signed_byte().
   Operand count() { return immediate(next()); }
   Operand signed_byte() {
     const std::uint32_t byte = next();
     return immediate((byte ^ 0x80U) - 0x80U);
   }
-  /// An immediate of the operand's size.
   Operand whole() {
     std::uint32_t value = 0;
     for (int bits = 0; bits < (size_ == Size::word ? 16 : 32); bits += 8) {
@@ -116,7 +115,7 @@ class Decoder {
     return immediate(value);
   }
 
-  /// Why `op` with an r/m operand cannot be run, if it cannot.
+  /// The reason why `op` with an r/m operand cannot run, if there is one.
   static std::optional<Skip> refused(std::optional<Mnemonic> op, bool bytes, const ModRm& m) {
     if (!op) return Skip::not_modelled;
     if (bytes) return Skip::byte_operand;
@@ -124,14 +123,14 @@ class Decoder {
     return std::nullopt;
   }
 
-  /// `op` on r/m and on what `second` reads after it.
+  /// `op` on the r/m operand and on the operand that `second` reads after it.
   template <class Second>
   Result on_rm(std::optional<Mnemonic> op, bool bytes, const ModRm& m, Second second) {
     if (const auto reason = refused(op, bytes, m)) return *reason;
     return x86::Instruction{.mnemonic = *op, .operands = {reg(m.rm), second()}};
   }
 
-  /// Opcodes 00h to 3Fh that are no prefix.
+  /// Opcodes 00h to 3Fh other than prefixes.
   Result arithmetic_of(std::uint8_t opcode) {
     const auto op = arithmetic[opcode >> 3U];
     const unsigned way = opcode & 7U;
@@ -142,7 +141,7 @@ class Decoder {
     return register_and_rm(*op, opcode, m);
   }
 
-  /// Bit 0 of the opcode says words, bit 1 that the register comes first.
+  /// Bit 0 of the opcode selects words. Bit 1 puts the register first.
   Result register_and_rm(Mnemonic op, unsigned opcode, const ModRm& m) {
     if (const auto reason = refused(op, (opcode & 1U) == 0, m)) return *reason;
     x86::Instruction result{.mnemonic = op, .operands = {reg(m.rm), reg(m.reg)}};
@@ -166,7 +165,7 @@ class Decoder {
     return with_modrm(opcode);
   }
 
-  /// The opcodes that a ModR/M byte follows. Bit 0 says words.
+  /// The opcodes with a ModR/M byte. Bit 0 selects words.
   Result with_modrm(std::uint8_t opcode) {
     const bool bytes = (opcode & 1U) == 0;
     switch (opcode) {
@@ -220,7 +219,7 @@ class Decoder {
     }
   }
 
-  /// What follows 0Fh on a 386.
+  /// The two-byte opcodes of the 386, after 0Fh.
   Result two_bytes(std::uint8_t opcode) {
     if (is_between(opcode, 0x80, 0x8F)) return Skip::control_flow;
     if (opcode != 0xA4 && opcode != 0xAC) return Skip::not_modelled;

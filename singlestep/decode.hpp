@@ -1,5 +1,5 @@
 /// @file
-/// Machine code as instructions of the model.
+/// Decodes machine code to instructions of the model.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,23 @@
 
 namespace fixproof::singlestep {
 
-/// Why a case is not run, in the order in which they are looked for.
+/// Reasons to skip a case, in the order in which decode() checks them.
 enum class Skip : std::uint8_t { prefix, control_flow, not_modelled, byte_operand, memory_operand };
 inline constexpr std::size_t skip_count = 5;
 
 std::string_view name_of(Skip reason);
 
-/// One instruction, and how many bytes it takes.
 struct Decoded {
   x86model::Instruction instruction;
   std::size_t length = 0;
 };
 
-/// Decodes the first instruction of `bytes`, 16-bit code as both processors run it in real mode;
-/// 66h makes operands doublewords on the 386. Encodings are those of Intel's manuals: for the 8088
-/// the iAPX 86,88 User's Manual (table 4-14), for the 386 its Programmer's Reference Manual
-/// (appendix A). Only what has registers and immediates for operands becomes an instruction; PUSH
-/// and POP have an operand in memory, the stack. All other prefixes are a reason to skip.
-/// @throws UsageError where the bytes end inside the instruction
+/// Decodes the first instruction of `bytes` as 16-bit real-mode code. The prefix 66h selects
+/// doubleword operands on the 386. The encodings come from Intel's manuals: the iAPX 86,88 User's
+/// Manual, table 4-14, for the 8088, and the 80386 Programmer's Reference Manual, appendix A. Only
+/// instructions with register and immediate operands are decoded. PUSH and POP are skipped because
+/// their stack operand is in memory, and all other prefixes are skipped too.
+/// @throws UsageError if `bytes` ends inside the instruction
 std::variant<Decoded, Skip> decode(std::span<const std::uint8_t> bytes, x86model::Target cpu);
 
 }  // namespace fixproof::singlestep

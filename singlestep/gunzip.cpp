@@ -16,7 +16,7 @@ std::string gunzip(std::string contents) {
   constexpr std::size_t max_size = std::size_t{256} << 20U;
   if (!contents.starts_with(magic)) return contents;
 
-  // Not gzread(), because it ignores data that follows the last member.
+  // gzread() would ignore data after the last member.
   z_stream stream{};
   constexpr int gzip_only = 16;
   if (inflateInit2(&stream, MAX_WBITS + gzip_only) != Z_OK) throw std::bad_alloc();
@@ -37,7 +37,7 @@ std::string gunzip(std::string contents) {
     if (text.size() > max_size) throw support::UsageError("decompressed, more than 256 MiB");
     if (status == Z_STREAM_END) {
       if (stream.avail_in == 0) return text;
-      inflateReset(&stream);  // The next member; inflate() reports anything else.
+      inflateReset(&stream);  // Starts the next member. inflate() reports anything else.
     } else if (status == Z_BUF_ERROR || (status == Z_OK && stream.avail_in == 0 && no_output)) {
       throw support::UsageError("gzip data cut short");
     } else if (status != Z_OK) {

@@ -17,7 +17,7 @@ namespace x86 = x86model;
 
 constexpr std::uint8_t hlt = 0xF4;
 
-/// The byte at an address after the instruction, where the case lists it.
+/// The byte at `address` after the instruction, if the case lists it.
 std::optional<std::uint8_t> byte_at(const Case& c, std::uint32_t address) {
   for (const State* state : {&c.final, &c.initial}) {
     if (const auto at = state->ram.find(address); at != state->ram.end()) return at->second;
@@ -25,7 +25,7 @@ std::optional<std::uint8_t> byte_at(const Case& c, std::uint32_t address) {
   return std::nullopt;
 }
 
-/// The word at the address of an interrupt vector, which a fault reads: it has to be listed.
+/// The interrupt vector word that a fault reads. The case must list it.
 std::optional<std::uint32_t> vector_word(const Case& c, std::uint32_t address) {
   const auto low = c.initial.ram.find(address);
   const auto high = c.initial.ram.find(address + 1);
@@ -33,8 +33,8 @@ std::optional<std::uint32_t> vector_word(const Case& c, std::uint32_t address) {
   return std::uint32_t{low->second} | std::uint32_t{high->second} << 8U;
 }
 
-/// Whether no byte that is listed at SS:`offset` contradicts `word`. A set lists memory that an
-/// instruction writes only where it changes.
+/// Returns whether the listed bytes at SS:`offset` are consistent with `word`. A set lists written
+/// memory only if it changed.
 bool may_hold(const Case& c, std::uint32_t offset, std::uint32_t word, x86::Target cpu) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     std::uint32_t address = (c.initial[Place::ss] << 4U) + ((offset + i) & 0xFFFFU);
@@ -51,7 +51,8 @@ bool has_fault(const Case& c, x86::Target cpu, std::size_t length) {
   const auto offset = vector_word(c, 0);
   const auto segment = vector_word(c, 2);
   if (!offset || !segment || c.final[Place::cs] != *segment) return false;
-  // The sets of the 386 end every case with a HLT, here the first instruction of the handler.
+  // The 386 sets end every case with a HLT; after a fault it is the first instruction of the
+  // handler.
   const std::uint32_t ip = c.final[Place::ip];
   if (ip != *offset && !(i386 && ip == *offset + 1)) return false;
   const std::uint32_t sp = c.initial[Place::sp];
@@ -71,7 +72,7 @@ StepMachine machine_of(const State& state) {
   return m;
 }
 
-/// The registers, but for those that `fault` has another part of the processor change.
+/// Compares the registers, except for the parts that has_fault() checks if `fault` is set.
 void compare_registers(const Case& c, const StepMachine& m, x86::Target cpu, bool fault,
                        Differences& differences) {
   for (std::size_t i = 0; i < place_count; ++i) {
@@ -83,7 +84,7 @@ void compare_registers(const Case& c, const StepMachine& m, x86::Target cpu, boo
     }
     std::uint32_t file = c.final[place];
     if (fault && place == Place::cs) continue;
-    // has_fault() has looked at the low half, which is SP.
+    // has_fault() has already checked the low half, SP.
     if (fault && place == Place::sp) file = (file & 0xFFFF0000U) | (model & 0xFFFFU);
     if (model == file) continue;
     differences.push_back(fmt::format("{0}: model {1:0{3}x}, file {2:0{3}x}", name_of(place, cpu),
@@ -100,14 +101,14 @@ void compare_flags(const Case& c, const StepMachine& m, Differences& differences
     const bool model = (m.flags.value & flag) != 0;
     differences.push_back(fmt::format("{}: model {:d}, file {:d}", name, model, !model));
   }
-  // The others, from TF and DF to those that are no flags, no instruction here changes.
+  // No instruction here changes the other bits of FLAGS, such as TF and DF.
   constexpr std::uint32_t others = ~std::uint32_t{x86::arithmetic_flags};
   if (((file ^ c.initial[Place::flags]) & others) == 0) return;
   differences.push_back(fmt::format("other flags: model {:x}, file {:x}",
                                     c.initial[Place::flags] & others, file & others));
 }
 
-/// How many of the case's bytes are its instruction: in the sets of the 386 a HLT may follow.
+/// The length of the instruction. In the 386 sets a HLT may follow it.
 std::size_t length_of(const Case& c, x86::Target cpu) {
   const bool halted = cpu == x86::Target::i386 && c.bytes.size() > 1 && c.bytes.back() == hlt;
   return c.bytes.size() - (halted ? 1 : 0);
@@ -119,7 +120,7 @@ std::variant<Differences, Skip> judge(const Case& c, x86::Target cpu) {
   const auto decoded = decode(c.bytes, cpu);
   if (const Skip* reason = std::get_if<Skip>(&decoded)) return *reason;
   const auto& [instruction, length] = std::get<Decoded>(decoded);
-  // The last byte of an immediate may be F4h too.
+  // F4h may also be the last byte of an immediate.
   if (length != c.bytes.size() && length != length_of(c, cpu)) {
     throw support::UsageError(
         fmt::format("bytes are {}, the instruction has {}", c.bytes.size(), length));

@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, place_count> names_386{
 
 constexpr std::size_t required_count = static_cast<std::size_t>(Place::flags) + 1;
 
-/// Whether a member is one that a case is judged by: of a case at depth 2, of a state at depth 3.
+/// Returns whether the model is compared with this member (of a case at depth 2, of a state at
+/// depth 3).
 bool is_judged(int depth, const Json& key) {
   static constexpr std::array<std::string_view, 4> of_case{"name", "bytes", "initial", "final"};
   static constexpr std::array<std::string_view, 2> of_state{"regs", "ram"};
@@ -122,7 +123,7 @@ Case case_in(const Json& json, x86model::Target cpu, std::size_t index) {
   return result;
 }
 
-/// What a message calls the case at `index`.
+/// The name of the case at `index` in messages.
 std::string label_of(const Json& json, std::size_t index) {
   const auto name = json.find("name");
   if (name == json.end()) return fmt::format("case {}", index);
@@ -131,15 +132,15 @@ std::string label_of(const Json& json, std::size_t index) {
                      fixproof::support::quoted(name->get_ref<const std::string&>()));
 }
 
-/// Takes cases from the parser as they are completed, so that they need not all be kept.
+/// Receives each case when the parser completes it, so that no more than one stays in memory.
 class Sink {
  public:
   Sink(x86model::Target cpu, const std::function<void(const Case&)>& use) : cpu_(cpu), use_(use) {}
 
-  /// @return whether the parser is to keep the value
+  /// @return whether the parser should keep the value
   bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
-    // The format has four levels below the outermost array, and the longest case, a repeated string
-    // instruction, some ten thousand cycles.
+    // The format has four levels below the outermost array. The longest case, a repeated string
+    // instruction, has about ten thousand cycles.
     constexpr int deepest = 16;
     constexpr std::size_t most_events = std::size_t{1} << 20U;
     if (depth > deepest)
@@ -207,7 +208,7 @@ void read_cases(const std::string& path, x86model::Target cpu,
     if (text.empty()) throw support::UsageError("empty");
     if (text.starts_with("MOO "))
       throw support::UsageError("binary MOO; moo2json.py makes JSON of it");
-    // Of the array nothing is left: the sink keeps no case.
+    // The array is empty because the sink discards every case.
     const Json rest = Json::parse(text, std::ref(sink));
     if (!rest.empty() || sink.cases() == 0) throw support::UsageError("no cases");
   } catch (const Json::parse_error& error) {

@@ -1,5 +1,5 @@
 /// @file
-/// Files of single-step cases: the JSON format of SingleStepTests (8088 and 80386 sets).
+/// Reads single-step cases in the JSON format of SingleStepTests (8088 and 80386 sets).
 #pragma once
 
 #include <array>
@@ -16,9 +16,8 @@
 
 namespace fixproof::singlestep {
 
-/// The registers a case may name. The first eight are the general ones in the order of their
-/// encoding, as x86model::Register has them; those after `flags` only the 386 has, and a case may
-/// leave them out.
+/// The registers of a case. The first eight are the general registers in encoding order, as in
+/// x86model::Register. Those after `flags` exist only on the 386, and a case may omit them.
 enum class Place : std::uint8_t {
   ax,
   cx,
@@ -44,36 +43,34 @@ enum class Place : std::uint8_t {
 };
 inline constexpr std::size_t place_count = static_cast<std::size_t>(Place::dr7) + 1;
 
-/// The register's name in the sets of a processor: `flags`, but `eflags` for the 386.
+/// The register's name in the sets of a processor, such as `eflags` for `flags` in the 386 sets.
 std::string_view name_of(Place place, x86model::Target cpu);
 /// 16 or 32.
 int bits_of(Place place, x86model::Target cpu);
 
-/// One state: the registers that are named, and the bytes of memory that are listed.
 struct State {
   std::array<std::optional<std::uint32_t>, place_count> registers;
   std::map<std::uint32_t, std::uint8_t> ram;
 
-  /// A register that is named.
+  /// The value of a register that the state lists.
   [[nodiscard]] std::uint32_t operator[](Place place) const {
     return registers[static_cast<std::size_t>(place)].value();
   }
 };
 
 struct Case {
-  std::size_t index = 0;  ///< its place in the file, from 0
+  std::size_t index = 0;  ///< position in the file, from 0
   std::string name;
   std::vector<std::uint8_t> bytes;
   State initial;
-  /// Registers are complete here: those the file leaves out are unchanged. Memory is only what the
-  /// file lists.
+  /// The reader fills in unchanged registers. `ram` holds only the bytes that the file lists.
   State final;
 };
 
-/// Calls `use` for every case of a file, plain or gzip, in order. Queue, cycles and hash are passed
-/// over. One case is in memory at a time, beside the file's text.
-/// @throws UsageError naming the file and the place where it is not in the format, or has no case;
-/// what `use` throws is given its place in the same way
+/// Calls `use` for every case of a file, plain or gzip, in order. The reader ignores queue, cycles
+/// and hash. It keeps one case at a time in memory beside the file's text.
+/// @throws UsageError naming the file and the position if the format is wrong or there are no
+/// cases; errors that `use` throws get the same prefix
 void read_cases(const std::string& path, x86model::Target cpu,
                 const std::function<void(const Case&)>& use);
 

@@ -1,5 +1,5 @@
 /// @file
-/// The registers and flags of the machine in the order in which every command shows them.
+/// The registers and flags in the order in which every command prints them.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline constexpr std::array<std::pair<x86model::Flag, std::string_view>, 6> show
      {x86model::SF, "SF"},
      {x86model::OF, "OF"}}};
 
-/// The six flags as 0, 1 or ? where undefined, three characters each.
+/// The six flags as 0, 1 or, if undefined, ?, three characters per flag.
 inline std::string flag_columns(const x86model::Flags& f) {
   std::string columns;
   for (const auto& [flag, name] : shown_flags) {

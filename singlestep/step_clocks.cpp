@@ -11,7 +11,7 @@ namespace {
 
 namespace x86 = x86model;
 
-/// Of a jump that is taken, over everything it may lead to.
+/// The range of a taken jump over all possible targets.
 std::optional<x86::Range> to_any_row(x86::Cpu cpu, const x86::Instruction& jump) {
   const auto target = cpu < x86::Cpu::i386 ? x86::Target::i8088 : x86::Target::i386;
   std::optional<x86::Range> all;

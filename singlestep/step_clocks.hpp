@@ -1,5 +1,5 @@
 /// @file
-/// The clocks of one instruction that stands alone.
+/// The clocks of a single instruction.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace fixproof::singlestep {
 
-/// What `instruction` takes on `cpu`, about to be executed in the state of `before`. A conditional
-/// jump is not taken. JMP is, to any instruction of the listings that the processor runs: the range
-/// is that of what it may lead to.
-/// @return nothing where the processor does not have the instruction
+/// Returns the clocks of `instruction` on `cpu` in the state `before` its execution. A conditional
+/// jump counts as not taken. JMP counts as taken to any instruction of the listings that the
+/// processor supports, so the result is a range.
+/// @return nothing if the processor does not support the instruction
 std::optional<x86model::Range> step_clocks(x86model::Cpu cpu,
                                            const x86model::Instruction& instruction,
                                            const StepMachine& before);

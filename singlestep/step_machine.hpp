@@ -1,5 +1,5 @@
 /// @file
-/// The machine on which single instructions are executed: registers and flags alone.
+/// The machine that executes single instructions: registers and flags only.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace fixproof::singlestep {
 
-/// Reading is impossible, what is written is not shown.
+/// Reads fail and writes are discarded.
 struct NoMemory {
   static bool read(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
   static bool write(std::uint32_t /*address*/, std::uint32_t /*value*/) { return true; }

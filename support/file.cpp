@@ -25,11 +25,10 @@ constexpr std::size_t most_read = std::size_t{256} << 20U;
       fmt::format("cannot {} {}: {}", what, path, std::generic_category().message(error)));
 }
 
-/// An open file.
 class File : private boost::noncopyable {
  public:
   File(const std::string& path, int flags)
-      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
       : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC)) {
     if (descriptor_ < 0) fail(flags == O_RDONLY ? "read" : "write", path_, errno);
   }
@@ -48,7 +47,7 @@ class File : private boost::noncopyable {
     }
   }
 
-  /// Flushed to the disk and closed: only now is it known that all is written.
+  /// Flushes to disk and closes. Only this reveals late write errors.
   void finish() {
     const bool flushed = ::fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS;
     const int error = errno;
@@ -77,7 +76,8 @@ class File : private boost::noncopyable {
   int descriptor_;
 };
 
-/// Whether the path is there and is something that renaming would destroy.
+/// Returns whether the path exists and renaming over it would destroy it, such as a device or a
+/// pipe.
 bool is_special(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -101,7 +101,7 @@ void replace_file(const std::string& path, std::string_view contents) {
 void check_replaceable(const std::string& path) {
   if (is_special(path)) {
     if (std::filesystem::is_directory(path)) fail("write", path, EISDIR);
-    // Not opened: to close a pipe again would send its reader away.
+    // Does not open it: closing a pipe would signal end of file to its reader.
     if (::access(path.c_str(), W_OK) != 0) fail("write", path, errno);
     return;
   }
@@ -109,7 +109,7 @@ void check_replaceable(const std::string& path) {
 }
 
 bool same_file(const std::string& a, const std::string& b) {
-  // Two hard links have two names.
+  // Hard links have different paths.
   std::error_code error;
   return behind_links(a) == behind_links(b) || std::filesystem::equivalent(a, b, error);
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Files that are either the old or the new version, whenever the machine stops.
+/// Reads files, and replaces them so that a crash leaves the old or the new version.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace fixproof::support {
 
-/// Replaces the contents of `path`: written beside it, flushed to the disk, then renamed. What is
-/// not a regular file (a device, a pipe) is written to as it stands.
+/// Replaces the contents of `path`: writes a new file beside it, flushes it to disk and renames it.
+/// Writes directly to anything but a regular file, such as a device or a pipe.
 /// @throws std::runtime_error naming the file and the reason
 void replace_file(const std::string& path, std::string_view contents);
 
-/// Finds out before a long run whether replace_file() will be able to write.
+/// Checks before a long run whether replace_file() can write `path`.
 /// @throws std::runtime_error naming the file and the reason
 void check_replaceable(const std::string& path);
 
-/// Whether writing to one would change the other, by whatever links and names.
+/// Returns whether two paths lead to the same file, through symbolic or hard links.
 bool same_file(const std::string& a, const std::string& b);
 
-/// The contents of a file of at most 256 MiB: what has no end, like a device, is refused there.
+/// Reads a file of at most 256 MiB. The limit stops endless inputs such as devices.
 /// @throws std::runtime_error naming the file and the reason
 std::string read_file(const std::string& path);
 

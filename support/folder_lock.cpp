@@ -13,13 +13,13 @@
 namespace fixproof::support {
 
 FolderLock::FolderLock(const std::string& option, const std::string& folder)
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0) {
     throw UsageError(fmt::format("{} {}: cannot be opened: {}", option, folder,
                                  std::generic_category().message(errno)));
   }
-  // A file system without locks keeps nobody out.
+  // On a file system without locks the folder stays unlocked.
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(descriptor_);
     throw UsageError(

@@ -1,5 +1,5 @@
 /// @file
-/// A folder that one process at a time writes into.
+/// Locks a folder so that only one process at a time writes into it.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -7,12 +7,12 @@
 
 namespace fixproof::support {
 
-/// While it lives, no other process has one of the same folder. The system lets go of it when the
-/// process ends, however it ends; nothing is left in the folder.
+/// Holds an exclusive lock on a folder. The system releases it when the process ends in any way,
+/// and leaves no file behind.
 class FolderLock : private boost::noncopyable {
  public:
-  /// @throws UsageError, beginning with `option`, if another process has it or the folder cannot be
-  ///         opened
+  /// @throws UsageError, beginning with `option`, if another process holds the lock or the folder
+  /// cannot be opened
   FolderLock(const std::string& option, const std::string& folder);
   ~FolderLock();
 

@@ -1,5 +1,5 @@
 /// @file
-/// The line that shows how many frames, or other things of equal work, are done.
+/// A progress line for frames, or for other items of equal work.
 #pragma once
 
 #include <chrono>
@@ -10,11 +10,11 @@
 
 namespace fixproof::support {
 
-/// How many of them are done and about how long the others will take, drawn a few times a second.
+/// Draws the number of finished items and the estimated time left, a few times per second.
 class FrameProgress {
  public:
-  /// @param all  at least 1
-  /// @param what they are, in the plural
+  /// @param all  number of items, at least 1
+  /// @param what name of the items, in the plural
   explicit FrameProgress(std::uint64_t all, std::string_view what = "frames")
       : all_(all), what_(what) {}
 

@@ -9,7 +9,7 @@
 
 namespace fixproof::support {
 
-/// A word of exactly `digits` lower-case hex digits.
+/// Parses a word of exactly `digits` lower-case hex digits.
 /// @throws UsageError naming the defect
 std::uint32_t parse_hex(std::string_view text, std::size_t digits);
 

@@ -37,7 +37,7 @@ void set_handler(void (*handler)(int)) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
-    // What nohup has shut out stays out.
+    // nohup ignores SIGHUP; leave that as it is.
     if (signal == SIGHUP && action.sa_handler == SIG_IGN) continue;
     action.sa_handler = handler;
     action.sa_flags = SA_RESTART;

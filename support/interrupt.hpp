@@ -1,5 +1,5 @@
 /// @file
-/// Ctrl-C, a closed terminal, and being asked to terminate.
+/// Handles SIGINT (Ctrl-C), SIGTERM and SIGHUP.
 #pragma once
 
 #include <atomic>
@@ -7,18 +7,18 @@
 
 namespace fixproof::support {
 
-/// What the shell reports of a command that Ctrl-C has ended.
+/// The status that the shell reports for a command ended by Ctrl-C.
 inline constexpr int interrupted_status = 130;
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag. One that comes more than a
-/// second later kills; sooner ones are taken for the same, since some tools signal a process and
-/// its group alike.
+/// During its lifetime the first SIGINT, SIGTERM or SIGHUP only sets a flag. A signal more than a
+/// second later kills the process. Earlier ones count as the same signal, because some tools signal
+/// both a process and its group.
 class Interrupt : private boost::noncopyable {
  public:
   Interrupt();
   ~Interrupt();
 
-  /// Set when a signal has come.
+  /// Set by the first signal.
   [[nodiscard]] static const std::atomic<bool>& flag();
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// The JSON type of every file that the project writes.
+/// The JSON type of all files that the project writes.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,10 +7,10 @@
 
 namespace fixproof::support {
 
-/// Keeps the members of an object in the order in which they were added.
+/// Keeps the members of an object in insertion order.
 using Json = nlohmann::ordered_json;
 
-/// The text of a JSON file. Invalid UTF-8 is replaced, because file names may contain it.
+/// Returns the text of a JSON file. Replaces invalid UTF-8, because file names may contain it.
 inline std::string json_text(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

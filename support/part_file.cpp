@@ -29,7 +29,8 @@ std::string behind_links(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
   fs::path target = fs::absolute(path, error);
-  // A link may lead to what is not there yet. As many in a row as the system follows.
+  // The last link may lead to a file that does not exist yet. Follows as many links as the system
+  // does.
   for (int links = 0; links < 40 && fs::is_symlink(target, error); ++links) {
     target = target.parent_path() / fs::read_symlink(target, error);
   }
@@ -44,13 +45,13 @@ PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     fail(path_, "not a regular file");
   }
-  // Always a new file: what is there already may be another run's, or lead elsewhere.
+  // Always creates a new file: an existing one may belong to another run or be a link.
   constexpr int most_tries = 100;
   for (int number = 1;; ++number) {
     part_ = target_;
     if (number > 1) part_.append(".").append(std::to_string(number));
     part_.append(".part");
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX has no other
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) break;
     if (errno != EEXIST) fail(path_, errno);
@@ -92,13 +93,13 @@ void PartFile::finish() {
     ::unlink(part_.c_str());
     fail(path_, error);
   };
-  // Whoever has written a file of that name since has taken ours away.
+  // Another process may have replaced the file of this name.
   struct stat ours {};
   struct stat there {};
   const bool is_in_place = ::fstat(descriptor_, &ours) == 0 &&
                            ::lstat(part_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
                            ours.st_dev == there.st_dev;
-  // Some file systems cannot flush: that is no failure to write.
+  // Some file systems cannot flush; that is not a write error.
   const bool flushed = ::fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS;
   const int error = errno;
   const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;

@@ -1,5 +1,5 @@
 /// @file
-/// A file that is there when it is complete and not before.
+/// A file that appears under its name only when it is complete.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -9,33 +9,29 @@
 
 namespace fixproof::support {
 
-/// The file that writing to `path` would change: a link itself survives.
+/// Resolves symbolic links to the file that writing to `path` would change, so that links survive.
 std::string behind_links(const std::string& path);
 
-/// Written beside its place, as a new file with `.part` (or `.2.part` and so on, if that is taken)
-/// added to the name; finish() puts it there. Removed if that does not happen. Errors name the file
-/// and the reason.
+/// Writes `path`.part (or .2.part and so on) as a new file. finish() renames it, and the destructor
+/// removes it otherwise. Errors name the file and the reason.
 class PartFile : private boost::noncopyable {
  public:
-  /// @throws std::runtime_error if it cannot be written there, or if what is there is no regular
-  ///         file (which the new one would replace, or which cannot be gone back in)
+  /// @throws std::runtime_error if the file cannot be created, or if `path` exists and is not a
+  /// regular file: renaming would replace it, or it does not support seeking
   explicit PartFile(const std::string& path);
   ~PartFile();
 
-  /// At the end.
   /// @throws std::runtime_error
   void append(std::string_view bytes);
 
-  /// Over what is `offset` bytes from the beginning.
-  /// @throws std::runtime_error
+  /// Overwrites the bytes from `offset` on. @throws std::runtime_error
   void overwrite(std::uint32_t offset, std::string_view bytes);
 
-  /// Flushes to the disk and renames. Afterwards nothing more can be written.
-  /// @throws std::runtime_error
+  /// Flushes to disk and renames. Must be the last call. @throws std::runtime_error
   void finish();
 
  private:
-  std::string path_;    ///< as it was asked for
+  std::string path_;    ///< as the caller gave it
   std::string target_;  ///< see behind_links()
   std::string part_;
   int descriptor_ = -1;

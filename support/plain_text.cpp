@@ -9,17 +9,17 @@ namespace fixproof::support {
 
 namespace {
 
-/// The bytes of a character at the beginning of `text` that steers a terminal or turns the
-/// direction of writing: C0 and DEL, C1 (U+0080 ...), and the marks of the bidirectional algorithm;
-/// else 0.
+/// Returns the length in bytes of a character at the beginning of `text` that controls a terminal
+/// or changes the text direction, else 0. These are C0, DEL, C1 (U+0080 to U+009F) and the marks of
+/// the bidirectional algorithm.
 std::size_t steering(std::string_view text) {
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (byte(0) < ' ' || byte(0) == 0x7f) return 1;
   if (text.size() >= 2 && byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
   if (text.size() < 3 || byte(0) != 0xe2) return 0;
-  const bool mark = byte(1) == 0x80 && (byte(2) == 0x8e || byte(2) == 0x8f);     // U+200E, F
-  const bool embedding = byte(1) == 0x80 && byte(2) >= 0xaa && byte(2) <= 0xae;  // U+202A ... E
-  const bool isolate = byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;    // U+2066 ... 9
+  const bool mark = byte(1) == 0x80 && (byte(2) == 0x8e || byte(2) == 0x8f);     // U+200E, U+200F
+  const bool embedding = byte(1) == 0x80 && byte(2) >= 0xaa && byte(2) <= 0xae;  // U+202A to U+202E
+  const bool isolate = byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;    // U+2066 to U+2069
   return mark || embedding || isolate ? 3 : 0;
 }
 

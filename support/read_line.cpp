@@ -11,7 +11,7 @@
 namespace fixproof::support {
 
 bool read_line(std::istream& in, std::string& line) {
-  // Room for a CR and the zero that getline() puts at the end.
+  // Leaves room for a CR and the terminating zero of getline().
   std::array<char, longest_line + 2> buffer;
   errno = 0;
   in.getline(buffer.data(), buffer.size());
@@ -20,7 +20,7 @@ bool read_line(std::istream& in, std::string& line) {
     throw UsageError("cannot be read" + why);
   }
   if (in.fail() && in.gcount() == 0) return false;
-  // At the end of the input there is no LF to be counted.
+  // gcount() includes the LF, which is missing at the end of the input.
   const auto length = static_cast<std::size_t>(in.gcount()) - (in.eof() || in.fail() ? 0 : 1);
   line.assign(buffer.data(), length);
   if (line.ends_with('\r') && !in.eof()) line.pop_back();

@@ -1,5 +1,5 @@
 /// @file
-/// Input line by line, of which none may fill the memory.
+/// Reads input line by line with a limit on the length.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace fixproof::support {
 
-/// Far more than any command's line has.
+/// Far longer than the input line of any command.
 inline constexpr std::size_t longest_line = 4096;
 
-/// The next line without its end, which is LF or CR LF. False at the end of the input.
-/// @throws UsageError where the line is longer than `longest_line`, or the input cannot be read
+/// Reads the next line without its LF or CR LF. @return false at the end of the input
+/// @throws UsageError if the line is longer than `longest_line` or the input cannot be read
 bool read_line(std::istream& in, std::string& line);
 
-/// Whether a line says nothing: it is blank or starts with #.
+/// Returns whether a line is blank or starts with #.
 bool says_nothing(std::string_view line);
 
 }  // namespace fixproof::support

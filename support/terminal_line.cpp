@@ -10,7 +10,7 @@ namespace fixproof::support {
 
 namespace {
 
-/// What fits beside the cursor: a line that wraps could not be drawn over.
+/// Cuts the text to the window's width, because a wrapped line cannot be redrawn.
 std::string_view cut_to_window(std::string_view text) {
   winsize window{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) return text;

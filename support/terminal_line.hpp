@@ -1,5 +1,5 @@
 /// @file
-/// The line on which long work shows how far it is.
+/// The progress line on a terminal.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -7,8 +7,7 @@
 
 namespace fixproof::support {
 
-/// One line on stderr, drawn over and over and erased at the end. If stderr is no terminal nothing
-/// is written.
+/// One line on stderr, redrawn in place and erased at the end. Silent without a terminal.
 class TerminalLine : private boost::noncopyable {
  public:
   TerminalLine();

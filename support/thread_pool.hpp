@@ -1,5 +1,5 @@
 /// @file
-/// A fixed number of threads that run the same function.
+/// A fixed set of threads that run the same function.
 #pragma once
 
 #include <barrier>

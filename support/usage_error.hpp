@@ -1,12 +1,12 @@
 /// @file
-/// What the user can mend.
+/// The error for bad usage or input.
 #pragma once
 
 #include <stdexcept>
 
 namespace fixproof::support {
 
-/// Bad usage or input: one line for stderr, and exit status 2.
+/// The command prints the message as one line on stderr and exits with status 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

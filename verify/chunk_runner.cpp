@@ -9,7 +9,7 @@ namespace fixproof::verify {
 
 namespace {
 
-/// Cases answered at a time: few enough that all their words stay in the processor's caches.
+/// Cases per batch: small enough for all their words to stay in the processor's caches.
 constexpr std::size_t batch_cases = 1024;
 
 }  // namespace

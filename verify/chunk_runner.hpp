@@ -12,19 +12,18 @@
 
 namespace fixproof::verify {
 
-/// The buffers of one thread.
+/// Runs chunks one after the other on one thread and owns that thread's buffers.
 class ChunkRunner {
  public:
-  /// `parties` holds those of each row of the plan. Both must outlive the runner.
+  /// `parties` holds the parties of each row of the plan. Both references must outlive the runner.
   ChunkRunner(const cases::Plan& plan,
               const std::vector<std::vector<const parties::Party*>>& parties,
               std::size_t max_shown);
 
-  /// Makes the cases of a chunk, asks the parties of its row and compares them with the first.
+  /// Generates the cases of chunk `number` and compares each party of its row with the first.
   Findings run(std::uint64_t number);
 
  private:
-  /// Answers of one party to the cases at hand.
   struct Answers {
     std::vector<std::uint32_t> out;
     std::vector<parties::Ending> endings;
@@ -39,7 +38,7 @@ class ChunkRunner {
   std::vector<std::uint32_t> in_;
   Answers judged_;
   Answers other_;
-  /// For each case, whether somebody differs from the judged party.
+  /// For each case, whether any party differs from the judged one.
   std::vector<std::uint8_t> differs_;
 };
 

@@ -20,7 +20,6 @@ namespace fixproof::verify {
 
 namespace {
 
-/// Looks up the parties of each row by name.
 std::vector<std::vector<const parties::Party*>> parties_of(
     const cases::Plan& plan, std::span<const parties::Party* const> parties) {
   std::vector<std::vector<const parties::Party*>> rows;
@@ -39,7 +38,7 @@ std::vector<std::vector<const parties::Party*>> parties_of(
   return rows;
 }
 
-/// Finds the smallest case for each mismatch that has none yet.
+/// Finds the smallest failing case for each mismatch that does not have one yet.
 void explain(Report& report, const std::vector<std::vector<const parties::Party*>>& parties) {
   for (std::size_t row = 0; row < parties.size(); ++row) {
     const cases::Variant& variant = report.plan.rows()[row].variant;
@@ -62,8 +61,7 @@ void explain(Report& report, const std::vector<std::vector<const parties::Party*
   }
 }
 
-/// Runs the chunks of a report that are not done. Each thread takes the next one until none is
-/// left.
+/// Runs the remaining chunks of a report. Each thread takes the next one until none is left.
 class ChunkRun : private boost::noncopyable {
  public:
   ChunkRun(Report& report, const std::vector<std::vector<const parties::Party*>>& parties,
@@ -74,7 +72,7 @@ class ChunkRun : private boost::noncopyable {
     }
   }
 
-  /// @param observe called on this thread every `observe_every` with the current state
+  /// @param observe called on this thread with the current state, every `observe_every`
   void run(const std::function<void(Report)>& observe) {
     unsigned threads = options_.threads;
     if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
@@ -98,7 +96,7 @@ class ChunkRun : private boost::noncopyable {
   }
 
  private:
-  /// Waits for `time`, or until no worker is running. @return whether none is running
+  /// Waits for `time`, or until no worker is running. @return whether all workers have ended
   bool wait_for(std::chrono::milliseconds time) {
     std::unique_lock lock(mutex_);
     return ended_.wait_for(lock, time, [this] { return running_ == 0; });

@@ -1,5 +1,5 @@
 /// @file
-/// Asks the parties and compares what they say.
+/// Runs a plan: asks the parties and compares their answers.
 #pragma once
 
 #include <atomic>
@@ -17,23 +17,23 @@
 namespace fixproof::verify {
 
 struct RunOptions {
-  /// 0: one for each processor.
+  /// 0 means one thread per processor.
   unsigned threads = 0;
-  /// Where set and true, threads end with the chunk they are at.
+  /// If set and true, each thread stops after its current chunk.
   const std::atomic<bool>* stop = nullptr;
-  /// Called with the state reached, every `observe_every`, on the thread that called run().
-  /// Smallest cases are sought only at the end.
+  /// Called every `observe_every` on the thread that called run(), which computes the smallest
+  /// cases only at the end.
   std::function<void(const Report&)> observe = nullptr;
   std::chrono::milliseconds observe_every{200};
 };
 
-/// Runs the chunks of the report's shard that are not done, adding what they find. `parties` holds
-/// at least those that the rows of the plan name. What a party throws comes out of here.
+/// Runs the remaining chunks of the report's shard and adds their findings. `parties` must include
+/// every party that the plan names. Exceptions of a party propagate to the caller.
 /// @throws std::invalid_argument if a party of the plan is missing
 void run(Report& report, std::span<const parties::Party* const> parties,
          const RunOptions& options = {});
 
-/// Runs a whole plan. Keeps 10 mismatches of each row.
+/// Runs a whole plan and keeps 10 mismatches per row.
 Report run(const cases::Plan& plan, std::span<const parties::Party* const> parties,
            const RunOptions& options = {});
 

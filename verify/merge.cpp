@@ -14,7 +14,7 @@ namespace fixproof::verify {
 
 namespace {
 
-/// Shards named in a message before the rest is only counted.
+/// A message names at most this many shards and counts the rest.
 constexpr std::size_t most_named = 8;
 
 void add(Report& sum, const NamedReport& part, std::span<const NamedReport> before) {
@@ -61,7 +61,7 @@ std::string missing(const Report& sum, std::span<const NamedReport> parts) {
   for (const NamedReport& part : parts) shards = std::max(shards, part.report.shard.count);
   std::vector<std::string> names;
   std::size_t lacking = 0;
-  // There is nothing in shards beyond the number of chunks.
+  // Shards beyond the number of chunks are empty.
   for (std::uint64_t i = 1; i <= std::min<std::uint64_t>(shards, sum.done.size()); ++i) {
     std::uint64_t all = 0;
     std::uint64_t left = 0;

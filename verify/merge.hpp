@@ -1,5 +1,5 @@
 /// @file
-/// Adds the reports of parts of one verification.
+/// Merges the reports of shards of one verification.
 #pragma once
 
 #include <span>
@@ -9,18 +9,16 @@
 
 namespace fixproof::verify {
 
-/// A report and the name under which messages speak of it.
 struct NamedReport {
   std::string name;
   Report report;
 };
 
-/// The sum, as a report of the whole. There is at least one part.
-/// @throws std::runtime_error if a part is of another verification, or parts share a chunk
+/// Adds the parts up to a report of the whole. `parts` must not be empty.
+/// @throws std::runtime_error if the parts belong to different verifications or share a chunk
 Report merged(std::span<const NamedReport> parts);
 
-/// What the sum lacks, by the finest division into shards among the parts: one line; empty if
-/// complete.
+/// Returns one line that names the missing shards, by the finest division among the parts, or "".
 std::string missing(const Report& sum, std::span<const NamedReport> parts);
 
 }  // namespace fixproof::verify

@@ -15,7 +15,6 @@ namespace {
 
 std::string_view on_off(bool on) { return on ? "on" : "off"; }
 
-/// Options that choose the variant, each with a space before it.
 std::string variant_options(const cases::Variant& v, std::string_view rounding_option) {
   std::string options = fmt::format(" --target {}", cases::name_of(v.build.target));
   if (v.build.target != cases::Target::standard && v.operation != cases::Operation::cossin) {
@@ -50,8 +49,7 @@ std::string replay(const cases::Row& row, std::span<const std::uint32_t> words) 
       std::any_of(row.parties.begin(), row.parties.end(), [&](const std::string& party) {
         return std::find(usual.begin(), usual.end(), party) == usual.end();
       });
-  // Without these, rows of the other chapter or width, or the repaired routine's, would answer as
-  // well.
+  // Without these options, other chapters, widths or the repaired routine would run too.
   const bool other_chapter =
       (v.build.target == cases::Target::i386 || cases::loses_carry(v)) && !v.build.chapter_52;
   std::string line =

@@ -1,5 +1,5 @@
 /// @file
-/// Command lines that show or repeat one case.
+/// Command lines that trace or repeat one case.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,9 @@
 
 namespace fixproof::verify {
 
-/// The `fixproof trace` command for the case.
 std::string trace_line(const cases::Variant& variant, std::span<const std::uint32_t> words);
 
-/// The command that asks for the case again: `fixproof eval` of the judged party if it has the
+/// Returns the command that runs the case again: `fixproof eval` if the judged party has the
 /// variant, otherwise `fixproof verify --case`.
 std::string replay(const cases::Row& row, std::span<const std::uint32_t> words);
 

@@ -1,5 +1,5 @@
 /// @file
-/// Reports in files.
+/// Reads reports from files.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace fixproof::verify {
 
-/// The report in a file, its parties all of this build.
+/// Reads a report. This build must have all of its parties.
 /// @throws std::runtime_error naming the file and the reason
 Report read_report(const std::string& path);
 

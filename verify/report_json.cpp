@@ -18,15 +18,15 @@ namespace {
 using support::Json;
 
 constexpr std::string_view format_name = "fixproof report";
-/// Version 1 expected a carry in the printed 8088 ConcatXforms: its rows cannot be added to these.
+/// Version 1 expected a carry in the printed 8088 ConcatXforms, so its rows differ.
 constexpr int format_version = 2;
 
-/// What verify takes for --max-reports.
+/// The maximum that `verify` accepts for --max-reports.
 constexpr std::uint64_t most_shown = 1000;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::runtime_error(reason); }
 
-/// 64-bit numbers are written as text: many readers of JSON keep no more than 53 bits.
+/// 64-bit numbers are strings because many JSON readers keep only 53 bits.
 template <class Integer>
 Integer integer_in(std::string_view text, int base, const char* what) {
   Integer value = 0;
@@ -37,13 +37,13 @@ Integer integer_in(std::string_view text, int base, const char* what) {
   return value;
 }
 
-/// A number that counts; the library would take -1 for the largest.
+/// Reads an unsigned count. The library would convert -1 to the largest value.
 std::uint64_t count_in(const Json& json) {
   if (!json.is_number_unsigned()) refuse(fmt::format("{} is no count", json.dump()));
   return json.get<std::uint64_t>();
 }
 
-/// Where only these two texts or numbers may stand, whether it is the second.
+/// Returns whether `json` is the second of two allowed values. Refuses any other value.
 template <class Value>
 bool is_second(const Json& json, const Value& first, const Value& second) {
   const auto value = json.get<Value>();
@@ -73,8 +73,7 @@ Json json_of(const Mismatch& m, int word_bits) {
           {"said", said}};
 }
 
-/// The streams of a row and how many cases each has: what tells that two builds draw the same
-/// cases.
+/// The streams of a row and their sizes, which reveal whether two builds generate the same cases.
 Json streams_of(const cases::Plan& plan, std::size_t row) {
   Json streams = Json::object();
   for (const cases::Job& job : plan.jobs()) {
@@ -104,7 +103,6 @@ Json json_of(const Report& report, std::size_t number) {
           {"shown", shown}};
 }
 
-/// The chunks of the report's shard, in order.
 template <class Use>
 void each_chunk(const Report& report, Use use) {
   for (std::uint64_t place = 0; place < report.chunks_in_shard(); ++place) {
@@ -180,7 +178,7 @@ Findings findings_in(const Json& json) {
   return found;
 }
 
-/// Whether a mismatch can come from a chunk that is done of that row, by the row's parties.
+/// Returns whether a finished chunk of the row, with the row's parties, can produce the mismatch.
 bool fits(const Mismatch& m, const Report& report, std::size_t row) {
   if (m.chunk >= report.done.size() || !report.done[m.chunk]) return false;
   const cases::Chunk chunk = report.plan.chunk(m.chunk);
@@ -204,7 +202,7 @@ bool fits(const Mismatch& m, const Report& report, std::size_t row) {
                                        of.parties.end(), names_match));
 }
 
-/// Refuses counts that cannot come from the chunks that are done.
+/// Refuses counts that the finished chunks cannot produce.
 void check_counts(const Report& report) {
   std::vector<std::uint64_t> cases(report.findings.size());
   each_chunk(report, [&](std::uint64_t, std::uint64_t number) {
@@ -291,7 +289,7 @@ Report from_json(std::string_view text) {
   } catch (const Json::parse_error&) {
     refuse(text.empty() ? "empty" : "no JSON, or cut short");
   } catch (const Json::exception& error) {
-    // The library's message begins with its own number in brackets.
+    // The library's message begins with its own error number in brackets.
     const std::string_view message = error.what();
     refuse(fmt::format("damaged report: {}", message.substr(message.find("] ") + 2)));
   } catch (const std::invalid_argument& error) {

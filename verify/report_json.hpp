@@ -1,5 +1,5 @@
 /// @file
-/// Reports as JSON: the form in which they are kept, resumed and merged.
+/// Reports as JSON, the format in which they are stored, resumed and merged.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace fixproof::verify {
 
-/// The report as indented JSON text. `done` lists the chunks that are done by their places in the
-/// shard (0 for its first chunk), as pairs of first and last place.
+/// Returns the report as indented JSON. `done` lists the finished chunks as pairs of first and last
+/// position in the shard, counted from 0.
 std::string to_json(const Report& report);
 
-/// The report that was written by to_json().
-/// @throws std::runtime_error saying in what the text is no such report: counts that contradict the
-/// chunks said to be done are found as well
+/// Reads the output of to_json().
+/// @throws std::runtime_error if the text is not a report, or if its counts contradict its list of
+/// finished chunks; the message names the defect
 Report from_json(std::string_view text);
 
-/// Empty if both reports are of the same verification (level, seed, rows, parties, mismatches
-/// kept), else what differs, such as "seed 1, not 2": `a` first.
+/// Returns the first difference between two verifications (level, seed, rows, parties, mismatches
+/// kept), such as "seed 1, not 2" with the value of `a` first, or "" if there is none.
 std::string difference(const Report& a, const Report& b);
 
 }  // namespace fixproof::verify

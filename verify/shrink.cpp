@@ -7,7 +7,7 @@ namespace fixproof::verify {
 
 namespace {
 
-/// A word as sign and magnitude: that is how people read it.
+/// A word as sign and magnitude, because that is how people read it.
 struct Signed {
   bool negative;
   std::uint32_t magnitude;
@@ -24,7 +24,7 @@ class Words {
   [[nodiscard]] std::uint32_t join(Signed s) const {
     return (s.negative ? -s.magnitude : s.magnitude) & mask_;
   }
-  /// Whether `a` is simpler than `b`: a strict order, so that simplifying comes to an end.
+  /// Returns whether `a` is simpler than `b`. The order is strict, so shrinking terminates.
   [[nodiscard]] bool simpler(std::uint32_t a, std::uint32_t b) const {
     const auto rank = [&](std::uint32_t word) {
       const Signed s = split(word);
@@ -33,7 +33,7 @@ class Words {
     return rank(a) < rank(b);
   }
 
-  /// What to try in place of a word, the simplest first.
+  /// Replacements to try for a word, the simplest first.
   [[nodiscard]] std::vector<std::uint32_t> simplifications(std::uint32_t word) const {
     const Signed from = split(word);
     std::vector<std::uint32_t> tries{0, from.magnitude & mask_};

@@ -17,12 +17,10 @@ std::uint64_t with_bit(std::uint64_t value, int place, bool set) {
   return set ? value | one : value & ~one;
 }
 
-/// Sets or clears one flag.
 void assign(std::uint16_t& flags, Flag flag, bool set) {
   flags = static_cast<std::uint16_t>(set ? flags | flag : flags & ~flag);
 }
 
-/// ZF, SF and PF of a result.
 void look_at_result(Answer& answer, int bits) {
   bool zero = true;
   for (int i = 0; i < bits; ++i) zero = zero && !bit(answer.value, i);
@@ -38,7 +36,7 @@ void leave_undefined(Answer& answer, std::uint16_t flags) {
   answer.flags = static_cast<std::uint16_t>(answer.flags & ~flags);
 }
 
-/// A row of full adders. A subtraction adds the complement, with every carry read the other way.
+/// A row of full adders. A subtraction adds the complement and inverts every carry.
 Answer add(std::uint32_t a, std::uint32_t b, bool carry, bool subtract, std::uint16_t flags,
            int bits) {
   Answer answer{.flags = flags};
@@ -71,7 +69,6 @@ Answer logic(std::uint32_t a, std::uint32_t b, bool exclusive, int bits) {
   return answer;
 }
 
-/// Shifts and rotations, one place at a time.
 Answer shift(std::string_view name, const Operands& o, int bits) {
   Answer answer{.value = o.first, .flags = o.flags};
   const int count = o.count % 32;
@@ -96,7 +93,7 @@ Answer shift(std::string_view name, const Operands& o, int bits) {
   }
   answer.value = static_cast<std::uint32_t>(value);
   assign(answer.flags, CF, carry);
-  // For a count of 1, OF tells of a changed sign: for every one of them but SAR, which keeps it.
+  // For a count of 1, OF reports a changed sign, except for SAR, which keeps the sign.
   assign(answer.flags, OF, sign_changed);
   std::uint16_t undefined = count == 1 ? 0 : OF;
   if (name != "rol") {
@@ -108,7 +105,7 @@ Answer shift(std::string_view name, const Operands& o, int bits) {
   return answer;
 }
 
-/// Shift and add. As a signed number the multiplier's top bit weighs minus what it would.
+/// Shifts and adds. In a signed number the multiplier's top bit has negative weight.
 Answer multiply(const Operands& o, bool is_signed, int bits) {
   std::uint64_t a = o.first;
   if (is_signed && bit(a, bits - 1)) a -= std::uint64_t{1} << bits;
@@ -123,7 +120,7 @@ Answer multiply(const Operands& o, bool is_signed, int bits) {
   for (int i = 0; i < bits; ++i) {
     answer.value = static_cast<std::uint32_t>(with_bit(answer.value, i, bit(product, i)));
     answer.high = static_cast<std::uint32_t>(with_bit(answer.high, i, bit(product, bits + i)));
-    // The high half says nothing where it only repeats the sign, or is zero.
+    // The high half is insignificant if it only repeats the sign bit or is zero.
     const bool expected = is_signed && bit(product, bits - 1);
     matters = matters || bit(product, bits + i) != expected;
   }
@@ -133,7 +130,7 @@ Answer multiply(const Operands& o, bool is_signed, int bits) {
   return answer;
 }
 
-/// Long division in binary, of magnitudes; the signs are settled afterwards.
+/// Divides the magnitudes by binary long division and then applies the signs.
 Answer divide(const Operands& o, bool is_signed, int bits) {
   std::uint64_t dividend = 0;
   for (int i = 0; i < bits; ++i) {

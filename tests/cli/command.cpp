@@ -29,7 +29,6 @@ struct Pipe {
   int write;
 };
 
-/// Both ends are closed in programs that are started.
 Pipe make_pipe() {
   std::array<int, 2> ends{};
   check(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe");
@@ -50,7 +49,7 @@ std::string read_all(int from) {
 }  // namespace
 
 Process::Process(std::vector<std::string> arguments, Output output) {
-  // A program that stops reading is something to see, not the end of the test.
+  // A program that stops reading must not end the test.
   (void)std::signal(SIGPIPE, SIG_IGN);
   const Pipe in = make_pipe();
   const Pipe out = make_pipe();
@@ -106,7 +105,7 @@ std::string Process::read_line() const {
 }
 
 Run Process::finish(std::string_view rest) {
-  // Written beside the reading: neither side can wait for the other for ever.
+  // Writes in a thread, so that neither side can block the other.
   std::thread input([&] {
     write(rest);
     close(input_);

@@ -1,5 +1,5 @@
 /// @file
-/// Runs the real command, its streams joined to the test by pipes.
+/// Runs the command and connects its streams to the test by pipes.
 #pragma once
 
 #include <sys/types.h>
@@ -11,20 +11,18 @@
 
 namespace command {
 
-/// What a run left behind.
 struct Run {
   std::string out;
   std::string err;
-  int status;  ///< exit status; minus the signal's number where one ended it
+  int status;  ///< exit status, or minus the number of the signal that ended it
 };
 
-/// Where standard output leads.
 enum class Output { pipe, full_device, reader_gone };
 
 /// A program that runs while the test writes to it and reads from it.
 class Process {
  public:
-  /// Starts `arguments[0]`, looked up as the shell does.
+  /// Starts `arguments[0]`, found on the PATH.
   explicit Process(std::vector<std::string> arguments, Output output = Output::pipe);
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -32,11 +30,12 @@ class Process {
   Process& operator=(Process&&) = delete;
   ~Process();
 
-  /// Writes all of `text`, or as much as the program takes before it goes away.
+  /// Writes `text` until all of it is written or the program exits.
   void write(std::string_view text) const;
-  /// The next line of its standard output without the newline; waits for it, though not for ever.
+  /// Waits for the next line of its standard output and returns it without the newline. The wait
+  /// has a time limit.
   [[nodiscard]] std::string read_line() const;
-  /// Gives it the rest of its input, reads what it still says, and waits for its end.
+  /// Writes `rest`, closes its input, reads the remaining output and waits for its end.
   Run finish(std::string_view rest = {});
 
  private:
@@ -46,29 +45,25 @@ class Process {
   pid_t id_ = 0;
 };
 
-/// One run of any program with all of `input`.
+/// Runs any program with `input` on standard input.
 Run run(std::vector<std::string> arguments, std::string_view input = {},
         Output output = Output::pipe);
 
-/// One run of `fixproof`, its arguments separated by spaces.
 Run fixproof(std::string_view arguments, std::string_view input = {}, Output output = Output::pipe);
 
-/// The words of a command line of `fixproof`, the program first.
 std::vector<std::string> command(std::string_view arguments);
 
 /// Expects status 2 and one line on stderr that contains `part`.
 void expect_usage_error(const Run& run, std::string_view part);
 
-/// Whether the shell finds this program.
 bool has(std::string_view program);
 
-/// Assembles with nasm and returns the machine code; any warning fails the test.
+/// Assembles with nasm and returns the machine code. Any warning fails the test.
 std::string assemble(std::string_view source);
 
-/// Two hexadecimal digits and a space for each byte.
+/// Formats each byte as two hex digits and a space.
 std::string hex(std::string_view bytes);
 
-/// `count` times `c`.
 std::string repeated(std::size_t count, char c);
 
 std::vector<std::string> split(std::string_view text, char separator);

@@ -1,13 +1,13 @@
 /// @file
-/// Operands for tests: as many near the edges as anywhere else.
+/// Draws operands for tests, many of them near powers of two.
 #pragma once
 
 #include <cstdint>
 
 namespace command {
 
-/// A sequence of 64-bit numbers that its seed settles: steps of 2^64 over the golden ratio, their
-/// bits mixed (SplitMix64).
+/// A reproducible sequence of 64-bit numbers from a seed (SplitMix64): steps of 2^64 over the
+/// golden ratio with mixed bits.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -23,8 +23,8 @@ class Random {
   std::uint64_t state_;
 };
 
-/// A word of `bits` bits: a power of two or one beside it, or random bits of a random length;
-/// either, half of the time, negated.
+/// Draws a word of `bits` bits: a power of two or its neighbour, or random bits of a random length.
+/// Negates half of the words.
 inline std::uint32_t draw_word(Random& random, std::uint32_t bits) {
   const std::uint32_t mask = 0xFFFFFFFFU >> (32 - bits);
   const auto place = static_cast<std::uint32_t>(random() % bits);

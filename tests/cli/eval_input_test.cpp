@@ -1,4 +1,4 @@
-// What `fixproof eval` reads: lines that are passed over, and lines that are refused by number.
+// Tests the input of `fixproof eval`: lines that it skips, and lines that it rejects by number.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,13 +15,12 @@ using namespace std::string_literals;
 constexpr std::string_view good = "00018000 00028000\n";
 constexpr std::string_view answered = "0003c000\n";
 
-/// Exactly one line on stderr.
 void expect_one_line(const std::string& err) {
   ASSERT_FALSE(err.empty());
   EXPECT_EQ(err.find('\n'), err.size() - 1) << err;
 }
 
-/// `bad` as the third line of three: refused by its number, after both answers before it.
+/// Puts `bad` after two valid lines. Expects both answers, then an error with its line number.
 void expect_refused(const std::string& bad, std::string_view arguments = "eval mul") {
   const auto run = command::fixproof(arguments, fmt::format("{0}{0}{1}\n{0}", good, bad));
   EXPECT_EQ(run.status, 2) << bad;
@@ -63,7 +62,7 @@ TEST(EvalInput, AnswersBeforeTheNextLineIsAsked) {
   ASSERT_EQ(process.read_line(), "00005555");
   process.write("# nothing to answer\n00010000 00000000\n");
   ASSERT_EQ(process.read_line(), "DE");
-  // Half a line is no line yet.
+  // An incomplete line must get no answer.
   process.write("00020000 ");
   process.write("00030000\n");
   ASSERT_EQ(process.read_line(), "0000aaab");

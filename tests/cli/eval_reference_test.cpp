@@ -1,4 +1,4 @@
-// `fixproof eval` on whole streams of cases, against slow arithmetic written here.
+// Compares `fixproof eval` on whole streams of cases with slow, simple arithmetic.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@
 
 namespace {
 
-/// Operation, target, rounding, party.
 using RoutineForm = std::tuple<const char*, const char*, const char*, const char*>;
 
 class EvalReference : public testing::TestWithParam<RoutineForm> {};
@@ -59,7 +58,6 @@ INSTANTIATE_TEST_SUITE_P(
                          std::get<2>(test.param), std::get<3>(test.param));
     });
 
-/// The nearest 16.16 value of a cosine or sine, as a word.
 std::uint32_t nearest(long double value) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lroundl(value * 65536)));
 }
@@ -69,7 +67,7 @@ TEST(EvalReference, CosSinOfEveryAngle) {
   std::string expected;
   for (int angle = -32768; angle < 32768; ++angle) {
     fmt::format_to(std::back_inserter(lines), "{:04x}\n", static_cast<std::uint16_t>(angle));
-    // Only whole tenths of a turn are reduced: exactly.
+    // Reduces the angle in whole tenths of a degree, which is exact.
     const long double radians = angle % 3600 * std::numbers::pi_v<long double> / 1800;
     fmt::format_to(std::back_inserter(expected), "{:08x} {:08x}\n", nearest(std::cos(radians)),
                    nearest(std::sin(radians)));

@@ -1,4 +1,4 @@
-// `fixproof eval`: what it writes, each word worked out by hand.
+// Tests the output of `fixproof eval` against words worked out by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What one line gets from every party, and nothing on stderr.
+/// Expects the same answer from every party and nothing on stderr.
 void expect_from_all(std::string_view arguments, std::string_view line, std::string_view answer,
                      const std::vector<std::string>& parties = {"model", "interpreter", "oracle",
                                                                 "fast", "type"}) {
@@ -24,7 +24,6 @@ void expect_from_all(std::string_view arguments, std::string_view line, std::str
   }
 }
 
-/// One case of an operation in its four forms.
 struct Case {
   std::string_view line;
   std::string_view i386_on;
@@ -61,7 +60,7 @@ TEST(EvalMul, MinusOneAndAHalfUnits) {
 }
 
 TEST(EvalMul, WrapsModulo2To32) {
-  // (2^31 - 1)^2 = 2^62 - 2^32 + 1: above the unit 2^46 - 2^16, which is -2^16 modulo 2^32.
+  // (2^31 - 1)^2 = 2^62 - 2^32 + 1. Above the unit it is 2^46 - 2^16, which is -2^16 modulo 2^32.
   expect_in_all_forms("mul", {"7fffffff 7fffffff", "ffff0000", "ffff0000", "ffff0000", "ffff0000"});
   expect_in_all_forms("mul", {"80000000 80000000", "00000000", "00000000", "00000000", "00000000"});
   expect_in_all_forms("mul", {"80000000 ffff0000", "80000000", "80000000", "80000000", "80000000"});
@@ -149,7 +148,7 @@ TEST(EvalXformVec, RoundsEveryProductOnItsOwn) {
   expect_from_all("xformvec --target i8088 --round off", line, "00000000 00000000 00000000");
 }
 
-// Moves by (1, 2, 3), then by (4, 5, 6): the identity with a translation, twice.
+// The identity with a translation, twice: by (1, 2, 3), then by (4, 5, 6).
 constexpr std::string_view two_moves =
     "00010000 00000000 00000000 00010000 00000000 00010000 00000000 00020000 "
     "00000000 00000000 00010000 00030000 00010000 00000000 00000000 00040000 "
@@ -163,7 +162,7 @@ TEST(EvalConcat, AddsTheTranslationInTheFourthColumn) {
   }
 }
 
-// A move along z by 0.5, after one by `second`.
+// A translation along z by 0.5 after one by `second`.
 TEST(EvalConcat, The8088LosesTheCarryOfTheTranslation) {
   const auto moves = [](std::string_view second) {
     return fmt::format(

@@ -1,5 +1,4 @@
-// `fixproof list`: what it prints assembles, for the processor it says, to the bytes that it
-// should.
+// Tests that the output of `fixproof list` assembles to the right bytes for its processor.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -124,7 +123,7 @@ TEST(List, BeginsWithSourceAndDigest) {
   };
   expect("mul --target i386", "listing 54.1",
          "3713cdcf6f7c0b06873a2fefe0c65b83e6611d5678414a2a0318476d80011023, the author's, 9 ");
-  // The rounding of multiplies is not the divide's.
+  // The rounding of multiplies does not affect the divide.
   expect("div --target i386 --mul-round off --div-round on", "listing 54.1",
          "b54df775097e980339366294cc1a9365398e170ad1ddd9634cd77a368bfcf6ba, the author's, 29 ");
   expect("div --target i8088 --mul-round on --div-round off", "listing 54.1",
@@ -133,7 +132,7 @@ TEST(List, BeginsWithSourceAndDigest) {
          "73e3cabcad47252fd65ae28d64ca4a92e8c80986ca0178501f90b6d3d563dc66, the author's, 72 ");
   expect("cossin --target i8088", "listing 54.1, but each SHL BX,2 is two shifts by one",
          "39f11737eba35c94059943c69a65960f0f6b662204c62397c227463f4bfcf951, ours, 76 ");
-  // Rounded, the scan's reading is the same program.
+  // With rounding, the program as scanned is the same.
   expect("div --target i8088 --round on --as-scanned", "listing 54.1",
          "d7e871bb696cc0dfb39ec7d2d16e7d48a0ce5d8dfccbbfd456f17609d0ba1892, the author's, 38 ");
   expect("div --target i8088 --round off --as-scanned",

@@ -1,4 +1,4 @@
-// `fixproof list` and `fixproof trace` of the inner loops, worked out by hand.
+// Tests `fixproof list` and `fixproof trace` of the inner loops against results worked out by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::string loop_output(std::string_view arguments) {
   return run.out;
 }
 
-/// The machine code of what `list` prints, in hexadecimal.
+/// Assembles the output of `list` and returns the machine code in hex.
 std::string loop_code(std::string_view arguments) {
   return command::hex(command::assemble(loop_output(fmt::format("list {}", arguments))));
 }
@@ -59,7 +59,7 @@ std::vector<std::string> traced_loop(std::string_view arguments) {
 }
 
 TEST(LoopCommands, TracesOfTwoPixels) {
-  // 20h.80h, and a step of 1.80h: 20h, then 22h.
+  // Starts at 20.80h with a step of 1.80h: the pixels are 20h and 22h.
   const std::vector<std::string> bytes{"mov al, dh:  eax=00000020",
                                        "add dx, bp:  edx=00002200",
                                        "stosb:  edi=00002801 [2800]=20",
@@ -70,7 +70,7 @@ TEST(LoopCommands, TracesOfTwoPixels) {
                                        "loop .Pixel:  ecx=00000000",
                                        "ret:  esp=00000060"};
   EXPECT_EQ(traced_loop("gouraud-byte 00000002 00002080 00000180"), bytes);
-  // Row 3, column 32: their sum is the texel.
+  // Row 3 and column 32 select the texel.
   const auto texture =
       traced_loop("texture 00000001 00002000 00000000 00000300 00000000 --target i8088");
   ASSERT_EQ(texture.size(), 8U);

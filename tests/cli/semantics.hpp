@@ -1,6 +1,6 @@
 /// @file
-/// What FixedMul and FixedDiv return, worked out from docs/semantics.md in 128-bit integers and
-/// written for reading, not for speed.
+/// FixedMul and FixedDiv from docs/semantics.md in 128-bit integers, written for clarity and not
+/// for speed.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ inline constexpr Integer one = 65536;
 constexpr Integer value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
 constexpr Integer magnitude(Integer n) { return n < 0 ? -n : n; }
 
-/// n / d toward -infinity, for d > 0.
+/// The floor of n / d, for d > 0.
 constexpr Integer floor_divide(Integer n, Integer d) {
   Integer quotient = n / d;
   while (quotient * d > n) --quotient;
   return quotient;
 }
 
-/// A result as the caller sees it: modulo 2^32.
+/// A result modulo 2^32.
 constexpr std::uint32_t word_of(Integer n) {
   return static_cast<std::uint32_t>(n - floor_divide(n, one * one) * one * one);
 }
@@ -35,11 +35,11 @@ constexpr std::uint32_t mul(std::uint32_t a, std::uint32_t b, bool is_386, bool 
   return word_of(product < 0 ? -size : size);
 }
 
-/// Empty for a divide error.
+/// Returns no value for a divide error.
 constexpr std::optional<std::uint32_t> div(std::uint32_t n, std::uint32_t d, bool is_386,
                                            bool round) {
   const bool negative = (value_of(n) < 0) != (value_of(d) < 0);
-  // The 8088 divides by the whole part alone: both sides lose 16 fraction bits.
+  // The 8088 divides by the whole part, so both operands lose 16 fraction bits.
   const Integer divisor = is_386 ? magnitude(value_of(d)) : magnitude(value_of(d)) / one;
   const Integer dividend = magnitude(value_of(n)) * (is_386 ? one : 1);
   if (divisor == 0) return std::nullopt;

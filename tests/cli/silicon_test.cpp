@@ -1,5 +1,5 @@
-// The definitions of bitwise.hpp against the processor the test runs on: the reference's reference.
-// Later processors still execute these instructions as the 386 does.
+// Tests the definitions of bitwise.hpp against the host processor. Current processors still execute
+// these instructions as the 386 does.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -17,7 +17,7 @@ namespace {
 using bitwise::Answer;
 using bitwise::Operands;
 
-/// EAX as flags travel in it: AH is the low byte of FLAGS, AL is 1 where OF is set.
+/// Flags in the form of EAX: AH is the low byte of FLAGS, and AL is 1 if OF is set.
 std::uint32_t packed(std::uint16_t flags) {
   return (flags & 0xFFU) << 8U | ((flags & bitwise::OF) != 0 ? 1U : 0U);
 }
@@ -26,7 +26,7 @@ std::uint16_t unpacked(std::uint32_t eax) {
   return static_cast<std::uint16_t>(low | ((eax & 1U) != 0 ? bitwise::OF : 0U));
 }
 
-/// MUL or IMUL; of the flags they define CF and OF.
+/// MUL or IMUL. They define only CF and OF.
 template <class Word>
 Answer multiplied(std::string_view name, const Operands& o) {
   auto low = static_cast<Word>(o.first);
@@ -50,7 +50,7 @@ Answer multiplied(std::string_view name, const Operands& o) {
   return {.value = low, .high = high, .flags = flags};
 }
 
-/// DIV or IDIV. Volatile: a fault counts, even where no result is looked at.
+/// DIV or IDIV. The asm is volatile because a fault counts even if the result is unused.
 template <class Word>
 Answer divided(std::string_view name, const Operands& o) {
   auto low = static_cast<Word>(o.first);
@@ -72,7 +72,7 @@ Answer divided(std::string_view name, const Operands& o) {
       : [second] "r"(second), [count] "c"(count)                \
       : "cc")
 
-/// One instruction on this processor, on operands as wide as Word. Never called for a fault.
+/// Runs one instruction on the host, on operands as wide as Word. It must not fault.
 template <class Word>
 Answer on_silicon(std::string_view name, const Operands& o) {
   if (name == "mul" || name == "imul") return multiplied<Word>(name, o);
@@ -117,7 +117,7 @@ class Silicon : public testing::TestWithParam<const char*> {
                        .count = static_cast<int>(random() % 40),
                        .high = command::draw_word(random, bits),
                        .flags = static_cast<std::uint16_t>(random() & bitwise::all_six)};
-      // SHLD and SHRD of a word by more than 16 are not defined at all.
+      // SHLD and SHRD of a word by more than 16 are undefined.
       if (bits == 16 && name.starts_with("sh") && name.size() == 4 && o.count % 32 > 16) continue;
       const Answer expected = bitwise::execute(name, o, bits);
       if (expected.fault) {
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Instruction, Silicon,
                                          "shrd", "mul", "imul", "div", "idiv"),
                          [](const auto& test) { return test.param; });
 
-/// The divide error, as the operating system tells of it; whatever else would catch it is let go.
+/// Raises a divide error with the system's default action, which removes any other handler.
 template <class Word>
 void divide_by_default(std::string_view name, const Operands& o) {
   (void)std::signal(SIGFPE, SIG_DFL);
@@ -162,7 +162,8 @@ TEST(SiliconDeathTest, FaultsWhereTheDefinitionFaults) {
     EXPECT_EXIT(divide_by_default<std::uint32_t>(name, faults), testing::KilledBySignal(SIGFPE),
                 "");
   };
-  // Quotients 2^32 - 1 and 2^32; 2^31 - 1 and 2^31; -2^31 and -2^31 - 1; then zero divisors.
+  // Largest quotients and one beyond: 2^32 - 1 and 2^32; 2^31 - 1 and 2^31; -2^31 and -2^31 - 1.
+  // Then zero divisors.
   expect_edge("div", {.first = 0xFFFFFFFF, .second = 2, .high = 1}, {.second = 2, .high = 2});
   expect_edge("idiv", {.first = 0xFFFFFFFF, .second = 2}, {.second = 2, .high = 1});
   expect_edge("idiv", {.second = 0xFFFFFFFE, .high = 1},

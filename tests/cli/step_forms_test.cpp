@@ -1,4 +1,4 @@
-// `fixproof step`: every form that is modelled, on both processors, against bitwise.hpp.
+// Tests every instruction form of `fixproof step` on both processors against bitwise.hpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,6 @@ struct InstructionForm {
   const char* operands;
 };
 
-/// Read off the printed listings for the 8088.
 constexpr auto forms_8088 = std::to_array<InstructionForm>({{"mov", "ww"},
                                                             {"push", "w"},
                                                             {"add", "ww"},
@@ -57,7 +56,7 @@ constexpr auto forms_8088 = std::to_array<InstructionForm>({{"mov", "ww"},
                                                             {"loop", "l"},
                                                             {"jmp", "w"}});
 
-/// What the listings for the 386 use besides.
+/// The additional forms in the listings for the 386.
 constexpr auto more_forms_386 = std::to_array<InstructionForm>(
     {{"mov", "dd"}, {"add", "dd"}, {"add", "di"}, {"adc", "di"},   {"sub", "dd"},
      {"cmp", "dd"}, {"neg", "d"},  {"inc", "d"},  {"dec", "d"},    {"imul", "d"},
@@ -128,7 +127,7 @@ class Questions {
  public:
   explicit Questions(bool is_386) : is_386_(is_386) {}
 
-  /// A random instruction of the form in a random state, and what Intel says becomes of it.
+  /// Draws an instruction of the form and a state, and computes the expected answer.
   Question ask(const InstructionForm& form) {
     const std::string_view kinds = form.operands;
     const std::string_view name = form.name;
@@ -156,14 +155,14 @@ class Questions {
   }
 
  private:
-  /// The text of an operand that is no register, and its value in `o`.
+  /// Draws an operand other than a register: returns its text and stores its value in `o`.
   std::string constant(std::string_view name, char kind, bitwise::Operands& o, int bits) {
     if (kind == 'l') return "Somewhere";
     if (!is_shift(name)) {
       o.second = command::draw_word(random_, static_cast<std::uint32_t>(bits));
       return immediate_text(o.second, bits);
     }
-    // 1 by itself is a form of its own, but 33 is the same count.
+    // A count of 1 is a separate form, but 33 is the same count.
     do {
       o.count = static_cast<int>(random_() % (random_() % 2 == 0 ? 34 : 256));
     } while (o.count == 1);
@@ -243,7 +242,7 @@ TEST_P(StepForms, DoWhatIntelDefines) {
       lines += asked.back().line + '\n';
       if (asked.back().answer == "DE") ++faults;
     }
-    // Both endings of a divide are seen often.
+    // Divides must often fault and often succeed.
     const bool divides = std::string_view(form.name).ends_with("div");
     EXPECT_EQ(faults > cases_of_each / 20, divides) << form.name;
     EXPECT_LT(faults, cases_of_each * 19 / 20) << form.name;
@@ -258,8 +257,8 @@ TEST_P(StepForms, DoWhatIntelDefines) {
   }
 }
 
-/// Whether an operand list of that shape can be asked at all: a label is an operand of jumps alone,
-/// where an immediate is one, and a shift by one is a form of its own only for shifts.
+/// Whether the instruction can have these operands: only jumps take a label (in place of an
+/// immediate), and only shifts have a separate form for a count of one.
 bool makes_sense(std::string_view name, std::string_view shape) {
   const bool jumps = name.starts_with('j') || name == "call" || name == "loop";
   const bool shifts = name == "shl" || name == "shr" || name == "sar" || name == "rol";
@@ -268,7 +267,7 @@ bool makes_sense(std::string_view name, std::string_view shape) {
   return shifts || !shape.ends_with('1');
 }
 
-/// An instruction of that shape, all its registers CX, ECX or CL.
+/// An instruction of that shape with CX, ECX or CL for every register.
 std::string sample(std::string_view name, std::string_view shape) {
   std::string text(name);
   for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -311,7 +310,7 @@ TEST_P(StepForms, NoOthersAreModelled) {
       const bool modelled = std::any_of(
           forms.begin(), forms.end(),
           [&](const InstructionForm& form) { return form.name == name && form.operands == shape; });
-      // All registers are 0: what divides, divides by zero.
+      // All registers are 0, so every divide faults.
       const char* answer = name.ends_with("div") ? "DE" : "modelled";
       expected.emplace_back(modelled ? answer : "unmodelled");
     }

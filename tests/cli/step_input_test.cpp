@@ -1,4 +1,4 @@
-// What `fixproof step` reads: lines that are passed over, and lines that are refused by number.
+// Tests the input of `fixproof step`: lines that it skips, and lines that it rejects by number.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using namespace std::string_literals;
 constexpr std::string_view registers =
     "ax=0000 bx=0000 cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=0000 fl=0000";
 
-/// A line of that instruction, all registers 0; `more` follows.
+/// A line with the instruction and registers that are all 0, then `more`.
 std::string line(std::string_view instruction, std::string_view more = "") {
   return fmt::format("{} | {}{}", instruction, registers, more);
 }
@@ -25,7 +25,7 @@ const std::string& first_answer() {
   return text;
 }
 
-/// `bad` as the second line of three: refused by its number, after the answer before it.
+/// Puts `bad` after one valid line. Expects that answer, then an error with its line number.
 void expect_refused(const std::string& bad, std::string_view part, std::string_view cpu = "386") {
   const auto run = command::fixproof(fmt::format("step --cpu {}", cpu),
                                      fmt::format("{}\n{}\n{}\n", good(), bad, good()));
@@ -130,7 +130,7 @@ TEST(StepInput, RefusesImmediatesThatDoNotFit) {
   expect_bad("add eax, -2147483649");
   expect_bad("shl bx, 256");
   expect_bad("shl bx, -1");
-  // One less does.
+  // The limits themselves fit.
   for (const std::string_view fits :
        {"add ax, 0xffff", "add ax, -32768", "add eax, -2147483648", "shl bx, 255"}) {
     EXPECT_EQ(command::fixproof("step", line(fits)).status, 0) << fits;

@@ -1,4 +1,4 @@
-// `fixproof step`: what it writes, each state worked out by hand.
+// Tests the output of `fixproof step` against states worked out by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view zeros =
     "ax=0000 bx=0000 cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=0000 fl=0000";
 
-/// The registers of one line, all 0 but those given first: "cx=0001 fl=0002".
+/// The registers of a line: those in `given`, such as "cx=0001 fl=0002", and 0 for the others.
 std::string state(std::string_view given) {
   std::string result;
   for (const std::string& field : command::split(zeros, ' ')) {
@@ -34,7 +34,7 @@ void expect_answer(std::string_view cpu, std::string_view line, const std::strin
   EXPECT_EQ(run.status, 0) << line;
 }
 
-/// The state after `instruction` on both processors; `before` and `after` as for state().
+/// Expects a state on both processors. `before` and `after` are arguments of state().
 void expect_step(std::string_view instruction, std::string_view before, std::string_view after,
                  std::string_view undefined = "-") {
   for (const std::string_view cpu : {"8088", "386"}) {
@@ -50,7 +50,7 @@ void expect_step_386(std::string_view instruction, std::string_view before, std:
 }
 
 TEST(StepCommand, CarryIntoAnAddition) {
-  // ffff + 0 + 1 = 0: CF, AF out of the low digit, ZF, and PF for no ones at all.
+  // ffff + 0 + 1 = 0 sets CF, AF (carry from the low digit), ZF, and PF because no bit is set.
   expect_step("adc bx, dx", "bx=ffff sp=fffe fl=0001", "bx=0000 sp=fffe fl=0055");
 }
 
@@ -83,7 +83,7 @@ TEST(StepCommand, LogicClearsCarryAndOverflow) {
 }
 
 TEST(StepCommand, OtherBitsOfTheFlagsPassThrough) {
-  // fl = f72a has none of the six.
+  // f72a has none of the six flags.
   expect_step("mov ax, bx", "bx=1234 fl=f72a", "ax=1234 bx=1234 fl=f72a");
   expect_step("sub cx, cx", "cx=1234 fl=f72a", "fl=f76e");
   expect_step("mov ax, bx", "fl=ffff", "fl=ffff");
@@ -100,7 +100,7 @@ TEST(StepCommand, MultiplyLeavesFourFlagsUndefined) {
 
 TEST(StepCommand, DivideLeavesAllSixUndefined) {
   expect_step("div bx", "ax=0007 bx=0002 fl=08d5", "ax=0003 bx=0002 dx=0001", "CF,PF,AF,ZF,SF,OF");
-  // -7 / 2 toward zero: -3, and the rest has the sign of the dividend.
+  // -7 / 2 truncates to -3, and the remainder has the sign of the dividend.
   expect_step_386("idiv ebx", "eax=fffffff9 ebx=00000002 edx=ffffffff",
                   "eax=fffffffd ebx=00000002 edx=ffffffff", "CF,PF,AF,ZF,SF,OF");
 }
@@ -111,7 +111,7 @@ TEST(StepCommand, DivideErrors) {
     expect_answer(cpu, "div bx | " + state("bx=0001 dx=0001"), "DE");
     expect_answer(cpu, "div dx | " + state("dx=0001"), "DE");
   }
-  // 2^31 is one too many, -2^31 is not.
+  // A quotient of 2^31 does not fit; -2^31 does.
   expect_answer("386", "idiv ebx | " + state("eax=80000000 ebx=00000001 edx=00000000"), "DE");
   expect_step_386("idiv ebx", "eax=80000000 ebx=00000001 edx=ffffffff",
                   "eax=80000000 ebx=00000001 edx=00000000", "CF,PF,AF,ZF,SF,OF");
@@ -167,7 +167,7 @@ TEST(StepCommand, WordsLeaveTheUpperHalfAlone) {
 TEST(StepCommand, EachRegisterComesBackAsItWasGiven) {
   expect_step_386("mov ax, bx", "eax=00000000 bx=0001 edx=00000007",
                   "eax=00000001 bx=0001 edx=00000007");
-  // Unless its upper half was filled meanwhile.
+  // A register given as ax returns as eax if its upper half is no longer zero.
   expect_step_386("neg eax", "ax=0001", "eax=ffffffff fl=0095");
   expect_step_386("add eax, ebx", "ax=0001 bx=0001", "ax=0002 bx=0001");
 }

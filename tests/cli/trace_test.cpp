@@ -1,4 +1,5 @@
-// `fixproof trace`: what the lines say, worked out by hand. Addresses of the stack are the model's.
+// Tests the output of `fixproof trace` against lines worked out by hand. The stack addresses are
+// the model's.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 
 namespace {
 
-/// The lines of a trace that ends well.
 std::vector<std::string> trace(std::string_view arguments) {
   const auto run = command::fixproof("trace " + std::string(arguments));
   EXPECT_EQ(run.status, 0) << run.err;
@@ -21,7 +21,7 @@ std::vector<std::string> trace(std::string_view arguments) {
   return lines;
 }
 
-/// The line of instruction `text`, from its flags on; empty where it was not executed.
+/// The line of instruction `text` from its flags on; empty if it was not executed.
 std::string after(const std::vector<std::string>& lines, const std::string& text) {
   for (const std::string& line : lines) {
     if (line.substr(6, text.size() + 1) == text + ' ') return line.substr(37);
@@ -35,7 +35,7 @@ TEST(Trace, HeadingNamesTheColumns) {
 }
 
 TEST(Trace, MultiplyOnThe386) {
-  // -1.5 * 2.5: the product is fffffffc40000000, half a unit more fffffffc40008000.
+  // -1.5 * 2.5: the product is fffffffc40000000; plus half a unit it is fffffffc40008000.
   const auto lines = trace("mul fffe8000 00028000");
   ASSERT_EQ(lines.size(), 11);
   EXPECT_EQ(lines[3].substr(0, 4), "   2");
@@ -79,7 +79,7 @@ TEST(Trace, AsScannedStopsAtTheUndefinedCarry) {
   EXPECT_EQ(lines.back(),
             "  23  adc cx, 0                       ?  ?  ?  ?  ?  ?  "
             "reads a flag that Intel leaves undefined");
-  // With rounding the same instruction reads a carry that is defined.
+  // With rounding, the same instruction reads a defined carry.
   EXPECT_NE(trace("div 00018000 00028000 --target i8088 --as-scanned")
                 .back()
                 .find("result 0000c000 (0.75)"),
@@ -101,7 +101,7 @@ TEST(Trace, LinesEndWithoutSpaces) {
   }
 }
 
-/// The last two lines of the trace of a mutant, which has to be the one with that change.
+/// The last two lines of a mutant's trace. Mutant `number` must have that change.
 std::string end_of_mutant(const std::string& arguments, int number, std::string_view change) {
   const auto lines = trace(fmt::format("{} --mutant {}", arguments, number));
   EXPECT_EQ(lines.front(), fmt::format("mutant {}: {}", number, change));
@@ -110,20 +110,20 @@ std::string end_of_mutant(const std::string& arguments, int number, std::string_
 
 TEST(Trace, SaysWhatAMutantDoesNotKeep) {
   const std::string mul = "mul 00018000 00028000";
-  // The caller's BP comes back in SI: both are lost, and the result is right.
+  // The caller's BP is popped into SI. Both registers are lost, although the result is right.
   EXPECT_EQ(end_of_mutant(mul, 50, "7 pop bp -> pop si"),
             trace(mul).back() + "\nbreaks down: does not keep si, bp");
-  // The caller's DI comes back in BP, which is restored after it.
+  // The caller's DI is popped into BP, which is restored later.
   const std::string on_8088 = mul + " --target i8088";
   EXPECT_EQ(end_of_mutant(on_8088, 277, "46 pop di -> pop bp"),
             trace(on_8088).back() + "\nbreaks down: does not keep di");
-  // Writes to the transform where it should read it.
+  // Writes to the transform instead of reading it.
   std::string point = "xformvec";
   for (int i = 0; i < 15; ++i) point += " 00010000";
   EXPECT_NE(end_of_mutant(point, 44, "7 mov eax, [si] -> mov [si], eax")
                 .find("\nbreaks down: does not keep operand 1"),
             std::string::npos);
-  // What only rounds the wrong way, down instead of up, keeps all.
+  // A mutant that only rounds down instead of up preserves all registers.
   EXPECT_EQ(end_of_mutant(mul, 27, "4 add eax, 0x8000 -> sub eax, 0x8000").find("breaks down"),
             std::string::npos);
 }

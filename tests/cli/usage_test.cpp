@@ -1,4 +1,4 @@
-// The command line itself: what is no usage ends with status 2 and one line on stderr.
+// Tests the command line: bad usage gives exit status 2 and one line on stderr.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -112,7 +112,7 @@ TEST(Usage, OnlyThe8088ConcatIsRepaired) {
 }
 
 TEST(Usage, NumbersAreDecimal) {
-  // As octal 010 would be 8, 09 nothing and 064 the 52 of a chapter.
+  // In octal, 010 would be 8, 09 invalid and 064 chapter 52.
   for (const std::string_view number : {"010", "10"}) {
     const auto run =
         command::fixproof("trace mul 00018000 00028000 --mutant " + std::string(number));
@@ -141,7 +141,7 @@ TEST(Usage, HelpIsNoError) {
     const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_NE(run.out, "") << arguments;
-    // No name of the program's own text.
+    // Help must not contain identifiers of the program.
     EXPECT_FALSE(std::regex_search(run.out, std::regex("[A-Z][a-z]+Options"))) << arguments;
     EXPECT_EQ(run.err, "") << arguments;
   }

@@ -1,4 +1,4 @@
-// A party that is absent says so, and nobody takes it for one that agrees.
+// Tests that an unavailable party reports so and does not count as agreeing.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -29,7 +29,7 @@ using namespace fixproof;
 TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
   for (const auto& party : parties::parties()) {
     const bool is_machine = party->name() == "silicon" || party->name() == "unicorn";
-    if (party->name().starts_with("batch-")) continue;  // of another processor
+    if (party->name().starts_with("batch-")) continue;  // for another processor
     if (!is_machine) {
       EXPECT_EQ(party->absence(), "") << party->name();
       continue;
@@ -47,9 +47,9 @@ TEST(Absence, IsSaidWhereThereIsNoMachineCode) {
 
 #if defined(__linux__) && defined(__x86_64__)
 
-// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): prctl() and execl() are nothing else
+// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): prctl() and execl() are variadic
 
-/// From now on the system refuses modify_ldt() to this process, as a container may.
+/// Makes the system refuse modify_ldt() to this process, as a container may.
 void refuse_segments() {
   std::array<sock_filter, 4> rules{
       sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -61,7 +61,7 @@ void refuse_segments() {
   if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0) std::_Exit(125);
 }
 
-/// Ends the process as `fixproof verify mul OPTION VALUE` ends where segments are refused.
+/// Turns the process into `fixproof verify mul OPTION VALUE` without segments.
 void verify_without_segments(const char* option, const char* value) {
   refuse_segments();
   execl(FIXPROOF_COMMAND, FIXPROOF_COMMAND, "verify", "mul", option, value, nullptr);
@@ -88,8 +88,8 @@ TEST_F(AbsenceDeathTest, OfTheProcessorEndsWithStatus2AndTheReason) {
 
 [[noreturn]] void exit_42(int /*signal*/) { std::_Exit(42); }
 
-/// A divide error in a segment, then SIGFPE of the program's own, which is `action`'s to catch: it
-/// was there before the segment.
+/// Raises a divide error in a segment, then SIGFPE in the program itself. `action`, installed
+/// before the segment, must catch the second.
 void fault_inside_then_outside(void (*action)(int)) {
   static_cast<void>(std::signal(SIGFPE, action));
   if (!machine_code::Processor::absence().empty()) std::_Exit(77);

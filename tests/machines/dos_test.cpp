@@ -1,4 +1,4 @@
-// `fixproof dos`: the programs it writes, run in DOSBox, answer as the model does.
+// Tests that the programs of `fixproof dos` give the model's answers in DOSBox.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@ namespace {
 
 using namespace fixproof;
 
-/// The options of fixproof that name a program.
 std::string arguments_of(const machine_code::ProgramKey& key) {
   const std::string name = machine_code::name_of(key);
   std::string arguments = name.substr(0, name.find('-'));
@@ -27,7 +26,7 @@ std::string arguments_of(const machine_code::ProgramKey& key) {
   return arguments;
 }
 
-/// Lines of operands for a program: streams of each kind, each line as `fixproof eval` reads it.
+/// Operand lines for a program from streams of each kind, in the format of `fixproof eval`.
 std::string lines_for(const machine_code::ProgramKey& key) {
   const cases::Variant v{.operation = static_cast<cases::Operation>(key.routine)};
   const std::size_t in = cases::words_in(v.operation);
@@ -43,7 +42,7 @@ std::string lines_for(const machine_code::ProgramKey& key) {
   if (v.operation == cases::Operation::cossin) {
     for (std::uint64_t angle = 0; angle < 0x10000; angle += 31) add(cases::Stream::every, angle, 1);
   } else if (in == 2) {
-    // No common divisor with the lattice's width, so that every value comes.
+    // 25 shares no divisor with the lattice's width, so every value occurs.
     for (std::uint64_t i = 0; i < *cases::size_of(cases::Stream::lattice, v); i += 25)
       add(cases::Stream::lattice, i, 1);
     add(cases::Stream::scaled, 0, 1000);
@@ -61,14 +60,13 @@ class Dos : public testing::Test {
       GTEST_SKIP() << machine_code::machine_code_absence();
   }
 
-  /// Has a program written under a name that DOS can have; CON.COM, for one, is a device.
+  /// Writes a program under a valid DOS name. CON.COM, for example, is a device.
   void make(const std::string& name, std::string_view arguments) const {
     const auto run = command::fixproof(fmt::format("dos {} -o {}", arguments, folder_.path(name)));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.out + run.err, "");
   }
 
-  /// Runs these commands of DOS in the folder, without a screen.
   void in_dosbox(const std::string& commands) const {
     folder_.write("dosbox.cfg",
                   "[cpu]\ncore=normal\ncycles=max\n[mixer]\nnosound=true\n[autoexec]\n@echo off\n"
@@ -83,7 +81,6 @@ class Dos : public testing::Test {
   const ScratchFolder folder_;
 };
 
-/// DOS ends lines with CR LF.
 std::string without_cr(std::string text) {
   text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
   return text;
@@ -105,7 +102,7 @@ TEST_F(Dos, EveryProgramAnswersAsTheModel) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto model = command::fixproof("eval " + arguments_of(keys[i]), lines_for(keys[i]));
     ASSERT_EQ(model.status, 0) << model.err;
-    // Not EXPECT_EQ: it would print thousands of lines.
+    // EXPECT_EQ would print thousands of lines.
     const auto said = command::split(without_cr(folder_.read(fmt::format("P{}.OUT", i))), '\n');
     const auto expected = command::split(model.out, '\n');
     ASSERT_EQ(said.size(), expected.size()) << machine_code::name_of(keys[i]);

@@ -1,6 +1,5 @@
-// The model and Unicorn in lock step: after every instruction the same registers and the same
-// flags, as far as the model says that they are defined. Where it says that a flag is undefined,
-// Unicorn gets a random one.
+// Runs the model and Unicorn in lock step and compares registers and defined flags after every
+// instruction. Unicorn gets a random value for each flag that the model calls undefined.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +22,7 @@ using namespace fixproof;
 using x86model::Outcome;
 using x86model::Routine;
 
-/// One instruction of the model's run and what stood in the machine after it.
+/// One instruction of the model's run and the machine state after it.
 struct Instant {
   std::size_t position;
   x86model::Registers<16> registers;
@@ -79,14 +78,13 @@ std::string shown(const x86model::Registers<16>& registers, std::uint16_t flags)
   return text + fmt::format("flags {:03x}", flags);
 }
 
-/// A program of the model beside machine code, case by case.
 class Lockstep {
  public:
-  /// @param code other code than the program's makes a saboteur
+  /// @param code machine code to run; different from the program's in tests of the comparison
   Lockstep(const machine_code::ProgramKey& key, std::span<const std::uint8_t> code)
       : key_(key), emulator_(code) {}
 
-  /// @return the first difference, empty where there is none
+  /// @return the first difference, or an empty string
   std::string difference(std::span<const std::uint32_t> in) {
     const machine_code::Frame frame = machine_code::frame_of(key_.routine);
     machine_code::SegmentMachine m(emulator_.memory());
@@ -132,7 +130,7 @@ class Lockstep {
                             const machine_code::SegmentMachine& machine, std::uint16_t next) {
     ++instructions_;
     if (steps > model.instants.size()) return fmt::format("more than {} instructions", steps - 1);
-    // The instruction that is next: every position of the listing has one address, in order.
+    // The positions of the listing and the addresses of the code have the same order, one to one.
     if (steps < model.instants.size() || model.ending.outcome == Outcome::divide_error) {
       const std::size_t position =
           steps < model.instants.size() ? model.instants[steps].position : model.ending.position;
@@ -161,7 +159,7 @@ class Lockstep {
   std::uint64_t instructions_ = 0;
 };
 
-/// Operands for a program: the lattice, every `stride`-th case of it, and random ones.
+/// Operands for a program: a sample of the lattice where there is one, and random cases.
 std::vector<std::uint32_t> cases_for(const machine_code::ProgramKey& key) {
   const cases::Variant v{.operation = static_cast<cases::Operation>(key.routine)};
   const std::size_t in = cases::words_in(v.operation);
@@ -173,7 +171,7 @@ std::vector<std::uint32_t> cases_for(const machine_code::ProgramKey& key) {
   switch (key.routine) {
     case Routine::mul:
     case Routine::div:
-      // A stride without a common divisor with the lattice's width comes to every value.
+      // 5 shares no divisor with the lattice's width, so every value occurs.
       for (std::uint64_t i = 0; i < *cases::size_of(cases::Stream::lattice, v); i += 5)
         add(cases::Stream::lattice, i, 1);
       add(cases::Stream::scaled, 0, 2000);
@@ -223,7 +221,7 @@ TEST_P(LockstepOf, EveryInstructionAgrees) {
 std::vector<std::string> programs_in_lockstep() {
   std::vector<std::string> names;
   for (const machine_code::ProgramKey& key : machine_code::all_programs()) {
-    // As it was scanned, the unrounded divide adds a flag that DIV leaves undefined.
+    // Without rounding, the divide as scanned adds a flag that DIV leaves undefined.
     if (!key.build.endif_as_scanned || key.build.div_rounding)
       names.push_back(machine_code::name_of(key));
   }
@@ -241,7 +239,7 @@ TEST(Lockstep, SeesOtherCode) {
   if (!skip_reason().empty()) GTEST_SKIP() << skip_reason();
   const machine_code::ProgramKey key = key_named("mul-i386-on");
   const auto right = machine_code::machine_code(key);
-  // 1.5 x 2.5, and a product whose rounding carries into all of EDX.
+  // 1.5 * 2.5, and a product whose rounding carries through all of EDX.
   constexpr std::array<std::array<std::uint32_t, 2>, 2> cases{
       {{0x00018000, 0x00028000}, {0x00000001, 0xFFFF8000}}};
   const auto differs = [&](std::span<const std::uint8_t> code) {
@@ -250,7 +248,7 @@ TEST(Lockstep, SeesOtherCode) {
     });
   };
   EXPECT_FALSE(differs(right));
-  // All but the RET: with the zeros behind it C2h is one too.
+  // Excludes the RET: with the zeros behind it, C2h is a RET too.
   for (std::size_t at = 0; at + 1 < right.size(); ++at) {
     std::vector<std::uint8_t> wrong(right.begin(), right.end());
     wrong[at] ^= 1U;
@@ -270,7 +268,7 @@ TEST(Lockstep, SeesThatAnUndefinedFlagIsRead) {
 
 TEST(Lockstep, FlagsWrittenBetweenInstructionsCount) {
   if (!skip_reason().empty()) GTEST_SKIP() << skip_reason();
-  // ADD AX,0 clears CF; ADC AX,0 adds it to AX, which holds 0.
+  // ADD AX,0 clears CF, and ADC AX,0 adds CF to AX, which holds 0.
   machine_code::Emulator emulator(
       std::array<std::uint8_t, 7>{0x05, 0x00, 0x00, 0x15, 0x00, 0x00, 0xC3});
   for (const std::uint16_t carry : {std::uint16_t{0}, std::uint16_t{x86model::CF}}) {

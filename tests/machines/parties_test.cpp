@@ -1,5 +1,5 @@
-// The parties that run machine code: they agree with the model, they see one wrong byte, and faults
-// in many threads at once do not meet.
+// Tests the parties that run machine code: they agree with the model, they detect one wrong byte,
+// and faults in several threads do not interfere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,6 @@ const parties::Party& find(std::string_view name) {
   throw std::invalid_argument(std::string(name));
 }
 
-/// Operands and room for the answers of one variant.
 struct Cases {
   explicit Cases(const cases::Variant& v) : variant(v) {}
 
@@ -41,7 +40,7 @@ struct Cases {
   std::vector<std::uint32_t> words;
 };
 
-/// What a party says of all of them; result words of a case that faults are 0.
+/// A party's answers to all cases. The result words of a case that faults are 0.
 struct Answers {
   std::vector<std::uint32_t> out;
   std::vector<parties::Ending> endings;
@@ -147,7 +146,7 @@ TEST_P(MachineParty, IsWrongWhereOneByteIs) {
   const Answers model = answers_of(cases, find("model"));
   EXPECT_EQ(say(), model);
 
-  // The constant of ADD EAX,8000h: the byte 80h of it, less 1.
+  // Changes 80h in the constant of ADD EAX,8000h to 7Fh.
   const std::array<std::uint8_t, 6> add{0x66, 0x05, 0x00, 0x80, 0x00, 0x00};
   const auto found = std::search(code.begin(), code.end(), add.begin(), add.end());
   ASSERT_NE(found, code.end());
@@ -163,7 +162,7 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
     some.add(cases::Stream::uniform, 0, 10);
     return some;
   }();
-  // XOR SI,SI and RET, then the same of BP and of DI.
+  // XOR SI,SI and RET, then the same for BP and DI.
   for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xED, 0xFF}) {
     const std::array<std::uint8_t, 3> code{0x31, registers, 0xC3};
     const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
@@ -171,7 +170,7 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
     });
     EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   }
-  // XOR ESI,10000h and RET, then the same of EBP and of EDI: only the upper half is lost.
+  // XOR ESI,10000h and RET, then the same for EBP and EDI: only the upper half is lost.
   for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xF5, 0xF7}) {
     const std::array<std::uint8_t, 8> code{0x66, 0x81, registers, 0x00, 0x00, 0x01, 0x00, 0xC3};
     const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
@@ -179,7 +178,7 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
     });
     EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   }
-  // RET 2: the arguments are the caller's to drop.
+  // RET 2: dropping the arguments is the caller's task.
   const std::array<std::uint8_t, 3> ret_2{0xC2, 0x02, 0x00};
   const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
     GetParam().answer(ret_2, x86model::Routine::mul, batch);
@@ -188,7 +187,8 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
 }
 
 TEST_P(MachineParty, SeesThatARoutineDoesNotWriteItsResults) {
-  // RET. What memory held before may be the right answer: that of the case before, or zeros.
+  // RET alone. Leftover memory must not count as an answer, even if it is right by chance: the
+  // answer to the previous case, or zeros.
   const std::array<std::uint8_t, 1> code{0xC3};
   for (const cases::Operation operation :
        {cases::Operation::cossin, cases::Operation::xformvec, cases::Operation::concat}) {
@@ -215,7 +215,7 @@ TEST_P(MachineParty, EndsInAFaultForCodeThatIsNone) {
     GetParam().answer(undefined, x86model::Routine::mul, batch);
   });
   EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
-  // And afterwards all is as before.
+  // The fault must not affect later calls.
   EXPECT_EQ(answers_of(cases, find(GetParam().name)), answers_of(cases, find("model")));
 }
 

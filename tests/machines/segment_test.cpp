@@ -1,5 +1,5 @@
-// CosSin's table is in the code segment and is read with a CS: override. On the processor the data
-// segment ends before the code, so that a read without the override is a fault.
+// CosSin's table is in the code segment, and CosSin reads it with a CS: override. On the processor
+// the data segment ends before the code, so a read without the override faults.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using namespace fixproof;
 using x86model::Routine;
 
-/// The code with every CS: in front of MOV or of an operand size made a NOP.
+/// Replaces every CS: before a MOV or an operand-size prefix by a NOP.
 std::vector<std::uint8_t> without_overrides(std::span<const std::uint8_t> code, int& changed) {
   constexpr std::uint8_t cs = 0x2E;
   constexpr std::uint8_t mov = 0x8B;
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> without_overrides(std::span<const std::uint8_t> code, 
   return bytes;
 }
 
-/// cos and sin of 45.0 degrees, and how the call ended.
+/// Calls with the angle 45.0 degrees; returns cosine and sine in `out`, and the ending.
 machine_code::CallEnding call(machine_code::Processor& processor,
                               std::span<const std::uint8_t> code,
                               std::array<std::uint32_t, 2>& out) {

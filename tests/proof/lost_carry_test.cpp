@@ -1,5 +1,4 @@
-// Where the printed 8088 ConcatXforms differs from the repaired one, proven; and the proof fails
-// for another statement and for another program.
+// Tests the proof of the lost carry, and that it fails for wrong statements and programs.
 #include "proof/lost_carry.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +20,7 @@ x86model::Program concat(bool repaired) {
                               .build = {.target = cases::Target::i8088, .repaired = repaired}});
 }
 
-/// How many of the scripts are unsatisfiable, `from` in them replaced by `to` wherever it stands.
+/// The number of unsatisfiable scripts after replacing every `from` by `to`.
 std::size_t proven(std::vector<std::string> scripts, std::string_view from = "",
                    std::string_view to = "") {
   std::size_t count = 0;
@@ -44,14 +43,14 @@ TEST(LostCarry, IsProvenWithRoundingAndWithout) {
   }
 }
 
-// Three questions are about the rows, one about the other columns, one about the difference.
+// Three scripts are about the rows, one about other columns, one about the difference.
 TEST(LostCarry, AnotherStatementIsRefuted) {
   const auto scripts = proof::lost_carry_questions(true);
   EXPECT_EQ(proven(scripts), 5U);
-  // Another difference.
+  // A wrong difference.
   EXPECT_EQ(proven(scripts, "(_ bv65536 32)", "(_ bv65535 32)"), 4U);
   EXPECT_EQ(proven(scripts, "(_ bv65536 32)", "(_ bv4294901760 32)"), 4U);
-  // Where the low words do not carry, and where another bit of their sum is set.
+  // A wrong carry condition, and a wrong bit of the sum.
   EXPECT_EQ(proven(scripts, "low-words) #b1)", "low-words) #b0)"), 4U);
   EXPECT_EQ(proven(scripts, "((_ extract 16 16) low-words)", "((_ extract 15 15) low-words)"), 4U);
 }
@@ -63,7 +62,7 @@ TEST(LostCarry, AnotherProgramIsRefuted) {
   EXPECT_EQ(proven(proof::lost_carry_questions(concat(true), concat(false))), 2U);
 }
 
-// A contradiction among the definitions would prove anything.
+// Contradictory definitions would prove anything.
 TEST(LostCarry, TakesNothingImpossibleForGranted) {
   for (std::string script : proof::lost_carry_questions(true)) {
     const auto last = script.rfind("(assert ");

@@ -1,5 +1,5 @@
-// Level 1 against programs that are wrong: a share of all mutants, roundings swapped, the other
-// processor's routine, a fault left out. `fixproof mutate` tries all mutants.
+// Runs level 1 against wrong programs: a sample of all mutants, swapped roundings, the other
+// processor's routine, a missing fault. `fixproof mutate` tries all mutants.
 #include <gtest/gtest.h>
 
 #include "parties/interpreter.hpp"
@@ -33,7 +33,7 @@ TEST(Mutation, ThereAreMutantsOfEveryKind) {
 }
 
 TEST(Mutation, JumpsStillLeadWhereTheyLed) {
-  // Whatever is left out or doubled, every label is still before the instruction it was before.
+  // Removing or doubling an instruction must keep each label before the same instruction.
   const cases::Variant v{.build = {.target = cases::Target::i8088}};
   for (const auto& mutant : proof::mutants_of(v)) {
     if (!mutant.change.ends_with("twice") && !mutant.change.ends_with("left out")) continue;
@@ -74,7 +74,7 @@ TEST(Mutation, WhatDoesTheSameIsEquivalent) {
             proof::Fate::equivalent);
   bool found = false;
   for (const auto& mutant : proof::mutants_of(v)) {
-    // Only the low half of that product is used, in which MUL and IMUL are the same.
+    // Only the low half of that product is used, and MUL and IMUL agree in it.
     if (mutant.change != "23 mul bx -> imul bx") continue;
     found = true;
     EXPECT_EQ(proof::judge(v, mutant.program, seed, solver, 60).fate, proof::Fate::equivalent);
@@ -113,7 +113,7 @@ TEST(Mutation, APlantedOrMissingCarryIsCaught) {
   }
 }
 
-/// The sound model, but for a divide by zero, which it answers with 0.
+/// The correct model, except that it answers 0 to a divide by zero.
 class DropsAFault final : public parties::Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "broken"; }

@@ -1,5 +1,5 @@
-// Where a symbolic run gives up, and that it gives nothing up silently: whatever its limits, every
-// operand has one path.
+// Tests that a symbolic run reports its limits and that every operand has one path under any
+// limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace x86model;
 using namespace x86model::notation;
 namespace sym = x86model::symbolic;
 
-/// The paths of a listing that is called as FixedMul is.
+/// The paths of a listing that is called like FixedMul.
 std::vector<sym::Path> paths_of(sym::Terms& terms, const Listing& listing,
                                 const sym::RunOptions& options) {
   const Program program = assemble(listing, {});
@@ -26,7 +26,7 @@ std::size_t count(const std::vector<sym::Path>& paths, Outcome outcome) {
       paths.begin(), paths.end(), [&](const sym::Path& path) { return path.outcome == outcome; }));
 }
 
-// From 20 down to below 0: the jump is met 21 times.
+// Counts from 20 to below 0, so the jump executes 21 times.
 TEST(Paths, ALoopMayJumpAsOftenAsIsSaid) {
   const Listing loop{sub(cx, cx), add(cx, 20), label("again"), dec(cx), jns("again"), ret()};
   for (const int most : {1, 20, 21}) {
@@ -37,7 +37,7 @@ TEST(Paths, ALoopMayJumpAsOftenAsIsSaid) {
   }
 }
 
-// One that depends on what CX holds may end each time it jumps.
+// A jump that depends on CX may end the loop each time.
 TEST(Paths, AnOpenLoopEndsOnceForEveryJump) {
   sym::Terms terms;
   const auto paths =
@@ -48,7 +48,7 @@ TEST(Paths, AnOpenLoopEndsOnceForEveryJump) {
 }
 
 TEST(Paths, ThereAreNoMoreThanIsSaid) {
-  // Three signs: eight ways. A limit is looked at before one way becomes two.
+  // Three sign tests give eight paths. The run checks the limit before it splits a path.
   const Listing signs{add(ax, 0), js("b"),    label("b"), add(bx, 0), js("c"),
                       label("c"), add(cx, 0), js("d"),    label("d"), ret()};
   struct Limit {

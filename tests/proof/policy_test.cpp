@@ -1,5 +1,4 @@
-// The type under policies that are wrong in one rule, in the place of each preset: level 1 kills
-// each, but for those that are the same rule in other words.
+// Level 1 must kill every policy that differs from a preset in one rule, unless it is equivalent.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -17,7 +16,6 @@ using fixed::overflow;
 using fixed::policy;
 using fixed::rounding;
 
-/// Products and quotients under one policy.
 template <policy rules>
 class Ruled final : public parties::Party {
  public:
@@ -50,7 +48,6 @@ class Ruled final : public parties::Party {
   }
 };
 
-/// The wrong policies of one preset, and those of them that level 1 did not kill.
 class Trials {
  public:
   explicit Trials(cases::Variant v) : v_(v) {}
@@ -118,7 +115,7 @@ class Trials {
 
 using Names = std::vector<std::string>;
 
-/// @param same rules of the divide that come to the same as the preset's
+/// @param same divide rules that are equivalent to those of the preset
 template <policy right>
 void expect_all_killed(cases::Target target, bool mul_round, bool div_round, const Names& same) {
   const auto variant = [&](cases::Operation o) {
@@ -144,7 +141,7 @@ void expect_all_killed(cases::Target target, bool mul_round, bool div_round, con
 
 namespace p = fixed::policies;
 
-// try_divide has no value for a zero divisor, whichever policy says so.
+// try_divide returns no value for a zero divisor under any policy.
 TEST(PolicyMutation, Wrapping) {
   expect_all_killed<p::wrapping>(cases::Target::standard, true, true, {"zero_divisor"});
 }
@@ -154,15 +151,15 @@ TEST(PolicyMutation, I386) {
   expect_all_killed<p::i386_div_rounded>(cases::Target::i386, false, true, {});
 }
 
-// What would be out of range has faulted before.
+// A value that would be out of range has already raised a fault.
 TEST(PolicyMutation, I386WithIdiv) {
   const Names same{"saturate", "trap"};
   expect_all_killed<p::i386_mul_rounded>(cases::Target::i386, true, false, same);
   expect_all_killed<p::i386_unrounded>(cases::Target::i386, false, false, same);
 }
 
-// By a whole number, no quotient has a magnitude above 2^31 units: only zero divisors fault, and
-// for those try_divide has no value anyway.
+// Dividing by a whole number gives magnitudes of at most 2^31 units, so only zero divisors fault.
+// try_divide returns no value for them in any case.
 TEST(PolicyMutation, I8088) {
   const Names same{"none", "unsigned_quotient"};
   expect_all_killed<p::i8088_rounded>(cases::Target::i8088, true, true, same);

@@ -1,5 +1,5 @@
-// The proofs: nothing in them is empty, the specification is the oracle's, and a wrong program
-// comes back with operands on which it is wrong.
+// Tests that the proofs are not vacuous, that the specification agrees with the oracle, and that a
+// wrong program gets a counterexample.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ const proof::Solver& z3() {
   return one;
 }
 
-/// `script` without its last assertion: what it takes for granted.
+/// `script` without its last assertion, which is its claim.
 std::string assumptions(std::string script) {
   const auto last = script.rfind("(assert ");
   const auto end = script.find("(check-sat)", last);
@@ -49,7 +49,6 @@ TEST(Proof, LemmasHoldAndTakeNothingImpossibleForGranted) {
   }
 }
 
-/// The answers to several scripts, asked at once.
 std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   std::string all;
   for (const std::string& script : scripts) all += script + "(reset)\n";
@@ -61,9 +60,9 @@ std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   return verdicts;
 }
 
-// All but the last question, which has nothing but its claim. Of a path that no operands take
-// anything could be proven; there is one such for each two signs in the divides for the 8088: their
-// second DIV has the remainder of the first above its dividend, and never faults.
+// Skips the last question, which consists only of its claim. A path that no operand takes would
+// prove anything. The 8088 divides have one such path per sign combination: their second DIV never
+// faults, because the upper half of its dividend is the remainder of the first DIV.
 TEST(Proof, SomeOperandsTakeEveryPath) {
   for (const cases::Variant& v : routines()) {
     auto scripts = proof::questions(v, parties::program_of(v).instructions());
@@ -107,7 +106,7 @@ TEST(Proof, ProvesTheDivides) {
   }
 }
 
-// With products and quotients as they are, the specification of given operands is a constant.
+// With exact arithmetic, the specification of constant operands is a constant.
 TEST(Proof, TheSpecificationIsTheOracles) {
   std::mt19937 random(54);
   const parties::Party& oracle = parties::party_named("oracle");

@@ -1,6 +1,6 @@
-// The symbolic run is the interpreter's: for every operand one path, which ends as the interpreter
-// does, with the same results. Broken programs too, so that every instruction is met in every
-// place. What cannot be compared is counted, and may not be much.
+// Compares the symbolic run with the interpreter: every operand has one path, with the same ending
+// and the same results. Mutants put every instruction in every place. The test counts the cases
+// that it cannot compare and limits their number.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,16 +23,15 @@ namespace {
 using namespace x86model;
 namespace sym = x86model::symbolic;
 
-/// What the interpreter makes of a case: results where it returned, and how it ended.
+/// The interpreter's ending and, if it returned, its results.
 struct Answer {
   Outcome outcome;
   std::vector<std::uint32_t> words;
 };
 
-/// What register number `r` holds before a call.
 std::uint32_t held(std::size_t r) { return 0x9E3779B9U * static_cast<std::uint32_t>(r + 1); }
 
-/// From a stack of zeros, which is what a symbolic variable comes to if it is not set.
+/// The stack starts with zeros, the value of a symbolic variable that is not set.
 template <Routine routine>
 Answer interpreted(std::span<const Instruction> code, std::span<const std::uint32_t> in) {
   CallMachine<routine, 16> m;
@@ -52,7 +51,6 @@ std::uint64_t function(const std::string& name, std::span<const std::uint64_t> a
   return sym::concrete(name, arguments);
 }
 
-/// FixedMul as `build` has it, by the interpreter.
 std::uint64_t fixed_mul(const Build& build, std::span<const std::uint64_t> factors) {
   const Program program = assemble(listing(Routine::mul, Target::i8088), build);
   const std::array in{static_cast<std::uint32_t>(factors[0]),
@@ -60,19 +58,19 @@ std::uint64_t fixed_mul(const Build& build, std::span<const std::uint64_t> facto
   return interpreted<Routine::mul>(program.instructions(), in).words.at(0);
 }
 
-/// The transforms for the 8088 have four ways through each of their products, too many to follow:
-/// there a call of FixedMul stands for its product, as in a proof.
+/// Each product of the 8088 transforms has four paths, which is too many to follow. A call of
+/// FixedMul stands for its product there, as in a proof.
 constexpr bool is_summed_up(Routine routine, Target target) {
   return target == Target::i8088 && (routine == Routine::xformvec || routine == Routine::concat);
 }
 
-/// What became of the cases that were tried.
 struct Tally {
   std::size_t compared = 0;
-  std::size_t endless = 0;    ///< of these: neither run comes to its end
-  std::size_t given_up = 0;   ///< an address that is no constant, or too long a loop
-  std::size_t off_table = 0;  ///< of these compared: a read beyond the cosine table
-  std::size_t left_open = 0;  ///< what a call leaves in BX, CX, flags or below the stack matters
+  std::size_t endless = 0;    ///< of those compared: neither run ends
+  std::size_t given_up = 0;   ///< an address that is not constant, or a loop that is too long
+  std::size_t off_table = 0;  ///< of those compared: a read beyond the cosine table
+  std::size_t left_open = 0;  ///< the result depends on what a call leaves in BX, CX, flags or
+                              ///< below the stack
 
   void add(const Tally& other) {
     compared += other.compared;
@@ -89,7 +87,6 @@ struct Tally {
   }
 };
 
-/// The paths of one program, asked case by case.
 template <Routine routine, Target target>
 class Paths {
  public:
@@ -108,7 +105,6 @@ class Paths {
     }
   }
 
-  /// Sets the case against what the interpreter makes of it.
   void compare(std::span<const std::uint32_t> in, const Answer& expected, Tally& tally) {
     for (std::size_t i = 0; i < in.size(); ++i) {
       evaluation_.set(sym::operand_name(routine, static_cast<int>(i)), in[i]);
@@ -124,7 +120,7 @@ class Paths {
     }
     ASSERT_TRUE(taken.has_value()) << "no path";
     const sym::Path& path = paths_[*taken];
-    // A flag that a call leaves undefined has some value when it is run.
+    // A flag that a call leaves undefined has a value in a real run.
     const bool lost_flag = is_summed_up(routine, target) && path.outcome == Outcome::undefined_flag;
     if (evaluation_(path.in_table) == 0) {
       ++tally.compared;
@@ -204,11 +200,11 @@ TEST(Symbolic, IsTheInterpreterOnEveryRoutine) {
   EXPECT_EQ(tally.endless, 0U);
 }
 
-/// Compares the mutants of a routine, every `mutant_step`-th, on every `case_step`-th case.
+/// Compares every `mutant_step`-th mutant of a routine on every `case_step`-th case.
 template <Routine routine, Target target>
 void expect_agreement_when_broken(std::size_t mutant_step, std::size_t case_step, Tally& tally) {
   const Program sound = assemble(listing(routine, target), {});
-  // The FixedMul that an 8088 transform brings along is the routine's that is broken by itself.
+  // Excludes the FixedMul inside an 8088 transform, which is mutated on its own.
   std::size_t own = 1;
   while (own < sound.size && !sound.code.at(own).is_procedure) ++own;
   const auto broken = mutants(sound);
@@ -235,7 +231,7 @@ TEST(Symbolic, IsTheInterpreterOnBrokenRoutines) {
     std::cout << name_of(routine) << (target == Target::i386 ? " i386: " : " i8088: ");
     own.print();
     EXPECT_GT(own.compared, 50U);
-    // Only where FixedMul is taken for its product is there much to leave out.
+    // Only where calls of FixedMul stand for products can a result depend on what a call leaves.
     const bool has_table = routine == Routine::cossin;
     EXPECT_EQ(own.off_table > 0, has_table);
     EXPECT_TRUE(is_summed_up(routine, target) || own.left_open == 0);

@@ -1,5 +1,4 @@
-// Terms keep their meaning when they are folded: built from constants or from variables of the same
-// values, they come to the same.
+// Tests that folding preserves meaning: constants and variables of the same values must agree.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -65,8 +64,8 @@ TEST(Terms, FoldToWhatTheyMean) {
   }
 }
 
-// The words of ADD and ADC, and of NEG, NEG and SBB, joined: one addition or subtraction that means
-// the same as the two words side by side.
+// Joining the words of ADD and ADC, or of NEG, NEG and SBB, gives one addition or subtraction with
+// the same meaning as the two words.
 TEST(Terms, JoinedWordsMeanTheWords) {
   Terms t;
   const Term none = t.truth(false);
@@ -94,7 +93,7 @@ TEST(Terms, JoinedWordsMeanTheWords) {
     EXPECT_EQ(evaluation(joined), evaluation(t.concat(upper.value, sum.value)));
     EXPECT_EQ(evaluation(opposite), evaluation(t.concat(borrowed.value, negated_low.value)));
   }
-  // Words that do not belong together stay two.
+  // Unrelated words are not joined.
   EXPECT_EQ(join(t, high(b), sum.value), t.concat(high(b), sum.value));
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The committed cases, and the command's judgement of cases made from them.
+/// Loads the committed cases and runs the command on modified ones.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 struct Committed {
   std::string_view name;
-  std::string_view cpu;  ///< as --cpu takes it
+  std::string_view cpu;  ///< value for --cpu
   std::string_view summary;
 };
 inline constexpr std::array<Committed, 3> committed{{
@@ -32,22 +32,21 @@ inline constexpr std::array<Committed, 3> committed{{
 }};
 
 std::string path_of(const Committed& file);
-/// All cases of a file.
 Json load(const Committed& file);
-/// Whether the case is one that is run, and whether it ends in a divide error.
+/// Whether the case is run and not skipped, and whether it ends in a divide error.
 bool is_run(const Json& c);
 bool is_fault(const Json& c);
 
-/// The name of a register in the sets of that processor: eax of ax, eflags of flags.
+/// The name of a register in the sets of a processor, such as eax for ax or eflags for flags.
 std::string name_in_set(std::string_view name, std::string_view cpu);
-/// A register after the case, whether or not the case says that it changed.
+/// A register after the case, even if the case does not list it as changed.
 std::uint32_t final_value(const Json& c, const std::string& name);
 
-/// The six flags that are undefined after the case, by the definitions of tests/cli/bitwise.hpp.
+/// The six flags that are undefined after the case, according to tests/cli/bitwise.hpp.
 std::uint16_t undefined_flags(const Json& c);
 
-/// The file with that text, in the test's own folder; judged by the command. In what the command
-/// says, the path is replaced by FILE.
+/// Writes the text to a file in the test's own folder and runs the command on it. FILE replaces the
+/// path in the output.
 command::Run judge_text(const std::string& text, std::string_view cpu);
 command::Run judge(const Json& cases, std::string_view cpu);
 

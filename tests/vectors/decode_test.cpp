@@ -1,5 +1,5 @@
-// Machine code as the decoder of --singlestep reads it. That the processor reads the encodings that
-// are run in the same way, the committed cases show.
+// Tests the decoder of --singlestep. The committed cases show that the processor decodes the
+// encodings that are run in the same way.
 #include "singlestep/decode.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ using x86model::Target;
 
 std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
 
-/// The instruction as text, its length behind it, or the reason to skip it.
+/// The instruction as text followed by its length, or the reason to skip it.
 std::string decoded(const Bytes& bytes, Target cpu) {
   const auto result = ss::decode(bytes, cpu);
   if (const auto* reason = std::get_if<ss::Skip>(&result)) return std::string(ss::name_of(*reason));
@@ -102,7 +102,7 @@ TEST(Decode, ControlFlow) {
 
 TEST(Decode, BytesAndMemory) {
   for (const int opcode : {0x00, 0x02, 0x04, 0x80, 0x82, 0xA0, 0xA2, 0xB0, 0xB7, 0xD0, 0xFE}) {
-    // /0, with a register and with a place in memory; of D0h ROL, of FEh INC.
+    // /0 with a register and with memory; D0h is ROL, FEh is INC.
     expect_both({byte(opcode), 0xC0, 1}, "8-bit operand");
     expect_both({byte(opcode), 0x07, 1}, "8-bit operand");
   }

@@ -1,4 +1,4 @@
-// The model agrees with the committed cases, and so does the processor that runs this test.
+// Tests that the model and the host processor agree with the committed cases.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ TEST(Vectors, SeveralFilesAreJudgedOneAfterTheOther) {
 
 using Code = std::vector<std::uint8_t>;
 
-/// Translates 16-bit code to 64-bit code: the operand-size prefix 66h means the other size there,
-/// and INC and DEC of a register need a ModR/M byte.
+/// Translates 16-bit code to 64-bit code: the operand-size prefix 66h selects the opposite size
+/// there, and INC and DEC of a register need a ModR/M byte.
 Code host_code(Code code) {
   const auto opcode = std::find_if(code.begin(), code.end(),
                                    [](std::uint8_t byte) { return (byte & 0xE7U) != 0x26U; });
@@ -62,7 +62,6 @@ Code host_code(Code code) {
 
 constexpr std::array<std::string_view, 8> general{"ax", "cx", "dx", "bx", "sp", "bp", "si", "di"};
 
-/// A register before the case.
 std::uint32_t initial_value(const Json& c, std::string_view name, std::string_view cpu) {
   return c["initial"]["regs"][vectors::name_in_set(name, cpu)].get<std::uint32_t>();
 }
@@ -71,14 +70,13 @@ std::uint32_t final_value(const Json& c, std::string_view name, std::string_view
   return vectors::final_value(c, vectors::name_in_set(name, cpu));
 }
 
-/// The word that a state lists at `address`.
 std::uint32_t word_at(const Json& state, std::uint32_t address) {
   const std::map<std::uint32_t, std::uint32_t> ram = state["ram"];
   return ram.at(address) | ram.at(address + 1) << 8U;
 }
 
-/// The divide error as interrupt 0: the stack holds FLAGS, CS and IP. The 8088 pushes the address
-/// of the next instruction, the 386 that of the divide.
+/// A divide error is interrupt 0: the stack holds FLAGS, CS and IP. The 8088 pushes the address of
+/// the next instruction, the 386 that of the divide.
 void expect_interrupt(const Json& c, std::string_view cpu, std::uint32_t next) {
   const auto sp = initial_value(c, "sp", cpu);
   const auto stack = initial_value(c, "ss", cpu) * 16 + sp;
@@ -93,7 +91,7 @@ void expect_interrupt(const Json& c, std::string_view cpu, std::uint32_t next) {
   EXPECT_EQ(word_at(c["final"], stack - 6), cpu == "386" ? initial_value(c, "ip", cpu) : next);
 }
 
-/// Cases that use memory, the stack or a jump: they cannot run as 64-bit code.
+/// Cases with memory, stack or jump instructions cannot run as 64-bit code.
 bool is_bound_to_memory(const Json& c) {
   const auto name = c["name"].get<std::string>();
   return name == "mov ax, [ds:bx]" || name == "push ax" || name == "jmp short +5";
@@ -146,7 +144,7 @@ TEST(Vectors, TheProcessorSaysTheSameAgain) {
   EXPECT_EQ(executed, 58 + 68 + 23 - 2 * 3);
 }
 
-/// execute() itself, with answers worked out by hand.
+/// Tests execute() itself with results worked out by hand.
 TEST(Vectors, TheProcessorIsAskedRight) {
   if (!vectors::has_processor()) GTEST_SKIP() << "needs an x86-64 processor";
   vectors::Registers r{.general = {0xFFFF, 1, 2, 3, 4, 5, 6, 7}, .flags = 0xF402};

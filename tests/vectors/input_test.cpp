@@ -1,4 +1,4 @@
-// Files that are no cases: refused in one line that names the place, with exit status 2.
+// Tests that an invalid file gives one line that names the position, and exit status 2.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -19,10 +19,9 @@ void expect_refused(const std::string& text, std::string_view message,
   EXPECT_EQ(run.err, fmt::format("fixproof: FILE: {}\n", message));
 }
 
-/// A sound case, `add cx, ...` of the 8088.
 Json sound() { return vectors::load(vectors::committed[0])[0]; }
 
-/// The file of a sound case and then the case that `change` makes of it.
+/// A file with a valid case, then the case that `change` makes of it.
 template <class Change>
 void expect_refused_case(Change change, std::string_view message) {
   Json bad = sound();
@@ -108,7 +107,7 @@ TEST(SinglestepInput, RefusesBytesThatAreNotOneInstruction) {
   expect_refused_case([](Json& c) { c["bytes"].erase(1); }, "bytes end inside the instruction");
   expect_refused_case([](Json& c) { c["bytes"].push_back(0x90); },
                       "bytes are 3, the instruction has 2");
-  // Only the sets of the 386 end with a HLT.
+  // Only the 386 sets end with a HLT.
   expect_refused_case([](Json& c) { c["bytes"].push_back(0xF4); },
                       "bytes are 3, the instruction has 2");
 }
@@ -154,7 +153,7 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
   std::string wrong = whole;
   wrong[whole.size() - 6] = static_cast<char>(wrong[whole.size() - 6] ^ 1);  // in the checksum
   expect_refused(wrong, "damaged gzip data", "386");
-  // Judged by its first bytes, whatever it is called; members one after the other are one file.
+  // The first bytes select gzip, not the file name. Several members form one file.
   EXPECT_EQ(vectors::judge_text(whole, "386").status, 0);
   const auto twice = vectors::judge_text(whole + whole, "386");
   EXPECT_NE(twice.err.find(", after 23 cases\n"), std::string::npos) << twice.err;

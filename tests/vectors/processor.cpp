@@ -13,7 +13,7 @@
 #include <system_error>
 
 // Loads the registers at RDI, jumps to the code at RSI, which ends in JMP R13, and stores them. The
-// instruction may use any of the eight, ESP too: R13 to R15 hold what must not be lost.
+// instruction may use all eight registers, even ESP, so R13 to R15 hold the saved values.
 extern "C" void fixproof_execute(vectors::Registers* registers, const std::uint8_t* code);
 asm(R"(
     .text
@@ -67,12 +67,12 @@ namespace vectors {
 
 namespace {
 
-constexpr std::uint32_t always_set = 0x202;  // bit 1, and IF as every program has it
+constexpr std::uint32_t always_set = 0x202;  // bit 1, and IF, which user programs always have set
 
 // NOLINTNEXTLINE(*-avoid-non-const-global-variables): all that a signal handler may write
 volatile std::sig_atomic_t faulted = 0;
 
-/// A divide error goes on where the instruction would have, its registers untouched.
+/// Continues after the instruction that raised a divide error, with its registers unchanged.
 void skip_instruction(int /*signal*/, siginfo_t* /*info*/, void* context) {
   faulted = 1;
   auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
@@ -83,7 +83,7 @@ void skip_instruction(int /*signal*/, siginfo_t* /*info*/, void* context) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// A page of code, and the handling of SIGFPE on a stack of its own: ESP may hold anything.
+/// A page of code, and a SIGFPE handler on its own stack, because ESP may hold any value.
 class Sandbox {
  public:
   Sandbox()

@@ -1,4 +1,4 @@
-// Cases made wrong, one bit at a time: each must be reported, but for what is not judged.
+// Changes cases one bit at a time. Each change must be reported if that part is compared.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace {
 
 using vectors::Json;
 
-/// Every case of the committed files that is run, with the processor it is for.
+/// Calls `use` for every committed case that is run, with its processor.
 template <class Use>
 void each_case(Use use) {
   for (const auto& file : vectors::committed) {
@@ -18,13 +18,12 @@ void each_case(Use use) {
   }
 }
 
-/// The case with one bit of a register after it turned over.
 Json flipped(Json c, const std::string& name, unsigned bit) {
   c["final"]["regs"][name] = vectors::final_value(c, name) ^ 1U << bit;
   return c;
 }
 
-/// All cases in one file: `equal` of them without a difference, none skipped.
+/// Runs all cases in one file and expects `equal` of them to agree and none to be skipped.
 void expect_counts(const Json& cases, std::string_view cpu, std::size_t equal) {
   ASSERT_GT(cases.size(), 0U);
   const auto run = vectors::judge(cases, cpu);
@@ -37,7 +36,6 @@ void expect_counts(const Json& cases, std::string_view cpu, std::size_t equal) {
   EXPECT_EQ(run.status, differing > 0 ? 1 : 0);
 }
 
-/// Cases made from each case that is run, for each processor.
 struct Tampered {
   Json i8088 = Json::array();
   Json i386 = Json::array();
@@ -100,7 +98,7 @@ TEST(Tampered, TheInstructionPointerAndFlagsAfterAFaultAreNotReported) {
     }
     tampered.of(cpu).push_back(flipped(c, vectors::name_in_set("flags", cpu), 6));
     Json pushed = c;
-    // The first byte written to the stack is the low one of the flags.
+    // The first byte on the stack is the low byte of the flags.
     pushed["final"]["ram"][0][1] = pushed["final"]["ram"][0][1].get<unsigned>() ^ 0x40U;
     tampered.of(cpu).push_back(pushed);
   });
@@ -123,7 +121,7 @@ TEST(Tampered, AFaultTurnedIntoAValueIsReported) {
       << run.out;
 }
 
-/// Everything of a fault, but one byte of the return address, or one part of the jump.
+/// Faults with one wrong byte of the return address or one wrong part of the jump.
 TEST(Tampered, AFaultThatIsNotWholeIsReported) {
   Tampered tampered;
   each_case([&](const Json& c, std::string_view cpu) {
@@ -146,7 +144,7 @@ TEST(Tampered, AFaultThatIsNotWholeIsReported) {
   tampered.expect_all_reported();
 }
 
-/// A fault with its stack elsewhere: at the top of memory, and where SP comes round.
+/// Faults with the stack at the top of memory, and where SP wraps around.
 TEST(Tampered, TheReturnAddressIsFoundWhereTheStackWraps) {
   Json sound;
   each_case([&](const Json& c, std::string_view cpu) {
@@ -187,7 +185,7 @@ TEST(Tampered, AValueTurnedIntoAFaultIsReported) {
   each_case([&](const Json& c, std::string_view cpu) {
     if (vectors::is_fault(c)) (cpu == "8088" ? fault_of_8088 : fault_of_386) = c;
   });
-  // The divisor of a case that faults is made large enough: it would have had a quotient.
+  // Enlarges the divisor of a faulting case so that the quotient fits.
   for (auto* fault : {&fault_of_8088, &fault_of_386}) {
     const std::string_view cpu = fault == &fault_of_8088 ? "8088" : "386";
     Json& before = (*fault)["initial"]["regs"];

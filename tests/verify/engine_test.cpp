@@ -1,4 +1,4 @@
-// Parties that are wrong in one rare way must be caught, and every wrong case counted once.
+// Tests that a party with one rare error is caught and that every wrong case counts once.
 #include "verify/engine.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ constexpr cases::Variant concat{.operation = cases::Operation::concat};
 
 std::int64_t value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
 
-/// Cases of the plan of a variant for which `wanted` holds, made again one by one.
+/// Counts the cases of a variant's plan for which `wanted` holds, generating them again.
 template <class Wanted>
 std::uint64_t count_cases(const cases::Variant& variant, Wanted wanted) {
   const cases::Plan plan = test::plan_against_fast(variant);
@@ -72,7 +72,7 @@ TEST(Engine, DroppedFaults) {
   });
   EXPECT_GT(judge(liar, div_8088).mismatches(), 100'000U);
 
-  // The single fault of 8088 divisors one unit below 1.0.
+  // Drops the fault of 8088 divisors one unit below 1.0.
   std::atomic<std::uint64_t> dropped = 0;
   const auto edge = saboteur([&](Words in, std::span<std::uint32_t> out, parties::Ending& ending) {
     if (in[1] != 0xffff || ending != parties::Ending::divide_error) return;
@@ -82,7 +82,7 @@ TEST(Engine, DroppedFaults) {
   });
   const verify::Report report = judge(edge, div_8088, {.threads = 1});
   ASSERT_GT(report.mismatches(), 0U);
-  // Shrinking asks again, so that more were dropped than there are cases.
+  // Shrinking asks the party again, so it drops more faults than there are cases.
   EXPECT_LE(report.mismatches(), dropped);
   EXPECT_EQ(report.mismatches(), count_cases(div_8088, [](Words in) { return in[1] == 0xffff; }));
 }
@@ -99,7 +99,7 @@ TEST(Engine, ExtraFault) {
 TEST(Engine, OneWrongWordOfTwelve) {
   for (std::size_t wrong = 0; wrong < 12; ++wrong) {
     const auto liar = saboteur([wrong](Words in, std::span<std::uint32_t> out, parties::Ending&) {
-      // Once in some 4,096 cases.
+      // About one case in 4,096.
       if ((in[7] & 0xfffU) == 0x123U) out[wrong] ^= 1U;
     });
     EXPECT_GT(judge(liar, concat).mismatches(), 0U) << "word " << wrong;
@@ -168,7 +168,7 @@ TEST(Engine, ThreadsDoNotChangeTheReport) {
 }
 
 TEST(Engine, EndsHoweverSoonItsThreadsDo) {
-  // Threads that find themselves stopped end while others are still being started.
+  // A stop must end the threads while others are still starting.
   const std::atomic<bool> stop = true;
   const auto honest = saboteur([](Words, auto, parties::Ending&) {});
   for (int round = 0; round < 500; ++round) {

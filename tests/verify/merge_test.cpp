@@ -1,5 +1,4 @@
-// The sum of shards is the report of the whole; nothing is counted twice, nothing is missed
-// silently.
+// Tests that shards add up to the whole, and that duplicate or missing parts are reported.
 #include "verify/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +39,6 @@ verify::Report shard(cases::Shard which, std::uint64_t seed = 1) {
 
 std::vector<verify::NamedReport> shards(std::uint64_t count) {
   std::vector<verify::NamedReport> parts;
-  // The order in which parts are given must not matter.
   for (std::uint64_t i = count; i >= 1; --i) {
     parts.push_back({"part " + std::to_string(i), shard({i, count})});
   }
@@ -61,7 +59,6 @@ TEST(Merging, APartGivenTwiceIsRefused) {
   auto parts = shards(3);
   parts.push_back(parts[0]);
   EXPECT_THROW(verify::merged(parts), std::runtime_error);
-  // ... and divisions that overlap.
   const std::vector<verify::NamedReport> mixed{{"a", shard({1, 2})}, {"b", shard({1, 3})}};
   EXPECT_THROW(verify::merged(mixed), std::runtime_error);
 }
@@ -81,7 +78,7 @@ TEST(Merging, WhatIsMissingIsNamed) {
   parts.erase(parts.begin() + 1);
   EXPECT_EQ(verify::missing(verify::merged(parts), parts), "missing: shard 2/3");
 
-  // One chunk of a shard alone is done.
+  // Only one chunk of this shard is done.
   parts.push_back({"stopped", shard({2, 60})});
   parts.erase(parts.begin(), parts.begin() + 2);
   EXPECT_EQ(verify::missing(verify::merged(parts), parts).substr(0, 43),

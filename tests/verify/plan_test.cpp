@@ -1,4 +1,4 @@
-// A plan covers its cases exactly once, however it is divided.
+// Tests that any division of a plan covers its cases exactly once.
 #include "cases/plan.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Plan, ShardsPartitionTheChunks) {
     }
     EXPECT_EQ(sum, plan.chunks());
   }
-  // More shards than chunks: the last ones have nothing to do.
+  // With more shards than chunks, the last shards are empty.
   EXPECT_EQ(verify::Report(plan, {plan.chunks(), plan.chunks() + 5}, 10).chunks_in_shard(), 1U);
   EXPECT_EQ(verify::Report(plan, {plan.chunks() + 1, plan.chunks() + 5}, 10).chunks_in_shard(), 0U);
   EXPECT_TRUE(verify::Report(plan, {plan.chunks() + 5, plan.chunks() + 5}, 10).complete());
@@ -92,7 +92,6 @@ TEST(Plan, RefusesOtherLevels) {
   EXPECT_THROW(cases::Plan(4, 1, {}), std::invalid_argument);
 }
 
-/// The divides of chapter 54 that the options choose.
 std::vector<cases::Variant> divides(const cli::VariantOptions& options) {
   cli::Selection selection;
   selection.operations = {"div"};

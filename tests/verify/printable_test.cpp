@@ -1,4 +1,4 @@
-// Names that people choose, on somebody's terminal.
+// Tests that foreign names cannot control a terminal.
 #include <gtest/gtest.h>
 
 #include "support/plain_text.hpp"
@@ -19,8 +19,8 @@ TEST(Printable, WhatSteersATerminalIsAQuestionMark) {
   EXPECT_EQ(fixproof::support::printable("a\x1b[31mb\n\x7f"), "a?[31mb??");
   EXPECT_EQ(fixproof::support::printable("a\xc2\x9b"
                                          "31m"),
-            "a?31m");                                               // CSI in one character
-  EXPECT_EQ(fixproof::support::printable("\xc2\xa0"), "\xc2\xa0");  // the first that is none
+            "a?31m");                                               // CSI as a single character
+  EXPECT_EQ(fixproof::support::printable("\xc2\xa0"), "\xc2\xa0");  // the first character after C1
 }
 
 TEST(Printable, WritingIsNotTurnedRound) {
@@ -30,7 +30,7 @@ TEST(Printable, WritingIsNotTurnedRound) {
   EXPECT_EQ(
       fixproof::support::printable("\xe2\x80\x8e\xe2\x80\x8f\xe2\x80\xaa\xe2\x81\xa6\xe2\x81\xa9"),
       "?????");
-  EXPECT_EQ(fixproof::support::printable("\xe2\x80"), "\xe2\x80");  // cut short
+  EXPECT_EQ(fixproof::support::printable("\xe2\x80"), "\xe2\x80");  // truncated
 }
 
 }  // namespace

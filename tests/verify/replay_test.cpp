@@ -1,4 +1,4 @@
-// The command line that a mismatch prints, given to a shell, asks for that very case.
+// Tests that a shell can run the command line of a mismatch and that it repeats the case.
 #include "verify/replay.hpp"
 
 #include <gtest/gtest.h>
@@ -23,11 +23,10 @@ struct Shell {
   int status = -1;
 };
 
-/// Runs a line as a shell with `fixproof` in its path would.
 Shell shell(const std::string& line) {
   const std::string folder = std::filesystem::path(FIXPROOF_COMMAND).parent_path();
   const std::string with_path = "PATH='" + folder + "':$PATH; " + line;
-  // The line is for a shell, and comes from this program alone.
+  // Safe because the line comes only from this program.
   std::FILE* pipe = popen(with_path.c_str(), "r");  // NOLINT(cert-env33-c)
   Shell result;
   std::array<char, 256> buffer{};
@@ -57,7 +56,6 @@ TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
       const Shell result = shell(line);
       EXPECT_EQ(result.status, 0) << line;
       EXPECT_NE(result.out.find(expected), std::string::npos) << line << '\n' << result.out;
-      // One variant, one answer.
       EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << line;
     }
   }

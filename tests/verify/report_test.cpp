@@ -1,4 +1,5 @@
-// Reports in JSON: read back whole, resumed at any chunk, refused when damaged.
+// Tests that JSON reports are read back completely, resumed at any chunk, and rejected when
+// damaged.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +26,7 @@ constexpr cases::Variant div{.operation = cases::Operation::div,
                              .build = {.target = cases::Target::i8088, .div_round = false}};
 constexpr cases::Variant cossin{.operation = cases::Operation::cossin};
 
-/// Another party that sets a flag after so many batches.
+/// Wraps a party and sets a flag after a number of batches.
 class Counting final : public parties::Party {
  public:
   Counting(const parties::Party& party, std::uint64_t batches, std::atomic<bool>& stop)
@@ -53,7 +54,7 @@ const test::Saboteur& liar() {
 
 std::array<const parties::Party*, 2> both() { return {&liar(), &parties::party_named("fast")}; }
 
-/// Several rows, one of which nobody compares, with a liar in the others.
+/// Several rows with a wrong party, except for one row that has nothing to compare.
 verify::Report fresh(cases::Shard shard = {}) {
   return {
       cases::Plan(
@@ -88,7 +89,7 @@ TEST(Reports, GoOnAfterInterruptionsAsIfThereHadBeenNone) {
     int stops = 0;
     for (; !report.complete(); ++stops) {
       ASSERT_LT(stops, 1000);
-      // Stops by itself at some chunk, as Ctrl-C would.
+      // Stops at an arbitrary chunk, as Ctrl-C would.
       std::atomic<bool> stop = false;
       const std::uint64_t batches =
           60 + cases::mix(100 * round + static_cast<std::uint64_t>(stops)) % 500;

@@ -1,5 +1,5 @@
 /// @file
-/// Parties that lie in one way, and plans small enough to run many of.
+/// Parties with one deliberate error, and plans that are small enough to run often.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@
 
 namespace fixproof::test {
 
-/// Answers as another party does, then spoils each case as it is told.
+/// Answers like another party, then applies `spoil` to each case.
 class Saboteur final : public parties::Party {
  public:
-  /// Gets the operands of a case, and its result words and ending to change.
+  /// Takes the operands of a case, and the result words and the ending that it may change.
   using Spoil = std::function<void(std::span<const std::uint32_t>, std::span<std::uint32_t>,
                                    parties::Ending&)>;
 
@@ -46,17 +46,15 @@ class Saboteur final : public parties::Party {
   Spoil spoil_;
 };
 
-/// The fast oracle under the name `saboteur`, spoilt.
 inline Saboteur saboteur(Saboteur::Spoil spoil) {
   return {"saboteur", parties::party_named("fast"), std::move(spoil)};
 }
 
-/// A plan of level 1 of one variant, the saboteur judged against the honest fast oracle.
+/// A level 1 plan of one variant that judges the saboteur against the correct fast oracle.
 inline cases::Plan plan_against_fast(const cases::Variant& variant, std::uint64_t seed = 1) {
   return {1, seed, {{variant, {"saboteur", "fast"}}}};
 }
 
-/// Runs that plan.
 inline verify::Report judge(const Saboteur& liar, const cases::Variant& variant,
                             const verify::RunOptions& options = {}) {
   const std::array<const parties::Party*, 2> both{&liar, &parties::party_named("fast")};

@@ -1,4 +1,4 @@
-// Failing cases become as simple as the failure allows, and stay failing.
+// Tests that shrinking makes failing cases as simple as possible and that they still fail.
 #include "verify/shrink.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,6 @@ TEST(Shrink, KeepsACaseThatNothingSimplerShares) {
 TEST(Shrink, FindsTheBitsThatMatter) {
   EXPECT_EQ(verify::shrink({0x7eadbeef, 0x5555}, 32, [](View w) { return (w[0] & 0x20U) != 0; }),
             (Words{0x20, 0}));
-  // A negative word stays negative only if it must.
   EXPECT_EQ(verify::shrink({0xdeadbeef}, 32, [](View w) { return w[0] >> 31U != 0; }),
             (Words{0xffffffff}));
   EXPECT_EQ(verify::shrink({0xdead}, 16, [](View w) { return w[0] >> 15U != 0; }), (Words{0xffff}));

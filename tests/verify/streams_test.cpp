@@ -1,4 +1,4 @@
-// Streams are pure, and hold what they promise.
+// Tests that streams are pure functions and contain the cases that they promise.
 #include "cases/streams.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t sample = 4096;
 constexpr std::uint64_t seed = 7;
 
-/// Words as signed integers.
 std::int64_t value_of(std::uint32_t word, int bits) {
   return static_cast<std::int32_t>(word << (32 - bits)) >> (32 - bits);
 }
@@ -43,7 +42,7 @@ std::size_t count(const std::vector<Case>& cases, Holds holds) {
   return static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), holds));
 }
 
-/// Every stream of every operation, at both widths where there are two.
+/// Every stream of every operation, at each width that the operation has.
 struct Use {
   cases::Stream stream;
   cases::Variant variant;
@@ -176,16 +175,16 @@ TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
   EXPECT_EQ(words.back(), 0xffffffffU);
 }
 
-/// mul and div, at full and half width: F, and the operand bits.
+/// Constructed cases of mul and div at full and half width. The parameter is F, the number of
+/// fraction bits.
 class Constructed : public testing::TestWithParam<int> {
  protected:
   static std::vector<Case> made(cases::Operation operation, cases::Stream stream) {
     return cases_of(stream, {.operation = operation, .fraction_bits = GetParam()});
   }
-  /// The part of a number below the unit.
   static std::int64_t one() { return std::int64_t{1} << GetParam(); }
   static std::int64_t limit() { return std::int64_t{1} << (2 * GetParam() - 1); }
-  /// Twice what |n| 2^F leaves when divided by |d|.
+  /// Twice the remainder of |n| 2^F divided by |d|.
   static std::int64_t twice_remainder(const Case& c) {
     return 2 * (std::abs(c[0]) * one() % std::abs(c[1]));
   }
@@ -218,7 +217,7 @@ TEST_P(Constructed, QuotientTiesAreTies) {
   const auto cases = made(cases::Operation::div, cases::Stream::quotient_ties);
   EXPECT_EQ(count(cases, [&](const Case& c) { return twice_remainder(c) == std::abs(c[1]); }),
             sample);
-  // ... none of them a fault of the 386, with both signs.
+  // None of them faults on the 386, and both signs occur.
   EXPECT_EQ(
       count(cases, [&](const Case& c) { return std::abs(c[1]) <= std::abs(c[0]) >> GetParam(); }),
       0U);
@@ -371,8 +370,8 @@ TEST(Streams, HardAnglesAreNearHalfway) {
   EXPECT_EQ(seen.size(), 124U);
 }
 
-// A ConcatXforms that keeps its carry and one that loses it are told apart by every stream: of the
-// sums in the fourth column many carry and many do not.
+// In every stream many fourth-column sums carry and many do not, so every stream distinguishes a
+// ConcatXforms that keeps its carry from one that loses it.
 TEST(Streams, SumsOfTransformsCarryAndDoNot) {
   for (const bool round : {true, false}) {
     const cases::Variant printed{.operation = cases::Operation::concat,

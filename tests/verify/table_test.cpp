@@ -1,4 +1,4 @@
-// What people read.
+// Tests the tables that commands print.
 #include "cli/table.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(Table, ShowsEachDistinctMismatchOnceOnOneLine) {
   EXPECT_EQ(count(text, "mul i386 on: 00000000 00000001 (0 0.00002): saboteur DE, fast 00000000; "),
             1U);
   EXPECT_EQ(count(text, "replay: "), 2U);
-  EXPECT_EQ(count(text, "DIFFER"), 2U);  // the row and the verdict
+  EXPECT_EQ(count(text, "DIFFER"), 2U);  // once in the row, once in the verdict
 }
 
 TEST(Table, CountsMismatchesBeyondTheCap) {
