@@ -1,4 +1,4 @@
-// The register-level model: the listings' programs, compiled.
+// The register-level model: the programs of the listings, compiled.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -13,10 +13,10 @@ namespace {
 
 namespace x86 = x86model;
 
-/// Which printing of a routine, or its repaired form.
+/// The chapter that prints the routine, or its repaired form.
 enum class Form { chapter_54, chapter_52, repaired };
 
-/// The build for one setting of the switch that matters.
+/// Returns the build for one setting of the routine's own switch.
 constexpr x86::Build build(x86::Routine routine, bool round, Form form) {
   x86::Build b{.chapter_52 = form == Form::chapter_52, .repaired = form == Form::repaired};
   if (routine == x86::Routine::div) b.div_rounding = round;
