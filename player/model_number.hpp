@@ -14,8 +14,8 @@
 
 namespace fixproof::player {
 
-/// A 16.16 number. Sums, differences and comparisons, which C does itself, wrap as they do on the
-/// processors.
+/// A 16.16 number. Sums, differences and comparisons, which the original C code computes itself,
+/// wrap as on the processors.
 template <cases::Build build>
 class ModelNumber {
  public:
@@ -109,7 +109,7 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
   }
 
  private:
-  /// Twelve words, row by row.
+  /// Writes twelve words, row-major.
   static void put(const Transform<N>& t, std::uint32_t* words) {
     for (std::size_t i = 0; i < 12; ++i) words[i] = t.rows[i / 4][i % 4].word();
   }

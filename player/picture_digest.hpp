@@ -8,14 +8,15 @@
 
 namespace fixproof::player {
 
-/// The first 16 hex digits of the SHA-256 of a picture's indices, row by row.
+/// The first 16 hex digits of the SHA-256 of a picture's indices, row-major.
 std::string picture_digest(std::span<const std::uint8_t> pixels);
 
-/// Digests of a sequence of pictures. Equal pictures in a row give one digest, because a viewer
+/// Digests of a sequence of pictures. Equal consecutive pictures give one digest, because a viewer
 /// sees no change.
 class DigestLines {
  public:
-  /// The picture's digest and an end of line; empty if the picture before had the same digest.
+  /// Returns the picture's digest and a line end; empty if the previous picture had the same
+  /// digest.
   std::string line_of(std::span<const std::uint8_t> pixels);
 
  private:

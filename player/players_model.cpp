@@ -13,7 +13,7 @@ namespace {
 using xsharp::ArithmeticChoice;
 using xsharp::Scene;
 
-/// make.operator()<N>() for the model's number N; null unless the choice is a build of the
+/// Calls make.operator()<N>() for the model's number N; null unless the choice is a build of the
 /// listings.
 template <class Result, class Make>
 std::unique_ptr<Result> with_model(const ArithmeticChoice& choice, const Make& make) {

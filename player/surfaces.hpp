@@ -1,5 +1,5 @@
 /// @file
-/// What fills the surfaces of a scene, under the arithmetic that is chosen.
+/// The surface fillers of each arithmetic.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,15 @@
 
 namespace fixproof::player {
 
-/// By stepping under the type and the model, the model's inner loops runs of the listings; in
-/// double exactly, at every pixel. Null where nothing of the scene is interpolated.
+/// Makes the surface filler of an arithmetic. The type and the model step along spans, and the
+/// model's inner loops run the listings. Double computes every pixel exactly. Null if the scene
+/// interpolates nothing.
 /// @throws UsageError for a choice that all_arithmetics() does not have
 std::unique_ptr<xsharp::SurfaceFiller> make_surfaces(const xsharp::Scene& scene,
                                                      const xsharp::ArithmeticChoice& choice);
 
-/// Under one party's arithmetic, with inner loops of any party. Null if there is none.
+/// Make a filler in one party's arithmetic with the inner loops of any party; null if the party
+/// does not have the arithmetic.
 std::unique_ptr<xsharp::SurfaceFiller> make_type_surfaces(
     const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
     std::unique_ptr<const xsharp::SpanLoops> loops);
