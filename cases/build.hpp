@@ -7,7 +7,6 @@
 
 namespace fixproof::cases {
 
-/// The program whose rules apply.
 enum class Target : std::uint8_t {
   i386,
   i8088,

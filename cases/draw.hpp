@@ -19,7 +19,6 @@ class Draw {
  public:
   constexpr Draw(std::uint64_t key, std::uint64_t index) : state_(mix(mix(key) + index)) {}
 
-  /// Returns 64 uniformly distributed bits.
   constexpr std::uint64_t bits() { return mix(state_ += 0x9e3779b97f4a7c15U); }
 
   /// Returns 0 ... count-1, for 1 <= count <= 2^32. The bias is below count / 2^32.
@@ -36,7 +35,6 @@ class Draw {
     return static_cast<std::int64_t>(top | (bits() & (top - 1)));
   }
 
-  /// Returns `value` or `-value`.
   constexpr std::int64_t either_sign(std::int64_t value) { return coin() ? -value : value; }
 
  private:

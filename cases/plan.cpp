@@ -20,9 +20,8 @@ struct Share {
   std::uint64_t cases = 0;
 };
 
-/// The number of random cases per stream at level 1. Level 1 must take less than 20 seconds on two
-/// slow processors. An exact big-integer answer takes 0.2 us for a product, 2 us for a transform
-/// and 5 us for a sine.
+/// The number of random cases per stream at level 1. Level 1 must take less than 20 s on two slow
+/// processors. An exact big-integer product takes 0.2 us, a transform 2 us, a sine 5 us.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
     case Operation::mul:
@@ -41,7 +40,6 @@ std::uint64_t sample_of(Operation operation) {
   }
 }
 
-/// Level 2 runs this many times the random cases of level 1.
 constexpr std::uint64_t level_2_factor = 60;
 
 /// A chunk takes some ten milliseconds. This bounds the response time to Ctrl-C and the time that

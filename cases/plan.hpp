@@ -38,8 +38,7 @@ struct Chunk {
   std::uint64_t cases;
 };
 
-/// The jobs of all rows, cut into consecutively numbered chunks. Level, seed and rows determine the
-/// plan.
+/// The jobs of all rows, cut into numbered chunks. Level, seed and rows determine the plan.
 class Plan {
  public:
   /// Makes the jobs of `level` for each compared row.
@@ -53,7 +52,6 @@ class Plan {
   [[nodiscard]] std::uint64_t chunks() const { return chunks_; }
   /// Returns chunk `number`, 0 ... chunks() - 1. It points into the plan.
   [[nodiscard]] Chunk chunk(std::uint64_t number) const;
-  /// Returns the number of cases of all jobs.
   [[nodiscard]] std::uint64_t cases() const;
 
  private:

@@ -39,7 +39,6 @@ constexpr std::array<std::string_view, 19> stream_names{"uniform",
       fmt::format("stream {} has no cases of {}", name_of(stream), name_of(variant.operation)));
 }
 
-/// Writes the cases that `make(draw, words of one case)` draws.
 template <class Make>
 void each_case(std::size_t arity, std::uint64_t key, std::uint64_t first,
                std::span<std::uint32_t> words, Make make) {

@@ -45,15 +45,13 @@ enum class Stream : std::uint8_t {
   hard_angles,    ///< the 16.16 words whose sine or cosine comes nearest to halfway
 };
 
-/// Returns the lower-case name of a stream.
 std::string_view name_of(Stream stream);
 
 /// Returns the boundary values: 0, 1, 2, 3, every power of two, the words one unit from them and
 /// bit patterns, each with both signs. They are sorted and distinct.
 std::vector<std::uint32_t> boundary_lattice(int word_bits);
 
-/// Returns the number of cases of an enumerated stream; empty for a random stream, which is
-/// endless.
+/// Returns the number of cases of an enumerated stream; empty for a random, endless stream.
 /// @throws std::invalid_argument if the operation has too many operands to enumerate
 std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant);
 

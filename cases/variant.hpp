@@ -41,7 +41,6 @@ constexpr bool rounds(const Variant& v) {
   return v.operation == Operation::div ? v.build.div_round : v.build.mul_round;
 }
 
-/// The number of operand words per case.
 constexpr std::size_t words_in(Operation o) {
   switch (o) {
     case Operation::mul:
@@ -55,7 +54,6 @@ constexpr std::size_t words_in(Operation o) {
       return 1;
   }
 }
-/// The number of result words per case.
 constexpr std::size_t words_out(Operation o) {
   switch (o) {
     case Operation::cossin:
@@ -81,8 +79,7 @@ constexpr bool loses_carry(const Variant& v) {
   return can_be_repaired(v.operation, v.build.target) && !v.build.repaired;
 }
 
-/// Returns one routine of a build at full width. It ignores `repaired` for a routine that has no
-/// repaired form.
+/// Returns a routine of a build at full width. Drops `repaired` if it has no repaired form.
 constexpr Variant variant_of(Operation operation, const Build& build) {
   Variant variant{.operation = operation, .build = build};
   variant.build.repaired = build.repaired && can_be_repaired(operation, build.target);
