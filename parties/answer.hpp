@@ -18,8 +18,7 @@ struct Answer {
   Ending ending = Ending::broken;
   std::vector<std::uint32_t> words;  ///< empty unless the case ended in a value
 
-  /// Returns the words in lower-case hex digits, separated by single spaces. Any other ending gives
-  /// DE or a description.
+  /// The words in lower-case hex, separated by single spaces. Other endings give DE or a phrase.
   [[nodiscard]] std::string text(int word_bits) const;
 };
 
@@ -38,10 +37,8 @@ inline bool agree(const AnswerView& a, const AnswerView& b) {
          std::equal(a.words.begin(), a.words.end(), b.words.begin(), b.words.end());
 }
 
-/// Tells whether all answers to a case agree.
 bool agree(std::span<const Answer> answers);
 
-/// Asks one party for its answer to one case.
 Answer ask(const Party& party, const cases::Variant& variant, std::span<const std::uint32_t> words);
 
 /// Returns the row of `variant`: the candidates that answer it, in the same order.

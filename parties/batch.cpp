@@ -17,7 +17,6 @@ namespace fixproof::parties {
 
 namespace {
 
-/// The elements that a batch marks.
 class Marks {
  public:
   explicit Marks(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {}
@@ -39,7 +38,6 @@ class Marks {
   std::unique_ptr<bool[]> marks_;
 };
 
-/// Returns operand `which` of every case.
 template <class Number>
 std::vector<Number> column(const Batch& batch, std::size_t words, std::size_t which) {
   std::vector<Number> numbers(batch.endings.size());

@@ -15,8 +15,7 @@ namespace fixproof::parties {
 x86model::Program program_of(const cases::Variant& variant);
 
 /// Makes a party that runs `program` instead of the routine of every variant. A case is broken if
-/// the program does not preserve SI, DI, BP and SP as C requires, or if a transform changes its
-/// operands.
+/// the program does not preserve SI, DI, BP and SP, or if a transform changes its operands.
 std::unique_ptr<Party> make_interpreter_of(std::string name, const x86model::Program& program);
 
 }  // namespace fixproof::parties

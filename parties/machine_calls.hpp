@@ -10,16 +10,13 @@
 
 namespace fixproof::parties {
 
-/// Sets up each call of a routine and checks it afterwards. Every call starts with different junk
-/// in the registers, the flags and the place of the results. It must preserve everything that a C
-/// caller relies on.
+/// Sets up each call of a routine and checks it afterwards. Each call starts with different junk in
+/// the registers, flags and results, and must preserve what a C caller relies on.
 class MachineCalls {
  public:
   MachineCalls(x86model::Routine routine, const Batch& batch);
 
-  /// Sets up case `i`.
   void enter(std::size_t i, machine_code::SegmentMachine& m);
-  /// Stores the answer to case `i`.
   void leave(std::size_t i, const machine_code::SegmentMachine& m, machine_code::CallEnding ending);
 
  private:

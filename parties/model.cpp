@@ -26,7 +26,7 @@ constexpr x86::Build build(x86::Routine routine, bool round, Form form) {
 
 template <x86::Routine routine, x86::Target target, bool round, Form form, int word_bits>
 void answer_compiled(const Batch& batch) {
-  std::array<x86::Outcome, 256> outcomes;  // filled below
+  std::array<x86::Outcome, 256> outcomes;
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
   for (std::size_t done = 0; done < batch.endings.size(); done += outcomes.size()) {

@@ -126,8 +126,7 @@ class Oracle final : public Party {
   }
 };
 
-/// Conversions to decimal text or double and back are the identity, so this oracle returns the
-/// operand.
+/// Decimal and double round trips are the identity, so this oracle returns the operand.
 class FastOracle final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "fast"; }

@@ -15,7 +15,6 @@
 
 namespace fixproof::parties {
 
-/// The way a case ended.
 enum class Ending : std::uint8_t {
   value,           ///< the result words hold the answer
   divide_error,    ///< #DE
@@ -39,7 +38,6 @@ class Party : private boost::noncopyable {
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// Returns why this party cannot answer anything here, in a clause; empty if it can.
   [[nodiscard]] virtual std::string absence() const { return {}; }
-  /// Tells whether this party answers a variant.
   [[nodiscard]] virtual bool answers(const cases::Variant& variant) const = 0;
   /// Answers every case of the batch. Several threads may call it at once.
   virtual void answer(const cases::Variant& variant, const Batch& batch) const = 0;
@@ -53,8 +51,7 @@ class Party : private boost::noncopyable {
 const std::vector<std::unique_ptr<Party>>& parties();
 
 /// Returns the party of that name.
-/// @throws std::invalid_argument for an absent party, with the reason, and for any other name, with
-///   the known names
+/// @throws std::invalid_argument for an absent (with the reason) or unknown party (with the names)
 const Party& party_named(std::string_view name);
 
 }  // namespace fixproof::parties

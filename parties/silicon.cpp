@@ -12,7 +12,6 @@ namespace fixproof::parties {
 
 namespace {
 
-/// The processor of one thread and the code loaded into its segment.
 struct Loaded {
   machine_code::Processor processor;
   std::vector<std::uint8_t> code;
