@@ -24,7 +24,6 @@ class Canvas : private boost::noncopyable {
   [[nodiscard]] virtual std::string png() const = 0;
   /// The shown picture as palette indices, row-major; empty in true colour.
   [[nodiscard]] virtual std::span<const std::uint8_t> indices() const = 0;
-  /// Shows the picture in a window.
   virtual void show_in(xsharp::Window& window) const = 0;
   [[nodiscard]] virtual xsharp::DrawingCount count() const = 0;
 };

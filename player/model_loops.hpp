@@ -35,7 +35,6 @@ class ModelLoops final : public xsharp::SpanLoops {
                std::uint32_t du, std::uint32_t v, std::uint32_t dv) const override;
 
  private:
-  /// A form and its code.
   struct Ready {
     explicit Ready(const x86model::LoopForm& f) : form(f), code(x86model::code_of(f)) {}
     x86model::LoopForm form;

@@ -14,8 +14,7 @@
 
 namespace fixproof::player {
 
-/// A 16.16 number. Sums, differences and comparisons, which the original C code computes itself,
-/// wrap as on the processors.
+/// A 16.16 number. Sums, differences and comparisons call no routine; they wrap.
 template <cases::Build build>
 class ModelNumber {
  public:

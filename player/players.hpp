@@ -16,8 +16,7 @@
 namespace fixproof::player {
 
 /// Returns every arithmetic that can draw a scene: the type with each preset, the model with each
-/// build of the listings, and double. The 8088 builds come with the printed and the repaired
-/// ConcatXforms.
+/// build, and double. The 8088 builds come with the printed and the repaired ConcatXforms.
 std::vector<xsharp::ArithmeticChoice> all_arithmetics();
 
 /// Returns the build of a choice; empty for double and for the saturating and trapping types.

@@ -19,7 +19,6 @@ namespace {
 
 using xsharp::Key;
 
-/// The played scene and the state that keys have changed.
 class Show {
  public:
   Show(const xsharp::Scene& scene, bool true_color, std::size_t threads)
@@ -84,8 +83,7 @@ class Show {
     switched_.push_back(light);
   }
 
-  /// Replays the scene from its first frame with the other rounding, to show the errors that
-  /// accumulate.
+  /// Replays the scene with the other rounding, to show the errors that accumulate.
   void switch_rounding() {
     xsharp::ArithmeticChoice& choice = scene_.arithmetic;
     if (choice.by == "double" || !xsharp::is_listing(choice)) return;

@@ -10,15 +10,13 @@
 
 namespace fixproof::player {
 
-/// Makes the surface filler of an arithmetic. The type and the model step along spans, and the
-/// model's inner loops run the listings. Double computes every pixel exactly. Null if the scene
-/// interpolates nothing.
+/// Makes the surface filler of an arithmetic. The type and the model step along spans; the model
+/// runs the listed inner loops. Double is exact at every pixel. Null without interpolation.
 /// @throws UsageError for a choice that all_arithmetics() does not have
 std::unique_ptr<xsharp::SurfaceFiller> make_surfaces(const xsharp::Scene& scene,
                                                      const xsharp::ArithmeticChoice& choice);
 
-/// Make a filler in one party's arithmetic with the inner loops of any party; null if the party
-/// does not have the arithmetic.
+/// Make a filler of one party's arithmetic with any inner loops; null if the party lacks it.
 std::unique_ptr<xsharp::SurfaceFiller> make_type_surfaces(
     const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
     std::unique_ptr<const xsharp::SpanLoops> loops);
