@@ -11,7 +11,6 @@
 
 namespace fixproof::check {
 
-/// The kinds of cases. Every case has exactly one.
 enum class CaseKind : std::uint8_t {
   exact,      ///< a whole number of ulps
   tie,        ///< halfway between two
@@ -31,8 +30,7 @@ struct ExactPlace {
   std::int64_t whole = 1;
   double fraction = 0;  ///< above the floor, in double precision
 
-  /// Returns the kind of the case. `overflows` tells whether the rounded result does not fit a
-  /// word.
+  /// `overflows` tells whether the rounded result does not fit a word.
   [[nodiscard]] CaseKind kind(bool overflows) const;
   /// Returns the result as text: `-1 + 1/2`, `46340 + 0.95001`.
   [[nodiscard]] std::string text() const;

@@ -19,7 +19,6 @@ struct KindTally {
   std::uint64_t wrong = 0;
 };
 
-/// The largest error of a result in range.
 struct LargestError {
   double ulps = 0;
   JudgedCase at;

@@ -16,8 +16,7 @@ namespace fixproof::check {
 Said parse_result(std::string_view line);
 
 /// Results in input order. It skips lines that start with #, and blank lines at the end. A blank
-/// line before a result is an error: it is a missing result, and would shift all later results to
-/// the wrong cases.
+/// line before a result is an error, because it would shift all later results to the wrong cases.
 class Results {
  public:
   /// @param name the name of the stream in errors

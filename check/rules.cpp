@@ -29,7 +29,6 @@ constexpr std::array<NoResult, 5> negative_root_rules{
 
 constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
 
-/// Returns the rule's result for a word of that sign.
 Said limit_of(NoResult rule, bool negative) {
   switch (rule) {
     case NoResult::saturate:
@@ -64,7 +63,6 @@ Said no_result_of(NoResult rule, std::span<const std::uint32_t> words, Rounding 
                                   : limit_of(rule, is_negative(words[0]));
 }
 
-/// Returns the rule's result for an overflow.
 Said overflowed(Overflow rule, std::int64_t ulps) {
   switch (rule) {
     case Overflow::wrap:

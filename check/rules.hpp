@@ -1,6 +1,5 @@
 /// @file
-/// The rules that third-party 16.16 arithmetic can follow for rounding, for overflow and for
-/// operands without a result.
+/// The rounding, overflow and no-result rules that third-party 16.16 arithmetic can follow.
 #pragma once
 
 #include <cstdint>
@@ -60,8 +59,7 @@ std::span<const Overflow> overflow_rules();
 /// Every rule except `any` that applies to the operation; empty for mul.
 std::span<const NoResult> no_result_rules(cases::Operation operation);
 
-/// Returns the rounded result in ulps, before overflow handling; empty for a zero divisor or a
-/// negative radicand.
+/// The rounded result in ulps before overflow handling; empty for x / 0 and negative radicands.
 std::optional<std::int64_t> rounded_result(cases::Operation operation,
                                            std::span<const std::uint32_t> words,
                                            oracle::Rounding rule);

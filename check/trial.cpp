@@ -7,7 +7,6 @@ namespace fixproof::check {
 
 namespace {
 
-/// Counts the case for the rule, and as an exception unless `kept`.
 void score(RuleScore& rule, bool kept, const JudgedCase& one, bool negative) {
   ++rule.cases;
   if (kept) return;

@@ -17,8 +17,7 @@ struct RuleScore {
   std::uint64_t negative_exceptions = 0;  ///< exceptions whose exact result is below 0
 };
 
-/// The rules with the fewest exceptions, as indices into the list of rules. Several rules tie if
-/// the cases cannot tell them apart or count equally against each.
+/// The rules with the fewest exceptions, as indices. Several tie if no case tells them apart.
 struct BestRules {
   std::vector<std::size_t> rules;  ///< at least one
   RuleScore first;                 ///< of the first rule
@@ -33,8 +32,7 @@ class RuleTrial {
 
   /// Returns the best of roundings(), judged on rounded results that fit a word.
   [[nodiscard]] BestRules rounding() const;
-  /// Returns the best of overflow_rules(), judged on results that overflow under a rounding of
-  /// roundings().
+  /// Returns the best of overflow_rules(), judged on overflows under that rounding (an index).
   [[nodiscard]] BestRules overflow(std::size_t rounding) const;
   /// Returns the best of no_result_rules(), which must not be empty.
   [[nodiscard]] BestRules no_result(std::size_t rounding) const;
