@@ -139,7 +139,7 @@ next_byte:
         ret
 
 ; Reads the next line into `line` without its line end, appends a 0 and sets line_end. Carry flag:
-; the input has ended. Truncates a long line to LINE_SIZE bytes, which is still too long to be valid.
+; the input has ended. Truncates a long line to LINE_SIZE bytes, still too long to be valid.
 read_line:
         mov di, line
 .more:

@@ -90,8 +90,7 @@ struct Emulator::Parts : private boost::noncopyable {
     });
   }
 
-  /// Sets up the next call. SP skips the return address of calls->enter(), because CALL pushes its
-  /// own.
+  /// SP skips the return address of calls->enter(), because CALL pushes its own.
   void enter() {
     calls->enter(call, machine);
     auto& registers = machine.registers;

@@ -39,8 +39,7 @@ class Emulator : private boost::noncopyable {
   /// project's listings run here, and all of them end.
   void run(const Calls& calls);
 
-  /// A callback between two instructions. It gets the machine and the offset of the next
-  /// instruction.
+  /// A callback between two instructions; `next` is the offset of the second.
   using Step = std::function<void(SegmentMachine& m, std::uint16_t next)>;
 
   /// Makes one call and runs `step` before the first instruction and after every one, including

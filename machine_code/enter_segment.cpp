@@ -7,10 +7,8 @@
 //   stack saves all registers that the ABI preserves, and the Landing holds its RSP.
 // - DS, ES and SS hold the segment during the call and are restored. FS and GS stay untouched,
 //   because thread-local storage depends on them.
-// - The caller sets only the six arithmetic flags. The direction flag is clear on return, as the
-//   ABI requires.
-// - The code does not touch the x87, SSE or AVX state. It is a function of its own, so no caller
-//   has a red zone below it.
+// - The caller sets only the six arithmetic flags. The ABI requires DF to be clear on return.
+// - The x87, SSE and AVX state stays untouched. A function call leaves no red zone to preserve.
 asm(R"(
         .pushsection .text
         .p2align 4

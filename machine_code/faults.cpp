@@ -18,7 +18,6 @@ constexpr std::array fault_signals{SIGFPE, SIGSEGV, SIGBUS, SIGILL, SIGTRAP};
 
 using Actions = std::array<struct sigaction, fault_signals.size()>;
 
-/// The previous handlers of these signals.
 Actions& previous_actions() {
   static Actions actions{};
   return actions;

@@ -17,7 +17,6 @@ void catch_segment_faults();
 /// @return the signal of the fault that ended the call; 0 if the call returned
 int call_segment(SegmentCall& call);
 
-/// The selectors of 64-bit code in this process.
 std::uint16_t code_selector_of_64_bits();
 std::uint16_t stack_selector_of_64_bits();
 

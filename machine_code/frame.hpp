@@ -11,8 +11,7 @@
 
 namespace fixproof::machine_code {
 
-/// The functions enter(), leave() and fill_results_with_junk() of x86model/call.hpp for one
-/// routine.
+/// The enter(), leave() and fill_results_with_junk() of x86model/call.hpp for one routine.
 struct Frame {
   void (*enter)(SegmentMachine& m, std::span<const std::uint32_t> in);
   void (*leave)(const SegmentMachine& m, std::span<std::uint32_t> out);

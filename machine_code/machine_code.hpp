@@ -12,15 +12,13 @@
 namespace fixproof::machine_code {
 
 /// Returns the machine code of a program, which starts at code_origin: 16-bit code, near-callable,
-/// with data addressed from the base of its own segment. Empty if the program does not exist or the
-/// build had no NASM.
+/// with data addressed from the base of its own segment. Empty without such a program or NASM.
 std::span<const std::uint8_t> machine_code(const ProgramKey& key);
 
 /// The same for a loop in one of its forms; its operands are in registers.
 std::span<const std::uint8_t> machine_code(const x86model::LoopForm& form);
 
-/// Returns the contents of a DOS .COM file that answers lines by calling the routine; empty as
-/// above.
+/// Returns a DOS .COM file that answers lines by calling the routine; empty as above.
 std::span<const std::uint8_t> dos_command(const ProgramKey& key);
 
 /// Returns why this build has no machine code; empty if it has.

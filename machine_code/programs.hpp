@@ -14,7 +14,6 @@
 
 namespace fixproof::machine_code {
 
-/// The key of one program of the model.
 struct ProgramKey {
   x86model::Routine routine = x86model::Routine::mul;
   x86model::Target target = x86model::Target::i386;
@@ -29,8 +28,7 @@ std::vector<ProgramKey> all_programs();
 /// routine's own switch, so two keys of the same program share a name.
 std::string name_of(const ProgramKey& key);
 
-/// Returns the name of a form of an inner loop, such as gouraud-byte-i386-dec-jnz. The form as
-/// printed ends in -printed.
+/// Returns the name of a loop form: gouraud-byte-i386-dec-jnz, with -printed if as printed.
 std::string name_of(const x86model::LoopForm& form);
 
 /// Returns the loop's command-line name: gouraud-byte, gouraud-word, depth or texture.

@@ -8,7 +8,6 @@
 
 namespace fixproof::machine_code {
 
-/// The bytes of one program.
 struct Assembled {
   std::string_view name;               ///< see name_of() of programs.hpp
   std::span<const std::uint8_t> code;  ///< assembled for code_origin
