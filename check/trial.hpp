@@ -32,7 +32,7 @@ class RuleTrial {
 
   /// Returns the best of roundings(), judged on rounded results that fit a word.
   [[nodiscard]] BestRules rounding() const;
-  /// Returns the best of overflow_rules(), judged on overflows under that rounding (an index).
+  /// Returns the best of overflow_rules(), judged on overflows under roundings()[rounding].
   [[nodiscard]] BestRules overflow(std::size_t rounding) const;
   /// Returns the best of no_result_rules(), which must not be empty.
   [[nodiscard]] BestRules no_result(std::size_t rounding) const;

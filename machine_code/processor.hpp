@@ -37,7 +37,7 @@ class Processor : private boost::noncopyable {
   void load(std::span<const std::uint8_t> code);
 
   /// Lets its thread call() during its lifetime. It catches faults in the segment and blocks
-  /// signals for the process, because no handler can run on a 16-bit stack.
+  /// all other signals, because no handler can run on a 16-bit stack.
   class Calls : private boost::noncopyable {
    public:
     explicit Calls(Processor& processor);

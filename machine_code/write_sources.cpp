@@ -1,7 +1,7 @@
 // usage: write_sources FOLDER
 // Writes NAME.asm for every program and every form of a loop: an ORG line, then the output of
-// `fixproof list`. For routines, NAME.com.asm has the same text framed by dos.asm. Prints all
-// names.
+// `fixproof list`. For routines, NAME.com.asm has the same text framed by dos.asm. It prints
+// the names.
 #include <exception>
 #include <fstream>
 #include <iostream>
