@@ -22,7 +22,6 @@ struct Row {
   friend bool operator==(const Row&, const Row&) = default;
 };
 
-/// One stream of cases of one row.
 struct Job {
   std::size_t row;
   Stream stream;

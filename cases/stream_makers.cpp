@@ -55,7 +55,6 @@ std::array<std::int64_t, 9> rotation_of(const Quaternion& q, const Format& forma
 Quaternion random_quaternion(Draw& draw) {
   Quaternion q{};
   for (auto& part : q) part = static_cast<std::int64_t>(draw.below(2047)) - 1023;
-  // The zero quaternion is not a rotation.
   if (q == Quaternion{}) q[0] = 1;
   return q;
 }

@@ -91,7 +91,6 @@ constexpr int operand_bits(const Variant& v) {
   return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
 }
 
-/// Tells whether the operation is a routine of FIXED.ASM.
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
 
 std::string_view name_of(Operation o);

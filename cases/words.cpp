@@ -11,7 +11,6 @@ namespace fixproof::cases {
 
 namespace {
 
-/// Sign-extends a two's complement word of `bits` bits.
 std::int32_t signed_word(std::uint32_t word, int bits) {
   const int unused = 32 - bits;
   return static_cast<std::int32_t>(word << unused) >> unused;

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::uint64_t cases_of_batch = 1024;
 
-/// The rules of the variant do not affect its cases.
 cases::Variant variant_of(cases::Operation operation) {
   return {.operation = operation, .build = {.target = cases::Target::standard}};
 }

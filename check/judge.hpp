@@ -13,7 +13,6 @@
 
 namespace fixproof::check {
 
-/// The counts for one kind and sign of case.
 struct KindTally {
   std::uint64_t cases = 0;
   std::uint64_t wrong = 0;

@@ -13,7 +13,6 @@
 
 namespace fixproof::check {
 
-/// A case kept for display.
 struct JudgedCase {
   std::uint64_t number = 0;  ///< from 1, as results are counted
   std::string_view origin;   ///< the stream or the file of the case; must outlive the case

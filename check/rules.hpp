@@ -39,7 +39,6 @@ enum class NoResult : std::uint8_t {
   mirror,     ///< roots only: minus the root of the magnitude, in the subject's rounding
 };
 
-/// The rules that a subject must follow.
 struct Rules {
   cases::Operation operation = cases::Operation::mul;  ///< mul, div or sqrt
   oracle::Rounding rounding = oracle::Rounding::half_up;
@@ -82,7 +81,6 @@ struct Expected {
 };
 Expected expected_of(const Rules& rules, std::span<const std::uint32_t> words);
 
-/// Tells whether the rules accept `said`.
 bool keeps(const Rules& rules, std::span<const std::uint32_t> words, Said said);
 
 }  // namespace fixproof::check

@@ -21,7 +21,6 @@ class Emulator : private boost::noncopyable {
   /// Returns why this build has no emulator; empty if it has one.
   static std::string absence();
 
-  /// The work between the calls of a batch.
   struct Calls {
     std::size_t count;
     /// Sets up call `i`. It leaves SP at the return address, as x86model/call.hpp does.

@@ -35,7 +35,6 @@ constexpr x86model::Target model_target(cases::Target target) {
   return target == cases::Target::i386 ? x86model::Target::i386 : x86model::Target::i8088;
 }
 
-/// Returns the program of a routine of FIXED.ASM at full width.
 ProgramKey key_of(const cases::Variant& variant);
 
 }  // namespace fixproof::machine_code

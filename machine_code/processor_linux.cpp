@@ -63,7 +63,6 @@ Entries& entries() {
   return all;
 }
 
-/// A descriptor of `bytes` bytes of 16-bit code or data.
 class Descriptor : private boost::noncopyable {
  public:
   Descriptor(std::uint32_t base, unsigned contents, std::size_t bytes) : entry_(entries().take()) {

@@ -33,7 +33,6 @@ std::string name_of(const x86model::LoopForm& form);
 
 /// Returns the loop's command-line name: gouraud-byte, gouraud-word, depth or texture.
 std::string_view name_of_loop(x86model::Loop loop);
-/// Returns the loop of that name; empty for any other name.
 std::optional<x86model::Loop> loop_named(std::string_view name);
 
 /// The offset of a program's machine code in its segment: above all memory that x86model/call.hpp

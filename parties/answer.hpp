@@ -13,7 +13,6 @@
 
 namespace fixproof::parties {
 
-/// The answer of one party to one case.
 struct Answer {
   Ending ending = Ending::broken;
   std::vector<std::uint32_t> words;  ///< empty unless the case ended in a value

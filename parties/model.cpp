@@ -16,7 +16,6 @@ namespace x86 = x86model;
 /// The chapter that prints the routine, or its repaired form.
 enum class Form { chapter_54, chapter_52, repaired };
 
-/// Returns the build for one setting of the routine's own switch.
 constexpr x86::Build build(x86::Routine routine, bool round, Form form) {
   x86::Build b{.chapter_52 = form == Form::chapter_52, .repaired = form == Form::repaired};
   if (routine == x86::Routine::div) b.div_rounding = round;

@@ -55,7 +55,6 @@ void each_case(const cases::Variant& v, const Batch& batch, OneCase one_case) {
   }
 }
 
-/// Returns the word of a conversion that succeeded and stayed in range.
 std::optional<Word> word_of_ulps(const std::optional<oracle::Integer>& ulps, int fraction_bits) {
   const int bits = oracle::word_bits(fraction_bits);
   if (!ulps || !oracle::fits(*ulps, bits)) return std::nullopt;

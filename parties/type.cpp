@@ -56,7 +56,6 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
     const auto written = fixed::to_chars(text.data(), text.data() + text.size(), operand(0));
     Number back;
     const auto read = fixed::from_chars(text.data(), written.ptr, back);
-    // The parser must read the whole text.
     if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
     out[0] = word_of(back);
   } else {

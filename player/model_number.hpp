@@ -108,7 +108,6 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
   }
 
  private:
-  /// Writes twelve words, row-major.
   static void put(const Transform<N>& t, std::uint32_t* words) {
     for (std::size_t i = 0; i < 12; ++i) words[i] = t.rows[i / 4][i % 4].word();
   }

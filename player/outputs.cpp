@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A purpose and its file, for messages.
 using Use = std::pair<std::string, fs::path>;
 
 /// Tells whether `file` can be the name of a frame in `folder`.

@@ -21,7 +21,6 @@ std::vector<xsharp::ArithmeticChoice> all_arithmetics();
 
 /// Returns the build of a choice; empty for double and for the saturating and trapping types.
 std::optional<cases::Build> build_of(const xsharp::ArithmeticChoice& choice);
-/// Returns the arithmetic of a build of FIXED.ASM.
 /// @param by "type" or "model"
 xsharp::ArithmeticChoice arithmetic_of(const cases::Build& build, std::string by);
 
