@@ -1,5 +1,5 @@
 /// @file
-/// Which build of FIXED.ASM, or which other set of rules, an operation follows.
+/// The builds of FIXED.ASM and the other sets of rules that an operation can follow.
 #pragma once
 
 #include <array>
@@ -7,30 +7,28 @@
 
 namespace fixproof::cases {
 
-/// Whose rules apply.
 enum class Target : std::uint8_t {
   i386,
   i8088,
-  standard,  ///< the rules of fixed::q16_16: round to nearest, halves up; wrap; a divide error only
-             ///< for a zero divisor
+  standard,  ///< the rules of fixed::q16_16: rounds half up and wraps; #DE only for a zero divisor
 };
 
-/// One set of rules. `mul_round` and `div_round` say what the code does, not how the printed
-/// switches are set: see printed_build().
+/// One set of rules. `mul_round` and `div_round` tell whether the code rounds. The printed switches
+/// can differ from them: see printed_build().
 struct Build {
   Target target = Target::i386;
   bool mul_round = true;
   bool div_round = true;
-  /// The routines of chapter 52 (386, rounded) instead of chapter 54; see ConcatXforms.
+  /// Selects the routines of chapter 52 (386, rounded) instead of those of chapter 54.
   bool chapter_52 = false;
-  /// ConcatXforms for the 8088 with the carry that its listing loses: docs/findings.md, 18.
+  /// Selects the 8088 ConcatXforms that keeps the carry its listing loses: docs/findings.md, 18.
   bool repaired = false;
 
   friend constexpr bool operator==(const Build&, const Build&) = default;
 };
 
-/// The build that the switches of chapter 54 select. The listings print the multiply switch on and
-/// the divide switch off. The 8088 divide tests its switch the wrong way round.
+/// Returns the build that the switches of chapter 54 select. The listings print the multiply switch
+/// on and the divide switch off. The 8088 divide inverts its switch.
 constexpr Build printed_build(Target target, bool mul_switch = true, bool div_switch = false) {
   const bool inverted = target == Target::i8088;
   return {

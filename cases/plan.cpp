@@ -14,15 +14,14 @@ namespace fixproof::cases {
 
 namespace {
 
-/// A stream and how many cases of it a job has; a stream that counts is run whole.
+/// A stream and its number of cases in a job. Enumerated streams ignore the number and run whole.
 struct Share {
   Stream stream;
   std::uint64_t cases = 0;
 };
 
-/// Random cases of one stream at level 1, which is to take less than 20 seconds on two slow
-/// processors: an exact answer from big integers takes 0.2 us for a product, ten times that for a
-/// transform, 5 us for a sine.
+/// The number of random cases per stream at level 1. Level 1 must take less than 20 s on two slow
+/// processors. An exact big-integer product takes 0.2 us, a transform 2 us, a sine 5 us.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
     case Operation::mul:
@@ -41,11 +40,10 @@ std::uint64_t sample_of(Operation operation) {
   }
 }
 
-/// How much more level 2 has.
 constexpr std::uint64_t level_2_factor = 60;
 
-/// Cases of a chunk: some ten milliseconds, so that Ctrl-C is answered at once and a thread that
-/// has nothing left waits for the others no longer than that.
+/// A chunk takes some ten milliseconds. This bounds the response time to Ctrl-C and the time that
+/// an idle thread waits for the others.
 std::uint64_t cases_per_chunk(Operation operation, int level) {
   if (level == 3) return std::uint64_t{1} << 20U;
   switch (operation) {

@@ -1,6 +1,5 @@
 /// @file
-/// What a verification runs: rows of the table, each with its jobs, all cut into one list of
-/// chunks.
+/// The plan of a verification: its rows, their jobs, and the chunks that threads work on.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +12,16 @@
 
 namespace fixproof::cases {
 
-/// One row of the table: a variant and who answers it.
+/// One row of the table: a variant and the parties that answer it.
 struct Row {
   Variant variant;
-  /// The party that is judged, then those it is judged against. With fewer than two nothing is
-  /// compared.
+  /// The judged party, then its references. The row is compared only if it has at least two.
   std::vector<std::string> parties;
 
   [[nodiscard]] bool compared() const { return parties.size() >= 2; }
   friend bool operator==(const Row&, const Row&) = default;
 };
 
-/// One stream of cases of one row.
 struct Job {
   std::size_t row;
   Stream stream;
@@ -33,18 +30,17 @@ struct Job {
   std::uint64_t first_chunk;
 };
 
-/// A run of cases of one job: what a thread does at a time.
+/// Consecutive cases of one job, the unit of work of a thread.
 struct Chunk {
   const Job* job;
   std::uint64_t first;
   std::uint64_t cases;
 };
 
-/// Jobs for rows, cut into chunks that are numbered through. Two plans of the same level, seed and
-/// rows are the same.
+/// The jobs of all rows, cut into numbered chunks. Level, seed and rows determine the plan.
 class Plan {
  public:
-  /// The jobs that `level` has for each row that is compared.
+  /// Makes the jobs of `level` for each compared row.
   /// @throws std::invalid_argument for a level other than 1, 2 and 3
   Plan(int level, std::uint64_t seed, std::vector<Row> rows);
 
@@ -53,9 +49,8 @@ class Plan {
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<Job>& jobs() const { return jobs_; }
   [[nodiscard]] std::uint64_t chunks() const { return chunks_; }
-  /// Chunk `number`, 0 ... chunks() - 1; it points into the plan.
+  /// Returns chunk `number`, 0 ... chunks() - 1. It points into the plan.
   [[nodiscard]] Chunk chunk(std::uint64_t number) const;
-  /// Cases of all jobs.
   [[nodiscard]] std::uint64_t cases() const;
 
  private:
@@ -68,7 +63,7 @@ class Plan {
   std::uint64_t chunks_ = 0;
 };
 
-/// A part of the chunks: those whose number is `index` - 1 modulo `count`.
+/// The chunks whose number is `index` - 1 modulo `count`.
 struct Shard {
   std::uint64_t index = 1;  ///< 1 ... count
   std::uint64_t count = 1;
@@ -77,13 +72,13 @@ struct Shard {
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// Reads `i/n` with 1 <= i <= n.
+/// Parses `i/n` with 1 <= i <= n.
 /// @throws UsageError for any other text
 Shard parse_shard(const std::string& text);
 
-/// The form of `variant` that a level compares: levels 1 and 2 take it as it is, level 3 takes
-/// multiply and divide at half width. Empty where a level has no cases: level 3 samples nothing, so
-/// that it leaves out the transforms; and at half width the two chapters have one program.
+/// Returns the form of `variant` that a level compares. Levels 1 and 2 compare it unchanged; level
+/// 3 compares multiply and divide at half width. Level 3 enumerates operands, so it has no
+/// transforms. It also skips chapter 52, whose half-width program is that of chapter 54.
 std::optional<Variant> at_level(int level, const Variant& variant);
 
 }  // namespace fixproof::cases

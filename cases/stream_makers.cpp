@@ -9,14 +9,14 @@ namespace fixproof::cases {
 
 namespace {
 
-/// An odd number of random width, 1 ... 2^widest - 1; `widest` is at least 1.
+/// Returns an odd number of random width, 1 ... 2^widest - 1; `widest` is at least 1.
 std::int64_t odd(Draw& draw, int widest) { return draw.magnitude(widest) | 1; }
 
-/// -1, 0 or 1.
+/// Returns -1, 0 or 1.
 std::int64_t beside(Draw& draw) { return static_cast<std::int64_t>(draw.below(3)) - 1; }
 
-/// The number whose product with the odd `a` is 1 modulo 2^64: each step of Newton's doubles the
-/// bits that are right, three at first.
+/// Returns the inverse of the odd `a` modulo 2^64. `a` itself is right to three bits, and each
+/// Newton step doubles the number of right bits.
 std::uint64_t inverse(std::uint64_t a) {
   std::uint64_t x = a;
   for (int step = 0; step < 5; ++step) x *= 2 - a * x;
@@ -35,8 +35,8 @@ constexpr std::array<std::uint32_t, 62> hard_words{
 
 using Quaternion = std::array<std::int64_t, 4>;
 
-/// The rotation that a quaternion (w, x, y, z) gives, row by row in units, rounded to nearest. It
-/// is made of integers alone, since sines differ between libraries and cases must not.
+/// Returns the rotation matrix of a quaternion (w, x, y, z), row-major in units, rounded to
+/// nearest. It uses integers only, because sines differ between libraries and cases must not.
 std::array<std::int64_t, 9> rotation_of(const Quaternion& q, const Format& format) {
   const auto [w, x, y, z] = q;
   const std::int64_t norm = w * w + x * x + y * y + z * z;
@@ -55,12 +55,11 @@ std::array<std::int64_t, 9> rotation_of(const Quaternion& q, const Format& forma
 Quaternion random_quaternion(Draw& draw) {
   Quaternion q{};
   for (auto& part : q) part = static_cast<std::int64_t>(draw.below(2047)) - 1023;
-  // Zero alone is no rotation.
   if (q == Quaternion{}) q[0] = 1;
   return q;
 }
 
-/// Writes a matrix of the nine coefficients and a translation of up to an eighth of the range.
+/// Writes the nine coefficients and a random translation of up to an eighth of the range.
 void write_matrix(const std::array<std::int64_t, 9>& rows, Draw& draw, const Format& format,
                   std::span<std::uint32_t> matrix) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -76,7 +75,7 @@ std::uint32_t scaled_word(Draw& draw, const Format& format) {
 }
 
 Pair product_tie(Draw& draw, const Format& format) {
-  // Halfway means that just F - 1 factors of two are in the product.
+  // A tie has exactly F - 1 factors of two in the product.
   const int twos = format.fraction_bits - 1;
   const int in_a = static_cast<int>(draw.below(static_cast<std::uint64_t>(twos) + 1));
   const int in_b = twos - in_a;
@@ -89,8 +88,8 @@ Pair near_product_tie(Draw& draw, const Format& format) {
   const std::int64_t a = odd(draw, format.word_bits - 1);
   const std::int64_t half = format.one() / 2;
   const auto wanted = static_cast<std::uint64_t>(half + 1);
-  // The low F bits of b make the fraction of the product, half and one; with the other sign it is
-  // half less one. The other bits are free.
+  // The low F bits of b make the fraction of the product just above one half, or with the other
+  // sign just below it. The other bits are free.
   const auto low = static_cast<std::int64_t>(wanted * inverse(static_cast<std::uint64_t>(a))) &
                    (format.one() - 1);
   const std::int64_t high = draw.magnitude(format.word_bits - 1 - format.fraction_bits);
@@ -111,10 +110,10 @@ Pair quotient_tie(Draw& draw, const Format& format) {
 
 Pair near_quotient_tie(Draw& draw, const Format& format) {
   const std::int64_t d = std::max<std::int64_t>(3, odd(draw, format.word_bits - 1));
-  // n 2^F leaves this remainder when n is it halved F times, modulo the odd d.
+  // n 2^F leaves this remainder if n is the remainder halved F times modulo the odd d.
   std::int64_t n = draw.coin() ? (d + 1) / 2 : (d - 1) / 2;
   for (int i = 0; i < format.fraction_bits; ++i) n = n % 2 == 0 ? n / 2 : (n + d) / 2;
-  // The remainder stays when d is added; the quotient must stay below 2^2F units.
+  // Adding d keeps the remainder; the quotient must stay below 2^2F units.
   const std::int64_t most = std::min(format.limit(), d << format.fraction_bits);
   const std::int64_t steps = (most - 1 - n) / d;
   if (steps > 0) n += d * (draw.magnitude(format.word_bits - 1) % (steps + 1));
@@ -132,7 +131,7 @@ Pair whole_divisor_tie(Draw& draw, const Format& format) {
 }
 
 Pair large_quotient(Draw& draw, const Format& format) {
-  // About the end of the signed range of a word, or about the end of the unsigned one.
+  // The quotient is near the end of the signed or of the unsigned range of a word.
   const bool is_signed = draw.coin();
   const std::int64_t edge = is_signed ? format.limit() : 2 * format.limit();
   const int widest = is_signed ? format.fraction_bits : format.fraction_bits - 1;
@@ -155,7 +154,7 @@ Pair fault_edge(Draw& draw, const Format& format) {
 }
 
 std::uint32_t root_tie(Draw& draw, const Format& format) {
-  // A root r + 1/2 has the radicand r^2 + r + 1/4, that is, 2^F times the operand.
+  // A root r + 1/2 has the radicand r^2 + r + 1/4, which is 2^F times the operand.
   const int root_bits = (format.word_bits - 1 + format.fraction_bits) / 2;
   const std::int64_t r = draw.magnitude(root_bits);
   const std::int64_t x = ((r * r + r) >> format.fraction_bits) + (draw.coin() ? 1 : 0);
@@ -164,7 +163,8 @@ std::uint32_t root_tie(Draw& draw, const Format& format) {
 
 std::uint32_t quarter_turn(Draw& draw, const Format& format) {
   constexpr int bits = 46;
-  constexpr std::int64_t half_pi = 0x6487ed5110b4;  // pi/2 * 2^46: below 2^-15 units off
+  constexpr std::int64_t half_pi =
+      0x6487ed5110b4;  // pi/2 * 2^46, in error by less than 2^-15 units
   const std::int64_t most = (format.limit() << (bits - format.fraction_bits)) / half_pi;
   const auto turns = static_cast<std::int64_t>(draw.below(static_cast<std::uint64_t>(most) + 1));
   const int dropped = bits - format.fraction_bits;
@@ -190,7 +190,7 @@ void axes(Draw& draw, const Format& format, std::span<std::uint32_t> words) {
   for (auto step = draw.below(6); step > 0; --step)
     std::next_permutation(order.begin(), order.end());
   for (auto& word : words) word = scaled_word(draw, format);
-  // The turned axes stand on either side of a product of two transforms.
+  // In a product of two transforms, either one can have the rotated axes.
   const auto turned = words.size() == 24 && draw.coin() ? words.subspan(12) : words.first(12);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) turned[4 * i + k] = 0;
@@ -206,7 +206,7 @@ void transform_tie(Draw& draw, const Format& format, std::span<std::uint32_t> wo
   };
   const std::size_t columns = words.size() == 24 ? 4 : 1;
   for (std::size_t k = 0; k < 3; ++k) {
-    // Column k of the first meets coordinate k, or row k of the second.
+    // Column k of the first transform multiplies coordinate k, or row k of the second transform.
     const auto in_first = static_cast<int>(draw.below(static_cast<std::uint64_t>(twos) + 1));
     for (std::size_t i = 0; i < 3; ++i) words[4 * i + k] = tied(in_first);
     for (std::size_t c = 0; c < columns; ++c) words[12 + columns * k + c] = tied(twos - in_first);

@@ -1,5 +1,5 @@
 /// @file
-/// One random case of each kind that is constructed; streams.hpp says what the kinds are.
+/// Functions that construct one random case of each stream of streams.hpp.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace fixproof::cases {
 
-/// The format of a word: 16 and 32 bits, or 8 and 16.
+/// The format of a word: 16 fraction bits of 32 bits, or 8 of 16.
 struct Format {
   int fraction_bits;
   int word_bits;
 
-  /// `value` units as a word, modulo 2^word_bits.
+  /// Returns `value` units as a word, modulo 2^word_bits.
   [[nodiscard]] constexpr std::uint32_t word(std::int64_t value) const {
     return static_cast<std::uint32_t>(value) & (~std::uint32_t{0} >> (32 - word_bits));
   }
   /// 1.0 in units.
   [[nodiscard]] constexpr std::int64_t one() const { return std::int64_t{1} << fraction_bits; }
-  /// The first magnitude that a positive word cannot hold.
+  /// The smallest positive magnitude that overflows a word.
   [[nodiscard]] constexpr std::int64_t limit() const { return std::int64_t{1} << (word_bits - 1); }
 };
 
@@ -30,7 +30,7 @@ struct Pair {
   std::int64_t second;
 };
 
-/// A word of random sign and width, the most negative one included.
+/// Returns a word of random sign and width. It can be the most negative word.
 std::uint32_t scaled_word(Draw& draw, const Format& format);
 
 Pair product_tie(Draw& draw, const Format& format);
@@ -47,8 +47,8 @@ std::uint32_t root_tie(Draw& draw, const Format& format);
 
 std::uint32_t quarter_turn(Draw& draw, const Format& format);
 
-/// Every 16.16 word of which the sine or the cosine is less than 2^-27 units from halfway, without
-/// the negative ones, as a look at all 2^31 has found them.
+/// Returns every positive 16.16 word whose sine or cosine is less than 2^-27 units from halfway. A
+/// search of all 2^31 words found them.
 std::span<const std::uint32_t> hard_angles();
 
 // Transforms: 12 words of a matrix, then 3 of a point or 12 of a second matrix.

@@ -39,7 +39,6 @@ constexpr std::array<std::string_view, 19> stream_names{"uniform",
       fmt::format("stream {} has no cases of {}", name_of(stream), name_of(variant.operation)));
 }
 
-/// Writes the cases that `make(draw, words of one case)` draws.
 template <class Make>
 void each_case(std::size_t arity, std::uint64_t key, std::uint64_t first,
                std::span<std::uint32_t> words, Make make) {
@@ -84,7 +83,7 @@ void count_every(std::size_t arity, const Format& format, std::uint64_t first,
   }
 }
 
-/// Each of them, then its negative.
+/// Writes each hard angle, then its negative.
 void count_hard_angles(const Format& format, std::uint64_t first, std::span<std::uint32_t> words) {
   const auto angles = hard_angles();
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -173,7 +172,7 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
   if (!is_stream_of(stream, operation)) refuse(stream, variant);
   const Format format{variant.fraction_bits, operand_bits(variant)};
   const std::size_t arity = words_in(operation);
-  // The variant's rules are left out on purpose: all variants of an operation meet the same cases.
+  // The key leaves out the variant's rules, so all variants of an operation get the same cases.
   const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +
                             static_cast<std::uint64_t>(stream);
   const auto pairs = [&](auto make) { each_pair(key, first, words, format, make); };

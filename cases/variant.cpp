@@ -24,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, Operation>, 10> operations{{
     {"binary64", Operation::binary64},
 }};
 
-/// The operation called `name` among `known`; `kind` is for the error message.
+/// Returns the operation called `name` among `known`; `kind` is for the error message.
 Operation named(std::string_view name, std::string_view kind,
                 std::span<const std::pair<std::string_view, Operation>> known) {
   std::string all;

@@ -19,11 +19,11 @@ enum class Operation : std::uint8_t {
   cossin,
   xformvec,
   concat,
-  sqrt,      ///< square root; a negative operand gives 0
+  sqrt,      ///< square root; 0 for a negative operand
   sin,       ///< sine of an angle in radians
   cos,       ///< cosine of an angle in radians
-  decimal,   ///< to decimal text and back: the identity
-  binary64,  ///< to double and back: the identity
+  decimal,   ///< conversion to decimal text and back: the identity
+  binary64,  ///< conversion to double and back: the identity
 };
 
 /// One operation under one set of rules, at one width.
@@ -36,12 +36,11 @@ struct Variant {
   friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-/// Whether the operation rounds. Its own switch decides; CosSin has none.
+/// Tells whether the operation rounds. Its own switch decides; CosSin never rounds.
 constexpr bool rounds(const Variant& v) {
   return v.operation == Operation::div ? v.build.div_round : v.build.mul_round;
 }
 
-/// The number of operand words of a case.
 constexpr std::size_t words_in(Operation o) {
   switch (o) {
     case Operation::mul:
@@ -55,7 +54,6 @@ constexpr std::size_t words_in(Operation o) {
       return 1;
   }
 }
-/// The number of result words of a case.
 constexpr std::size_t words_out(Operation o) {
   switch (o) {
     case Operation::cossin:
@@ -71,45 +69,43 @@ constexpr std::size_t words_out(Operation o) {
 inline constexpr std::size_t max_words_in = 24;
 inline constexpr std::size_t max_words_out = 12;
 
-/// Whether there is a repaired form: only the 8088 ConcatXforms loses a carry.
+/// Tells whether the routine has a repaired form: only the 8088 ConcatXforms loses a carry.
 constexpr bool can_be_repaired(Operation operation, Target target) {
   return operation == Operation::concat && target == Target::i8088;
 }
 
-/// Whether the sum in the fourth column loses the carry from the fraction to the whole part.
+/// Tells whether the sum in the fourth column loses the carry from the fraction to the whole part.
 constexpr bool loses_carry(const Variant& v) {
   return can_be_repaired(v.operation, v.build.target) && !v.build.repaired;
 }
 
-/// One routine of a build at full width. `repaired` applies only to the routine that has a repaired
-/// form.
+/// Returns a routine of a build at full width. Drops `repaired` if it has no repaired form.
 constexpr Variant variant_of(Operation operation, const Build& build) {
   Variant variant{.operation = operation, .build = build};
   variant.build.repaired = build.repaired && can_be_repaired(operation, build.target);
   return variant;
 }
 
-/// Bits of each operand. The angle of cossin has half as many as a word.
+/// The width of each operand. The angle of cossin has half the bits of a word.
 constexpr int operand_bits(const Variant& v) {
   return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
 }
 
-/// Whether the operation is a routine of FIXED.ASM.
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
 
 std::string_view name_of(Operation o);
 std::string_view name_of(Target t);
 /// A short description: `mul i8088 off`, `sqrt standard`, `div i386 on, chapter 52, 8.8`.
 std::string name_of(const Variant& variant);
-/// The operation with this name on the command line.
+/// Returns the operation with this command-line name.
 /// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
 /// Like operation_named(), but only for the routines of FIXED.ASM.
 Operation routine_named(std::string_view name);
 
-/// Every 16.16 variant, in the order of the verification table: each routine on both processors
-/// with and without rounding, the forms of chapter 52, the repaired 8088 ConcatXforms, and the
-/// operations under the type's standard rules.
+/// Returns every 16.16 variant, in the order of the verification table: each routine on both
+/// processors with and without rounding, the forms of chapter 52, the repaired 8088 ConcatXforms,
+/// and the operations under the type's standard rules.
 std::vector<Variant> all_variants();
 
 }  // namespace fixproof::cases

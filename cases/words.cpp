@@ -11,7 +11,6 @@ namespace fixproof::cases {
 
 namespace {
 
-/// Two's complement of `bits` bits.
 std::int32_t signed_word(std::uint32_t word, int bits) {
   const int unused = 32 - bits;
   return static_cast<std::int32_t>(word << unused) >> unused;
@@ -21,7 +20,7 @@ std::string decimal(const Variant& v, std::uint32_t word) {
   if (v.operation == Operation::cossin) {
     return fmt::format("{:.1f} degrees", signed_word(word, operand_bits(v)) / 10.0);
   }
-  // Exact: a word has fewer bits than a double.
+  // The conversion is exact: a word has fewer bits than a double.
   std::string text =
       fmt::format("{:.5f}", std::ldexp(signed_word(word, operand_bits(v)), -v.fraction_bits));
   text.erase(text.find_last_not_of('0') + 1);

@@ -15,15 +15,13 @@ namespace fixproof::check {
 
 namespace {
 
-/// Cases made at a time.
 constexpr std::uint64_t cases_of_batch = 1024;
 
-/// The rules of the variant have no say in its cases.
 cases::Variant variant_of(cases::Operation operation) {
   return {.operation = operation, .build = {.target = cases::Target::standard}};
 }
 
-/// Two parties: a plan has no cases of what is not compared.
+/// A plan has cases only for rows of at least two parties, so the row has two placeholders.
 cases::Plan plan_of(cases::Operation operation, const CaseOptions& options) {
   return {static_cast<int>(options.level), options.seed, {{variant_of(operation), {"a", "b"}}}};
 }
@@ -55,7 +53,7 @@ std::uint64_t GeneratedCases::cases_before(const cases::Chunk& chunk) const {
   return before;
 }
 
-// Below 2^64: a plan has less than 2^32 cases.
+// The product stays below 2^64, because a plan has less than 2^32 cases.
 std::uint64_t GeneratedCases::taken_of(std::uint64_t cases) const { return cases * wanted_ / all_; }
 
 std::uint64_t GeneratedCases::count_of(std::string_view stream) const {

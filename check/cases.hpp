@@ -1,6 +1,5 @@
 /// @file
-/// The cases that a subject is given: the streams of a verification one after another, or the lines
-/// of a file.
+/// The sources of cases for a subject: the streams of a verification, or the lines of a file.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -17,47 +16,46 @@
 
 namespace fixproof::check {
 
-/// Which cases; `gen` and `check` take the same options, so that both have the same cases.
+/// The selection of cases. `gen` and `check` take the same options, so both have the same cases.
 struct CaseOptions {
   std::uint64_t level = 1;
   std::uint64_t seed = 1994;
   std::string shard = "1/1";
-  std::optional<std::uint64_t> cases;  ///< at most so many, evenly spread
+  std::optional<std::uint64_t> cases;  ///< the maximum number, evenly spread
 
-  /// The command that writes them.
+  /// Returns the command that writes these cases.
   [[nodiscard]] std::string command_line(cases::Operation operation) const;
 };
 
-/// Cases in their order.
 class CaseSource : private boost::noncopyable {
  public:
   CaseSource() = default;
   virtual ~CaseSource() = default;
 
-  /// The words of the next case; false where there is none.
+  /// Reads the words of the next case; false at the end.
   virtual bool next(std::span<std::uint32_t> words) = 0;
-  /// The stream or the file of the last case, which lives as long as the source.
+  /// The stream or the file of the last case. The text lives as long as the source.
   [[nodiscard]] virtual std::string_view origin() const = 0;
-  /// How many there are, where that is known before.
+  /// The number of cases, if it is known in advance.
   [[nodiscard]] virtual std::optional<std::uint64_t> count() const { return std::nullopt; }
 };
 
-/// The cases that a verification of the operation has at that level, from its seed.
+/// The cases of a verification of the operation at that level, with that seed.
 class GeneratedCases final : public CaseSource {
  public:
-  /// @throws UsageError for a shard that is none
+  /// @throws UsageError for an invalid shard
   GeneratedCases(cases::Operation operation, const CaseOptions& options);
 
   bool next(std::span<std::uint32_t> words) override;
   [[nodiscard]] std::string_view origin() const override { return origin_; }
   [[nodiscard]] std::optional<std::uint64_t> count() const override { return count_; }
-  /// How many of them are of a stream.
+  /// Returns the number of these cases that are from a stream.
   [[nodiscard]] std::uint64_t count_of(std::string_view stream) const;
 
  private:
-  /// Cases of the whole plan before a chunk.
+  /// Returns the number of cases of the whole plan before a chunk.
   [[nodiscard]] std::uint64_t cases_before(const cases::Chunk& chunk) const;
-  /// Of the first `cases` of the plan, those that are taken.
+  /// Returns how many of the first `cases` of the plan are selected.
   [[nodiscard]] std::uint64_t taken_of(std::uint64_t cases) const;
   bool fill();
 
@@ -66,24 +64,24 @@ class GeneratedCases final : public CaseSource {
   cases::Shard shard_;
   std::uint64_t seed_;
   std::uint64_t all_;     ///< cases of the plan
-  std::uint64_t wanted_;  ///< of these
+  std::uint64_t wanted_;  ///< selected cases of the plan
   std::uint64_t count_ = 0;
   std::uint64_t next_chunk_ = 0;
   std::optional<cases::Chunk> chunk_;
-  std::uint64_t in_chunk_ = 0;  ///< cases of it that have been made
-  std::uint64_t place_ = 0;     ///< in the plan, of the next case of the batch
+  std::uint64_t in_chunk_ = 0;  ///< cases of the chunk already made
+  std::uint64_t place_ = 0;     ///< place in the plan of the next case of the batch
   std::vector<std::uint32_t> batch_;
-  std::span<const std::uint32_t> rest_;  ///< of the batch
+  std::span<const std::uint32_t> rest_;  ///< unread words of the batch
   std::string_view origin_;
 };
 
 /// The cases of a file in the format of `gen`.
 class FileCases final : public CaseSource {
  public:
-  /// @throws UsageError if it cannot be read
+  /// @throws UsageError if the file cannot be read
   FileCases(cases::Operation operation, std::string path);
 
-  /// @throws UsageError naming the line that is no case
+  /// @throws UsageError naming the line that is not a case
   bool next(std::span<std::uint32_t> words) override;
   [[nodiscard]] std::string_view origin() const override { return path_; }
 

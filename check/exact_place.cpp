@@ -16,7 +16,7 @@ namespace {
 
 std::int64_t signed_ulps(std::uint32_t word) { return static_cast<std::int32_t>(word); }
 
-/// numerator / denominator, the denominator positive, given its floor.
+/// Returns the place of numerator / denominator, given its floor. The denominator is positive.
 ExactPlace place_of_ratio(std::int64_t numerator, std::int64_t denominator, std::int64_t floor) {
   ExactPlace place;
   place.negative = numerator < 0;
@@ -33,7 +33,7 @@ ExactPlace place_of_root(std::int64_t radicand, std::int64_t floor) {
   const std::int64_t rest = radicand - floor * floor;
   if (rest == 0) return place;
   place.whole = 0;
-  // The difference of the root and its floor, without the loss of subtracting them.
+  // The difference of the root and its floor, computed without cancellation.
   place.fraction = static_cast<double>(rest) /
                    (std::sqrt(static_cast<double>(radicand)) + static_cast<double>(floor));
   return place;

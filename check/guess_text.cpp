@@ -70,8 +70,8 @@ std::string joined(const std::vector<std::string_view>& names, std::string_view 
   return text;
 }
 
-/// How large a part of the cases the exceptions are, and whether all are negative: ` (2.4 %, all of
-/// them negative)`. Nothing of a single one.
+/// Returns the share of cases that are exceptions, and whether all are negative: ` (2.4 %, all of
+/// them negative)`. Empty for a single exception.
 std::string share_of(const RuleScore& score) {
   const std::uint64_t part = score.exceptions.count();
   if (part == 1) return "";
@@ -82,8 +82,8 @@ std::string share_of(const RuleScore& score) {
                      score.negative_exceptions == part ? ", all of them negative" : "");
 }
 
-/// One line of the guess, with the exceptions below it.
-/// @param what of which cases, such as "cases that overflow"
+/// Returns one line of the guess, with the exceptions below it.
+/// @param what the cases that the rule applies to, such as "cases that overflow"
 std::string line_of(std::string_view subject, const BestRules& best,
                     const std::vector<std::string_view>& names, std::string_view what,
                     const Rules& shown_under) {
@@ -96,7 +96,7 @@ std::string line_of(std::string_view subject, const BestRules& best,
     if (names.size() > 1) text += "                   (which of these, no case tells)\n";
     return text;
   }
-  // A rule that most cases break is no guess.
+  // A rule that most cases break is not a guess.
   const bool known = 2 * exceptions <= best.first.cases;
   std::string text = fmt::format(
       "{}{}, but for {} of {} {}{}:\n", label,
@@ -121,11 +121,12 @@ std::string guess_text(const Judge& judge) {
   std::vector<std::string_view> names;
   for (const std::size_t i : rounding.rules) names.push_back(name_of(roundings()[i]));
   if (operation == cases::Operation::sqrt && rounding.first.cases > 0) {
-    // A root is never halfway: the rules are only two, to nearest and down.
+    // A root is never halfway, so the five roundings act as two: to nearest and down.
     const bool down = roundings()[rounding.rules.front()] == oracle::Rounding::floor;
     names = {down ? "down" : "to nearest"};
   }
-  // Of roots the rules that are one in range are two where a negative operand is mirrored.
+  // Roundings that agree on roots in range can differ on the mirrored root of a negative operand.
+  // Choose the one with the fewest exceptions there.
   const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&trial](std::size_t r) {
     return trial.no_result(r).first.exceptions.count();
   });
@@ -156,7 +157,7 @@ std::string guess_text(const Judge& judge) {
 
   if (const auto& error = judge.largest_error(); error && error->ulps > 0) {
     text += fmt::format("  largest error    {:.5f} ulp in range", error->ulps);
-    // Of a subject that keeps its rule the case says nothing.
+    // The case tells nothing about a subject that keeps its rule.
     if (rounding.first.exceptions.count() > 0) text += ": " + text_of(error->at, followed);
     text += '\n';
   }

@@ -1,5 +1,5 @@
 /// @file
-/// Which rules a subject follows, in words.
+/// A description of the rules that a subject follows.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace fixproof::check {
 
-/// A line for the rounding, for overflow, for what has no result, and for the largest error. Where
-/// no rule is kept everywhere, the nearest, with the first exceptions; where the cases cannot tell
-/// rules apart, all of these.
+/// Returns a line each for the rounding, overflow, operands without a result, and the largest
+/// error. If the subject breaks every rule, the line names the nearest one with its first
+/// exceptions. If the cases cannot tell rules apart, the line names all of them.
 std::string guess_text(const Judge& judge);
 
 }  // namespace fixproof::check

@@ -1,5 +1,5 @@
 /// @file
-/// Holds a subject to its rules, case by case, and counts.
+/// Compares a subject with its rules, case by case, and counts.
 #pragma once
 
 #include <array>
@@ -13,13 +13,11 @@
 
 namespace fixproof::check {
 
-/// Cases of one kind and sign.
 struct KindTally {
   std::uint64_t cases = 0;
   std::uint64_t wrong = 0;
 };
 
-/// The result in range that lies farthest from the exact one.
 struct LargestError {
   double ulps = 0;
   JudgedCase at;
@@ -27,19 +25,19 @@ struct LargestError {
 
 class Judge {
  public:
-  /// `most_shown`: wrong cases that are kept.
+  /// `most_shown` is the number of wrong cases to keep.
   Judge(const Rules& rules, std::size_t most_shown);
 
   void add(const JudgedCase& one);
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
-  /// Of all cases: those accepted whatever was said.
+  /// The number of cases for which the rules accept any result.
   [[nodiscard]] std::uint64_t not_judged() const { return not_judged_; }
   [[nodiscard]] const FirstCases& wrong() const { return wrong_; }
-  /// Of a kind; of those results below 0 alone if `negative`.
+  /// Returns the counts of a kind, of results below 0 only if `negative_alone`.
   [[nodiscard]] KindTally tally(CaseKind kind, bool negative_alone) const;
-  /// Nothing where no result in range was given.
+  /// Empty if the subject gave no result in range.
   [[nodiscard]] const std::optional<LargestError>& largest_error() const { return largest_error_; }
   [[nodiscard]] const RuleTrial& trial() const { return trial_; }
 

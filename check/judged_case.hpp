@@ -1,5 +1,5 @@
 /// @file
-/// One case with what a subject said of it.
+/// One case with the subject's result.
 #pragma once
 
 #include <array>
@@ -13,15 +13,14 @@
 
 namespace fixproof::check {
 
-/// A case that is kept to be shown.
 struct JudgedCase {
   std::uint64_t number = 0;  ///< from 1, as results are counted
-  std::string_view origin;   ///< the stream or the file that it is from; must outlive the case
+  std::string_view origin;   ///< the stream or the file of the case; must outlive the case
   std::array<std::uint32_t, 2> words{};
   Said said;
 };
 
-/// The first cases of some sort, and how many there are.
+/// The first cases of a category, and their total number.
 class FirstCases {
  public:
   FirstCases() = default;

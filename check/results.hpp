@@ -1,5 +1,5 @@
 /// @file
-/// What a subject has written: one result a line.
+/// Reads the results of a subject, one per line.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,22 @@
 
 namespace fixproof::check {
 
-/// 8 lower-case hex digits, or DE for a divide error.
-/// @throws UsageError saying what is wrong with it
+/// Parses 8 lower-case hex digits, or DE for a divide error.
+/// @throws UsageError describing the defect
 Said parse_result(std::string_view line);
 
-/// Results in their order. Lines that start with # are passed over, and blank ones at the end: one
-/// before a result is an answer that was not given, and all that follow would be judged as those of
-/// other cases.
+/// Results in input order. It skips lines that start with #, and blank lines at the end. A blank
+/// line before a result is an error, because it would shift all later results to the wrong cases.
 class Results {
  public:
-  /// @param name what the stream is called in errors
+  /// @param name the name of the stream in errors
   Results(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
 
-  /// The next one; nothing at the end.
+  /// Returns the next result; empty at the end.
   /// @throws UsageError naming the line
   std::optional<Said> next();
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Of the last result, from 1.
+  /// The line number of the last result, from 1.
   [[nodiscard]] std::uint64_t line() const { return line_; }
 
  private:

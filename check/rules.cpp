@@ -29,7 +29,6 @@ constexpr std::array<NoResult, 5> negative_root_rules{
 
 constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
 
-/// What the rule says for a word of that sign.
 Said limit_of(NoResult rule, bool negative) {
   switch (rule) {
     case NoResult::saturate:
@@ -48,11 +47,11 @@ Said limit_of(NoResult rule, bool negative) {
 }
 
 Said mirrored_root(std::uint32_t radicand, Rounding rounding) {
-  // The magnitude of 80000000 is no word; its root is 2^23.5 ulps, 11863283 and a fifth.
+  // The magnitude of 80000000 does not fit a word; its root is 2^23.5 = 11863283.2 ulps.
   constexpr std::int64_t of_lowest = 11'863'283;
   const auto root = radicand == lowest ? std::optional(of_lowest)
                                        : oracle::fast::exact_root(0U - radicand, rounding, 16);
-  // Down is away from zero here.
+  // The mirrored root is negative, so floor rounds it away from zero.
   const bool down = rounding == Rounding::floor;
   if (!down) return static_cast<std::uint32_t>(-*root);
   const bool exact = radicand != lowest && *root * *root == std::int64_t{0U - radicand} << 16;
@@ -64,7 +63,6 @@ Said no_result_of(NoResult rule, std::span<const std::uint32_t> words, Rounding 
                                   : limit_of(rule, is_negative(words[0]));
 }
 
-/// What the rule makes of a result that does not fit.
 Said overflowed(Overflow rule, std::int64_t ulps) {
   switch (rule) {
     case Overflow::wrap:

@@ -1,6 +1,5 @@
 /// @file
-/// What somebody else's 16.16 arithmetic does, by names: how it rounds, what it makes of a result
-/// that does not fit, and of an operand that has no result.
+/// The rounding, overflow and no-result rules that third-party 16.16 arithmetic can follow.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +12,12 @@
 
 namespace fixproof::check {
 
-/// What a subject says of a case: a word, or nothing for a divide error.
+/// A subject's result: a word, or empty for a divide error.
 using Said = std::optional<std::uint32_t>;
 
-/// What becomes of a rounded result outside -2^31 ... 2^31 - 1 ulps.
+/// The result for a rounded value outside -2^31 ... 2^31 - 1 ulps.
 enum class Overflow : std::uint8_t {
-  any,        ///< whatever it is, it is accepted
+  any,        ///< every result is accepted
   wrap,       ///< modulo 2^32
   saturate,   ///< 7fffffff; 80000000 if negative
   symmetric,  ///< 7fffffff; 80000001 if negative
@@ -27,20 +26,19 @@ enum class Overflow : std::uint8_t {
   error,      ///< DE
 };
 
-/// What is said where mathematics has no result: of a zero divisor, of the root of a negative
-/// number. Signs are those of the dividend; 0 / 0 may also be 0 where a rule goes by the sign.
+/// The result for a zero divisor or for the root of a negative number. The sign is that of the
+/// dividend. Rules that depend on the sign also accept 0 for 0 / 0.
 enum class NoResult : std::uint8_t {
-  any,        ///< whatever it is, it is accepted
+  any,        ///< every result is accepted
   error,      ///< DE
   saturate,   ///< 7fffffff; 80000000 if negative
   symmetric,  ///< 7fffffff; 80000001 if negative
   maximum,    ///< 7fffffff whatever the sign
   minimum,    ///< 80000000 whatever the sign
   zero,       ///< 0
-  mirror,     ///< of roots: minus the root of the magnitude, rounded by the subject's rule
+  mirror,     ///< roots only: minus the root of the magnitude, in the subject's rounding
 };
 
-/// What a subject is held to.
 struct Rules {
   cases::Operation operation = cases::Operation::mul;  ///< mul, div or sqrt
   oracle::Rounding rounding = oracle::Rounding::half_up;
@@ -53,15 +51,14 @@ std::string_view name_of(oracle::Rounding rule);
 std::string_view name_of(Overflow rule);
 std::string_view name_of(NoResult rule);
 
-/// Every rule by its name, for options and for guesses.
+/// Every rounding, for options and for guesses.
 std::span<const oracle::Rounding> roundings();
-/// All but `any`.
+/// Every overflow rule except `any`.
 std::span<const Overflow> overflow_rules();
-/// All but `any` that make sense of the operation; none for mul.
+/// Every rule except `any` that applies to the operation; empty for mul.
 std::span<const NoResult> no_result_rules(cases::Operation operation);
 
-/// The result before it is brought into a word, in ulps; nothing for a zero divisor, a negative
-/// radicand.
+/// The rounded result in ulps before overflow handling; empty for x / 0 and negative radicands.
 std::optional<std::int64_t> rounded_result(cases::Operation operation,
                                            std::span<const std::uint32_t> words,
                                            oracle::Rounding rule);
@@ -70,22 +67,20 @@ constexpr bool fits_word(std::int64_t ulps) {
   return ulps >= -(std::int64_t{1} << 31) && ulps < (std::int64_t{1} << 31);
 }
 
-/// Whether `said` is what the rule makes of a result that does not fit.
+/// Tells whether `said` is the rule's result for an overflow.
 bool keeps(Overflow rule, std::int64_t ulps, Said said);
 
-/// Whether `said` is what the rule makes of operands that have no result; `rounding` is that of the
-/// subject.
+/// Tells whether `said` is the rule's result for operands without one; `rounding` is the subject's.
 bool keeps(NoResult rule, std::span<const std::uint32_t> words, oracle::Rounding rounding,
            Said said);
 
-/// What is right for a case, as far as one word says it: nothing where the rules accept anything.
+/// The expected result of a case. `judged` is false if the rules accept every result.
 struct Expected {
   bool judged = true;
   Said said;
 };
 Expected expected_of(const Rules& rules, std::span<const std::uint32_t> words);
 
-/// Whether `said` is right.
 bool keeps(const Rules& rules, std::span<const std::uint32_t> words, Said said);
 
 }  // namespace fixproof::check

@@ -7,7 +7,6 @@ namespace fixproof::check {
 
 namespace {
 
-/// Counts the case for the rule, and against it unless it is kept.
 void score(RuleScore& rule, bool kept, const JudgedCase& one, bool negative) {
   ++rule.cases;
   if (kept) return;

@@ -1,5 +1,5 @@
 /// @file
-/// Every rule tried on everything a subject says: which of them does it follow?
+/// Tests every rule on every case to find the rules that a subject follows.
 #pragma once
 
 #include <array>
@@ -10,33 +10,31 @@
 
 namespace fixproof::check {
 
-/// How a rule does: on how many cases it has a say, and those on which the subject does not keep
-/// it.
+/// The number of cases that a rule applies to, and the cases where the subject breaks it.
 struct RuleScore {
   std::uint64_t cases = 0;
   FirstCases exceptions;
-  std::uint64_t negative_exceptions = 0;  ///< of them, those whose exact result is below 0
+  std::uint64_t negative_exceptions = 0;  ///< exceptions whose exact result is below 0
 };
 
-/// The rules that a subject keeps best, by their places in the list of rules: several where the
-/// cases cannot tell them apart, or tell as much against each.
+/// The rules with the fewest exceptions, as indices. Several tie if no case tells them apart.
 struct BestRules {
   std::vector<std::size_t> rules;  ///< at least one
-  RuleScore first;                 ///< of the first of them
+  RuleScore first;                 ///< of the first rule
 };
 
 class RuleTrial {
  public:
   explicit RuleTrial(cases::Operation operation);
 
-  /// `negative`: whether there is an exact result and it is below 0.
+  /// Adds a case. `negative` tells whether the exact result exists and is below 0.
   void add(const JudgedCase& one, bool negative);
 
-  /// Of roundings(): judged by results that fit when rounded so.
+  /// Returns the best of roundings(), judged on rounded results that fit a word.
   [[nodiscard]] BestRules rounding() const;
-  /// Of overflow_rules(): judged by results that do not fit under a rounding of roundings().
+  /// Returns the best of overflow_rules(), judged on overflows under roundings()[rounding].
   [[nodiscard]] BestRules overflow(std::size_t rounding) const;
-  /// Of no_result_rules(), which must have any.
+  /// Returns the best of no_result_rules(), which must not be empty.
   [[nodiscard]] BestRules no_result(std::size_t rounding) const;
 
  private:

@@ -1,5 +1,5 @@
 /// @file
-/// What a judge has found, as people read it.
+/// The findings of a judge as text.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace fixproof::check {
 
-/// One line: the case, what was expected and what was said, and the exact result.
+/// Returns one line with the case, the expected and the actual result, and the exact result.
 std::string text_of(const JudgedCase& one, const Rules& rules);
 
-/// The counts by kind of case, the first wrong cases, and the rules the subject does follow. At
-/// least one case must have been judged.
+/// Returns the counts by kind of case, the first wrong cases, and the rules that the subject
+/// follows. Requires at least one judged case.
 std::string verdict_text(const Judge& judge);
 
 }  // namespace fixproof::check

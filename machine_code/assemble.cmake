@@ -1,6 +1,6 @@
 # cmake -D WRITE_SOURCES=… -D NASM=… -D FRAMES=… -D FOLDER=… -D TABLE=… -P assemble.cmake
-# Has the sources of all programs written into FOLDER, assembles each (and where there is a
-# NAME.com.asm, as a DOS command in the frame that FRAMES holds) and writes the bytes as the C++ source TABLE.
+# Runs WRITE_SOURCES to write the sources of all programs into FOLDER, assembles them with NASM and
+# writes the bytes to the C++ source TABLE. A NAME.com.asm is a DOS command in the frame of FRAMES.
 cmake_minimum_required(VERSION 3.22)
 
 file(REMOVE_RECURSE ${FOLDER})
@@ -9,7 +9,7 @@ execute_process(COMMAND ${WRITE_SOURCES} ${FOLDER}
   OUTPUT_VARIABLE names OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "\n" ";" names "${names}")
 
-# bytes_of(FILE VARIABLE): assembles FILE.asm; its bytes as a list for C++.
+# bytes_of(FILE VARIABLE): assembles FILE.asm and sets VARIABLE to its bytes as C++ literals.
 function(bytes_of file variable)
   execute_process(
     COMMAND ${NASM} -w+all -w+error -f bin -I ${FRAMES}/ -o ${FOLDER}/${file}.bin ${FOLDER}/${file}.asm

@@ -1,16 +1,15 @@
 /// @file
-/// How a call of machine code ends.
+/// The ways a call of machine code can end.
 #pragma once
 
 #include <cstdint>
 
 namespace fixproof::machine_code {
 
-/// How a call ended.
 enum class CallEnding : std::uint8_t {
-  returned,      ///< the routine came back to its caller
+  returned,      ///< the routine returned to its caller
   divide_error,  ///< #DE
-  fault,         ///< any other fault: the code is not that of a routine
+  fault,         ///< any other fault: the code is not a routine
 };
 
 }  // namespace fixproof::machine_code

@@ -1,7 +1,7 @@
-; The frame of a DOS command: answers each line of standard input, operands in hex digits, with a
-; line of results or DE, as `fixproof eval` does. write_sources defines ROUTINE, WORDS_IN and
-; WORDS_OUT and puts the listing after this file. Exit status 2 for a line that is none of that or
-; output that cannot be written. 8086 instructions only.
+; The frame of a DOS command. It reads lines of operands in hex digits from standard input and
+; answers each with a line of results or DE, like `fixproof eval`. It exits with status 2 if a line
+; is invalid or the output cannot be written. write_sources defines ROUTINE, WORDS_IN and WORDS_OUT
+; and appends the listing. 8086 instructions only.
         cpu 8086
         bits 16
         org 0x100
@@ -12,11 +12,11 @@
 %define DIGITS 8
 %endif
 %define INPUT_SIZE 512
-%define LINE_SIZE 256                   ; more than any line of operands has
+%define LINE_SIZE 256                   ; longer than any line of operands
 
 start:
         cld
-        mov ax, 0x3500                  ; the handler of the divide error that is there: ES:BX
+        mov ax, 0x3500                  ; the previous handler of #DE in ES:BX
         int 0x21
         mov [old_handler], bx
         mov [old_handler + 2], es
@@ -53,14 +53,14 @@ next_line:
         stosb
         jmp .word
 
-; INT 0. The routine is left where it is: nothing of what it has on the stack is wanted.
+; The handler of INT 0. It abandons the routine and its stack.
 divide_error:
         mov sp, [stack_before]
         sti
         mov di, output
         mov ax, 'DE'
         stosw
-print:                                  ; what stands from output to DI, and a line end
+print:                                  ; prints `output` up to DI and a line end
         mov ax, 0x0A0D
         stosw
         mov dx, output
@@ -76,7 +76,7 @@ print:                                  ; what stands from output to DI, and a l
 
 finished:
         mov al, 0
-leave:                                  ; with status AL
+leave:                                  ; exits with status AL
         push ax
         lds dx, [old_handler]
         mov ax, 0x2500
@@ -110,7 +110,7 @@ complain:
         mov al, 2
         jmp leave
 
-; The next byte of standard input in AL; carry where there is none or Ctrl-Z ends it.
+; Reads the next byte of standard input into AL. Carry flag: the input has ended, or Ctrl-Z ends it.
 next_byte:
         mov si, [input_next]
         cmp si, [input_end]
@@ -138,8 +138,8 @@ next_byte:
         stc
         ret
 
-; The next line at `line`, a 0 after it, without its line end; its end in line_end. Carry where
-; there is none. Of a line that is too long the first bytes are kept: too many to be right.
+; Reads the next line into `line` without its line end, appends a 0 and sets line_end. Carry flag:
+; the input has ended. Truncates a long line to LINE_SIZE bytes, still too long to be valid.
 read_line:
         mov di, line
 .more:
@@ -185,8 +185,8 @@ is_passed_over:
 .decided:
         ret
 
-; The words of the line to `operands`; carry where they are not WORDS_IN words of DIGITS digits with
-; single spaces between.
+; Parses the line into `operands`. Carry flag: the line is not WORDS_IN words of DIGITS digits,
+; separated by single spaces.
 parse_line:
         mov si, line
         mov di, operands
@@ -231,7 +231,7 @@ parse_line:
         clc
         ret
 
-; Calls the routine as C does, last argument first; its results to `results`.
+; Calls the routine as C does, last argument first, and stores its results in `results`.
 %if WORDS_OUT = 1
 %define ARGUMENT_BYTES 8
 %else
@@ -265,7 +265,7 @@ call_routine:
         add sp, ARGUMENT_BYTES
         ret
 
-; The word DX:AX as 8 digits at DI, AX as 4.
+; put_word writes DX:AX as 8 digits at DI; put_half writes AX as 4.
 put_word:
         push ax
         mov ax, dx

@@ -31,7 +31,7 @@ struct alignas(page_size) Segment {
   std::array<std::uint8_t, segment_size> bytes{};
 };
 
-/// The caller: CALL NEAR of the routine, a NOP to stop at, and back.
+/// The caller: CALL NEAR to the routine, a NOP for the return hook, and a jump back.
 constexpr std::array<std::uint8_t, 6> caller{
     0xE8,
     static_cast<std::uint8_t>((code_origin - caller_origin - 3) & 0xFF),
@@ -41,7 +41,7 @@ constexpr std::array<std::uint8_t, 6> caller{
     0xFA};
 constexpr std::uint16_t after_call = caller_origin + 3;
 
-/// No address of the segment: runs end only where a hook ends them.
+/// An address outside the segment, so that only a hook ends a run.
 constexpr std::uint64_t nowhere = 0xFFFFFFFF;
 
 }  // namespace
@@ -50,7 +50,7 @@ struct Emulator::Parts : private boost::noncopyable {
   std::unique_ptr<Segment> segment = std::make_unique<Segment>();
   SegmentMachine machine{segment->bytes.data()};
   uc_engine* engine = nullptr;
-  /// The state before anything ran.
+  /// The state before the first run.
   uc_context* fresh = nullptr;
   uc_hook at_return = 0;
   uc_hook at_interrupt = 0;
@@ -58,7 +58,7 @@ struct Emulator::Parts : private boost::noncopyable {
   std::size_t call = 0;
   bool interrupted = false;
   std::uint32_t interrupt = 0;
-  /// What was thrown in a hook: it may not pass through Unicorn.
+  /// The exception of a hook, kept because it must not pass through Unicorn.
   std::exception_ptr thrown;
 
   Parts() = default;
@@ -90,8 +90,7 @@ struct Emulator::Parts : private boost::noncopyable {
     });
   }
 
-  /// Sets up the call that is next. The caller's CALL pushes the return address itself, where
-  /// enter() has put one.
+  /// SP skips the return address of calls->enter(), because CALL pushes its own.
   void enter() {
     calls->enter(call, machine);
     auto& registers = machine.registers;
@@ -104,7 +103,7 @@ struct Emulator::Parts : private boost::noncopyable {
     calls->leave(call++, machine, ending);
   }
 
-  /// Runs until a hook stops it. @return whether it came so far
+  /// Runs until a hook stops it. @return false if a fault stopped it
   bool start(std::uint16_t from) {
     interrupted = false;
     const uc_err error = uc_emu_start(engine, from, nowhere, 0, 0);
@@ -112,8 +111,8 @@ struct Emulator::Parts : private boost::noncopyable {
     return error == UC_ERR_OK;
   }
 
-  /// What has ended a run before its end. Unicorn leaves a fault as being served, and one more
-  /// would be a double fault: only a context from before it makes it forgotten.
+  /// Returns the fault that ended a run. Unicorn keeps an exception pending, so the next one would
+  /// be a double fault; restoring the fresh context clears it.
   [[nodiscard]] CallEnding fault() const {
     check(uc_context_restore(engine, fresh), "context");
     return interrupted && interrupt == 0 ? CallEnding::divide_error : CallEnding::fault;
@@ -134,7 +133,7 @@ struct Emulator::Parts : private boost::noncopyable {
 
 namespace {
 
-/// Unicorn takes all hooks as void*, which C++ makes of functions only so.
+/// Unicorn takes hooks as void*, and only a reinterpret_cast converts a function pointer.
 template <class Function>
 void* hook_of(Function* function) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): see above
@@ -210,7 +209,7 @@ CallEnding Emulator::trace(SegmentMachine& m, const Step& step, std::size_t limi
     step(p.machine, static_cast<std::uint16_t>(next));
     p.write_registers();
     p.interrupted = false;
-    // One at a time: within a block of translated code flags that are written do not count.
+    // One instruction at a time: Unicorn ignores flags written within a block of translated code.
     const uc_err error = uc_emu_start(p.engine, next, nowhere, 0, 1);
     p.read_registers();
     m.registers = p.machine.registers;

@@ -1,5 +1,5 @@
 /// @file
-/// Unicorn, the processor of QEMU as a library, running 16-bit code in real mode.
+/// The Unicorn emulator (QEMU's processor as a library), running 16-bit code in real mode.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -15,40 +15,37 @@
 
 namespace fixproof::machine_code {
 
-/// One emulated processor with a segment at address 0 and `code` at code_origin. Serves one thread.
+/// An emulated processor with a segment at address 0 and `code` at code_origin. Serves one thread.
 class Emulator : private boost::noncopyable {
  public:
-  /// Why there is none in this build; empty where there is.
+  /// Returns why this build has no emulator; empty if it has one.
   static std::string absence();
 
-  /// What happens between the calls of a batch.
   struct Calls {
     std::size_t count;
-    /// Sets up call `i`; SP stands at the return address afterwards, as enter() leaves it.
+    /// Sets up call `i`. It leaves SP at the return address, as x86model/call.hpp does.
     std::function<void(std::size_t i, SegmentMachine& m)> enter;
-    /// Call `i` has ended; if it returned, in these registers. Flags are unspecified.
+    /// Handles the end of call `i`. The registers are valid if it returned; flags are unspecified.
     std::function<void(std::size_t i, const SegmentMachine& m, CallEnding ending)> leave;
   };
 
-  /// @throws std::runtime_error where Unicorn refuses
+  /// @throws std::runtime_error if Unicorn fails
   explicit Emulator(std::span<const std::uint8_t> code);
   ~Emulator();
 
-  /// Makes all these calls. The emulated caller loops, for entering and leaving the emulator takes
-  /// far longer than a call; only a fault ends the loop, and it is begun again. A call may take any
-  /// number of instructions: only this project's listings run here, and all of them end.
+  /// Makes all calls. The emulated caller loops, because entering the emulator takes far longer
+  /// than a call; only a fault leaves the loop. A call has no instruction limit: only this
+  /// project's listings run here, and all of them end.
   void run(const Calls& calls);
 
-  /// What is done between two instructions, given the machine with the offset of the next one.
+  /// A callback between two instructions; `next` is the offset of the second.
   using Step = std::function<void(SegmentMachine& m, std::uint16_t next)>;
 
-  /// Makes one call, instruction by instruction: `step` before the first one and after every one,
-  /// the RET among them. What it changes in registers and flags counts. Flags are those of the
-  /// processor.
-  /// @param limit instructions after which the call has not ended: CallEnding::fault
+  /// Makes one call and runs `step` before the first instruction and after every one, including
+  /// RET. The step can change registers and flags. The flags are those of the processor.
+  /// @param limit the maximum number of instructions; beyond it the call ends in CallEnding::fault
   CallEnding trace(SegmentMachine& m, const Step& step, std::size_t limit = 100'000);
 
-  /// The first byte of the segment.
   [[nodiscard]] std::uint8_t* memory() const;
 
  private:

@@ -1,4 +1,4 @@
-// In the place of emulator.cpp where Unicorn is not installed.
+// Replaces emulator.cpp if Unicorn is not installed.
 #include <stdexcept>
 
 #include "machine_code/emulator.hpp"
@@ -9,7 +9,7 @@ struct Emulator::Parts {};
 
 std::string Emulator::absence() { return "this fixproof was built without Unicorn 2"; }
 
-// Nobody asks an absent emulator.
+// Callers check absence() first.
 Emulator::Emulator(std::span<const std::uint8_t> /*code*/) { throw std::logic_error(absence()); }
 Emulator::~Emulator() = default;
 std::uint8_t* Emulator::memory() const { return nullptr; }

@@ -2,16 +2,13 @@
 
 #if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
 
-// What crosses over and what must not be lost:
-// - the mode switch may lose r8 to r15 and the upper halves of the others, so all that the ABI
-// wants
-//   kept goes onto the 64-bit stack, whose RSP waits in the Landing;
-// - DS, ES and SS are loaded with the segment and restored, though 64-bit code does not look at DS
-//   and ES; FS and GS are never touched: thread-local storage hangs on them;
-// - of the flags only the six arithmetic ones are set on entry (the caller sees to that), and the
-//   direction flag is clear again afterwards, as the ABI wants;
-// - nothing touches the x87, SSE or AVX state, and being a function of its own this code has no red
-//   zone of a caller below it.
+// The state that the switch must preserve:
+// - The mode switch may lose r8 to r15 and the upper halves of the other registers. The 64-bit
+//   stack saves all registers that the ABI preserves, and the Landing holds its RSP.
+// - DS, ES and SS hold the segment during the call and are restored. FS and GS stay untouched,
+//   because thread-local storage depends on them.
+// - The caller sets only the six arithmetic flags. The ABI requires DF to be clear on return.
+// - The x87, SSE and AVX state stays untouched. A function call leaves no red zone to preserve.
 asm(R"(
         .pushsection .text
         .p2align 4

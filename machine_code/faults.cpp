@@ -18,14 +18,13 @@ constexpr std::array fault_signals{SIGFPE, SIGSEGV, SIGBUS, SIGILL, SIGTRAP};
 
 using Actions = std::array<struct sigaction, fault_signals.size()>;
 
-/// Who caught these signals before.
 Actions& previous_actions() {
   static Actions actions{};
   return actions;
 }
 
-/// The call that this thread is in, and the signal that ended it: a handler has no argument of
-/// ours.
+/// The current call of this thread and the signal that ended it. Thread-local, because a signal
+/// handler takes no user argument.
 struct Running {
   SegmentCall* call = nullptr;
   int signal = 0;
@@ -33,7 +32,7 @@ struct Running {
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local Running running;
 
-/// Does with a fault that is not ours what would have been done without this file.
+/// Handles a fault outside the segment as if this file did not exist.
 void pass_on(int signal, siginfo_t* info, void* context) {
   for (std::size_t i = 0; i < fault_signals.size(); ++i) {
     if (fault_signals.at(i) != signal) continue;
@@ -45,14 +44,14 @@ void pass_on(int signal, siginfo_t* info, void* context) {
       return previous.sa_handler(signal);
     }
   }
-  // A fault that nobody catches ends the process as soon as this returns.
+  // With the default action, the raised signal ends the process when this handler returns.
   struct sigaction by_default {};
   by_default.sa_handler = SIG_DFL;
   sigaction(signal, &by_default, nullptr);
   static_cast<void>(raise(signal));
 }
 
-/// CS, GS, FS and SS stand in one word of the context, CS lowest.
+/// CS, GS, FS and SS share one word of the context, with CS lowest.
 constexpr unsigned ss_shift = 48;
 
 void on_fault(int signal, siginfo_t* info, void* context) {
@@ -63,7 +62,7 @@ void on_fault(int signal, siginfo_t* info, void* context) {
     return pass_on(signal, info, context);
   }
   running.signal = signal;
-  // On to where the code would have returned, as the landing code leads there.
+  // Continues where the code would have returned, as the landing code does.
   registers[REG_R10] = registers[REG_RSP];
   registers[REG_RSP] = static_cast<greg_t>(call->landing->stack);
   registers[REG_RIP] = static_cast<greg_t>(call->landing->resume);
@@ -79,7 +78,7 @@ void catch_segment_faults() {
   static const bool caught = [] {
     struct sigaction action {};
     action.sa_sigaction = on_fault;
-    // The segment has no stack that a handler could use.
+    // A handler cannot use the stack of the segment.
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
     sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < fault_signals.size(); ++i) {

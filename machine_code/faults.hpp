@@ -1,5 +1,5 @@
 /// @file
-/// Faults of 16-bit code, taken from the system's signals.
+/// Conversion of the system's signals to faults of 16-bit code.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,15 @@
 
 namespace fixproof::machine_code {
 
-/// Catches the faults of every thread's segment from now on, once for the process; a fault anywhere
-/// else goes on to whoever caught it before.
-/// @throws std::system_error where the system refuses
+/// Installs the handlers for faults in every thread's segment, once per process. They pass any
+/// other fault to the previous handler.
+/// @throws std::system_error if the system rejects a handler
 void catch_segment_faults();
 
-/// fixproof_enter_segment(), with the faults of this thread's segment caught.
-/// @return the signal of the fault that ended the call; 0 if it came back by itself
+/// Calls fixproof_enter_segment() and catches faults in this thread's segment.
+/// @return the signal of the fault that ended the call; 0 if the call returned
 int call_segment(SegmentCall& call);
 
-/// The selectors that 64-bit code runs with here.
 std::uint16_t code_selector_of_64_bits();
 std::uint16_t stack_selector_of_64_bits();
 

@@ -1,5 +1,5 @@
 /// @file
-/// How machine code is called: the frame of x86model/call.hpp, in a segment.
+/// The calling convention of machine code: the frame of x86model/call.hpp, in a segment.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,23 @@
 
 namespace fixproof::machine_code {
 
-/// A routine's way of taking operands and giving results: enter(), leave() and
-/// fill_results_with_junk() of x86model/call.hpp.
+/// The enter(), leave() and fill_results_with_junk() of x86model/call.hpp for one routine.
 struct Frame {
   void (*enter)(SegmentMachine& m, std::span<const std::uint32_t> in);
   void (*leave)(const SegmentMachine& m, std::span<std::uint32_t> out);
-  /// Puts words that count up from `junk` where results in memory are to come.
+  /// Fills the results in memory with words that count up from `junk`.
   void (*fill_results_with_junk)(SegmentMachine& m, std::uint32_t junk);
 };
 
 Frame frame_of(x86model::Routine routine);
 
-/// Fills all flags, all registers but SP and the place of the results with bits that differ from
-/// call to call: a routine may rely on none of them. `call` counts the calls.
+/// Fills all flags, all registers except SP and the place of the results with bits that differ
+/// between calls, because a routine must not rely on them. `call` is the number of the call.
 void scramble(SegmentMachine& m, const Frame& frame, std::uint64_t call);
 
-/// Whether a routine has kept what its caller relies on: SP is as it was before the return address
-/// was pushed; BP, SI and DI are as before, with their upper halves, which a caller for the 386
-/// uses.
+/// Tells whether a routine has preserved the state its caller relies on: SP has its value from
+/// before the push of the return address, and BP, SI and DI are unchanged. Their upper halves
+/// count, because a 386 caller uses them.
 bool kept_for_caller(const x86model::Registers<16>& entered, const x86model::Registers<16>& left);
 
 }  // namespace fixproof::machine_code

@@ -1,4 +1,4 @@
-// In the place of the table where NASM is not installed.
+// Replaces the table if NASM is not installed.
 #include "machine_code/table.hpp"
 
 namespace fixproof::machine_code {

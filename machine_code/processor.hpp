@@ -1,5 +1,5 @@
 /// @file
-/// The processor this runs on, made to run 16-bit code.
+/// Execution of 16-bit code on the host processor.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -14,38 +14,39 @@
 
 namespace fixproof::machine_code {
 
-/// A segment of 16-bit code, data and stack in this process, and calls into it. x86-64 Linux still
-/// lets a process make such segments (modify_ldt(2)); the processor then runs the code as a 286 or
-/// 386 in protected mode does, at full speed. One object serves one thread.
+/// A segment of 16-bit code, data and stack in this process, and calls into it. x86-64 Linux lets a
+/// process create such segments (modify_ldt(2)). The processor runs their code like a 286 or 386 in
+/// protected mode, at full speed. One object serves one thread.
 class Processor : private boost::noncopyable {
  public:
-  /// Why there is no such processor here; empty where there is.
+  /// Returns why this system cannot run 16-bit code; empty if it can.
   static std::string absence();
 
   /// @param data_bytes the length of the segment of data and stack. By default it ends before the
-  /// code, so only a read with a CS: override reaches a table in the code segment.
-  /// @throws std::system_error where the system gives no segment
+  ///   code, so only a read with a CS: override reaches a table in the code segment.
+  /// @throws std::system_error if the system provides no segment
   explicit Processor(std::size_t data_bytes = caller_origin);
   ~Processor();
 
-  /// The first byte of the segment. Below caller_origin it may be written.
+  /// Returns the segment. Only the part below caller_origin is writable.
   [[nodiscard]] std::uint8_t* memory() const;
 
-  /// Puts `code` at code_origin.
-  /// @throws std::length_error for what does not fit; std::system_error where the system refuses
+  /// Copies `code` to code_origin.
+  /// @throws std::length_error if it does not fit
+  /// @throws std::system_error if the system rejects the change of protection
   void load(std::span<const std::uint8_t> code);
 
-  /// While one lives, its thread may call(): faults in the segment are caught, and signals meant
-  /// for the process wait, for no handler could run on a 16-bit stack.
+  /// Lets its thread call() during its lifetime. It catches faults in the segment and blocks
+  /// all other signals, because no handler can run on a 16-bit stack.
   class Calls : private boost::noncopyable {
    public:
     explicit Calls(Processor& processor);
     ~Calls();
 
-    /// Calls what stands at code_origin with the registers and flags of `m`, whose SP stands at the
-    /// return address as enter() has left it. Afterwards `m` has the registers that the routine
-    /// left, and unless it returned, those of the fault; flags are unspecified. Waits for the
-    /// routine however long it takes: only this project's listings run here, and all of them end.
+    /// Calls the code at code_origin with the registers and flags of `m`, whose SP is at the return
+    /// address, as enter() leaves it. Afterwards `m` has the registers of the return or of the
+    /// fault; flags are unspecified. A call has no time limit: only this project's listings run
+    /// here, and all of them end.
     [[nodiscard]] CallEnding call(SegmentMachine& m) const;
 
    private:

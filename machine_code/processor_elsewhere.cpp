@@ -1,4 +1,4 @@
-// Systems that give no 16-bit segments.
+// Replaces processor_linux.cpp on systems without 16-bit segments.
 #include "machine_code/processor.hpp"
 
 #if !defined(__linux__) || !defined(__x86_64__) || defined(__ILP32__)
@@ -12,7 +12,7 @@ struct Processor::Calls::Saved {};
 
 std::string Processor::absence() { return "it needs Linux on an x86-64 processor"; }
 
-// Nobody asks an absent processor.
+// Callers check absence() first.
 Processor::Processor(std::size_t /*data_bytes*/) { throw std::logic_error(absence()); }
 Processor::~Processor() = default;
 std::uint8_t* Processor::memory() const { return nullptr; }

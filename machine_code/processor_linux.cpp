@@ -29,14 +29,14 @@ namespace {
 
 std::system_error refused(const char* what) { return {errno, std::generic_category(), what}; }
 
-/// @return false where the system refuses
+/// @return false if the system rejects the descriptor
 bool write_descriptor(user_desc description) {
   constexpr int write_in_new_format = 0x11;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the C library has no function for it
   return syscall(SYS_modify_ldt, write_in_new_format, &description, sizeof description) == 0;
 }
 
-/// The entries of the process's descriptor table, handed out to its threads.
+/// The entries of the process's descriptor table, allocated to its threads.
 class Entries {
  public:
   unsigned take() {
@@ -63,7 +63,6 @@ Entries& entries() {
   return all;
 }
 
-/// A descriptor of `bytes` bytes of 16-bit code or data.
 class Descriptor : private boost::noncopyable {
  public:
   Descriptor(std::uint32_t base, unsigned contents, std::size_t bytes) : entry_(entries().take()) {
@@ -80,7 +79,7 @@ class Descriptor : private boost::noncopyable {
     }
   }
   ~Descriptor() {
-    // An entry that cannot be emptied is not handed out again.
+    // An entry that cannot be cleared stays allocated.
     user_desc empty{};
     empty.entry_number = entry_;
     empty.read_exec_only = 1;
@@ -88,7 +87,7 @@ class Descriptor : private boost::noncopyable {
     if (write_descriptor(empty)) entries().give_back(entry_);
   }
 
-  /// Of the local table, with the rights of a user.
+  /// A selector of the local table with user privilege.
   [[nodiscard]] std::uint16_t selector() const {
     return static_cast<std::uint16_t>(entry_ << 3U | 7U);
   }
@@ -97,7 +96,7 @@ class Descriptor : private boost::noncopyable {
   unsigned entry_;
 };
 
-/// The segment, a page of landing code behind it and a page for the Landing: memory below 2 GiB.
+/// Memory below 2 GiB: the segment, then a page of landing code and a page for the Landing.
 class LowMemory : private boost::noncopyable {
  public:
   LowMemory()
@@ -150,7 +149,7 @@ struct Processor::Parts {
   Landing* landing = new (memory.at(LowMemory::landing)) Landing{};
   Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE, segment_size};
   Descriptor data;
-  /// For the handler; the largest register files of x86-64 take 11 KiB of it.
+  /// The handler's stack; the largest register files of x86-64 take 11 KiB of it.
   std::vector<std::uint8_t> signal_stack = std::vector<std::uint8_t>(0x10000);
 };
 
@@ -234,10 +233,10 @@ CallEnding Processor::Calls::call(SegmentMachine& m) const {
   for (std::size_t r = 0; r < x86model::register_count; ++r) {
     call.registers[r] = m.registers.read(static_cast<Register>(r), Size::dword);
   }
-  // The CALL of the caller pushes the return address itself, where enter() has put one.
+  // SP skips the return address of enter(), because CALL pushes its own.
   constexpr auto sp = static_cast<std::size_t>(Register::sp);
   call.registers[sp] = (call.registers[sp] & 0xFFFF0000U) | ((call.registers[sp] + 2) & 0xFFFFU);
-  // Bit 1 of the flags is always set; interrupts are allowed, or the system would say no.
+  // Bit 1 of the flags is always set. The system requires enabled interrupts.
   call.flags = 0x202U | (m.flags.value & x86model::arithmetic_flags);
   const int signal = call_segment(call);
   for (std::size_t r = 0; r < x86model::register_count; ++r) {

@@ -1,5 +1,5 @@
 /// @file
-/// The 64 KiB in which machine code runs: a machine that x86model/call.hpp can set up and read out.
+/// The 64 KiB segment that machine code runs in, as a machine for x86model/call.hpp.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 namespace fixproof::machine_code {
 
 inline constexpr std::size_t segment_size = 0x10000;
-/// The unit in which memory is protected, and in which emulators keep translated code.
+/// The unit of memory protection, and of translated code in emulators.
 inline constexpr std::size_t page_size = 0x1000;
 
-/// Where the routine's caller stands: a page of its own below the routine.
+/// The offset of the routine's caller, which has its own page below the routine.
 inline constexpr std::uint16_t caller_origin = code_origin - page_size;
 
-/// Memory of 16-bit words, low byte first, that somebody else owns.
+/// A view of memory as little-endian 16-bit words. It does not own the memory.
 class SegmentMemory {
  public:
   explicit SegmentMemory(std::uint8_t* first) : first_(first) {}
 
-  /// @return false where a word would not end inside the segment.
+  /// @return false if the word ends outside the segment
   bool read(std::uint32_t address, std::uint32_t& value) const {
     if (address > segment_size - 2) return false;
     value = static_cast<std::uint32_t>(first_[address] | first_[address + 1] << 8);
@@ -40,7 +40,7 @@ class SegmentMemory {
   std::uint8_t* first_;
 };
 
-/// What enter() and leave() of x86model/call.hpp work on: registers, flags and that memory.
+/// The machine that enter() and leave() of x86model/call.hpp work on.
 struct SegmentMachine {
   static constexpr int word_bits = 16;
 

@@ -1,5 +1,5 @@
 /// @file
-/// The table that NASM's output is turned into when this is built.
+/// The table of assembled programs, which the build generates from NASM's output.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace fixproof::machine_code {
 
-/// The bytes of one program.
 struct Assembled {
-  std::string_view name;                  ///< see name_of() of programs.hpp
-  std::span<const std::uint8_t> code;     ///< as it stands at code_origin
-  std::span<const std::uint8_t> command;  ///< a DOS .COM file that calls it; none for a loop
+  std::string_view name;               ///< see name_of() of programs.hpp
+  std::span<const std::uint8_t> code;  ///< assembled for code_origin
+  std::span<const std::uint8_t>
+      command;  ///< a DOS .COM file that calls the program; empty for a loop
 };
 
-/// All programs; none where there was no assembler.
+/// All programs; empty if the build had no assembler.
 std::span<const Assembled> assembled_programs();
 
 }  // namespace fixproof::machine_code

@@ -1,7 +1,7 @@
 // usage: write_sources FOLDER
-// Writes NAME.asm for every program and every form of a loop, the text that `fixproof list` prints
-// after the line that says where it is to stand, and of routines NAME.com.asm, the same text in the
-// frame of dos.asm. Prints the names.
+// Writes NAME.asm for every program and every form of a loop: an ORG line, then the output of
+// `fixproof list`. For routines, NAME.com.asm has the same text framed by dos.asm. It prints
+// the names.
 #include <exception>
 #include <fstream>
 #include <iostream>

@@ -1,5 +1,5 @@
 /// @file
-/// Single answers, and the only comparison of answers.
+/// Answers to single cases, and the only function that compares answers.
 #pragma once
 
 #include <algorithm>
@@ -13,24 +13,22 @@
 
 namespace fixproof::parties {
 
-/// The answer of one party to one case.
 struct Answer {
   Ending ending = Ending::broken;
   std::vector<std::uint32_t> words;  ///< empty unless the case ended in a value
 
-  /// Each word in lower-case hex digits, separated by single spaces; otherwise DE, or the ending in
-  /// words.
+  /// The words in lower-case hex, separated by single spaces. Other endings give DE or a phrase.
   [[nodiscard]] std::string text(int word_bits) const;
 };
 
-/// An answer in somebody's buffer. The words count only if the case ended in a value.
+/// An answer in a buffer of the caller. The words are valid only if the case ended in a value.
 struct AnswerView {
   Ending ending;
   std::span<const std::uint32_t> words;
 };
 
-/// Whether two answers are the same value, or both #DE. A broken run agrees with nothing, not even
-/// with a run that breaks in the same way. Inline, because it decides every case of a verification.
+/// Tells whether two answers are the same value, or both #DE. A broken run agrees with nothing, not
+/// even with another broken run. Inline because every case of a verification calls it.
 inline bool agree(const AnswerView& a, const AnswerView& b) {
   if (a.ending != b.ending) return false;
   if (a.ending == Ending::divide_error) return true;
@@ -38,13 +36,11 @@ inline bool agree(const AnswerView& a, const AnswerView& b) {
          std::equal(a.words.begin(), a.words.end(), b.words.begin(), b.words.end());
 }
 
-/// Whether all answers to a case agree with one another.
 bool agree(std::span<const Answer> answers);
 
-/// The answer of one party to one case.
 Answer ask(const Party& party, const cases::Variant& variant, std::span<const std::uint32_t> words);
 
-/// The row of `variant`: those candidates that answer it, in the same order.
+/// Returns the row of `variant`: the candidates that answer it, in the same order.
 cases::Row row_of(const cases::Variant& variant, std::span<const Party* const> candidates);
 
 }  // namespace fixproof::parties

@@ -1,5 +1,5 @@
-// The batch operations, on each of their paths: a whole chunk of cases at a time, with what their
-// reports say held against what they mark.
+// The batch operations on each path. They take a whole chunk of cases at a time, and their reports
+// must agree with the elements they mark.
 #include "fixed/batch.hpp"
 
 #include <algorithm>
@@ -17,14 +17,13 @@ namespace fixproof::parties {
 
 namespace {
 
-/// Elements that a batch marks.
 class Marks {
  public:
   explicit Marks(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {}
 
   [[nodiscard]] std::span<bool> all() const { return {marks_.get(), size_}; }
 
-  /// Whether the report counts what is marked, and knows the first.
+  /// Tells whether the report has the number of marked elements and the first of them.
   [[nodiscard]] bool agree(const fixed::batch::report& report) const {
     const auto first = std::find(all().begin(), all().end(), true);
     const bool none = first == all().end();
@@ -39,7 +38,6 @@ class Marks {
   std::unique_ptr<bool[]> marks_;
 };
 
-/// Operand `which` of every case.
 template <class Number>
 std::vector<Number> column(const Batch& batch, std::size_t words, std::size_t which) {
   std::vector<Number> numbers(batch.endings.size());
@@ -49,7 +47,7 @@ std::vector<Number> column(const Batch& batch, std::size_t words, std::size_t wh
   return numbers;
 }
 
-/// One batch of all cases. Where its report does not agree with its marks, it breaks down.
+/// Answers all cases in one batch. All of them are broken if the report disagrees with the marks.
 template <class Number>
 void answer_column(cases::Operation operation, fixed::batch::path path, const Batch& batch) {
   const std::size_t words = cases::words_in(operation);
@@ -77,12 +75,12 @@ void answer_column(cases::Operation operation, fixed::batch::path path, const Ba
   }
 }
 
-/// Each case has a transform of its own, so it is the one of a block of vertices: those of the
-/// cases after it, in turn at each place, and in turn interleaved and in arrays of their own. Where
-/// anything is reported or marked, it breaks down: rules that wrap have nothing to report.
+/// A batch has one transform, but each case has its own, so each case fills a block with its vertex
+/// and those of the cases after it. The place of the vertex rotates, and blocks alternate between
+/// interleaved vertices and separate arrays. The policies wrap, so any report or mark is an error.
 template <class Number>
 void answer_transforms(fixed::batch::path path, const Batch& batch) {
-  constexpr std::size_t block = 16;  // as many as the widest registers have
+  constexpr std::size_t block = 16;  // the lanes of the widest registers
   constexpr std::size_t words = 15;
   const std::size_t cases = batch.endings.size();
   std::array<std::array<Number, 3>, block> in;

@@ -32,12 +32,12 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
   x86::CallMachine<routine, word_bits> fresh;
-  // The stack holds what earlier calls have left there.
+  // The stack holds junk, as if from earlier calls.
   for (std::int32_t at = 0; at < x86::detail::stack_top; at += x86::detail::bytes_of_value) {
     x86::detail::store(fresh, at, 0x6D2B79F5U * static_cast<std::uint32_t>(at + 1));
   }
   for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-    // Nothing is left over from one case to the next, whatever a broken program has written.
+    // Each case starts from a fresh machine, because a broken program can write anywhere.
     auto machine = fresh;
     batch.endings[i] = answer<routine, word_bits>(code, machine, batch.in.subspan(i * in, in),
                                                   batch.out.subspan(i * out, out));

@@ -1,5 +1,5 @@
 /// @file
-/// Programs interpreted step by step: the listings', or any other that takes a routine's place.
+/// The party that interprets programs step by step: the listings, or programs that replace them.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace fixproof::parties {
 
-/// The program of a variant of FIXED.ASM. @throws std::invalid_argument for any other variant
+/// Returns the program of a variant of FIXED.ASM.
+/// @throws std::invalid_argument for any other variant
 x86model::Program program_of(const cases::Variant& variant);
 
-/// A party that runs `program` in the place of the routine of every variant it is asked. A program
-/// that does not keep SI, DI, BP and SP as C wants them kept, or a transform its operands, breaks
-/// down.
+/// Makes a party that runs `program` instead of the routine of every variant. A case is broken if
+/// the program does not preserve SI, DI, BP and SP, or if a transform changes its operands.
 std::unique_ptr<Party> make_interpreter_of(std::string name, const x86model::Program& program);
 
 }  // namespace fixproof::parties

@@ -1,5 +1,5 @@
 /// @file
-/// The calls of machine code that answer a batch, whichever machine makes them.
+/// The machine-code calls that answer a batch, on any machine.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,13 @@
 
 namespace fixproof::parties {
 
-/// What happens before and after each call of a routine. Every call begins with other noise in
-/// registers, flags and the place of the results, and is held to what a C caller relies on.
+/// Sets up each call of a routine and checks it afterwards. Each call starts with different junk in
+/// the registers, flags and results, and must preserve what a C caller relies on.
 class MachineCalls {
  public:
   MachineCalls(x86model::Routine routine, const Batch& batch);
 
-  /// Sets up case `i`.
   void enter(std::size_t i, machine_code::SegmentMachine& m);
-  /// Takes its answer.
   void leave(std::size_t i, const machine_code::SegmentMachine& m, machine_code::CallEnding ending);
 
  private:

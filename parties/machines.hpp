@@ -1,5 +1,5 @@
 /// @file
-/// The parties that run machine code, and any code in the place of a routine's.
+/// The parties that run machine code, and functions that run other code in place of a routine.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,12 @@
 
 namespace fixproof::parties {
 
-/// Whether there is machine code for a variant in this build.
+/// Tells whether this build has machine code for a variant.
 bool has_machine_code(const cases::Variant& variant);
 
-/// Answers a batch by calls of `code`, which stands in for the routine: a listing of this project,
-/// or what a test makes of one. Nothing limits how long a call may take, so that code which does
-/// not end is not to be given: the listings end, on every path that there is (`fixproof prove`).
-/// Processor::absence(), or Emulator::absence(), has to be empty.
+/// Answers a batch by calling `code` in place of the routine. `code` must end, because nothing
+/// limits the time of a call; the listings end on every path (`fixproof prove`).
+/// Processor::absence() or Emulator::absence() must be empty.
 void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
                        const Batch& batch);
 void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine routine,

@@ -1,4 +1,4 @@
-// The register-level model: the listings' programs, compiled.
+// The register-level model: the programs of the listings, compiled.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -13,10 +13,9 @@ namespace {
 
 namespace x86 = x86model;
 
-/// Which printing of a routine, or its repaired form.
+/// The chapter that prints the routine, or its repaired form.
 enum class Form { chapter_54, chapter_52, repaired };
 
-/// The build for one setting of the switch that matters.
 constexpr x86::Build build(x86::Routine routine, bool round, Form form) {
   x86::Build b{.chapter_52 = form == Form::chapter_52, .repaired = form == Form::repaired};
   if (routine == x86::Routine::div) b.div_rounding = round;
@@ -26,7 +25,7 @@ constexpr x86::Build build(x86::Routine routine, bool round, Form form) {
 
 template <x86::Routine routine, x86::Target target, bool round, Form form, int word_bits>
 void answer_compiled(const Batch& batch) {
-  std::array<x86::Outcome, 256> outcomes;  // filled below
+  std::array<x86::Outcome, 256> outcomes;
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
   for (std::size_t done = 0; done < batch.endings.size(); done += outcomes.size()) {

@@ -1,5 +1,5 @@
 /// @file
-/// What a C caller counts on finding again when a routine has returned.
+/// The check that a routine preserves the state its C caller relies on.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,9 +13,9 @@
 
 namespace fixproof::parties {
 
-/// Which of it a routine has not kept, as "esi, sp"; empty where it has kept all. A register is
-/// named as wide as what it has lost.
-/// @param entered the registers that it was entered with, SP at the return address
+/// Lists the state that a routine has not preserved, such as "esi, sp"; empty if it has preserved
+/// all. A register has its 32-bit name if its upper half has changed.
+/// @param entered the registers on entry, with SP at the return address
 template <x86model::Routine routine, class M>
 std::string not_kept(const x86model::Registers<M::word_bits>& entered, const M& left,
                      std::span<const std::uint32_t> in) {
@@ -33,7 +33,7 @@ std::string not_kept(const x86model::Registers<M::word_bits>& entered, const M& 
   }
   const auto top = (entered.read(x86::Register::sp, word) + M::word_bits / 8) & word_mask;
   if (left.registers.read(x86::Register::sp, word) != top) add("sp");
-  // The divides need not leave their operands as they were: see finding 11.
+  // The divides may change their operands: see finding 11.
   if constexpr (routine == x86::Routine::xformvec || routine == x86::Routine::concat) {
     for (std::size_t i = 0; i < in.size(); ++i) {
       const auto at = static_cast<std::int32_t>(i) * x86::detail::bytes_of_value;

@@ -1,4 +1,4 @@
-// The oracle, twice: from integers of any size, and from built-in integers.
+// The two oracles: one computes with integers of any size, one with built-in integers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ oracle::TranslationRule translation(const cases::Variant& v) {
   return v.build.chapter_52 ? oracle::TranslationRule::every : oracle::TranslationRule::fourth;
 }
 
-/// Asks `one_case(in, out)` for each case; it returns whether there is a value.
+/// Calls `one_case(in, out)` for each case; it returns whether the case has a value.
 template <class OneCase>
 void each_case(const cases::Variant& v, const Batch& batch, OneCase one_case) {
   const std::size_t in = cases::words_in(v.operation);
@@ -55,14 +55,13 @@ void each_case(const cases::Variant& v, const Batch& batch, OneCase one_case) {
   }
 }
 
-/// The word of a conversion that took place and stayed in range.
 std::optional<Word> word_of_ulps(const std::optional<oracle::Integer>& ulps, int fraction_bits) {
   const int bits = oracle::word_bits(fraction_bits);
   if (!ulps || !oracle::fits(*ulps, bits)) return std::nullopt;
   return oracle::wrap(*ulps, bits);
 }
 
-/// Exact: a word has fewer bits than a double.
+/// The conversion is exact: a word has fewer bits than a double.
 double double_of(Word word, int fraction_bits) {
   return std::ldexp(oracle::ulps(word, fraction_bits).convert_to<double>(), -fraction_bits);
 }
@@ -126,7 +125,7 @@ class Oracle final : public Party {
   }
 };
 
-/// Decimal text and doubles are read back as they were: that is all there is to say of them.
+/// Decimal and double round trips are the identity, so this oracle returns the operand.
 class FastOracle final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "fast"; }
@@ -134,7 +133,7 @@ class FastOracle final : public Party {
     return v.operation != cases::Operation::cossin;
   }
   void answer(const cases::Variant& v, const Batch& batch) const override {
-    // Each operation in a loop of its own: in sweeps the loop is what takes the time.
+    // Each operation has its own loop, because the loop dominates the time of a sweep.
     const int bits = v.fraction_bits;
     const Rounding rounding = multiply_rule(v);
     switch (v.operation) {

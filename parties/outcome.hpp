@@ -1,5 +1,5 @@
 /// @file
-/// How a run of the model ended, as a party says it.
+/// Conversion from the outcome of a model run to the ending of a case.
 #pragma once
 
 #include "parties/party.hpp"

@@ -14,17 +14,17 @@ std::unique_ptr<Party> make_interpreter();
 std::unique_ptr<Party> make_oracle();
 std::unique_ptr<Party> make_fast_oracle();
 std::unique_ptr<Party> make_type();
-/// One party for each path of fixed/batch.hpp, the best path first.
+/// Makes `batch`, which takes the best path, and one party per path of fixed/batch.hpp.
 std::vector<std::unique_ptr<Party>> make_batch_parties();
 std::unique_ptr<Party> make_silicon();
 std::unique_ptr<Party> make_unicorn();
 
-/// Whether the variant is a routine of FIXED.ASM on a processor.
+/// Tells whether the variant is a routine of FIXED.ASM on a processor.
 constexpr bool is_routine(const cases::Variant& v) {
   return v.build.target != cases::Target::standard && cases::is_routine(v.operation);
 }
 
-/// Whether the model has a program for the variant at its width. Chapter 52 has three of the
+/// Tells whether the model has a program for the variant at its width. Chapter 52 has three of the
 /// routines. Only the multiply and the divide run on 8-bit registers.
 constexpr bool has_program(const cases::Variant& v) {
   if (!is_routine(v)) return false;

@@ -1,4 +1,4 @@
-// The processor itself: the listings as NASM assembles them, run on the machine that verifies.
+// The host processor, which runs the listings as NASM assembles them.
 #include <algorithm>
 #include <vector>
 
@@ -12,7 +12,6 @@ namespace fixproof::parties {
 
 namespace {
 
-/// The processor of one thread and the code that stands in its segment.
 struct Loaded {
   machine_code::Processor processor;
   std::vector<std::uint8_t> code;

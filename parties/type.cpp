@@ -1,4 +1,4 @@
-// The production type, under the policy that is to be bit-identical to the variant.
+// The production type, under the policy that must be bit-identical to the variant.
 #include <array>
 #include <span>
 
@@ -11,7 +11,7 @@ namespace fixproof::parties {
 
 namespace {
 
-/// One case of one operation with numbers of one type; false where there is no value.
+/// Answers one case with numbers of one type; false if the case has no value.
 template <class Number, cases::Operation operation>
 bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
               std::span<std::uint32_t> out) {
@@ -56,7 +56,6 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
     const auto written = fixed::to_chars(text.data(), text.data() + text.size(), operand(0));
     Number back;
     const auto read = fixed::from_chars(text.data(), written.ptr, back);
-    // A text that is not read back whole is no value.
     if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
     out[0] = word_of(back);
   } else {

@@ -1,4 +1,4 @@
-// The listings as NASM assembles them, run by the Unicorn emulator.
+// The Unicorn emulator, which runs the listings as NASM assembles them.
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -13,7 +13,7 @@ namespace fixproof::parties {
 
 void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine routine,
                        const Batch& batch) {
-  // Made anew for other code: the emulator keeps what it has translated.
+  // Other code needs a new emulator, because an emulator caches translated code.
   thread_local std::unique_ptr<machine_code::Emulator> emulator;
   thread_local std::vector<std::uint8_t> loaded;
   if (!emulator || !std::equal(code.begin(), code.end(), loaded.begin(), loaded.end())) {

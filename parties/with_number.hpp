@@ -1,5 +1,5 @@
 /// @file
-/// From a build to the number type with the same rules.
+/// Maps a build to the number type with the same rules.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fixproof::parties {
 
-/// The policy whose results are bit-identical to those of a build.
+/// Returns the policy whose results are bit-identical to those of a build.
 constexpr fixed::policy policy_of(const cases::Build& build) {
   namespace p = fixed::policies;
   const auto choose = [&build](const fixed::policy& both, const fixed::policy& mul_only,
@@ -33,8 +33,8 @@ constexpr fixed::policy policy_of(const cases::Build& build) {
 template <cases::Build build, int fraction_bits = 16>
 using NumberOf = fixed::number<fraction_bits, policy_of(build)>;
 
-/// call.operator()<B>(), where B has the target and the roundings of `build`. The chapter and the
-/// repair are left out: they change ConcatXforms, not the numbers.
+/// Calls call.operator()<B>(), where B has the target and the roundings of `build`. B omits the
+/// chapter and the repair, because they change ConcatXforms but not the numbers.
 template <class Call>
 decltype(auto) with_build(const cases::Build& build, const Call& call) {
   using cases::Build;
@@ -58,7 +58,7 @@ decltype(auto) with_build(const cases::Build& build, const Call& call) {
   return call.template operator()<Build{standard}>();
 }
 
-/// call(std::type_identity<N>()), where N is the type with the rules of `build`.
+/// Calls call(std::type_identity<N>()), where N is the type with the rules of `build`.
 template <int fraction_bits = 16, class Call>
 decltype(auto) with_number(const cases::Build& build, const Call& call) {
   return with_build(build, [&]<cases::Build constant>() -> decltype(auto) {
@@ -66,7 +66,7 @@ decltype(auto) with_number(const cases::Build& build, const Call& call) {
   });
 }
 
-/// The same at the width of a variant.
+/// Does the same at the width of a variant.
 template <class Call>
 void with_number(const cases::Variant& v, const Call& call) {
   v.fraction_bits == 8 ? with_number<8>(v.build, call) : with_number<16>(v.build, call);

@@ -35,7 +35,7 @@ void draw_surfaces(const xsharp::Picture& picture, xsharp::SurfaceFiller& surfac
   }
 }
 
-/// Black where two indices are the same; the lighter the further apart they are, white from three.
+/// Black for equal indices, lighter for larger differences, white from a difference of three.
 std::uint32_t shade_of_difference(int apart) {
   if (apart == 0) return 0;
   return std::min(63U + 64U * static_cast<std::uint32_t>(apart), 255U) * 0x010101U;

@@ -1,5 +1,5 @@
 /// @file
-/// Surfaces by stepping beside the same pictures drawn exactly.
+/// Comparison of stepped surfaces with exact ones.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace fixproof::player {
 
-/// Draws every picture twice, in the scene's arithmetic and exactly from the same corners, and
-/// counts what differs.
+/// Draws every picture twice from the same corners, in the scene's arithmetic and exactly, and
+/// counts the pixels that differ.
 class BesideExact {
  public:
-  /// @param file for a PNG of the last picture: as stepped, exact, and where they differ
-  /// @throws UsageError for a scene where nothing is interpolated, or is not stepped
+  /// @param file the name of a PNG of the last picture: stepped, exact, and the differences
+  /// @throws UsageError if the scene interpolates nothing or does not step
   /// @throws std::runtime_error naming the file, if it cannot be written
   BesideExact(const xsharp::Scene& scene, std::string file);
 
   void show(const xsharp::Picture& picture);
-  /// Writes the file; nothing without pictures.
+  /// Writes the file, if there are pictures.
   void finish() const;
   /// `3 of 230,400 pixels differ, …`; empty without pictures.
   [[nodiscard]] std::string differences() const;

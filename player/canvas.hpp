@@ -1,5 +1,5 @@
 /// @file
-/// A screen of either kind of pixel.
+/// A screen in the scene's palette or in true colour.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -20,22 +20,21 @@ class Canvas : private boost::noncopyable {
   virtual ~Canvas() = default;
 
   virtual void show(const xsharp::Picture& picture) = 0;
-  /// The picture that is shown, as the bytes of a PNG.
+  /// The shown picture as the bytes of a PNG.
   [[nodiscard]] virtual std::string png() const = 0;
-  /// The picture that is shown as indices of the palette, row by row; empty in true colour.
+  /// The shown picture as palette indices, row-major; empty in true colour.
   [[nodiscard]] virtual std::span<const std::uint8_t> indices() const = 0;
-  /// The picture that is shown, in a window.
   virtual void show_in(xsharp::Window& window) const = 0;
   [[nodiscard]] virtual xsharp::DrawingCount count() const = 0;
 };
 
-/// Of the scene's size, in 24 bits a pixel or with the scene's palette; surfaces are filled in the
-/// scene's arithmetic.
+/// Makes a canvas of the scene's size, in 24 bits per pixel or with the scene's palette. It fills
+/// surfaces in the scene's arithmetic.
 /// @throws UsageError for an arithmetic that all_arithmetics() does not have
 std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color);
 
-/// A canvas in the scene's palette if surfaces are filled by its arithmetic; otherwise nothing, for
-/// then filling calls no routine.
+/// Makes a canvas in the scene's palette if the scene's arithmetic fills the surfaces. Otherwise
+/// null, because filling then calls no routine.
 std::unique_ptr<Canvas> canvas_of_surfaces(const xsharp::Scene& scene);
 
 }  // namespace fixproof::player

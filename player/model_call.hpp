@@ -13,17 +13,17 @@
 
 namespace fixproof::player {
 
-/// Runs the routine of a variant of 16.16 on the model.
+/// Runs the routine of a 16.16 variant on the model.
 /// @return false for a divide error
-/// @throws std::logic_error if the routine does not end as one of the listings does
+/// @throws std::logic_error if the routine ends in a way that no listing does
 bool call_model(const cases::Variant& variant, std::span<const std::uint32_t> in,
                 std::span<std::uint32_t> out);
 
-/// The operands of calls, operation by operation, one case after the other.
+/// The operands of calls, one list per operation, one case after the other.
 using OperandLog = std::array<std::vector<std::uint32_t>, x86model::routine_count>;
 
-/// While it lives, the operands of this thread's calls of call_model() are added to a log. The
-/// pipeline's numbers are values and know no log: this is the one place where they meet.
+/// During its lifetime, adds the operands of this thread's calls of call_model() to a log. The log
+/// is thread-local because the pipeline's numbers are plain values without access to a log.
 class Recording : private boost::noncopyable {
  public:
   explicit Recording(OperandLog& log);

@@ -18,7 +18,7 @@ constexpr std::uint32_t offset_of(Symbol symbol) {
   return static_cast<std::uint32_t>(x86::address_of(symbol));
 }
 
-/// What all memories here have: a stack of their own, and nothing else.
+/// The base of the memories here: it has a stack and rejects every other access.
 class StackAlone {
  public:
   static bool read(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
@@ -43,7 +43,7 @@ class StackAlone {
   std::array<std::uint16_t, 0x60> stack_{};  ///< by address; words do not overlap
 };
 
-/// The extra segment is the row.
+/// The row is the extra segment.
 class RowMemory : public StackAlone {
  public:
   explicit RowMemory(std::span<std::uint8_t> row) : row_(row) {}
@@ -62,7 +62,7 @@ class RowMemory : public StackAlone {
   std::span<std::uint8_t> row_;
 };
 
-/// The data segment is the bitmap, turned so that it begins where Texture stands.
+/// The bitmap is the data segment, rotated so that it begins at Texture.
 class TextureMemory : public RowMemory {
  public:
   TextureMemory(std::span<std::uint8_t> row, std::span<const std::uint8_t> bitmap)
@@ -149,7 +149,7 @@ void ModelLoops::gouraud_wide(std::span<std::uint8_t> out, std::uint32_t start,
 
 void ModelLoops::depth(std::span<std::uint8_t> out, std::span<std::int16_t> buffer,
                        std::uint8_t pixel, std::uint32_t start, std::uint32_t step) const {
-  // No loop that counts may be entered for nothing.
+  // The listings' counting loops cannot run zero times.
   if (out.empty()) return;
   run_loop(depth_.form, depth_.code, DepthMemory(out, buffer),
            {.pixels = pixels_of(out), .value = start, .step = step, .colour = pixel});

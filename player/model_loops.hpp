@@ -1,5 +1,5 @@
 /// @file
-/// The inner loops as the listings do them, instruction by instruction, on the model.
+/// The inner loops of the listings, run instruction by instruction on the model.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,30 @@
 
 namespace fixproof::player {
 
-/// Each call is a run of a listing of x86model/loops/. Rows begin at an even address.
+/// Runs a listing of x86model/loops/ for each call. Rows begin at an even address.
 ///
-///   gouraud   by words, its odd last pixel by bytes
+///   gouraud   by words, an odd last pixel by bytes
 ///   depth     the depth test with SHLD
-///   texture   unrolled: a bitmap of 256 rows fills its segment, and leaves no room for IncJ
+///   texture   unrolled: a bitmap of 256 rows fills its segment, which leaves no room for IncJ
 ///
-/// gouraud_wide has no listing: it is that of xsharp::PlainLoops.
+/// gouraud_wide has no listing and uses xsharp::PlainLoops.
 class ModelLoops final : public xsharp::SpanLoops {
  public:
-  /// @param counting of Gouraud shading; the depth test, which is never unrolled, then counts by
-  /// LOOP
+  /// @param counting the loop counting of Gouraud shading. The depth test has no unrolled form and
+  ///   counts by LOOP in its place.
   explicit ModelLoops(x86model::Counting counting = x86model::Counting::loop,
                       x86model::Target target = x86model::Target::i386);
 
   void gouraud(std::span<std::uint8_t> out, std::uint16_t start, std::uint16_t step) const override;
   void gouraud_wide(std::span<std::uint8_t> out, std::uint32_t start,
                     std::uint32_t step) const override;
-  /// On the 386 whatever the target: the listing has no other.
+  /// Runs on the 386 for every target, because the listing has no 8088 form.
   void depth(std::span<std::uint8_t> out, std::span<std::int16_t> buffer, std::uint8_t pixel,
              std::uint32_t start, std::uint32_t step) const override;
   void texture(std::span<std::uint8_t> out, std::span<const std::uint8_t> bitmap, std::uint32_t u,
                std::uint32_t du, std::uint32_t v, std::uint32_t dv) const override;
 
  private:
-  /// A form and its code.
   struct Ready {
     explicit Ready(const x86model::LoopForm& f) : form(f), code(x86model::code_of(f)) {}
     x86model::LoopForm form;

@@ -14,8 +14,7 @@
 
 namespace fixproof::player {
 
-/// A 16.16 number. Sums, differences and comparisons, which C does itself, wrap as they do on the
-/// processors.
+/// A 16.16 number. Sums, differences and comparisons call no routine; they wrap.
 template <cases::Build build>
 class ModelNumber {
  public:
@@ -109,7 +108,6 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
   }
 
  private:
-  /// Twelve words, row by row.
   static void put(const Transform<N>& t, std::uint32_t* words) {
     for (std::size_t i = 0; i < 12; ++i) words[i] = t.rows[i / 4][i % 4].word();
   }

@@ -16,10 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file and what it is for, for messages.
 using Use = std::pair<std::string, fs::path>;
 
-/// Whether `file` is what a frame could be called in `folder`.
+/// Tells whether `file` can be the name of a frame in `folder`.
 bool is_frame_of(const fs::path& folder, const fs::path& file) {
   const fs::path real = support::behind_links(file);
   return support::same_file(folder, real.parent_path()) &&
@@ -90,7 +89,7 @@ void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint6
     const std::string png = canvas.png();
     if (!folder_.empty()) {
       const std::string file = frame_file(frame);
-      // What a link of that name leads to is not a frame.
+      // Replaces a symbolic link itself, because its target is not a frame.
       if (fs::is_symlink(file)) fs::remove(file);
       support::replace_file(file, png);
     }

@@ -1,5 +1,5 @@
 /// @file
-/// The files that frames are drawn into.
+/// The files that receive drawn frames.
 #pragma once
 
 #include <cstdint>
@@ -17,36 +17,35 @@
 
 namespace fixproof::player {
 
-/// Where frames are to go; an empty name is none.
+/// The names of the outputs; an empty name disables an output.
 struct OutputNames {
-  std::string folder;     ///< for a PNG of every frame
+  std::string folder;     ///< folder for a PNG of every frame
   std::string animation;  ///< an animated PNG
   std::string dump;       ///< dump_frame() of every frame
   std::string digests;    ///< DigestLines of the frames
-  std::string beside;     ///< written by BesideExact; here so that it clashes with nothing
+  std::string beside;     ///< written by BesideExact; listed here to detect name clashes
 };
 
-/// @throws UsageError if `file`, which `option` says is to be written, is one of `inputs`
+/// @throws UsageError if `file`, the output of `option`, is one of `inputs`
 void refuse_inputs(std::string_view option, const std::filesystem::path& file,
                    const std::vector<std::filesystem::path>& inputs);
 
-/// Files for frames. None is there, or changed, before it is complete.
+/// Output files for frames. A file appears or changes only when it is complete.
 class Outputs {
  public:
   /// @param inputs files that must not be written
   /// @throws UsageError if an output is another output or an input, or the folder cannot be made
-  /// @throws std::runtime_error naming what cannot be written
+  /// @throws std::runtime_error naming the file that cannot be written
   Outputs(const OutputNames& names, const std::vector<std::filesystem::path>& inputs,
           double frames_per_second);
 
-  /// Frames come in order, from 0.
+  /// Adds a frame. Frames come in order, from 0.
   void add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame);
 
-  /// Without frames, what was there before stays.
+  /// Completes the files. Without frames, existing files stay unchanged.
   void finish(std::uint64_t frames);
 
-  /// The first picture of an earlier, longer run that is still in the folder; empty if there is
-  /// none.
+  /// Returns the first picture that an earlier, longer run left in the folder; empty without one.
   [[nodiscard]] std::string older_frame(std::uint64_t frames) const;
 
  private:

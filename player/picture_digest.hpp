@@ -8,14 +8,13 @@
 
 namespace fixproof::player {
 
-/// The first 16 hex digits of the SHA-256 of a picture's indices, row by row.
+/// The first 16 hex digits of the SHA-256 of a picture's indices, row-major.
 std::string picture_digest(std::span<const std::uint8_t> pixels);
 
-/// Digests of a sequence of pictures. Equal pictures in a row give one digest, because a viewer
-/// sees no change.
+/// Digests of consecutive pictures. Equal neighbours give one, as a viewer sees no change.
 class DigestLines {
  public:
-  /// The picture's digest and an end of line; empty if the picture before had the same digest.
+  /// Returns the digest and a line end; empty if it equals the previous digest.
   std::string line_of(std::span<const std::uint8_t> pixels);
 
  private:

@@ -15,33 +15,30 @@
 
 namespace fixproof::player {
 
-/// Every arithmetic that can draw a scene: the type with each of its presets, the model with each
-/// build of the listings, and double. The 8088 builds come with the printed ConcatXforms and with
-/// the repaired one.
+/// Returns every arithmetic that can draw a scene: the type with each preset, the model with each
+/// build, and double. The 8088 builds come with the printed and the repaired ConcatXforms.
 std::vector<xsharp::ArithmeticChoice> all_arithmetics();
 
-/// The build whose rules a choice names. Empty for double and for the saturating and trapping
-/// types.
+/// Returns the build of a choice; empty for double and for the saturating and trapping types.
 std::optional<cases::Build> build_of(const xsharp::ArithmeticChoice& choice);
-/// The arithmetic of a build of FIXED.ASM.
 /// @param by "type" or "model"
 xsharp::ArithmeticChoice arithmetic_of(const cases::Build& build, std::string by);
 
 /// `type i386, multiply on, divide off`, `type saturating`, `double`.
 std::string name_of(const xsharp::ArithmeticChoice& choice);
 
-/// The error for a choice that all_arithmetics() does not have. It lists the targets.
+/// Returns the error for a choice that all_arithmetics() does not have. It lists the targets.
 support::UsageError no_arithmetic(const xsharp::ArithmeticChoice& choice);
 
-/// @param threads how many threads move, prepare and draw objects; the pictures do not depend on it
+/// @param threads how many threads move, prepare and draw objects; pictures do not depend on it
 /// @throws UsageError for a choice that all_arithmetics() does not have, and for the model on more
-///         than one thread, because its calls are recorded on the caller's thread
+///   than one thread, because it records calls on the caller's thread
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const xsharp::ArithmeticChoice& choice,
                                             std::size_t threads = 1);
 
-/// The players of one party. Each has its own file, because they take long to compile. Null if the
-/// party has no such arithmetic.
+/// Make the player of one party; null if the party does not have the arithmetic. Each has its own
+/// file, because it takes long to compile.
 std::unique_ptr<xsharp::Player> make_type_player(const xsharp::Scene& scene,
                                                  const xsharp::ArithmeticChoice& choice,
                                                  std::size_t threads);

@@ -13,8 +13,7 @@ namespace {
 using xsharp::ArithmeticChoice;
 using xsharp::Scene;
 
-/// make.operator()<N>() for the model's number N; null unless the choice is a build of the
-/// listings.
+/// Calls make.operator()<N>() for the model's number N; null unless the choice is a build.
 template <class Result, class Make>
 std::unique_ptr<Result> with_model(const ArithmeticChoice& choice, const Make& make) {
   const auto build = build_of(choice);

@@ -12,7 +12,7 @@ namespace {
 using xsharp::ArithmeticChoice;
 using xsharp::Scene;
 
-/// make(std::type_identity<N>()) for the type's arithmetic N; null if the type has no such target.
+/// Calls make(std::type_identity<N>()) for the type's number N; null for any other target.
 template <class Make>
 auto with_type(const ArithmeticChoice& choice, const Make& make)
     -> decltype(make(std::type_identity<double>())) {

@@ -19,7 +19,6 @@ namespace {
 
 using xsharp::Key;
 
-/// What is being played, and what keys have changed about it.
 class Show {
  public:
   Show(const xsharp::Scene& scene, bool true_color, std::size_t threads)
@@ -40,7 +39,7 @@ class Show {
       for (const Key key : window_.keys()) press(key);
       if (!paused_ && clock::now() >= next) {
         step();
-        // A machine that is too slow shows every frame, later.
+        // A slow machine delays frames but drops none.
         next = std::max(next + frame_time, clock::now());
       }
       constexpr clock::duration longest = std::chrono::milliseconds(5);
@@ -84,8 +83,7 @@ class Show {
     switched_.push_back(light);
   }
 
-  /// Shows what would be seen if the rounding had been the other from the beginning: the errors
-  /// that have gathered since are the point.
+  /// Replays the scene with the other rounding, to show the errors that accumulate.
   void switch_rounding() {
     xsharp::ArithmeticChoice& choice = scene_.arithmetic;
     if (choice.by == "double" || !xsharp::is_listing(choice)) return;

@@ -1,5 +1,5 @@
 /// @file
-/// A scene in a window.
+/// Playback of a scene in a window.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace fixproof::player {
 
-/// Plays the scene at its own speed until the window is closed or a signal comes.
+/// Plays the scene at its own speed until the window closes or a signal arrives.
 /// @return the exit status: 0, or interrupted_status after a signal
-/// @throws UsageError where there can be no window
+/// @throws UsageError if this build has no window support
 int show_scene(const xsharp::Scene& scene, bool true_color, std::size_t threads);
 
 }  // namespace fixproof::player

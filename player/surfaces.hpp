@@ -1,5 +1,5 @@
 /// @file
-/// What fills the surfaces of a scene, under the arithmetic that is chosen.
+/// The surface fillers of each arithmetic.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace fixproof::player {
 
-/// By stepping under the type and the model, the model's inner loops runs of the listings; in
-/// double exactly, at every pixel. Null where nothing of the scene is interpolated.
+/// Makes the surface filler of an arithmetic. The type and the model step along spans; the model
+/// runs the listings for that. Double is exact at every pixel. Null without interpolation.
 /// @throws UsageError for a choice that all_arithmetics() does not have
 std::unique_ptr<xsharp::SurfaceFiller> make_surfaces(const xsharp::Scene& scene,
                                                      const xsharp::ArithmeticChoice& choice);
 
-/// Under one party's arithmetic, with inner loops of any party. Null if there is none.
+/// Make a filler of one party's arithmetic with any inner loops; null if the party lacks it.
 std::unique_ptr<xsharp::SurfaceFiller> make_type_surfaces(
     const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
     std::unique_ptr<const xsharp::SpanLoops> loops);
