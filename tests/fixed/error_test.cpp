@@ -1,4 +1,4 @@
-/// What is thrown, by whom, and what it says.
+/// Tests which operations throw, and the text of their errors.
 #include <gtest/gtest.h>
 
 #include <array>
