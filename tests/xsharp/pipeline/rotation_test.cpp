@@ -177,7 +177,6 @@ TYPED_TEST(Rotation, OneRowBecomesTheCrossProductOfTheOthers) {
     const Transform<N> before = t;
     restore_orthogonality(t, RestoredRows::one);
     const Triple exact = cross(triple(before.row(0)), triple(before.row(1)));
-    // Each component has two products.
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::fabs(triple(t.row(2))[i] - exact[i]) > 2 * product_error<N>() + 1e-15) return false;
     }

@@ -27,7 +27,6 @@ inline xsharp::ObjectDescription body(xsharp::Mesh mesh, const xsharp::Triple& p
   return object;
 }
 
-/// A body whose faces all have the same index.
 inline xsharp::ObjectDescription plain_body(xsharp::Mesh mesh, const xsharp::Triple& position,
                                             std::uint8_t index) {
   xsharp::ObjectDescription object = body(std::move(mesh), position);
@@ -56,7 +55,6 @@ inline xsharp::Scene scene(std::int32_t side, std::vector<xsharp::ObjectDescript
 
 using Mask = xsharp::Page<std::uint8_t>;
 
-/// Draws the picture as indices.
 inline Mask drawn(const xsharp::Picture& picture, std::int32_t side) {
   Mask page(side, side);
   xsharp::Filler filler;
@@ -66,7 +64,6 @@ inline Mask drawn(const xsharp::Picture& picture, std::int32_t side) {
   return page;
 }
 
-/// The number of polygons that cover each pixel.
 inline Mask times_covered(const xsharp::Picture& picture, std::int32_t side) {
   Mask times(side, side);
   xsharp::Filler filler;

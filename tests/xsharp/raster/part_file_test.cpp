@@ -13,7 +13,6 @@
 namespace fixproof {
 namespace {
 
-/// The message of the exception from writing to the path.
 std::string refusal(const std::string& path) {
   try {
     support::PartFile file(path);

@@ -34,7 +34,6 @@ void draw(Page<Pixel>& page, const Picture& picture, PaletteKind palette) {
   }
 }
 
-/// Draws the picture on a new page.
 template <PixelType Pixel>
 Page<Pixel> alone(const Picture& picture, PaletteKind palette) {
   Page<Pixel> page(width, height);

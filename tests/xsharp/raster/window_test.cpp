@@ -73,7 +73,6 @@ TEST_F(AWindow, CanBeOpenedAgain) {
   EXPECT_NO_THROW(Window("test", 1, 1));
 }
 
-/// The message of the exception from opening a window.
 std::string refusal() {
   try {
     const Window window("test", 32, 24);

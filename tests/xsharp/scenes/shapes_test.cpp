@@ -202,7 +202,6 @@ TEST(Ball, NormalsAreUnitAndPointOutward) {
       }
       RC_ASSERT(std::fabs(square - 1) < 1e-6);
       RC_ASSERT(outward > 0);
-      // The normal is orthogonal to every edge.
       for (const auto v : face.vertices) {
         double along = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {

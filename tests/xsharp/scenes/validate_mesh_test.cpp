@@ -89,7 +89,6 @@ const std::vector<BadMesh>& bad_meshes() {
          m.vertices.push_back({15, 0, -15});
          m.faces[0].vertices = {1, 3, 8};
        }},
-      // A self-intersecting polygon.
       {"face 0 has no area",
        [](Mesh& m) {
          m.faces[0].vertices = {1, 3, 0, 2};

@@ -18,7 +18,6 @@ using namespace xsharp;
 using xsharp_test::infinity;
 using xsharp_test::nan;
 
-/// A valid scene with a cube and a shaded ball.
 Scene good_scene() {
   Scene scene;
   scene.name = "s";
