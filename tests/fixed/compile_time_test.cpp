@@ -44,7 +44,6 @@ static_assert(std::same_as<q16_16::raw_type, std::int32_t>);
 static_assert(std::same_as<q8_8::raw_type, std::int16_t>);
 static_assert(q16_16() == q16_16(0) && q16_16().raw() == 0);
 
-// Conversions.
 static_assert(q16_16(1).raw() == 0x10000 && q16_16(-1).raw() == -0x10000);
 static_assert(q16_16(-1.0).raw() == -0x10000);
 static_assert(q16_16(0x1p-17).raw() == 1 && q16_16(-0x1p-17).raw() == 0);
@@ -80,7 +79,6 @@ constexpr std::array term_b{q16_16(0.5)};
 static_assert(dot(term_a, term_b).raw() == 0);
 static_assert(round(q16_16(-0.5)) == q16_16() && round(q16_16(0.5)) == q16_16(1));
 
-// The ends of the range.
 constexpr auto lowest_wrapping = std::numeric_limits<q16_16>::lowest();
 static_assert(-lowest_wrapping == lowest_wrapping && abs(lowest_wrapping) == lowest_wrapping);
 static_assert(lowest_wrapping / q16_16(-1) == lowest_wrapping);

@@ -15,7 +15,6 @@ namespace {
 using namespace fixed;
 using trapping = q16_16_trapping;
 
-/// The text of the Error that the call throws.
 template <class Error, class Call>
 std::string text_of(const Call& call) {
   try {

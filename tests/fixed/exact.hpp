@@ -105,7 +105,6 @@ outcome<Number> result(fraction x) {
   return in_range<Number>(round(x, Number::rules.multiply));
 }
 
-/// The value 1 in ulps.
 template <class Number>
 inline constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
 

@@ -40,7 +40,6 @@ TEST(Generators, ReachTheEdges) {
   }
 }
 
-/// The smallest counterexample that shrinking finds.
 template <class Number, class Property>
 Number shrunk(std::uint64_t seed, const Property& holds) {
   auto example = rc::gen::arbitrary<Number>()(rc::Random(seed), rc::kNominalSize);
