@@ -111,7 +111,6 @@ class Marked {
   std::unique_ptr<bool[]> marks_;
 };
 
-/// The paths that this processor supports.
 inline std::vector<fixed::batch::path> paths() {
   using enum fixed::batch::path;
   std::vector<fixed::batch::path> there;
