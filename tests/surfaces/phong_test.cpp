@@ -35,7 +35,6 @@ Triple any_direction() {
   return size < 0.1 ? Triple{0, 0, 1} : scaled(v, 1 / size);
 }
 
-/// Rounds to 16.16.
 double rounded(double x) { return std::floor(x / ulp + 0.5) * ulp; }
 
 /// The least distance from 0 of the segment from `a` to `b`.
