@@ -15,7 +15,6 @@ namespace {
 
 constexpr int frames_compared = 600;
 
-/// A scene drawn under one arithmetic.
 struct Drawn {
   explicit Drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
       : player(player::make_player(scene, choice)),

@@ -19,7 +19,6 @@ using xsharp::DepthBuffering;
 using xsharp::Scene;
 using xsharp::SurfaceKind;
 
-/// A scene with surfaces under one arithmetic.
 struct Surfaces {
   Surfaces(const Scene& scene, const ArithmeticChoice& choice)
       : player(player::make_player(scene, choice)),

@@ -20,7 +20,6 @@
 namespace fixproof {
 namespace {
 
-/// A recording and the scene that it shows.
 struct Recorded {
   const char* file;
   const char* scene;
