@@ -1,5 +1,5 @@
 /// \file
-/// A batch on every path of this processor, held against what is expected of it.
+/// Checks a batch against the expected elements on every path of this processor.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace batch_test {
 
-/// `call(out, options)` computes a batch of `want`, on every path.
+/// Checks `call(out, options)`, which computes the results of `want`, on every path.
 template <class Number, class Call>
 void check(const std::vector<Expected<Number>>& want, const Call& call) {
   std::vector<Fault> faults;
@@ -31,7 +31,7 @@ void check(const std::vector<Expected<Number>>& want, const Call& call) {
   }
 }
 
-/// `call(options)` returns the report of a batch of `want`, and its results.
+/// Checks `call(options)`, which returns the report of a batch and its results, on every path.
 template <class Number, std::size_t size, class Call>
 void check(const std::vector<Coordinates<Number, size>>& want, const Call& call) {
   std::vector<Fault> faults;

@@ -1,5 +1,5 @@
-/// Quotients and roots that lie just below, at and just above the places where a rounding changes,
-/// against exact integers, in every rounding mode of the processor.
+/// Tests quotients and roots around the points where their rounding changes, against exact integers
+/// in every rounding mode of the processor.
 #include <fenv.h>
 #include <gtest/gtest.h>
 
@@ -22,8 +22,9 @@ class RoundingMode {
   ~RoundingMode() { fesetround(FE_TONEAREST); }
 };
 
-/// Numerators one unit below, at and one above those whose quotient by a divisor is nearest to an
-/// integer or a half, with every sign: divisors at the edges, below 1, and drawn.
+/// Numerators at, one unit below and one unit above those whose quotient lies nearest to an integer
+/// or a half. The signs take every combination. Divisors are edge values, values below 1 and random
+/// ones.
 template <class Number>
 struct Pairs {
   std::vector<Number> n;
@@ -94,7 +95,7 @@ TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
   }
 }
 
-/// Every path in every rounding mode of the processor. \param want stored integers
+/// Checks every path in every rounding mode of the processor. \param want stored integers
 template <class N>
 void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want) {
   std::vector<N> out(x.size());
@@ -111,7 +112,7 @@ void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want)
   }
 }
 
-// The operands r (r + 1) have roots nearest to r + 1/2, and squares have exact ones.
+// The root of r (r + 1) lies nearest to r + 1/2, and the root of a square is exact.
 TEST(Roots, AreNearestInEveryRoundingMode) {
   using N = fixed::q16_16;
   std::vector<N> x;
@@ -119,7 +120,7 @@ TEST(Roots, AreNearestInEveryRoundingMode) {
   std::mt19937_64 random(22);
   while (x.size() < 3000) {
     const auto r = static_cast<std::int64_t>(random() % 11863283);
-    // raw * 2^16 is to be near r^2 or r (r + 1).
+    // Chooses raw so that raw * 2^16 is near r^2 or r (r + 1).
     for (const std::int64_t target : {r * r, r * (r + 1)}) {
       for (const int step : {0, 1}) {
         const std::int64_t raw = target / 65536 + step;
@@ -141,7 +142,8 @@ TEST(Roots, OfEvery88WordInEveryRoundingMode) {
   int root = 0;
   for (int raw = -32768; raw <= 32767; ++raw) {
     x.push_back(N::from_raw(static_cast<std::int16_t>(raw)));
-    // The nearest: the first whose next half, squared, is above the operand.
+    // Finds the nearest root: the first one whose upper half-way point, squared, exceeds the
+    // operand.
     while (raw > 0 && (2 * root + 1) * (2 * root + 1) < 4 * 256 * raw) ++root;
     want.push_back(root);
   }

@@ -1,4 +1,4 @@
-/// Sums of products: every path against exact integers.
+/// Tests dot products on every path against exact integers.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -32,7 +32,7 @@ TYPED_TEST(Dots, AreRoundedOnce) {
   }
 }
 
-// The sums of the halves of a product come nearest to their ends.
+// At the ends of the range, the sums of the half products come nearest to overflow.
 TYPED_TEST(Dots, OfTheEndsOfTheRange) {
   using limits = std::numeric_limits<typename TypeParam::raw_type>;
   for (const auto x : {limits::min(), limits::max()}) {

@@ -1,5 +1,5 @@
-/// Multiply, multiply-add, divide and square root: every path against the operators of the type, at
-/// every length and from addresses of every kind.
+/// Tests multiply, multiply-add, divide and square root on every path against the operators of the
+/// number type, with every length and alignment.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 using fixed::batch::path;
 
-/// Operands of `n` elements that begin at different elements of their arrays.
+/// Operand arrays of `n` elements, each with a different alignment.
 template <class Number>
 struct Operands {
   std::vector<Number> all = operands<Number>(3 * 1100, 8);
@@ -84,7 +84,7 @@ TYPED_TEST(SomeElements, SquareRoot) {
   }
 }
 
-// Every pair of 8.8 operands of which one is near a place where something changes.
+// Covers every 8.8 pair in which one operand is near a value where the behaviour changes.
 TEST(AllOf88, MultiplyAndDivide) {
   using fixed::q8_8;
   std::vector<q8_8> all;

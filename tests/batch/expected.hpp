@@ -1,6 +1,6 @@
 /// \file
-/// What a batch has to say of one element, by the number type: its operators under the policy, and
-/// under the policies that differ from it in what happens to a fault.
+/// Expected result and fault of one batch element. They come from the operators of the number type
+/// under its policy and under policies that treat faults differently.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,14 +26,14 @@ struct Expected {
   Fault fault = Fault::none;
 };
 
-/// The policy that never throws: what is written where there is no proper result.
+/// The policy without exceptions. It gives the value that a batch writes for a faulty element.
 constexpr fixed::policy quiet(fixed::policy p) {
   if (p.range == fixed::overflow::trap) p.range = fixed::overflow::wrap;
   p.fault = fixed::divide_fault::none;
   return p;
 }
 
-/// The policy that tells of everything that is counted.
+/// The policy that throws on every fault that a report counts.
 constexpr fixed::policy loud(fixed::policy p) {
   if (p.range == fixed::overflow::saturate) p.range = fixed::overflow::trap;
   return p;
@@ -44,7 +44,7 @@ auto as(Number x) {
   return fixed::number<Number::fraction_bits, P>::from_raw(x.raw());
 }
 
-/// `operation` of the numbers, which is given them under either policy.
+/// Expects `operation` of the numbers. The callable receives them under both policies.
 template <class Number, class Operation, class... Numbers>
 Expected<Number> expected(const Operation& operation, Numbers... numbers) {
   constexpr fixed::policy P = Number::rules;
@@ -62,7 +62,7 @@ Expected<Number> expected(const Operation& operation, Numbers... numbers) {
   return result;
 }
 
-/// A quotient: the fault of a zero divisor is counted, whatever becomes of it.
+/// Expects a quotient. A zero divisor always counts as a fault, whatever the policy does with it.
 template <class Number>
 Expected<Number> expected_quotient(Number n, Number d) {
   auto result = expected<Number>([](auto a, auto b) { return a / b; }, n, d);
@@ -72,7 +72,7 @@ Expected<Number> expected_quotient(Number n, Number d) {
   return result;
 }
 
-/// The first fault of a calculation is the one of the element.
+/// The fault of an element is the first fault of its steps.
 template <class Number>
 Fault first_fault(std::initializer_list<Expected<Number>> steps) {
   for (const auto& step : steps) {
@@ -81,7 +81,7 @@ Fault first_fault(std::initializer_list<Expected<Number>> steps) {
   return Fault::none;
 }
 
-/// What elements have been marked, and the report, both beginning with noise.
+/// The marks and the report of a batch, both filled with noise at first.
 class Marked {
  public:
   explicit Marked(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {
@@ -89,7 +89,7 @@ class Marked {
   }
   fixed::batch::options how(fixed::batch::path path) { return {path, {marks_.get(), size_}}; }
 
-  /// Holds marks and report against the faults of the elements.
+  /// Compares the marks and the report with the expected faults.
   void check(const fixed::batch::report& report, const std::vector<Fault>& faults) const {
     fixed::batch::report whole;
     for (std::size_t i = 0; i < faults.size(); ++i) {
@@ -111,7 +111,6 @@ class Marked {
   std::unique_ptr<bool[]> marks_;
 };
 
-/// The paths of this processor.
 inline std::vector<fixed::batch::path> paths() {
   using enum fixed::batch::path;
   std::vector<fixed::batch::path> there;
@@ -121,7 +120,7 @@ inline std::vector<fixed::batch::path> paths() {
   return there;
 }
 
-/// Lengths with and without a rest on every path, and some that take many blocks.
+/// Lengths with and without a remainder on every path, and some that span many blocks.
 inline std::vector<std::size_t> lengths() {
   std::vector<std::size_t> all;
   for (std::size_t n = 0; n <= 70; ++n) all.push_back(n);
@@ -129,7 +128,7 @@ inline std::vector<std::size_t> lengths() {
   return all;
 }
 
-/// Operands: small and large ones alike, ends, zeros and ones among them.
+/// Operands of small and large magnitude, including range ends, zeros and ones.
 template <class Number>
 std::vector<Number> operands(std::size_t count, unsigned seed) {
   using raw = typename Number::raw_type;
@@ -155,7 +154,7 @@ std::vector<Number> operands(std::size_t count, unsigned seed) {
   return all;
 }
 
-/// Room for results, with `before` more in front and one behind that nobody may write.
+/// A result buffer with `before` guard elements in front and one behind.
 template <class T>
 class Guarded {
  public:

@@ -1,5 +1,5 @@
 /// \file
-/// What a batch has to say of one vertex that is transformed or projected, by the number type.
+/// Expected results of transforming or projecting one vertex, from the number type.
 #pragma once
 
 #include <array>

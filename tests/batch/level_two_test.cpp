@@ -1,6 +1,6 @@
-/// The operands of `fixproof verify --level 2`, 1.4 * 10^8 cases, through every path and through
-/// the number type under policies that no party of `verify` has: results, marks and reports.
-/// Minutes; FIXPROOF_STREAMS=1/20 takes the first of twenty parts.
+/// Compares results, marks and reports for the 1.4 * 10^8 cases of `fixproof verify --level 2`, on
+/// every path and under policies that no party of `verify` has. The run takes minutes;
+/// FIXPROOF_STREAMS=1/20 selects the first of twenty parts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 
 using fixproof::cases::Operation;
 
-/// As a level is seeded where nothing else is asked for.
+/// The default seed of a level.
 constexpr std::uint64_t seed = 1994;
 
 fixproof::cases::Shard part() {
@@ -37,7 +37,7 @@ fixproof::cases::Shard part() {
   return fixproof::cases::parse_shard(asked != nullptr ? asked : "1/1");
 }
 
-/// The words of a block of cases.
+/// The operand words of a block of cases.
 class Cases {
  public:
   Cases(const fixproof::cases::Plan& plan, const fixproof::cases::Chunk& chunk)
@@ -54,7 +54,7 @@ class Cases {
     return fixproof::parties::number_of<Number>(words_[one * arity_ + which]);
   }
 
-  /// Operand `which` of each case, or of the case so many after it.
+  /// Operand `which` of each case, or of the case `after` places later.
   template <class Number>
   [[nodiscard]] std::vector<Number> column(std::size_t which, std::size_t after = 0) const {
     std::vector<Number> all;
@@ -69,8 +69,8 @@ class Cases {
   std::vector<std::uint32_t> words_;
 };
 
-/// Calls compare(cases) for each block of the part, on every processor, until something fails, and
-/// tells how far it is.
+/// Calls compare(cases) for each block of the part on all processors, stops at the first failure
+/// and prints progress.
 template <class Compare>
 void each_block(Operation operation, const Compare& compare) {
   const fixproof::cases::Plan plan(2, seed, {{{.operation = operation}, {"type", "batch"}}});
@@ -122,7 +122,7 @@ TYPED_TEST(LevelTwo, Multiply) {
   });
 }
 
-// What is added is the second operand of a case further on: the lattice has others there too.
+// The addend is the second operand of a later case, so that the lattice varies it independently.
 TYPED_TEST(LevelTwo, MulAdd) {
   each_block(Operation::mul, [](const Cases& cases) {
     const auto a = cases.column<TypeParam>(0);
@@ -147,8 +147,8 @@ TYPED_TEST(LevelTwo, Divide) {
   });
 }
 
-/// Each case has a transform of its own: its vertex is one of as many as the widest registers have,
-/// at each place in turn, and the others are zeros, of which the translation is left.
+/// Each case has its own transform. Its vertex takes each place of the widest register in turn. The
+/// other vertices are zero, so only the translation remains of them.
 template <class Number>
 void check_transform(const Rows<Number>& rows, const Vertex<Number>& vertex, std::size_t place) {
   constexpr std::size_t block = 16;
@@ -173,7 +173,7 @@ Vertex<Number> vertex_of(const Cases& cases, std::size_t i) {
   return {cases.operand<Number>(i, 12), cases.operand<Number>(i, 13), cases.operand<Number>(i, 14)};
 }
 
-// Rules that wrap are those of the party `batch`.
+// The party `batch` of `verify` covers the wrapping policies.
 TYPED_TEST(LevelTwo, Transform) {
   if (TypeParam::rules.range == fixed::overflow::wrap) GTEST_SKIP() << "fixproof verify does it";
   each_block(Operation::xformvec, [](const Cases& cases) {
@@ -185,7 +185,8 @@ TYPED_TEST(LevelTwo, Transform) {
   });
 }
 
-// The vertices in batches of so many, whose constant is the first coefficient of the first.
+// The vertices form batches. The projection constant of a batch is the first coefficient of its
+// first case.
 TYPED_TEST(LevelTwo, Project) {
   constexpr std::size_t batch = 256;
   each_block(Operation::xformvec, [](const Cases& cases) {

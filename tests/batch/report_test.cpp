@@ -1,4 +1,4 @@
-/// What a batch says beside its results: exceptions, marks, lengths, and outputs that are inputs.
+/// Tests the exceptions, marks, length checks and aliased outputs of batches.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ std::vector<Number> numbers(std::initializer_list<double> values) {
   return all;
 }
 
-/// The text of the error that `call` throws, or what else it does.
+/// The text of the Error that `call` throws, or a description of any other outcome.
 template <class Error, class Call>
 std::string error_of(const Call& call) {
   try {
@@ -125,7 +125,7 @@ TEST(BatchErrors, NameTheFirstVertexOfProject) {
   std::array<std::vector<N>, 3> columns{std::vector<N>(100, N(2)), std::vector<N>(100, N(4)),
                                         std::vector<N>(100, N(2))};
   vertices[37][2] = columns[2][37] = N();
-  vertices[61][0] = columns[0][61] = N(30000);  // times 3 / 2 is an overflow, which comes later
+  vertices[61][0] = columns[0][61] = N(30000);  // times 3 / 2 overflows, but in a later element
   const std::string text = "fixed-point divide error: project(element 37, 1 in all)";
   for (const auto path : paths()) {
     std::vector<std::array<N, 2>> out(100);
@@ -165,7 +165,7 @@ TEST(BatchErrors, AreThoseOfTheType) {
   }
 }
 
-// Of an overflow and a divide error the earlier one counts, as in a loop over the type.
+// The earlier of an overflow and a divide error counts, as in a loop over the type.
 TEST(BatchErrors, ComeInTheOrderOfTheElements) {
   std::vector<q16_16_trapping> n(40, q16_16_trapping(30000));
   std::vector<q16_16_trapping> d(40, q16_16_trapping(1));
@@ -219,7 +219,7 @@ TEST(Lengths, TheShortestCounts) {
   }
 }
 
-/// As of Qt's containers: the size has a sign.
+/// A container with a signed size, like Qt's.
 template <class T>
 class SignedSize {
  public:
@@ -291,7 +291,7 @@ TEST(Outputs, MayBeInputs) {
   }
 }
 
-// What a path that is not to be had is asked for, the portable one does.
+// The portable path replaces a path that the processor lacks.
 TEST(BatchPaths, ThatAreMissingAreReplaced) {
   const auto a = operands<q16_16>(100, 1);
   for (const auto path : {fixed::batch::path::neon, fixed::batch::path::avx512}) {

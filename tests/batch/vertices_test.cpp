@@ -1,5 +1,5 @@
-/// Transform and project: every path against the operators of the type, with vertices interleaved
-/// and with coordinates in arrays of their own.
+/// Tests transform and project on every path against the operators of the type, with interleaved
+/// vertices and with separate coordinate arrays.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace batch_test {
 namespace {
 
-/// Whether vertices in a vector can be transformed by rows of fixed::q16_16.
+/// Whether rows of fixed::q16_16 can transform a vector of V.
 template <class V>
 concept transformed_by_q16_16 = requires(const Rows<fixed::q16_16>& rows, std::vector<V>& v) {
   fixed::batch::transform(rows, v, v);
@@ -26,7 +26,7 @@ static_assert(!transformed_by_q16_16<Vertex<float>>);
 static_assert(!transformed_by_q16_16<Vertex<fixed::q16_16_saturating>>);
 static_assert(!transformed_by_q16_16<Point<fixed::q16_16>>);
 
-/// The vertices, and the same as three arrays.
+/// Vertices, both interleaved and as three arrays.
 template <class Number>
 struct Vertices {
   std::vector<Vertex<Number>> all;
@@ -40,7 +40,7 @@ struct Vertices {
   }
 };
 
-/// Tuples of columns.
+/// Interleaves the columns.
 template <class Number, std::size_t size>
 std::vector<std::array<Number, size>> gathered(
     const std::array<std::vector<Number>, size>& columns) {
@@ -76,7 +76,7 @@ TYPED_TEST(Transforms, EveryLayout) {
         return std::pair(report, in_place);
       });
       check<TypeParam, 3>(want, [&](auto how) {
-        // Each from another address modulo the registers.
+        // Each output has a different alignment relative to the registers.
         Guarded<TypeParam> to_x(n, 1);
         Guarded<TypeParam> to_y(n, 2);
         Guarded<TypeParam> to_z(n, 3);
@@ -96,8 +96,8 @@ TYPED_TEST(Transforms, EveryLayout) {
   }
 }
 
-/// So many that results go past the caches, which begins at multiples of a register's size and is
-/// not done where an output is an input.
+/// Checks a batch large enough for non-temporal stores. These start at a multiple of the register
+/// size, and a batch whose output aliases an input does not use them.
 template <class Number>
 void check_many() {
   constexpr std::size_t n = (std::size_t{8} << 20) / 12 + 101;

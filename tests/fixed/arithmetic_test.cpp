@@ -1,5 +1,5 @@
-/// Sums, products and quotients of every type against exact fractions, at every pair of edges and
-/// at random.
+/// Tests sums, products and quotients of every type against exact fractions, for every pair of edge
+/// values and for random operands.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -17,7 +17,7 @@ template <class Number>
 class Arithmetic : public testing::Test {};
 TYPED_TEST_SUITE(Arithmetic, fixed::all_types);
 
-/// The first operation of a and b that does not give what it should, or null.
+/// Returns the name of the first operation on a and b with a wrong result, or null.
 template <class Number>
 [[gnu::noinline]] const char* first_wrong(Number a, Number b) {
   using exact::integer;
@@ -78,7 +78,7 @@ TYPED_TEST(Assignment, IsTheOperator) {
   }));
 }
 
-/// All of 8.8 against operands that reach every rule.
+/// Tests all 8.8 numbers against operands that reach every rule.
 template <class Number>
 class Exhaustive : public testing::Test {};
 using half_width =

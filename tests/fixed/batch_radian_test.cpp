@@ -1,4 +1,4 @@
-/// Sines and cosines of many angles: what the functions of one angle give, on every path.
+/// Compares batch sines and cosines on every path with the functions of one angle.
 #include "fixed/batch_radian.hpp"
 
 #include <gtest/gtest.h>
@@ -16,11 +16,11 @@ namespace {
 
 using namespace fixed;
 
-/// Every path: what is not to be had is replaced.
+/// All paths. The library replaces those that the processor lacks.
 constexpr std::array paths{batch::path::portable, batch::path::neon, batch::path::avx2,
                            batch::path::avx512};
 
-/// Enough that some hundred blocks have a doubtful lane: a lane is one in 2^12.
+/// Enough angles for some hundred blocks with a doubtful lane; one lane in 2^12 is doubtful.
 template <class Number>
 std::vector<Number> many_angles() {
   std::mt19937 random(16);
@@ -69,7 +69,7 @@ std::vector<Number> numbers(std::size_t count) {
   return all;
 }
 
-/// Nothing beyond the shorter is read or written, whatever the length.
+/// Expects no read or write beyond the shorter of the two ranges, for every length.
 template <class Number>
 void expect_every_length(batch::path path) {
   const Number untouched = Number::from_raw(77);
@@ -104,7 +104,7 @@ TEST(BatchRadian, EveryLength) {
   }
 }
 
-/// Whether results of another kind than the angles', or that cannot be written, are refused.
+/// Whether batch::sin accepts Results. It rejects another number type and read-only results.
 template <class Results>
 concept takes_sines = requires(const std::vector<q16_16>& angles, Results& results) {
   batch::sin(angles, results);

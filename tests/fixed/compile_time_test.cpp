@@ -1,4 +1,4 @@
-/// What holds before any program runs.
+/// Checks properties of the library at compile time.
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -17,7 +17,7 @@ static_assert(std::is_trivially_copyable_v<q16_16> && std::is_standard_layout_v<
 static_assert(std::is_nothrow_default_constructible_v<q16_16_trapping>);
 static_assert(std::totally_ordered<q16_16> && std::regular<q8_8_trapping>);
 
-// Nothing converts by itself, and nothing that would surprise converts at all.
+// There are no implicit conversions, and no surprising explicit ones.
 static_assert(!std::is_convertible_v<int, q16_16> && !std::is_convertible_v<double, q16_16>);
 static_assert(!std::is_convertible_v<q16_16, int> && !std::is_convertible_v<q16_16, double>);
 static_assert(!std::is_convertible_v<q8_8, q16_16>);
@@ -25,7 +25,7 @@ static_assert(!std::is_convertible_v<q16_16, q16_16_saturating>);
 static_assert(!std::is_constructible_v<bool, q16_16>);
 static_assert(!std::is_constructible_v<q16_16, long double>);
 
-// noexcept but for the policies that throw.
+// Operators are noexcept except under policies that throw.
 template <class Number>
 constexpr bool plain_nothrow =
     noexcept(Number() + Number()) && noexcept(Number() * Number()) && noexcept(
@@ -39,13 +39,11 @@ static_assert(plain_nothrow<q8_8_i8088> && !divide_nothrow<q8_8_i8088>);
 static_assert(!plain_nothrow<q16_16_trapping> && !divide_nothrow<q16_16_trapping>);
 static_assert(noexcept(try_divide(q16_16_trapping(), q16_16_trapping())));
 
-// The stored integer.
 static_assert(q16_16::from_raw(0x12345).raw() == 0x12345);
 static_assert(std::same_as<q16_16::raw_type, std::int32_t>);
 static_assert(std::same_as<q8_8::raw_type, std::int16_t>);
 static_assert(q16_16() == q16_16(0) && q16_16().raw() == 0);
 
-// Conversions.
 static_assert(q16_16(1).raw() == 0x10000 && q16_16(-1).raw() == -0x10000);
 static_assert(q16_16(-1.0).raw() == -0x10000);
 static_assert(q16_16(0x1p-17).raw() == 1 && q16_16(-0x1p-17).raw() == 0);
@@ -60,7 +58,7 @@ static_assert(static_cast<double>(q16_16::from_raw(-1)) == -0x1p-16);
 static_assert(static_cast<float>(q16_16::from_raw(0x7fffffff)) == 32768.0f);
 static_assert(q8_8(q16_16(1.5)) == q8_8(1.5) && q16_16(q8_8(-0.25)) == q16_16(-0.25));
 
-// One tie rule for everything the default does: up.
+// The default policy rounds every tie up.
 static_assert((q16_16::from_raw(1) * q16_16(0.5)).raw() == 1);
 static_assert((q16_16::from_raw(-1) * q16_16(0.5)).raw() == 0);
 static_assert((q16_16::from_raw(1) / q16_16(2)).raw() == 1);
@@ -81,7 +79,6 @@ constexpr std::array term_b{q16_16(0.5)};
 static_assert(dot(term_a, term_b).raw() == 0);
 static_assert(round(q16_16(-0.5)) == q16_16() && round(q16_16(0.5)) == q16_16(1));
 
-// The ends of the range.
 constexpr auto lowest_wrapping = std::numeric_limits<q16_16>::lowest();
 static_assert(-lowest_wrapping == lowest_wrapping && abs(lowest_wrapping) == lowest_wrapping);
 static_assert(lowest_wrapping / q16_16(-1) == lowest_wrapping);
@@ -95,7 +92,6 @@ static_assert(!try_divide(q16_16(1), q16_16()) &&
               try_divide(lowest_wrapping, q16_16(-1)) == lowest_wrapping);
 static_assert(!try_divide(std::numeric_limits<q16_16_trapping>::lowest(), q16_16_trapping(-1)));
 
-// Functions.
 static_assert(sqrt(q16_16(2)).raw() == 92682);  // 1.41421356 * 65536 = 92681.90
 static_assert(sqrt(q16_16(-4)) == q16_16());
 static_assert(sin_cos<q16_16>(900) == cos_sin<q16_16>{q16_16(), q16_16(1)});

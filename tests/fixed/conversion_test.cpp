@@ -1,4 +1,4 @@
-/// Conversions from and to float, double, integers and other number types.
+/// Tests conversions from and to float, double, integers and other number types.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace fixed;
 
-/// The significand and the exponent of a finite float or double: value = m 2^e.
+/// Significand and exponent of a finite float or double: value = m 2^e.
 struct parts {
   std::int64_t m;
   int e;
@@ -39,7 +39,7 @@ parts take_apart(float x) {
   return {bits >> 31 != 0 ? -m : m, (biased == 0 ? 1 : biased) - 150};
 }
 
-/// What the number of a finite floating-point value should be.
+/// The expected number for a finite floating-point value.
 template <class Number, class Float>
 exact::outcome<Number> converted(Float x) {
   const auto [m, e] = take_apart(x);
@@ -49,7 +49,7 @@ exact::outcome<Number> converted(Float x) {
     return exact::result<Number>({m, exact::integer{1} << (scale < -70 ? 70 : -scale)});
   }
   if (scale <= 60) return exact::in_range<Number>(exact::integer{m} << scale);
-  // A multiple of every range: it wraps to 0.
+  // This is a multiple of every range, so it wraps to 0.
   const exact::integer sign = m < 0 ? -1 : m > 0 ? 1 : 0;
   return exact::in_range<Number>(sign * (exact::integer{1} << 100));
 }
@@ -115,7 +115,6 @@ TYPED_TEST(Conversion, ToDoubleAndBackIsTheSame) {
   EXPECT_TRUE(property::for_all<TypeParam>([](TypeParam x) {
     const auto value = static_cast<double>(x);
     const auto [m, e] = take_apart(value);
-    // value = raw 2^-bits
     const int shift = e + TypeParam::fraction_bits;
     return shift <= 0 && m == (shift < -62 ? std::int64_t{0} : std::int64_t{x.raw()} << -shift) &&
            TypeParam(value) == x;
@@ -125,7 +124,7 @@ TYPED_TEST(Conversion, ToDoubleAndBackIsTheSame) {
 TYPED_TEST(Conversion, ToFloatIsNearestEven) {
   const auto check = [](TypeParam x) {
     const auto [m, e] = take_apart(static_cast<float>(x));
-    // The float in units of the last place, as near as a 24-bit significand can be.
+    // The float, in ulps of the number, is as near as a 24-bit significand allows.
     const int shift = e + TypeParam::fraction_bits;
     if (shift <= 0) return x.raw() == 0 ? m == 0 : m == std::int64_t{x.raw()} << -shift;
     const std::int64_t step = std::int64_t{1} << shift;

@@ -1,5 +1,5 @@
-/// The quotient by hardware doubles: at the operands that come nearest to a change of the result,
-/// in every rounding mode of the processor.
+/// Tests division by hardware doubles in every rounding mode of the processor, with the operands
+/// nearest to a change of the result.
 #include <fenv.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Sets the rounding mode of the processor for a while.
+/// Sets the rounding mode of the processor for its lifetime.
 class rounding_mode {
  public:
   explicit rounding_mode(int mode) { EXPECT_EQ(fesetround(mode), 0); }
@@ -28,9 +28,8 @@ struct operands {
   Number n, d;
 };
 
-/// Pairs whose quotient, in units of the last place, lies within 1 / (2 d) of an integer or of a
-/// half: numerators around k d 2^-16 and (k + 1/2) d 2^-16, for divisors near powers of two, odd
-/// ones and random ones.
+/// Pairs whose quotient lies within 1 / (2 d) ulp of an integer or a half. Numerators are near k d
+/// 2^-16 and (k + 1/2) d 2^-16. Divisors are near powers of two, odd or random.
 template <class Number>
 std::vector<operands<Number>> near_misses() {
   using raw = typename Number::raw_type;
@@ -79,7 +78,7 @@ TYPED_TEST(Division, IsExactInEveryRoundingMode) {
   }
 }
 
-/// A loop, as the compiler vectorises it, gives what single divisions give.
+/// Checks that a loop, which the compiler may vectorise, agrees with single divisions.
 template <class Number>
 void divide_all(const std::vector<operands<Number>>& pairs) {
   std::vector<Number> n, d, quotients(pairs.size());

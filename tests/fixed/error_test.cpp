@@ -1,4 +1,4 @@
-/// What is thrown, by whom, and what it says.
+/// Tests which operations throw, and the text of their errors.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,6 @@ namespace {
 using namespace fixed;
 using trapping = q16_16_trapping;
 
-/// The text of the Error that the call throws.
 template <class Error, class Call>
 std::string text_of(const Call& call) {
   try {

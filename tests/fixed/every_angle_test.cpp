@@ -1,5 +1,5 @@
-/// All 2^32 angles: a batch on every path that this processor has gives what one angle at a time
-/// gives, which `fixproof verify sin cos --level 3` compares with the oracle.
+/// Compares batches on every path of this processor with the function of one angle, for all 2^32
+/// angles. `fixproof verify sin cos --level 3` compares that function with the oracle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +20,7 @@ using namespace fixed;
 
 constexpr std::size_t block = 1 << 16;
 
-/// One of the threads does every `threads`-th block. Returns an angle that differs, if there is
-/// one.
+/// Compares every `threads`-th block, from `first` on. Stores an angle that differs in `different`.
 void compare(batch::path path, unsigned first, unsigned threads,
              std::atomic<std::int64_t>& different) {
   std::vector<q16_16> angles(block);

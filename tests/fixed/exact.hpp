@@ -1,6 +1,6 @@
 /// \file
-/// What the tests expect: exact fractions in integers of 128 bits, rounded by the words of the
-/// rule, and the operands worth trying. Shares nothing with fixed/ but the names of the rules.
+/// Expected results as exact fractions of 128-bit integers, rounded by the definition of each rule,
+/// and the edge operands. This header shares only the names of the rules with fixed/.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ __extension__ using integer = __int128;
 using integer = boost::multiprecision::int128_t;
 #endif
 
-/// numerator / denominator, the denominator positive.
+/// numerator / denominator, with a positive denominator.
 struct fraction {
   integer numerator;
   integer denominator;
@@ -39,7 +39,7 @@ inline integer below(fraction x) {
   return k;
 }
 
-/// x rounded by the rule: of the two integers around it, the one the rule names.
+/// x rounded by the rule to one of the two integers around it.
 inline integer round(fraction x, fixed::rounding rule) {
   const integer low = below(x);
   if (low * x.denominator == x.numerator) return low;
@@ -60,14 +60,14 @@ inline integer round(fraction x, fixed::rounding rule) {
   return 0;
 }
 
-/// x modulo 2^64. Boost's conversion, of a machine without 128-bit integers, would saturate.
+/// x modulo 2^64. Boost's own conversion saturates on machines without 128-bit integers.
 inline std::int64_t low_word(integer x) {
   const integer count = integer{1} << 64;
   const integer rest = x % count;
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(rest < 0 ? rest + count : rest));
 }
 
-/// What a policy makes of an exact result: a stored integer, or an exception.
+/// The outcome of an exact result under a policy: a stored integer or an exception.
 template <class Number>
 struct outcome {
   bool throws = false;
@@ -99,17 +99,16 @@ outcome<Number> in_range(integer value) {
   return {false, static_cast<raw>(lowest + rest)};
 }
 
-/// x, counted in units of the last place, under the policy's rule for products.
+/// x, in ulps, rounded by the policy's rule for products.
 template <class Number>
 outcome<Number> result(fraction x) {
   return in_range<Number>(round(x, Number::rules.multiply));
 }
 
-/// 1 in units of the last place.
 template <class Number>
 inline constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
 
-/// Whether n / d has no answer at all: the words of each divide_fault, and division by zero.
+/// Whether n / d is an error, by the definition of each divide_fault.
 template <class Number>
 bool no_quotient(Number n, Number d) {
   const fixed::policy rules = Number::rules;
@@ -120,7 +119,8 @@ bool no_quotient(Number n, Number d) {
                               (divisor < 0 ? -divisor : divisor));
 }
 
-/// n / d by the words of the policy. Zero divisors that are no error give the end of the range.
+/// n / d by the definition of the policy. A zero divisor that is no error gives the end of the
+/// range.
 template <class Number>
 outcome<Number> quotient(Number n, Number d) {
   using raw = typename Number::raw_type;
@@ -157,8 +157,8 @@ outcome<Number> run(const Call& call) {
   return {true, 0};
 }
 
-/// Stored integers at the edges: 0, the ends, every power of two and its neighbours, the halves,
-/// all with both signs.
+/// Stored integers at the edges: 0, the range ends, the halves, and every power of two with its
+/// neighbours, each with both signs.
 template <class Number>
 std::vector<Number> edges() {
   using raw = typename Number::raw_type;

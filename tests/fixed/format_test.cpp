@@ -1,10 +1,10 @@
-/// fmt fields, with fmt included after the umbrella header.
+/// Tests fmt fields when fmt is included after the umbrella header.
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "fixed/fixed.hpp"
-// Not sorted: what is tested is that a later fmt is served too.
+// The order matters: the test needs fmt after fixed, so do not sort the includes.
 #include <fmt/format.h>
 
 #include "fixed/format.hpp"

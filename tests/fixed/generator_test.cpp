@@ -1,4 +1,4 @@
-/// The RapidCheck generators: they reach the edges, and they shrink.
+/// Tests that the RapidCheck generators reach the edges and that they shrink.
 #include "property/generator.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Generators, ReachTheEdges) {
         0x7fffffffLL, -0x80000000LL, -0x7fffffffLL, 1LL << 20, -(1LL << 27), (1LL << 29) - 1}) {
     EXPECT_TRUE(wide.contains(edge)) << edge;
   }
-  // and by far not only them
+  // The edges are only a small part of the values.
   EXPECT_GT(wide.size(), 8000U);
   const auto half = generated<q8_8>(20000);
   for (const std::int64_t edge : {0, 1, -1, 0x7f, 0x80, 0x81, 0xff, 0x100, 0x7fff, -0x8000}) {
@@ -40,7 +40,6 @@ TEST(Generators, ReachTheEdges) {
   }
 }
 
-/// The smallest counterexample that shrinking finds.
 template <class Number, class Property>
 Number shrunk(std::uint64_t seed, const Property& holds) {
   auto example = rc::gen::arbitrary<Number>()(rc::Random(seed), rc::kNominalSize);
@@ -68,7 +67,7 @@ TEST(Generators, ShrinkToTheBoundary) {
     EXPECT_EQ(least, q16_16(100)) << seed;
   }
   EXPECT_GT(found, 20);
-  // From the lowest number, whose negation is itself.
+  // Shrinking also starts from the lowest number, which is its own negation.
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const auto least = shrunk<q8_8>(seed, [](q8_8 x) { return x >= q8_8(-3); });
     if (least == q8_8()) continue;

@@ -1,4 +1,4 @@
-/// numeric_limits and hash tell the truth: the claims that can be counted are counted.
+/// Tests numeric_limits and hash by counting wherever a claim can be counted.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -46,8 +46,8 @@ static_assert(q16_16(1) + limits<q16_16>::epsilon() == q16_16::from_raw(0x10001)
 static_assert(!limits<q16_16>::has_infinity && !limits<q16_16>::has_quiet_NaN);
 static_assert(limits<q16_16>::has_denorm == std::denorm_absent);
 
-/// 2^(min_exponent - 1) and 2^(max_exponent - 1) are numbers, and nothing beyond them is; so with
-/// the powers of ten.
+/// Expects the type to hold 2^(min_exponent - 1) and 2^(max_exponent - 1) but no power of two
+/// beyond them, and the same for powers of ten.
 template <class Number>
 void expect_exponents() {
   using saturating = number<Number::fraction_bits, policies::saturating>;
@@ -74,7 +74,7 @@ TEST(Limits, Exponents) {
   expect_exponents<q8_8>();
 }
 
-/// The value to so many digits after the point, to nearest.
+/// The value rounded to nearest with the given number of decimal places.
 std::string decimals(std::int64_t raw, std::int64_t one, std::int64_t power_of_ten) {
   const std::int64_t scaled = 2 * raw * power_of_ten + one;
   std::int64_t nearest = scaled / (2 * one);
@@ -95,12 +95,12 @@ Number read(const std::string& text) {
 TEST(Limits, DigitsSurvive) {
   static_assert(limits<q8_8>::digits10 == 4 && limits<q8_8>::max_digits10 == 6);
   static_assert(limits<q16_16>::digits10 == 8 && limits<q16_16>::max_digits10 == 10);
-  // dd.dd, all of them, through 8.8 and back.
+  // All texts dd.dd through 8.8 and back.
   for (int hundredths = -9999; hundredths <= 9999; ++hundredths) {
     const std::string text = decimals(hundredths, 100, 100);
     ASSERT_EQ(decimals(read<q8_8>(text).raw(), 256, 100), text);
   }
-  // dddd.dddd through 16.16, a part of them.
+  // A sample of the texts dddd.dddd through 16.16 and back.
   for (int parts = -99999999; parts <= 99999999; parts += 9973) {
     const std::string text = decimals(parts, 10000, 10000);
     ASSERT_EQ(decimals(read<q16_16>(text).raw(), 65536, 10000), text);

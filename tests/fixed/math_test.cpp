@@ -1,4 +1,4 @@
-/// Functions of numbers against exact fractions.
+/// Tests functions of numbers against exact fractions.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ template <class Number>
 class Math : public testing::Test {};
 TYPED_TEST_SUITE(Math, some_types);
 
-/// x rounded to whole numbers by the rule.
+/// x rounded to a whole number by the rule.
 template <class Number>
 exact::outcome<Number> whole(Number x, rounding rule) {
   const integer unit = exact::one<Number>;
@@ -70,7 +70,7 @@ TYPED_TEST(Math, SquareRootIsNearest) {
       constexpr bool trap = TypeParam::rules.range == overflow::trap;
       return exact::run<TypeParam>([x] { return sqrt(x); }) == exact::outcome<TypeParam>{trap, 0};
     }
-    // |r - sqrt(n)| < 1/2, squared and times 4
+    // The condition is |r - sqrt(n)| < 1/2, squared and times 4.
     const integer r = sqrt(x).raw();
     const integer n = integer{x.raw()} * exact::one<TypeParam>;
     if (n == 0) return r == 0;
@@ -78,7 +78,7 @@ TYPED_TEST(Math, SquareRootIsNearest) {
   };
   for (const auto x : exact::edges<TypeParam>()) ASSERT_TRUE(check(x)) << x;
   EXPECT_TRUE(property::for_all<TypeParam>(check));
-  // Around k^2 and (k + 1/2)^2, where the root changes.
+  // The root changes around k^2 and (k + 1/2)^2.
   for (std::int64_t k = 1; k < 2896; k += 7) {
     for (const std::int64_t step : {-1, 0, 1}) {
       const std::int64_t raw = (k * k + k / 2 * (k % 2)) / exact::one<TypeParam> + step;
@@ -137,7 +137,7 @@ TYPED_TEST(Math, DotIsOneRounding) {
            exact::result<TypeParam>({sum, exact::one<TypeParam>});
   };
   EXPECT_TRUE(property::for_all<TypeParam>(check));
-  // Sums beyond 64 bits, of either sign, and back.
+  // Sums leave the 64-bit range in both directions and return.
   const auto lowest = std::numeric_limits<TypeParam>::lowest();
   const auto highest = std::numeric_limits<TypeParam>::max();
   for (const std::size_t length : {1U, 2U, 3U, 4U, 7U, 1000U}) {

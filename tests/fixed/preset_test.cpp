@@ -1,4 +1,4 @@
-/// The FIXED.ASM presets against words worked out by hand from what the routines return.
+/// Tests the FIXED.ASM presets against hand-computed results of the routines.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace fixed;
 
-/// A word as printed: two's complement.
+/// A number from its two's complement word.
 template <class Number>
 constexpr Number word(std::uint32_t bits) {
   return Number::from_raw(static_cast<typename Number::raw_type>(bits));
@@ -20,26 +20,26 @@ constexpr Number word(std::uint32_t bits) {
 
 struct product {
   std::uint32_t a, b;
-  /// floor(ab + 1/2); floor(ab); to nearest, halves away from 0; toward 0.
+  /// floor(ab + 1/2); floor(ab); round half away from zero; truncation.
   std::uint32_t i386_on, i386_off, i8088_on, i8088_off;
 };
 
 constexpr product products[] = {
-    // 1.5 * 2.5 = 3.75, exact everywhere
+    // 1.5 * 2.5 = 3.75 is exact under every preset
     {0x00018000, 0x00028000, 0x0003c000, 0x0003c000, 0x0003c000, 0x0003c000},
-    // half a unit, and minus half a unit
+    // 0.5 ulp and -0.5 ulp
     {0x00000001, 0x00008000, 0x00000001, 0x00000000, 0x00000001, 0x00000000},
     {0xffffffff, 0x00008000, 0x00000000, 0xffffffff, 0xffffffff, 0x00000000},
-    // a unit and a half, and minus that
+    // 1.5 ulp and -1.5 ulp
     {0x00000003, 0x00008000, 0x00000002, 0x00000001, 0x00000002, 0x00000001},
     {0xfffffffd, 0x00008000, 0xffffffff, 0xfffffffe, 0xfffffffe, 0xffffffff},
-    // just below and just above minus half a unit
+    // just below and just above -0.5 ulp
     {0xffffffff, 0x00007fff, 0x00000000, 0xffffffff, 0x00000000, 0x00000000},
     {0xffffffff, 0x00008001, 0xffffffff, 0xffffffff, 0xffffffff, 0x00000000},
     // 256.0 * 256.0 = 65536.0 wraps to 0; 256.0 * 128.0 = 32768.0 wraps to -32768.0
     {0x01000000, 0x01000000, 0x00000000, 0x00000000, 0x00000000, 0x00000000},
     {0x01000000, 0x00800000, 0x80000000, 0x80000000, 0x80000000, 0x80000000},
-    // -32768.0 squared is 2^30, which wraps to 0; times -2^-16 it is half
+    // -32768.0 squared is 2^30, which wraps to 0; -32768.0 * -2^-16 = 0.5
     {0x80000000, 0x80000000, 0x00000000, 0x00000000, 0x00000000, 0x00000000},
     {0x80000000, 0xffffffff, 0x00008000, 0x00008000, 0x00008000, 0x00008000},
 };
@@ -68,42 +68,40 @@ struct quotient {
 };
 
 constexpr quotient quotients[] = {
-    // 1.0 / 2.0
     {0x00010000, 0x00020000, 0x00008000, 0x00008000, 0x00008000, 0x00008000},
-    // 1.0 / 3.0 = 21845.33 units; 2.0 / 3.0 = 43690.67
+    // 1.0 / 3.0 = 21845.33 ulp; 2.0 / 3.0 = 43690.67 ulp
     {0x00010000, 0x00030000, 0x00005555, 0x00005555, 0x00005555, 0x00005555},
     {0x00020000, 0x00030000, 0x0000aaab, 0x0000aaaa, 0x0000aaab, 0x0000aaaa},
     {0xfffe0000, 0x00030000, 0xffff5555, 0xffff5556, 0xffff5555, 0xffff5556},
     {0x00020000, 0xfffd0000, 0xffff5555, 0xffff5556, 0xffff5555, 0xffff5556},
     {0xfffe0000, 0xfffd0000, 0x0000aaab, 0x0000aaaa, 0x0000aaab, 0x0000aaaa},
-    // half a unit, and minus half a unit: away from 0 or toward 0
+    // 0.5 ulp and -0.5 ulp: away from zero or truncated
     {0x00000001, 0x00020000, 0x00000001, 0x00000000, 0x00000001, 0x00000000},
     {0xffffffff, 0x00020000, 0xffffffff, 0x00000000, 0xffffffff, 0x00000000},
     // 3.0 / 1.5 = 2.0; the 8088 divides by 1
     {0x00030000, 0x00018000, 0x00020000, 0x00020000, 0x00030000, 0x00030000},
     {0x00030000, 0xfffe8000, 0xfffe0000, 0xfffe0000, 0xfffd0000, 0xfffd0000},
-    // 0.5 / 0.5: the 8088 has no divisors below 1.0
+    // 0.5 / 0.5: the 8088 cannot divide by less than 1.0
     {0x00008000, 0x00008000, 0x00010000, 0x00010000, DE, DE},
     {0x00008000, 0xffff8000, 0xffff0000, 0xffff0000, DE, DE},
     {0x00000001, 0x0000ffff, 0x00000001, 0x00000001, DE, DE},
     // zero divisors
     {0x00010000, 0x00000000, DE, DE, DE, DE},
     {0x00000000, 0x00000000, DE, DE, DE, DE},
-    // 8001h / 1 = 80010000h units, unsigned
+    // 8001h / 1 = 80010000h ulp, unsigned
     {0x00008001, 0x00000001, 0x80010000, DE, DE, DE},
     {0x00008001, 0xffffffff, 0x7fff0000, DE, DE, DE},
-    // ffffh / 1 is the last, 10000h / 1 the first beyond 32 bits
+    // ffffh / 1 is the last quotient that fits 32 bits; 10000h / 1 is the first that does not
     {0x0000ffff, 0x00000001, 0xffff0000, DE, DE, DE},
     {0x00010000, 0x00000001, DE, DE, DE, DE},
-    // 2ffffh / 3 = 4294945450.67 units, unsigned
+    // 2ffffh / 3 = 4294945450.67 ulp, unsigned
     {0x0002ffff, 0x00000003, 0xffffaaab, DE, DE, DE},
-    // -32768.0: by itself, by 1.0 and by -1.0
     {0x80000000, 0x80000000, 0x00010000, 0x00010000, 0x00010000, 0x00010000},
     {0x80000000, 0x00010000, 0x80000000, 0x80000000, 0x80000000, 0x80000000},
     {0x80000000, 0xffff0000, 0x80000000, DE, 0x80000000, 0x80000000},
-    // 1.0 / -32768.0 = -2 units
+    // 1.0 / -32768.0 = -2 ulp
     {0x00010000, 0x80000000, 0xfffffffe, 0xfffffffe, 0xfffffffe, 0xfffffffe},
-    // 1.75 / 2.99 = 38357.12 units; the 8088 divides by 2: 57344 units
+    // 1.75 / 2.99 = 38357.12 ulp; the 8088 divides by 2 and gets 57344 ulp
     {0x0001c000, 0x0002fd71, 0x000095d5, 0x000095d5, 0x0000e000, 0x0000e000},
 };
 
@@ -134,7 +132,7 @@ TEST(Presets, Quotients) {
   }
 }
 
-/// The same rules with 8 for 16 and 16 for 32.
+/// The same rules with 8 bits in place of 16 and 16 in place of 32.
 constexpr product half_products[] = {
     {0x0180, 0x0280, 0x03c0, 0x03c0, 0x03c0, 0x03c0},
     {0x0001, 0x0080, 0x0001, 0x0000, 0x0001, 0x0000},

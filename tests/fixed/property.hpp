@@ -1,6 +1,6 @@
 /// \file
-/// Properties of numbers of every type. RapidCheck, which takes seconds to compile for each type of
-/// operand, draws stored integers of two widths only.
+/// Property checks for numbers of every type. RapidCheck takes seconds to compile for each operand
+/// type, so it draws stored integers of only two widths.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace property {
 using Raws = std::vector<std::int64_t>;
 
 /// Whether `check` holds for `operands` numbers with that many fraction bits (8 or 16), drawn by
-/// the generator of property/generator.hpp. Prints the least counterexample.
+/// the generator of property/generator.hpp. Prints the smallest counterexample.
 bool holds(int fraction_bits, int operands, const std::function<bool(const Raws&)>& check);
 
 /// Whether `check` holds for two lists of numbers.
 bool holds_for_lists(int fraction_bits, const std::function<bool(const Raws&, const Raws&)>& check);
 
-/// Whether `check` holds for what decimal texts are made of: whether it is negative, its whole
-/// part, its fraction's digits.
+/// Whether `check` holds for the parts of a decimal text: its sign (true if negative), its whole
+/// part and its fraction digits.
 bool holds_for_parts(const std::function<bool(bool, std::uint16_t, std::uint64_t)>& check);
 
 template <class Number>
@@ -35,7 +35,7 @@ std::vector<Number> numbers_of(const Raws& raws) {
   return numbers;
 }
 
-/// Whether `check`, of one, two or three numbers or of two lists of them, is true for all drawn.
+/// Whether `check`, which takes one to three numbers or two lists, holds for all drawn operands.
 template <class Number, class Check>
 bool for_all(Check check) {
   constexpr int bits = Number::fraction_bits;

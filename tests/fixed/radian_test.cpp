@@ -1,4 +1,4 @@
-/// Sine and cosine in radians against 50-digit arithmetic.
+/// Tests sine and cosine in radians against 50-digit arithmetic.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -15,7 +15,7 @@ namespace {
 using namespace fixed;
 using real = boost::multiprecision::cpp_bin_float_50;
 
-/// The nearest integer to x units of 2^-bits. Nothing is a tie: see fixed/detail/radian.hpp.
+/// The integer nearest to x in units of 2^-bits. No tie occurs; see fixed/detail/radian.hpp.
 std::int32_t nearest(const real& x, int bits) {
   return floor(ldexp(x, bits) + real(0.5)).convert_to<std::int32_t>();
 }
@@ -28,7 +28,7 @@ void expect_nearest(Number angle) {
   EXPECT_EQ(fixed::cos(angle).raw(), nearest(cos(exact), bits)) << angle.raw();
 }
 
-/// Some of the angles whose sine or cosine is within 2^-43 of a half, found by trying all.
+/// Some of the angles whose sine or cosine lies within 2^-43 of a half, from an exhaustive search.
 constexpr std::int32_t hard_angles[]{
     0x01faf7eb, 0x046936f4, 0x06772dbb, 0x0c54eeec, 0x0cc9a52c, 0x0cd31bf4, 0x0d518b65, 0x0db520b1,
     0x10e4c31e, 0x112256a7, 0x11776e51, 0x12a821f9, 0x138e71de, 0x13c02e71, 0x1d0d85b5, 0x24f7478a,
@@ -62,7 +62,7 @@ TEST(Radian, RandomAngles) {
   }
 }
 
-/// By double arithmetic: it errs by less than 2^-50, and no result comes that near to a half.
+/// Double arithmetic suffices: its error is below 2^-50, and no result comes that near to a half.
 TEST(Radian, EveryAngleOf8_8) {
   const auto expected = [](double exact) {
     const double units = exact * 256;
@@ -115,14 +115,14 @@ TEST(Radian, TheSameUnderEveryPolicy) {
   expect_as_q16_16<q16_16_i8088_unrounded>();
 }
 
-// The examples of fixed/trig.hpp, and what can be seen without a table.
+// The examples of fixed/trig.hpp and other known values.
 static_assert(noexcept(sin(q16_16_trapping())) && noexcept(sin_cos(q8_8())));
 static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
 static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
 static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
 static_assert(sin(q16_16()) == q16_16());
 static_assert(sin(q8_8(1)).raw() == 215);  // 215.42
-// An integer counts tenths of a degree and names the type, a number is in radians.
+// An integer argument is in tenths of a degree and needs the type; a number is in radians.
 static_assert(sin<q16_16>(900) == q16_16(1) && sin(q16_16(900)).raw() == 65392);  // 65392.04
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Decimal text: exact in both directions, one rounding, and what is no number.
+/// Tests exact decimal conversion in both directions, its single rounding, and invalid text.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 using namespace fixed;
 using boost::multiprecision::cpp_int;
 
-/// The decimal expansion: raw / 2^F = raw 5^F / 10^F, without the zeros at its end.
+/// The decimal expansion raw / 2^F = raw 5^F / 10^F without trailing zeros.
 template <class Number>
 std::string expansion(Number x) {
   exact::integer scaled = x.raw() < 0 ? -exact::integer{x.raw()} : exact::integer{x.raw()};
@@ -39,7 +39,7 @@ std::string expansion(Number x) {
   return digits;
 }
 
-/// The number of `[-]digits[.digits]`, in integers of any size; nothing out of range.
+/// The number for `[-]digits[.digits]`, from integers of any size, or nothing if out of range.
 template <class Number>
 std::optional<Number> parsed(const std::string& text) {
   using raw = typename Number::raw_type;
@@ -56,7 +56,7 @@ std::optional<Number> parsed(const std::string& text) {
   numerator *= exact::one<Number>;
   const cpp_int low = numerator / denominator;
   const cpp_int rest = numerator % denominator;
-  // Magnitudes: whether to go away from zero.
+  // The magnitude needs to know only whether to round away from zero.
   bool away = false;
   switch (Number::rules.multiply) {
     case rounding::floor:
@@ -97,7 +97,7 @@ TYPED_TEST(NumberText, IsExactAndComesBack) {
   EXPECT_TRUE(property::for_all<TypeParam>(check));
 }
 
-/// Whether `check` holds for decimal numbers about the range of that format.
+/// Whether `check` holds for decimal texts around the range of the format.
 bool holds_for_texts(int fraction_bits, const std::function<bool(const std::string&)>& check) {
   return property::holds_for_parts([&](bool negative, std::uint16_t whole, std::uint64_t fraction) {
     const std::string digits = std::to_string(fraction);
@@ -118,7 +118,7 @@ TYPED_TEST(NumberText, IsRoundedOnce) {
            value == expected.value_or(TypeParam::from_raw(77)) &&
            error == (expected ? std::errc() : std::errc::result_out_of_range);
   };
-  // Halves of a unit, exact and with a digit far behind, and 1 less.
+  // Texts at half an ulp: the exact half, a half with a distant nonzero digit, and just below it.
   for (const auto x : exact::edges<TypeParam>()) {
     exact::integer scaled = x.raw() < 0 ? -exact::integer{x.raw()} : exact::integer{x.raw()};
     scaled = 2 * scaled + 1;

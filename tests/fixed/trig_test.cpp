@@ -1,4 +1,4 @@
-/// Sine and cosine against 50-digit arithmetic, and the angles as CosSin reduces them.
+/// Tests sine and cosine against 50-digit arithmetic, and the angle reduction of CosSin.
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -14,7 +14,7 @@ namespace {
 using namespace fixed;
 using decimal_real = boost::multiprecision::cpp_dec_float_50;
 
-/// cos(step / steps of a right angle) in units of 2^-bits, to nearest.
+/// cos(step / steps of a right angle), rounded to nearest in units of 2^-bits.
 std::int32_t nearest_cosine(int step, int steps, int bits) {
   const decimal_real angle = boost::math::constants::half_pi<decimal_real>() * step / steps;
   return floor(ldexp(cos(angle), bits) + decimal_real(0.5)).convert_to<std::int32_t>();
@@ -37,7 +37,7 @@ TEST(Trig, TablesAreNearest) {
   expect_table<16, 7>();
 }
 
-/// Into 0 to 3600 by repeated steps of a turn, then by the table, quadrant for quadrant.
+/// Reduces angles to 0 to 3600 in repeated full turns, then checks each quadrant against the table.
 template <class Number>
 void expect_every_angle() {
   constexpr const auto& table = detail::cosine_table<Number::fraction_bits, 10>;
@@ -75,7 +75,7 @@ TEST(Trig, WholeTurnsDoNotCountInAnyType) {
   EXPECT_EQ(sin_cos<q16_16>(36300U), tenth);
   EXPECT_EQ(sin_cos<q16_16>(3'600'000'000'000'300), tenth);
   EXPECT_EQ(sin_cos<q16_16>(std::int8_t{100}), sin_cos<q16_16>(100));
-  // -2^63 and 2^64 - 1 modulo 3600.
+  // These are -2^63 and 2^64 - 1 modulo 3600.
   EXPECT_EQ(sin_cos<q16_16>(std::numeric_limits<std::int64_t>::min()), sin_cos<q16_16>(1792));
   EXPECT_EQ(sin_cos<q16_16>(std::numeric_limits<std::uint64_t>::max()), sin_cos<q16_16>(15));
 }
@@ -95,7 +95,7 @@ TEST(Trig, KnownAngles) {
   expect(600, 0x8000, 56756);  // sqrt(3) / 2 * 65536 = 56755.84
   expect(300, 56756, 0x8000);
   expect(1350, -46341, 46341);    // sqrt(2) / 2 * 65536 = 46340.95
-  expect(-32768, 52477, -39258);  // as 323.2 degrees
+  expect(-32768, 52477, -39258);  // equals 323.2 degrees
 }
 
 }  // namespace

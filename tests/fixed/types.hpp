@@ -1,5 +1,5 @@
 /// \file
-/// The types that every test of arithmetic runs over.
+/// The number types that every arithmetic test covers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace fixed {
 
-/// Rules that no preset has: each rounding under each overflow is among these and the aliases.
+/// Policies that no preset has. With the aliases they cover each rounding under each overflow.
 inline constexpr policy floor_and_saturate{
     .multiply = rounding::floor, .divide = rounding::floor, .range = overflow::saturate};
 inline constexpr policy truncate_and_saturate{
@@ -42,7 +42,7 @@ using all_types = testing::Types<
     number<16, fault_and_saturate>, number<16, zero_fault_and_trap>, number<8, floor_and_saturate>,
     number<8, whole_divisor_saturating>>;
 
-/// Each rounding of products under each overflow, as far as they differ, for what does not divide.
+/// Covers each distinct rounding of products under each overflow, for tests without division.
 using some_types =
     testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386_unrounded, q16_16_i8088,
                    q16_16_i8088_unrounded, number<16, floor_and_saturate>,

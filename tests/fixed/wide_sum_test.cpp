@@ -1,4 +1,4 @@
-/// The two-word sum against integers of 128 bits.
+/// Tests the two-word sum against 128-bit integers.
 #include "fixed/detail/wide_sum.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(WideSum, IsThe128BitSum) {
       }
       ASSERT_EQ(sum.negative(), expected < 0);
       for (const int bits : {1, 8, 16, 63}) {
-        // Not by >>, in which Boost 1.74 loses a sign where limbs have 32 bits: -2^63 - 1 by 1.
+        // Boost 1.74's >> loses a sign with 32-bit limbs, for example for -2^63 - 1 by 1.
         const exact::integer shifted = exact::below({expected, exact::integer{1} << bits});
         ASSERT_EQ(sum.low_shifted_right(bits), exact::low_word(shifted));
         const exact::integer clamped = shifted < lowest    ? lowest

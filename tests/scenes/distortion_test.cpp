@@ -1,4 +1,4 @@
-// How drift is measured, and what it measures in the twelve cubes.
+// Tests the drift measurement and the drift of the twelve cubes.
 #include "trade/drift/distortion.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ TEST(Distortion, OfAStretch) {
   EXPECT_EQ(d.skew, 0);
   EXPECT_DOUBLE_EQ(d.length, 0.25);
   EXPECT_DOUBLE_EQ(d.volume, 0.25);
-  // The nearest corners, at z = -85, are 15 / 4 off to the side.
+  // The nearest corners, at z = -85, are off by 15 / 4 in x.
   EXPECT_NEAR(d.pixels, 320 * 3.75 / 85, 1e-9);
 }
 
@@ -57,13 +57,13 @@ trade::DriftResult drift(const trade::DriftCase& c, std::uint64_t frames) {
   return trade::run_drift(twelve_cubes(), {c}, frames, stop, [](std::uint64_t) {}).at(0);
 }
 
-// The longest column of a step's matrix, rounded by the published conversion, is so much longer
-// than 1 for each cube and each step: lengths grow by its powers, whatever the products do. The
-// steps of cube 11 are those of 6 degrees about y and z.
+// After the published conversion, the columns of a step's matrix do not have unit length. Lengths
+// therefore drift exponentially, whatever the products do. Cube 11 steps by 6 degrees about y and
+// z.
 TEST(Drift, GrowsWithTheStepsThatAreNotOfUnitLength) {
   const double cos = std::trunc(std::cos(M_PI / 30) * 65536 + 0.5) / 65536;
   const double sin = std::trunc(std::sin(M_PI / 30) * 65536 + 0.5) / 65536;
-  // Published, sin(-6 degrees) is a unit smaller in magnitude.
+  // The published conversion makes the magnitude of sin(-6 degrees) one ulp smaller.
   const double minus_sin = sin - 1.0 / 65536;
   const double per_turn = std::min(std::hypot(cos, sin), std::hypot(cos, minus_sin));
   const double expected = 1 - std::pow(per_turn, 2 * 6000);
@@ -79,7 +79,7 @@ TEST(Drift, EachSourceLeftOutLessIsWrong) {
   EXPECT_LT(drift({.without = trade::Without::all}, frames).worst.length, 1e-9);
   EXPECT_LT(drift({.without = trade::Without::offset}, frames).worst.pixels,
             drift({}, frames).worst.pixels);
-  // Truncated products alone ruin it.
+  // Truncated products cause this error on their own.
   EXPECT_GT(
       drift({.build = {.mul_round = false}, .without = trade::Without::step}, frames).worst.length,
       0.1);
@@ -98,9 +98,9 @@ TEST(Drift, IsHeldBackByRestoringAndByStartingOver) {
   EXPECT_LT(anew.worst.pixels, 0.1);
 }
 
-// Chapter 52's remedy. The new row has the product of the other two rows' lengths, so an error of
-// length grows by a third or so every time; nothing brings it back. Without any remedy the cubes
-// are 2 % too small after 5,000 frames.
+// Chapter 52's remedy gives the new row the product of the other two rows' lengths. A length error
+// therefore grows by about a third at each call, and nothing corrects it. Without any remedy the
+// cubes are 2 % too small after 5,000 frames.
 TEST(Drift, OneRowAsACrossProductMakesLengthsRunAway) {
   constexpr std::uint64_t frames = 3'001;
   EXPECT_LT(drift({}, frames).worst.length, 0.02);
@@ -110,20 +110,20 @@ TEST(Drift, OneRowAsACrossProductMakesLengthsRunAway) {
       0.5);
 }
 
-// As in GrowsWithTheStepsThatAreNotOfUnitLength, along the way: 6001 frames make points of 31.
+// Checks the growth of GrowsWithTheStepsThatAreNotOfUnitLength over time.
 TEST(Drift, ItsSeriesFollowsTheGrowth) {
   const double cos = std::trunc(std::cos(M_PI / 30) * 65536 + 0.5) / 65536;
   const double sin = std::trunc(std::sin(M_PI / 30) * 65536 + 0.5) / 65536;
   const double per_turn = std::min(std::hypot(cos, sin), std::hypot(cos, sin - 1.0 / 65536));
   const trade::DriftResult r = drift({}, 6001);
-  ASSERT_EQ(r.series.size(), 194U);  // 193 of 31, and one of 18
+  ASSERT_EQ(r.series.size(), 194U);  // 6001 frames: 193 points of 31 and one of 18
   for (const std::size_t point : {48U, 96U, 193U}) {
     const double last = std::min(31.0 * static_cast<double>(point + 1) - 1, 6000.0);
     EXPECT_NEAR(r.series.at(point).length, 1 - std::pow(per_turn, 2 * last), 0.01) << point;
   }
   EXPECT_LT(r.series.at(48).length, r.series.at(96).length);
   EXPECT_LT(r.series.at(96).length, r.series.at(193).length);
-  // Nothing has turned in the first frame.
+  // No cube has turned in the first frame.
   EXPECT_EQ(drift({}, 150).series.at(0).pixels, 0);
   EXPECT_GT(drift({}, 150).series.at(149).pixels, 0);
 }

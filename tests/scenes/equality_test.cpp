@@ -1,4 +1,4 @@
-// Register-level X-Sharp against X-Sharp on the type: every transform, vertex, face and pixel.
+// Compares register-level X-Sharp with X-Sharp on the type: transforms, vertices, faces and pixels.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@ namespace {
 
 constexpr int frames_compared = 600;
 
-/// A scene under one arithmetic, drawn.
 struct Drawn {
   explicit Drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
       : player(player::make_player(scene, choice)),
@@ -33,7 +32,7 @@ struct Drawn {
   std::uint64_t faults = 0;
 };
 
-/// @return the frames compared
+/// @return the number of frames compared
 int expect_equal(const std::string& name, xsharp::ArithmeticChoice choice) {
   const xsharp::Scene scene = xsharp::read_scene(name);
   choice.by = "type";
@@ -76,11 +75,11 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Equality,
                            return std::filesystem::path(scene.param).stem().string();
                          });
 
-// Were a variant drawn with another's rules, the tests above would not notice.
+// The tests above would not notice a variant that uses another variant's rules.
 TEST(Variants, EachDrawsDifferently) {
   std::map<std::string, std::string> dumps;
-  // From a place without a fraction the repaired 8088 draws what the printed one does; the cubes of
-  // the second scene are too few to tell whether divides round.
+  // In the first scene the viewer's position has no fraction, so the repaired 8088 draws like the
+  // printed one. The second scene has too few cubes to show whether divides round.
   for (const char* file : {SCENES "/twelve_cubes.json", SCENES "/lost_carry.json"}) {
     const xsharp::Scene scene = xsharp::read_scene(file);
     for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
@@ -99,7 +98,7 @@ TEST(Variants, EachDrawsDifferently) {
       EXPECT_NE(dump, other_dump) << one << " and " << other;
     }
   }
-  // What is in range does not depend on what would become of it outside.
+  // The overflow policy does not affect results that are in range.
   EXPECT_EQ(dumps.at("type standard"), dumps.at("type saturating"));
   EXPECT_EQ(dumps.at("type standard"), dumps.at("type trapping"));
 }

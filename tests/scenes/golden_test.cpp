@@ -1,5 +1,5 @@
-// The pipeline against frames that golden/work_out.py has worked out in exact integers, and
-// pictures that golden/work_out_pixels.py has.
+// Compares the pipeline with the frames of golden/work_out.py, which uses exact integers, and the
+// pictures of golden/work_out_pixels.py.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::uint64_t, 4> kept_frames{0, 1, 199, 599};
 constexpr std::size_t kept_vertices = 8;
 
-/// What the golden files keep of a frame: one object of it, all of its first vertices.
+/// The part of a frame that the golden files keep: the state of one object and its first vertices.
 std::string text_of(const xsharp::Player& player, std::uint64_t frame) {
   const std::size_t object = frame % player.order().size();
   const xsharp::ObjectState state = player.state(object);
@@ -46,7 +46,7 @@ void expect_golden(const std::string& name, const std::string& by) {
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice)) continue;
-    // From the origin no carry is lost: these golden files leave out the repaired builds.
+    // A viewer at the origin loses no carry, so these golden files omit the repaired builds.
     if (choice.repaired && scene.camera.position == xsharp::Triple{}) continue;
     all += fmt::format("# {}{} multiply {} divide {}\n", choice.target,
                        choice.repaired ? " repaired" : "", choice.mul_round ? "on" : "off",
@@ -63,14 +63,14 @@ void expect_golden(const std::string& name, const std::string& by) {
   EXPECT_EQ(all, read(fmt::format("{}/{}.txt", GOLDEN, name)));
 }
 
-/// FNV-1a, 64 bits.
+/// The 64-bit FNV-1a hash.
 std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
   std::uint64_t hash = 0xCBF29CE484222325;
   for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3;
   return hash;
 }
 
-/// What golden/work_out_pixels.py keeps of every picture.
+/// Compares each picture with the record that golden/work_out_pixels.py keeps of it.
 void expect_golden_pixels(const std::string& name, const std::string& folder = SCENES) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", folder, name));
   std::string all;
@@ -113,7 +113,7 @@ TEST(Golden, PixelsOfTextured) { expect_golden_pixels("textured"); }
 TEST(Golden, PixelsOfPhong) { expect_golden_pixels("phong"); }
 TEST(Golden, TwelveCubesOnTheModel) { expect_golden("twelve_cubes", "model"); }
 
-// Worked by hand from the listings of chapter 52: cube 11 after 199 steps.
+// Cube 11 after 199 steps, computed by hand from the listings of chapter 52.
 TEST(Golden, TheCubeWorkedByHand) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
   const auto player = player::make_player(scene, {"type", "i386", true, true});

@@ -1,5 +1,5 @@
-// Surfaces drawn by the listings, inner loops included, against surfaces drawn by the type: every
-// pixel.
+// Compares every pixel of surfaces drawn by the listings, inner loops included, with surfaces drawn
+// by the type.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,7 +19,6 @@ using xsharp::DepthBuffering;
 using xsharp::Scene;
 using xsharp::SurfaceKind;
 
-/// A scene with surfaces under one arithmetic.
 struct Surfaces {
   Surfaces(const Scene& scene, const ArithmeticChoice& choice)
       : player(player::make_player(scene, choice)),
@@ -38,7 +37,7 @@ struct Surfaces {
   xsharp::Picture picture{};
 };
 
-/// @return the pixels that polygons set
+/// @return the number of pixels that polygons set
 std::int64_t expect_same_pixels(const Scene& scene, ArithmeticChoice choice, int frames) {
   choice.by = "type";
   Surfaces type(scene, choice);
@@ -56,8 +55,8 @@ std::int64_t expect_same_pixels(const Scene& scene, ArithmeticChoice choice, int
   return model.screen.count().pixels;
 }
 
-/// In 60 frames of the intersecting solids, at half size, the pixels that differ from the exact
-/// picture, whose depths are inverses of z under either measure.
+/// The number of pixels that differ from the exact picture in 60 frames of the intersecting solids
+/// at half size. The exact picture uses inverse z under either measure.
 std::int64_t wrong_pixels(xsharp::DepthMeasure measure) {
   Scene scene = xsharp::read_scene(SCENES "/intersecting.json");
   scene.width = 160;
@@ -78,7 +77,7 @@ std::int64_t wrong_pixels(xsharp::DepthMeasure measure) {
   return wrong;
 }
 
-// At full size it is 2 pixels a frame against about 700.
+// At full size, 2 pixels per frame differ with inverse z and about 700 with z.
 TEST(DepthMeasure, SteppedZIsWrongWherePolygonsCross) {
   EXPECT_LT(wrong_pixels(xsharp::DepthMeasure::inverse), 60 * 2);
   EXPECT_GT(wrong_pixels(xsharp::DepthMeasure::z), 60 * 70);
@@ -86,7 +85,7 @@ TEST(DepthMeasure, SteppedZIsWrongWherePolygonsCross) {
 
 class Interpolation : public testing::TestWithParam<const char*> {};
 
-// At half size, for time; at full size docs/interpolation.md has the commands.
+// Uses half size to save time; docs/interpolation.md has the commands for full size.
 TEST_P(Interpolation, ModelAndTypeSetTheSamePixelsIn300Frames) {
   Scene scene = xsharp::read_scene(GetParam());
   scene.width = 160;
@@ -104,7 +103,7 @@ TEST_P(Interpolation, UnderEveryBuild) {
     ++builds;
     EXPECT_GT(expect_same_pixels(scene, choice, 6), 6 * 2'000);
   }
-  EXPECT_EQ(builds, 12);  // eight, and the four of the 8088 with ConcatXforms repaired
+  EXPECT_EQ(builds, 12);  // eight builds, and the four 8088 builds with ConcatXforms repaired
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Interpolation,

@@ -1,5 +1,5 @@
-// The pictures that the original programs displayed, from the type and from the register-level
-// model. The digests in originals/ were recorded from the original programs under a DOS emulator.
+// Compares the pictures of the type and of the register-level model with those of the original
+// programs. The digests in originals/ come from running those programs under a DOS emulator.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,11 +20,10 @@
 namespace fixproof {
 namespace {
 
-/// A recording, and the scene that it shows.
 struct Recorded {
   const char* file;
   const char* scene;
-  std::size_t begins_at;  ///< our frame that the recording's first picture shows
+  std::size_t begins_at;  ///< index of our frame that matches the recording's first picture
   std::size_t pictures;
 };
 
@@ -35,7 +34,7 @@ std::vector<std::string> lines_of(const std::string& file) {
   return lines;
 }
 
-/// Digests of a scene's pictures from frame `first` on, equal ones in a row once.
+/// Digests of a scene's pictures from frame `first` on. Consecutive equal pictures count once.
 std::vector<std::string> drawn(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice,
                                std::size_t first, std::size_t pictures) {
   const auto player = player::make_player(scene, choice);
@@ -44,7 +43,7 @@ std::vector<std::string> drawn(const xsharp::Scene& scene, const xsharp::Arithme
   player::DigestLines digests;
   std::string lines;
   std::size_t distinct = 0;
-  // A run of equal pictures ends at some time; the recordings have none longer than this.
+  // The limit stops a scene that no longer changes; no recording repeats pictures for longer.
   const std::size_t most_frames = first + 2 * pictures;
   for (std::size_t frame = 0; frame < most_frames && distinct < pictures; ++frame) {
     if (frame > 0) player->move();
@@ -94,12 +93,12 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-// A published digest: FIPS 180-4's example for "abc" begins ba7816bf 8f01cfea.
+// FIPS 180-4 publishes the digest of "abc", which begins with ba7816bf 8f01cfea.
 TEST(PictureDigest, IsTheBeginningOfSha256) {
   const std::vector<std::uint8_t> abc{'a', 'b', 'c'};
   EXPECT_EQ(player::picture_digest(abc), "ba7816bf8f01cfea");
   EXPECT_EQ(player::picture_digest({}), "e3b0c44298fc1c14");
-  // 56 bytes: the length goes into a block of its own (the second example of FIPS 180-4).
+  // With 56 bytes the length needs a second block (the second example of FIPS 180-4).
   constexpr std::string_view two_blocks =
       "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
   EXPECT_EQ(player::picture_digest(std::vector<std::uint8_t>(two_blocks.begin(), two_blocks.end())),

@@ -1,5 +1,5 @@
-// What chapter 54 says of its demonstration: green light shades smoothly, and blue light added to
-// it does not.
+// Tests chapter 54's statement about its demonstration: green light shades smoothly, and green
+// light with blue light does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace fixproof {
 namespace {
 
 struct Shades {
-  int greatest_change = 0;  ///< of a face's green from one frame to the next, of 255
-  std::set<int> greens;     ///< that are shown
+  int greatest_change = 0;  ///< largest change of a face's green level between frames, 0 to 255
+  std::set<int> greens;     ///< green levels on the screen
 };
 
-/// A turn of the ball, as its palette shows it.
+/// Shows a full turn of the ball and collects its green levels from the palette.
 Shades shades(bool spot_two) {
   xsharp::Scene scene = xsharp::read_scene(SCENES "/shaded_ball.json");
   scene.lights.spots.at(2).on = spot_two;
@@ -50,11 +50,11 @@ Shades shades(bool spot_two) {
 TEST(ShadedBall, GreenIsSmoothUntilSpotTwoIsOn) {
   const Shades green = shades(false);
   const Shades with_blue = shades(true);
-  // 64 levels of a pure primary: neighbours are 4 or 5 of 255 apart. A frame turns the ball by
-  // about 2 degrees, which changes the light of two spots by less than 0.035 * 0.9.
+  // A pure primary has 64 levels, which are 4 or 5 of 255 apart. The ball turns about 2 degrees per
+  // frame, which changes the light of two spots by less than 0.035 * 0.9.
   EXPECT_LE(green.greatest_change, 0.035 * 0.9 * 255 + 5);
   EXPECT_GT(green.greens.size(), 40U);
-  // Four levels of each component of a mixture, far apart.
+  // A mixture has only four levels of each component, which are far apart.
   EXPECT_GE(with_blue.greatest_change, 80);
 }
 

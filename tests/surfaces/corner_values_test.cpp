@@ -1,5 +1,4 @@
-// What the corners of a polygon are given, worked out by hand: everything that draws, stepped or
-// exact, by the type or by the model, starts from these.
+// Tests the values at polygon corners against values computed by hand. All fillers start from them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,7 +19,7 @@ namespace {
 
 using namespace xsharp;
 
-/// The middles of a bitmap's first and last texel, of 256.
+/// The centres of the first and last of a bitmap's 256 texels.
 constexpr double first_texel = 0.5 / 256;
 constexpr double last_texel = 255.5 / 256;
 
@@ -40,10 +39,10 @@ TYPED_TEST(CornerValues, OfDepthAndDistance) {
   const N near = number<N>(100);
   EXPECT_EQ(static_cast<double>(depth_value(vector<N>({5, 5, -100}), near)), nearest_depth);
   EXPECT_EQ(static_cast<double>(depth_value(vector<N>({5, 5, -1}), near)), nearest_depth);
-  // A quarter, and what the divide and the product err by.
+  // The depth is a quarter of the range, plus the errors of divide and multiply.
   EXPECT_NEAR(static_cast<double>(depth_value(vector<N>({7, 9, -400}), near)), 32767 / 4.0, 1);
   EXPECT_GT(depth_value(vector<N>({0, 0, -30000}), near), number<N>(0));
-  // 3, 4, 12 is 13 long.
+  // The vector (3, 4, 12) has length 13.
   for (const double scale : {1.0, 20.0, 2000.0}) {
     const double is =
         static_cast<double>(distance_from_viewer(vector<N>({-3 * scale, 4 * scale, -12 * scale})));
@@ -65,7 +64,7 @@ TYPED_TEST(CornerValues, OfLightStayOnTheRamp) {
   EXPECT_EQ(light(-0.5), 128 + 64 - 31);
 }
 
-// (0.5, -0.25, 0.75) / 2 and (-0.25, 0.5, 0.25) / 4; the third spot is off.
+// The sum is (0.5, -0.25, 0.75) / 2 + (-0.25, 0.5, 0.25) / 4; the third spot is off.
 TYPED_TEST(CornerValues, OfLightAreFromTheSumOfTheSpotsThatAreOn) {
   using N = TypeParam;
   Lighting<N> lighting;
@@ -75,9 +74,9 @@ TYPED_TEST(CornerValues, OfLightAreFromTheSumOfTheSpotsThatAreOn) {
   EXPECT_EQ(triple(light_vector(lighting)), (Triple{0.1875, 0, 0.4375}));
 }
 
-// Light that goes away from the viewer comes from +z, and shines on what faces him; light that goes
-// to the right comes from the left. A camera turned to the right by a quarter, world (x, y, z) is
-// (z, y, -x) in its view, has the first from its right and the other from behind it.
+// Light that travels away from the viewer comes from +z and lights the faces toward the viewer.
+// Light that travels to the right comes from the left. A camera turned right by 90 degrees maps
+// world (x, y, z) to view (z, y, -x): it has the first light on its right and the second behind it.
 TYPED_TEST(CornerValues, OfLightAreFromWhereItComes) {
   using N = TypeParam;
   const Lights lights{true,
@@ -102,8 +101,8 @@ TEST(CornerDepth, ZItselfIsAboveMinusInfinity) {
   EXPECT_EQ(depth(-32768), 0);
 }
 
-// Where z is four times `near`, the depth is a quarter of 32767. Every quotient and product here
-// has fewer than 16 bits after the point, so that no build rounds.
+// With z at four times `near`, the depth is a quarter of 32767. Every quotient and product needs
+// fewer than 16 fraction bits, so no build rounds.
 TYPED_TEST(CornerValues, OfEachKind) {
   using N = TypeParam;
   const Corner<N> corner{vector<N>({0, 0, -256}), vector<N>({0.5, 0.25, -0.5})};
@@ -113,28 +112,28 @@ TYPED_TEST(CornerValues, OfEachKind) {
   };
   constexpr double depth = 32767 / 4.0;
   EXPECT_EQ(values(SurfaceKind::flat), (PointValues{depth, 0, 0, 0}));
-  // 0.125 + 0.125 - 0.375 is -1/8: 64 - 62/8, and 128 more on the second ramp.
+  // The light is 0.125 + 0.125 - 0.375 = -1/8: 64 - 62/8, plus 128 on the second ramp.
   EXPECT_EQ(values(SurfaceKind::gouraud8), (PointValues{depth, 56.25, 0, 0}));
   EXPECT_EQ(values(SurfaceKind::gouraud16), (PointValues{depth, 56.25, 0, 0}));
   EXPECT_EQ(values(SurfaceKind::gouraud16, 1), (PointValues{depth, 184.25, 0, 0}));
-  // 64 + 62/4.
+  // The value is 64 + 62/4.
   EXPECT_EQ(values(SurfaceKind::depth), (PointValues{depth, 79.5, 0, 0}));
-  // The normal, and a place in the bitmap, as they are.
+  // Phong and texture pass the normal or the bitmap place through unchanged.
   EXPECT_EQ(values(SurfaceKind::phong), (PointValues{depth, 0.5, 0.25, -0.5}));
   EXPECT_EQ(values(SurfaceKind::texture), (PointValues{depth, 0.5, 0.25, -0.5}));
 }
 
-// (-60, 80, -240) is 260 away, four times 65; by its z it would be 0.271.
+// (-60, 80, -240) has the distance 260, four times 65. Its z alone would give 0.271.
 TYPED_TEST(CornerValues, OfDistanceAsLight) {
   using N = TypeParam;
   const Corner<N> corner{vector<N>({-60, 80, -240}), {}};
   const PointValues values =
       point_values(surface_of(SurfaceKind::distance), corner, {}, number<N>(65));
-  // unit() errs by up to 16 units of 1/4, and the quotient rounds.
+  // unit() is off by up to 16 ulp, of which the value takes 1/4, and the quotient rounds.
   EXPECT_NEAR(values[1], 79.5, 62 * 6 * ulp);
 }
 
-// A normal to the right sees the bitmap's right side, one upward its upper side.
+// A normal to the right maps to the right of the bitmap, and an upward normal to its top.
 TYPED_TEST(CornerValues, OfWhatIsRoundAbout) {
   using N = TypeParam;
   const auto place = [](const Triple& normal) {
@@ -150,7 +149,7 @@ TYPED_TEST(CornerValues, OfWhatIsRoundAbout) {
   EXPECT_EQ(place({0, -1, 0}), (std::array{0.5, last_texel}));
 }
 
-// Faces run clockwise, and so do their places, rows going down: nothing is mirrored.
+// Faces and their bitmap places both run clockwise (rows go down), so nothing is mirrored.
 TEST(BitmapPlace, OfAQuadrilateralIsACornerOfTheBitmap) {
   EXPECT_EQ(bitmap_place(0, 4), (Triple{first_texel, first_texel, 0}));
   EXPECT_EQ(bitmap_place(1, 4), (Triple{last_texel, first_texel, 0}));
@@ -176,8 +175,8 @@ TEST(BitmapPlace, OfAnotherFaceIsOnACircleFromTheTopOn) {
   }
 }
 
-/// The values at the corners of the one face that is seen of a cube of half edge 100 in front of
-/// the viewer, its face 400 away: right above, right below, left below, left above.
+/// The corner values of the one visible face of a cube of half edge 100. The face is 400 from the
+/// viewer. The order is top right, bottom right, bottom left, top left.
 template <class N>
 std::array<PointValues, 4> face_of_a_cube(SurfaceKind kind) {
   Scene scene;
@@ -206,7 +205,7 @@ std::array<PointValues, 4> face_of_a_cube(SurfaceKind kind) {
   return values;
 }
 
-// The face begins right above and runs clockwise: so does its bitmap, from its left above on.
+// The face starts at its top right and its bitmap at the top left; both run clockwise.
 TYPED_TEST(CornerValues, GoOntoTheCornersOfACube) {
   using N = TypeParam;
   const auto texture = face_of_a_cube<N>(SurfaceKind::texture);
@@ -217,7 +216,7 @@ TYPED_TEST(CornerValues, GoOntoTheCornersOfACube) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(texture.at(i), (PointValues{32767 / 4.0, places.at(i)[0], places.at(i)[1], 0})) << i;
   }
-  // A normal is 1 / sqrt 3 along each axis, outward; light comes from the viewer.
+  // Each component of an outward normal is 1 / sqrt 3; the light comes from the viewer.
   const double part = 1 / std::sqrt(3.0);
   const auto gouraud = face_of_a_cube<N>(SurfaceKind::gouraud16);
   const auto phong = face_of_a_cube<N>(SurfaceKind::phong);

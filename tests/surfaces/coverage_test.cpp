@@ -1,4 +1,4 @@
-// What interpolates has the pixels that a flat polygon has, whatever its values are.
+// Tests that interpolated polygons cover the same pixels as flat ones, whatever their values.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -56,7 +56,7 @@ TEST(SurfaceCoverage, IsThatOfAFlatPolygon) {
     const Picture picture = picture_of(points, values);
     const Indices expected = flat(points);
     RC_ASSERT(by(stepper(scene), picture) == expected);
-    // In double the crossings of long edges are not exact.
+    // In double, crossings of long edges are not exact.
     if (near) RC_ASSERT(by(ExactFiller(scene), picture) == expected);
   }));
 }
@@ -87,7 +87,7 @@ TEST(SurfaceCoverage, NoValuesAreUndefinedBehaviour) {
   }));
 }
 
-/// Two strips of 20 by 2 pixels, the first farther than the second on its left half.
+/// Two strips of 20 by 2 pixels. The first is farther away than the second in its left half.
 Picture two_strips() {
   Picture picture = strip(20, {100, 3}, {30000, 120});
   const Picture other = strip(20, {15000, 60}, {15000, 60});
@@ -99,8 +99,8 @@ Picture two_strips() {
   return picture;
 }
 
-// Of true colour a pixel is what the palette has for the index, and what is hidden stays; so it is
-// of flat surfaces, whose pixel is their paint.
+// A true-colour pixel has the palette's colour for its index, or the paint of a flat surface.
+// Hidden pixels stay unchanged.
 TEST(SurfaceCoverage, TrueColorShowsTheSame) {
   for (const SurfaceKind kind : {SurfaceKind::gouraud16, SurfaceKind::flat}) {
     for (const DepthBuffering depth : {DepthBuffering::off, DepthBuffering::on}) {

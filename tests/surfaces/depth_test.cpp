@@ -1,4 +1,4 @@
-// The depth buffer against depths in double, with and without clearing, and what order is worth.
+// Tests the depth buffer against depths in double, with and without clearing, and drawing order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace xsharp;
 
-/// Polygon `i` is painted with index i + 1.
+/// Paints polygon `i` with index i + 1.
 void number_polygons(Picture& picture) {
   ASSERT_LT(picture.polygons.size(), 255U);
   for (std::size_t i = 0; i < picture.polygons.size(); ++i) {
@@ -21,9 +21,9 @@ void number_polygons(Picture& picture) {
   }
 }
 
-/// A polygon's depth at one of its pixels, and how far the buffer's may be off: half a unit of
-/// 2^-16 and half of the loops' last bit a pixel, over 320 pixels 0.627 in 16.8, and what the row's
-/// edges and slope add (stepping_error()).
+/// The depth of a polygon at a pixel, and the bound on the buffer's error. Per pixel, the error is
+/// half a unit of 2^-16 and half of the loops' last bit, which is 0.627 over 320 pixels in 16.8.
+/// The row's edges and slope add to it (stepping_error()).
 struct Depth {
   double exact = 0;
   double error = 0;
@@ -38,13 +38,13 @@ Depth depth_of(const Picture& picture, std::size_t polygon, std::int32_t x, std:
 
 struct Difference {
   int pixels = 0;
-  /// The greatest part of what it may be, of the two depths where another polygon is nearest. They
-  /// are told apart by their whole parts, so they may be equal in the buffer where they are less
-  /// than 1 apart, and each was stepped.
+  /// The greatest depth difference between the nearest and the drawn polygon, as a fraction of the
+  /// bound. The buffer compares whole parts, so depths less than 1 apart may compare equal, and
+  /// each depth has its stepping error.
   double most = 0;
 };
 
-/// Of what is nearest at each pixel, by the buffer and in double.
+/// Compares the visible polygon at each pixel, by the buffer and in double.
 Difference differences_of(DepthBuffering mode, int frames) {
   Scene scene = read_scene(SCENES "/intersecting.json");
   scene.depth_buffer = mode;
@@ -52,7 +52,7 @@ Difference differences_of(DepthBuffering mode, int frames) {
   StepFiller<Number> stepped(scene, std::make_unique<PlainLoops>());
   ExactFiller exact(scene);
   Picture picture;
-  // Without clearing depths have two bits less.
+  // Without clearing, depths have two bits less.
   const double unit = mode == DepthBuffering::no_clear ? 4 : 1;
   Difference all;
   for (int frame = 0; frame < frames; ++frame) {
@@ -94,12 +94,11 @@ TEST(DepthBuffer, DoesSoWithoutClearingWithTwoBitsLess) {
   EXPECT_LE(differences_of(DepthBuffering::no_clear, 60).most, 1);
 }
 
-/// How many pictures are drawn between two clearings.
+/// The number of pictures between two clearings.
 constexpr int pictures = 7;
 
-// What is farther than all that a pixel has ever had shows where the rest has gone: nothing of an
-// earlier picture hides it, nor does what the buffer was cleared to. Each picture of the seven is
-// near in one turn and far in the next.
+// The farthest depth makes remnants visible: neither an earlier picture nor the cleared value may
+// hide it. Each of the seven pictures alternates between near and far.
 TEST(DepthBuffer, WithoutClearingNothingOfEarlierPicturesHides) {
   const Scene scene = scene_of({}, DepthBuffering::no_clear);
   StepFiller<Number> filler(scene, std::make_unique<PlainLoops>());
@@ -107,7 +106,7 @@ TEST(DepthBuffer, WithoutClearingNothingOfEarlierPicturesHides) {
     const double depth = (picture + picture / pictures) % 2 == 0 ? 1 : 32767;
     Picture next = strip(8, {depth}, {depth});
     next.polygons[0].paint.index = 7;
-    // Half of the pictures leave half of the pixels alone.
+    // Every fourth picture leaves half of the pixels untouched.
     if (picture % 4 == 1) next.points[1].x = next.points[2].x = 4;
     const Indices page = drawn(filler, next, 8, 2);
     EXPECT_EQ(std::count(page.pixels().begin(), page.pixels().end(), 7), picture % 4 == 1 ? 8 : 16)
@@ -115,9 +114,9 @@ TEST(DepthBuffer, WithoutClearingNothingOfEarlierPicturesHides) {
   }
 }
 
-// A slope of 0.0079 is, in words of four units by 2^-8, 0.0156: after 320 pixels it is 2.5 units
-// too high, above 32767, and one that goes down too low, below 0. Neither hides anything of a later
-// picture nor is hidden by an earlier one.
+// In words of four units by 2^-8, a slope of 0.0079 becomes 0.0156. After 320 pixels the depth is
+// 2.5 units too high, above 32767, or too low, below 0. Neither error may hide a later picture or
+// let an earlier one show.
 TEST(DepthBuffer, WithoutClearingNorDoesWhatWasSteppedBeyondTheRange) {
   constexpr double rise = 320 * 0.0079;
   const Scene scene = scene_of({}, DepthBuffering::no_clear);
@@ -131,12 +130,12 @@ TEST(DepthBuffer, WithoutClearingNorDoesWhatWasSteppedBeyondTheRange) {
   }
 }
 
-// Drawn front to back, fewer pixels are written that others then cover.
+// Front-to-back drawing overwrites fewer pixels.
 TEST(DepthBuffer, IsDrawnFrontToBackForFewerPixels) {
   Scene scene = read_scene(SCENES "/ball_and_cubes.json");
   scene.depth_buffer = DepthBuffering::on;
   Animation<Number> animation(scene);
-  // The ball is before or behind the cubes.
+  // After 60 frames the ball overlaps the cubes.
   for (int frame = 0; frame < 60; ++frame) animation.move();
   Picture picture;
   animation.draw(picture);
@@ -160,7 +159,7 @@ TEST(DepthBuffer, IsDrawnFrontToBackForFewerPixels) {
   std::ranges::reverse(picture.polygons);
   const auto [backward, other] = pixels();
   EXPECT_LT(forward, backward);
-  // Of two depths that are one in the buffer the first is drawn.
+  // When the buffer holds equal depths, the polygon drawn first wins.
   for (std::int32_t y = 0; y < scene.height; ++y) {
     for (std::int32_t x = 0; x < scene.width; ++x) {
       const std::size_t first = one.row(y)[static_cast<std::size_t>(x)];

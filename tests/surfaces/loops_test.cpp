@@ -1,4 +1,4 @@
-// The inner loops in C++ against what they are said to draw, pixel by pixel in 64 bits.
+// Tests the C++ inner loops against their definitions, pixel by pixel in 64 bits.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -73,7 +73,7 @@ RC_GTEST_PROP(SurfaceLoops, Texture,
   }
 }
 
-// i steps and i (i - 1) / 2 second steps.
+// Pixel i has i steps and i (i - 1) / 2 second steps.
 RC_GTEST_PROP(SurfaceLoops, Quadratic,
               (std::uint32_t start, std::uint32_t step, std::uint32_t second)) {
   Bytes out(length());
@@ -84,7 +84,7 @@ RC_GTEST_PROP(SurfaceLoops, Quadratic,
   }
 }
 
-// 10, 12, 18 at 0, 2 and 4: 10 + x^2 / 2.
+// 10 + x^2 / 2 is 10, 12 and 18 at x = 0, 2 and 4.
 TEST(SurfaceLoops, AParabolaGoesThroughItsThreeValues) {
   using N = fixed::q16_16_i386;
   const Parabola p = parabola_through(N(10), N(12), N(18), 4);

@@ -1,4 +1,4 @@
-// Normals at vertices, and unit vectors by products alone.
+// Tests vertex normals and unit vectors that use only products.
 #include "xsharp/normals.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace xsharp;
 
-// By symmetry: at a cube's corner along its diagonal, at a ball's poles along its axis.
+// By symmetry, normals follow the diagonal at a cube's corner and the axis at a ball's poles.
 TEST(CornerNormals, OfACubeAndOfABall) {
   const Mesh cubic = with_vertex_normals(cube(10));
   ASSERT_EQ(cubic.vertices.size(), 16U);
@@ -43,7 +43,7 @@ TYPED_TEST(UnitVectors, HaveLengthOne) {
     for (const Triple& direction :
          {Triple{1, 0, 0}, Triple{-0.6, 0.8, 0}, Triple{0.48, -0.6, -0.64}}) {
       const Triple is = triple(unit(vector<N>(scaled(direction, size))));
-      // The stop at four units in the square, and errors of the last products.
+      // The iteration stops at four ulp in the square, and the last products round.
       EXPECT_NEAR(length(is), 1, 8 * ulp) << size;
       EXPECT_NEAR(length(difference(is, direction)), 0, 24 * ulp) << size;
     }

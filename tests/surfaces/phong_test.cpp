@@ -1,10 +1,11 @@
-// Phong's light by stepping against the exact light at every pixel.
+// Compares stepped Phong light with the exact light at every pixel.
 //
-// Along a span a normal goes straight: n(x) = n0 + x d. With r the least distance of that line from
-// 0 and k = |d| / r, the light M . n / |n| is A cos(theta - phi), |A| <= |M|, tan theta = k (x -
-// x0). Differentiated, |light''| <= |M| k^2 and |light'''| <= 3 |M| k^3, both reached where theta
-// is 0. A line between values h apart then errs by h^2 / 8 |light''|, a parabola through three
-// values h apart by h^3 / (9 sqrt 3) |light'''| = |M| (k h)^3 / (3 sqrt 3).
+// Along a span the normal is linear: n(x) = n0 + x d. Let r be the least distance of that line from
+// 0 and k = |d| / r. The light M . n / |n| is A cos(theta - phi) with |A| <= |M| and tan(theta) = k
+// (x - x0). Its derivatives satisfy |light''| <= |M| k^2 and |light'''| <= 3 |M| k^3, with equality
+// where theta is 0. A line between values h apart is off by at most h^2 / 8 |light''|. A parabola
+// through three values h apart is off by at most h^3 / (9 sqrt 3) |light'''| = |M| (k h)^3 / (3
+// sqrt 3).
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -34,10 +35,9 @@ Triple any_direction() {
   return size < 0.1 ? Triple{0, 0, 1} : scaled(v, 1 / size);
 }
 
-/// As 16.16 has it.
 double rounded(double x) { return std::floor(x / ulp + 0.5) * ulp; }
 
-/// The least distance from 0 of the way from `a` to `b`.
+/// The least distance from 0 of the segment from `a` to `b`.
 double least_distance(const Triple& a, const Triple& b) {
   const Triple way = difference(b, a);
   const double square = dot(way, way);
@@ -47,15 +47,14 @@ double least_distance(const Triple& a, const Triple& b) {
 
 constexpr std::array<PhongForm, 3> forms{PhongForm::exact, PhongForm::fourth, PhongForm::quadratic};
 
-/// A span of `count` pixels under a light of length `light`, its normals going by k (above) a
-/// pixel.
+/// A span of `count` pixels under a light of length `light`, with k (above) per pixel.
 struct Way {
   std::int32_t count = 0;
   double k = 0;
   double light = 1;
 };
 
-/// The chord's or the parabola's part, in levels; `exact` has neither.
+/// The error of the chord or the parabola, in levels. The form `exact` has neither.
 double form_error(PhongForm form, const Way& way) {
   const double last = way.count - 1;
   if (form == PhongForm::exact || last < 1) return 0;
@@ -67,17 +66,17 @@ double form_error(PhongForm form, const Way& way) {
   return ramp_levels * way.light * half * half * half / (3 * std::sqrt(3.0));
 }
 
-/// What arithmetic adds, in levels, where no normal's component is off by more than `component` and
-/// no normal is shorter than `distance`: that, unit() by four units, three products. A parabola
-/// makes of errors in its three values at most 1.25 of them, and its own words add less than 0.03
-/// in 320 pixels: on a ramp its second difference is doubled five times before the two divides that
-/// round, and x^2 times 2^-22 is 0.025, the slope another 0.001.
+/// The error of the arithmetic, in levels. `component` bounds the error of a normal's component,
+/// and `distance` is the least length of a normal. The error has that part, four units from unit()
+/// and three products. A parabola turns errors in its three values into at most 1.25 times as much.
+/// Its words add less than 0.03 in 320 pixels: its second difference on a ramp is doubled five
+/// times before the two rounding divides, so x^2 times 2^-22 is 0.025, and the slope adds 0.001.
 double arithmetic_error(PhongForm form, double component, double distance) {
   const double value = ramp_levels * (2 * component / distance + 12 * ulp);
   return form == PhongForm::quadratic ? 1.25 * value + 0.03 : value;
 }
 
-/// Levels that an index may differ by whose value differs by less than this.
+/// The largest index difference when the values differ by less than `bound`.
 int levels(double bound) { return static_cast<int>(std::floor(bound)) + 1; }
 
 int most_difference(const Indices& one, const Indices& other) {
@@ -119,7 +118,7 @@ TEST(Phong, EverySpanIsWithinItsBound) {
   }));
 }
 
-/// How far each pixel may be off, by each of the forms, as whole numbers.
+/// Error bounds of each pixel for each form, as whole levels.
 class Bounds {
  public:
   explicit Bounds(const Picture& picture, std::int32_t width, std::int32_t height) {
@@ -139,7 +138,7 @@ class Bounds {
   }
 
  private:
-  /// The row of a polygon, which covers what was there.
+  /// Adds the row of a polygon, which covers earlier polygons.
   void add(const PolygonRow& row, double light, std::int32_t y) {
     const std::int32_t first = row.first();
     const std::int32_t end = row.end(pages_[0]->width());
@@ -166,7 +165,7 @@ class Bounds {
   std::array<double, 3> greatest_{};
 };
 
-// The scene at half size, every pixel: the row that is seen there says by how much it may differ.
+// Compares every pixel at half size. The visible row at a pixel sets the bound.
 TEST(Phong, EveryPixelOfTheSceneIsWithinTheBoundOfItsRow) {
   Scene scene = read_scene(SCENES "/phong.json");
   scene.width /= 2;
@@ -199,8 +198,8 @@ TEST(Phong, EveryPixelOfTheSceneIsWithinTheBoundOfItsRow) {
     }
   }
   for (const int pixels : differing) EXPECT_GT(pixels, 0);
-  // Of any row of the scene, in levels: an exact one errs by arithmetic alone, and a chord is the
-  // farther off the more of a turn four pixels hold.
+  // These are bounds over all rows, in levels. The exact form has only arithmetic error; a chord is
+  // worse the more of a turn four pixels span.
   EXPECT_LT(greatest[0], 0.1);
   EXPECT_LT(greatest[1], 6);
   EXPECT_LT(greatest[2], 1.2);

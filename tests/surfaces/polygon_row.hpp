@@ -1,5 +1,5 @@
 /// @file
-/// A row of a polygon, exactly, and how far stepping may be from it.
+/// An exact polygon row and the error bound of stepping along it.
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,19 @@
 
 namespace surfaces {
 
-/// From edge to edge, in double.
+/// A row of a polygon from edge to edge, in double.
 struct PolygonRow {
   double left = 0;
   double right = 0;
   xsharp::PointValues from{};
   xsharp::PointValues to{};
-  double rows = 0;  ///< that the edges go down to here, the longer of the two
+  double rows = 0;  ///< rows from the top of the longer edge to this row
 
   [[nodiscard]] double width() const { return right - left; }
   [[nodiscard]] double at(std::size_t value, double x) const {
     return from[value] + (to[value] - from[value]) * (x - left) / width();
   }
-  /// Pixels of a page: from first() up to, but not including, end().
+  /// The page pixels of the row run from first() up to, but not including, end().
   [[nodiscard]] std::int32_t first() const {
     return static_cast<std::int32_t>(std::max(std::ceil(left), 0.0));
   }
@@ -35,7 +35,7 @@ struct PolygonRow {
   }
 };
 
-/// Nothing where no edge crosses the row.
+/// Returns nothing if no edge crosses the row.
 inline std::optional<PolygonRow> row_of(const xsharp::Picture& picture,
                                         const xsharp::Polygon& polygon, std::int32_t y) {
   const auto points = picture.points_of(polygon);
@@ -49,7 +49,7 @@ inline std::optional<PolygonRow> row_of(const xsharp::Picture& picture,
     const double rows = y - points[upper].y;
     const double height = points[lower].y - points[upper].y;
     const double part = rows / height;
-    // The product first: a whole crossing stays whole.
+    // Multiplying first keeps a whole-number crossing exact.
     const double x = points[upper].x + (points[lower].x - points[upper].x) * rows / height;
     xsharp::PointValues there{};
     for (std::size_t k = 0; k < there.size(); ++k) {
@@ -69,12 +69,13 @@ inline std::optional<PolygonRow> row_of(const xsharp::Picture& picture,
   return row;
 }
 
-/// By how much a value may be off at pixel x where divides and multiplies are rounded (step.hpp):
-/// - half a unit a row: the edges' slopes, whose whole distances make no error in the product;
-/// - the ends are cut to 2^-16 pixels, which moves x by that part of the row's way at most;
-/// - half a unit a pixel from the end on, the row's slope, and half a unit, the product that goes
-///   to the first centre. In a row narrower than a pixel it is half a unit of its way instead;
-/// - start and slope become the nearest words, if these have fewer bits after the point.
+/// The error bound of a value at pixel x when divides and multiplies round (step.hpp). It adds:
+/// - Half a unit per row from the edges' slopes. The products of whole distances are exact.
+/// - Truncation of the ends to 2^-16 pixels, which moves x by at most that part of the row's
+///   change.
+/// - Half a unit per pixel from the row's slope, and half a unit from the product for the first
+///   centre. In a row narrower than a pixel, it is half a unit of the row's change instead.
+/// - Rounding of start and slope to the nearest words, if these have fewer fraction bits.
 inline double stepping_error(const PolygonRow& row, std::size_t value, std::int32_t x,
                              double last_bit) {
   const double edges = row.rows / 2 * ulp;

@@ -1,4 +1,4 @@
-// What a loop is called with, against the exact value at every pixel of a span.
+// Compares the arguments of the loops with the exact value at every pixel of a span.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -16,14 +16,14 @@ namespace {
 
 using namespace xsharp;
 
-/// A slope is off by half a unit of the divide and half of the word's last bit, the start by half
-/// of the latter; after i additions i slopes are.
+/// A slope is off by half a unit from the divide and half of the word's last bit. The start is off
+/// by half of that bit. After i additions the slope's error counts i times.
 double bound_at(std::size_t i, double last_bit) {
   const double slope = ulp / 2 + (last_bit > ulp ? last_bit / 2 : 0);
   return static_cast<double>(i) * slope + (last_bit > ulp ? last_bit / 2 : 0);
 }
 
-/// What is stepped in which word; depth is that of a flat surface.
+/// A stepped value and its word. Depth uses a flat surface.
 struct Kind {
   SurfaceKind surface = SurfaceKind::flat;
   double last_bit = 0;
@@ -36,13 +36,14 @@ struct Kind {
     of_kind.kind = surface;
     return scene_of(of_kind, is_depth() ? DepthBuffering::on : DepthBuffering::off);
   }
-  /// As ramps have it, two levels from either end, where no error wraps. In 16.16 without rest.
+  /// A value of the ramp's range, two levels away from either end so that no error wraps. It is an
+  /// exact 16.16 number.
   [[nodiscard]] PointValues any_value() const {
     const double value = 2 + *generators::among(0, 1 << 24) * ((highest - 4) / (1 << 24));
     const double number = std::floor(value / ulp) * ulp;
     return {is_depth() ? number : 0, number};
   }
-  /// What is drawn is the whole part of this.
+  /// The value whose whole part the loop draws.
   [[nodiscard]] double value_of(const StepWords& words, std::size_t i) const {
     const std::uint64_t mask = (std::uint64_t{1} << word_bits) - 1;
     return static_cast<double>((words.start + i * words.step) & mask) * last_bit;
@@ -76,8 +77,8 @@ TEST(SpanError, DepthIsWithinAHalfBitAPixel) {
   EXPECT_TRUE(rc::check([] { check_span(depths); }));
 }
 
-/// A quadrilateral that begins above the page, its left and right ends on either side of the
-/// page's, with another value at each corner.
+/// A quadrilateral that begins above the page and may extend past its left and right sides. Each
+/// corner has another value.
 Picture around_the_page(const Kind& kind) {
   const auto left = [] { return *generators::among(-500, 100); };
   const auto right = [] { return *generators::among(120, 500); };
@@ -109,16 +110,16 @@ void check_clipped(const Kind& kind) {
   RC_ASSERT(y == std::min(height, picture.points[2].y));
 }
 
-// A depth is the first of the values, which Kind gives the second as well.
+// Kind gives a flat surface's depth as both the first and the second value.
 TEST(SpanError, WhatBeginsOffThePageIsSteppedToItsSideAndItsTop) {
   EXPECT_TRUE(rc::check([] { check_clipped(gouraud8); }));
   EXPECT_TRUE(rc::check([] { check_clipped(gouraud16); }));
   EXPECT_TRUE(rc::check([] { check_clipped(depths); }));
 }
 
-// Longer rows are drawn in pieces. A piece's start is that of the row and as many slopes as there
-// are pixels before it: the slope's half unit counts for all of these, the word's half bits only
-// from the piece's start on.
+// Long rows are drawn in pieces. A piece starts at the row's start plus one slope per earlier
+// pixel. The slope's half unit counts for all these pixels, but the word's half bits only from the
+// start of the piece.
 TEST(SpanError, RowsOfMoreThan320PixelsAreDrawnInPieces) {
   const auto calls = calls_of<Number>(gouraud8.scene(), strip(1000, {0, 1}, {0, 126}), 1000);
   ASSERT_EQ(calls.size(), 4U);

@@ -1,4 +1,4 @@
-// The three roundings of a step, by hand, and a divide that looks at a part of its divisor.
+// Tests the three roundings of a step, by hand, and the divide that drops part of its divisor.
 #include "xsharp/raster/step.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(SpanStep, TheSlopeIsRoundedAsTheDivideIs) {
 }
 
 TEST(SpanStep, TheStartIsTheValueAtTheCentre) {
-  // A quarter of a pixel along a slope of 2.
+  // The first centre is a quarter of a pixel along a slope of 2.
   const auto step = step_across(of<q16_16_i386>(10), of<q16_16_i386>(18), 4 * pixel, pixel / 4);
   EXPECT_EQ(step.start.raw(), 10 * 65536 + 32768);
   EXPECT_EQ(step.slope.raw(), 2 * 65536);
@@ -49,7 +49,7 @@ TEST(SpanStep, AWayBelowAPixelHasOneValueBetweenItsEnds) {
 }
 
 TEST(SpanStep, AWayThatIsLongerThan16_16IsHalved) {
-  // From -32000 to 32000: 64000 pixels, 128 higher.
+  // The row runs from -32000 to 32000, 64000 pixels, and the value rises by 128.
   EXPECT_EQ((slope(of<q16_16>(0), of<q16_16>(128), 64000 * pixel).raw()), 131);  // 131.07
 }
 
@@ -67,17 +67,17 @@ TEST(SpanStep, NoQuotientIsZero) {
   EXPECT_EQ(ratio(1.0, 0.0), 0);
 }
 
-// The divide of the 8088 drops the divisor's fraction: of 3.75 it sees 3, which would be 25 %.
+// The 8088 divide drops the divisor's fraction. It would take 3.75 as 3, an error of 25 %.
 TEST(SpanStep, TheDivideOfThe8088SeesNearlyAllOfTheDivisor) {
   const double exact = 60 / 3.75;
   const auto by = slope(of<q16_16_i8088>(0), of<q16_16_i8088>(60), 15 * pixel / 4);
   EXPECT_NEAR(by.raw() / 65536.0, exact, exact / 256);
 }
 
-/// Of a slope below 1, a divisor of at least 8191 loses less than 1 for its fraction. Of a steeper
-/// one, the upper part leaves at most D / 8191 and half a unit for each of 2^14 pixels, below 4.2;
-/// that is divided by at least 2^11 times a pixel, less than 1 of it lost, and the product and the
-/// quotient round.
+/// For a slope below 1 the divisor is at least 8191, so the lost fraction costs less than 1. For a
+/// steeper slope the upper part leaves at most D / 8191 and half a unit for each of 2^14 pixels,
+/// below 4.2. Dividing that by at least 2^11 times the number of pixels loses less than 1, and the
+/// product and the quotient round.
 RC_GTEST_PROP(SpanStep, TheDivideOfThe8088SeesItUnderLargeDifferencesToo, ()) {
   const std::int64_t units = *generators::among(65536, 321 * 65536);
   const bool steep = *generators::among(0, 2) == 0;
@@ -101,7 +101,7 @@ TEST(SpanStep, TheDivideOfThe8088IsRightForWholeLengths) {
   EXPECT_EQ(ratio(of<q16_16_i8088>(32767), of<q16_16_i8088>(0.5)).raw(), 0);
 }
 
-// 265.2 pixels: divided once, by 8486 for 8486.4, the slope would be 3 units too great.
+// For 265.2 pixels a single divide by 8486 instead of 8486.4 would give a slope 3 units too great.
 TEST(SpanStep, TheDivideOfThe8088SeesAllOfADivisorThatIsTheDividend) {
   const std::int32_t way = 17'380'078;
   EXPECT_NEAR(slope(of<q16_16_i8088>(0), q16_16_i8088::from_raw(way), way).raw(), 65536, 1);

@@ -17,7 +17,7 @@ namespace surfaces {
 using Indices = xsharp::Page<std::uint8_t>;
 using Number = fixed::q16_16_i386;
 
-/// The unit in the last place of 16.16.
+/// One ulp of 16.16.
 inline constexpr double ulp = 1.0 / 65536;
 
 inline xsharp::Scene scene_of(const xsharp::Surface& surface,
@@ -30,7 +30,7 @@ inline xsharp::Scene scene_of(const xsharp::Surface& surface,
   return scene;
 }
 
-/// From x = 0 to `width`, two rows.
+/// A strip from x = 0 to `width`, two rows high.
 inline xsharp::Picture strip(std::int32_t width, const xsharp::PointValues& left,
                              const xsharp::PointValues& right) {
   xsharp::Picture picture;
@@ -50,7 +50,7 @@ inline Indices drawn(xsharp::SurfaceFiller& filler, const xsharp::Picture& pictu
   return page;
 }
 
-/// Draws nothing, and keeps what the loops were called with.
+/// Records the arguments of the loops and draws nothing.
 class RecordingLoops final : public xsharp::SpanLoops {
  public:
   struct Call {
@@ -82,7 +82,7 @@ class RecordingLoops final : public xsharp::SpanLoops {
   std::vector<Call>* calls_;
 };
 
-/// What the loops are called with for the first rows of a picture.
+/// The recorded calls for the first `height` rows of a picture.
 template <class N>
 std::vector<RecordingLoops::Call> calls_of(const xsharp::Scene& scene,
                                            const xsharp::Picture& picture, std::int32_t width,

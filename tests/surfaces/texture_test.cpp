@@ -1,4 +1,4 @@
-// Where in a bitmap the texture loops go, against the true perspective.
+// Compares the bitmap places of the texture loops with exact perspective.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace xsharp;
 
-/// A span: places p / q where p and q are linear on the screen, q from `near` to `far`.
+/// A span whose place is p / q, with p and q linear in screen x; q runs from `near` to `far`.
 struct Span {
   std::int32_t width = 0;
   double near = 0;
@@ -25,7 +25,7 @@ struct Span {
   [[nodiscard]] double place(double x) const {
     return (from * near + (to * far - from * near) * x / width) / q(x);
   }
-  /// |u''| = 2 |W e| / q^3, for u = p / q with slopes b and e and the constant W = b q - p e.
+  /// |u''| = 2 |W e| / q^3 for u = p / q with slopes b and e and the constant W = b q - p e.
   [[nodiscard]] double bend() const {
     const double e = (far - near) / width;
     const double b = (to * far - from * near) / width;
@@ -33,7 +33,7 @@ struct Span {
   }
 };
 
-/// Places a texel inside the bitmap: nothing is kept inside that stepping has brought out.
+/// Keeps places a texel inside the bitmap, so that no clamping hides stepping errors.
 Span any_span() {
   const auto part = [] { return *generators::among(0, 65536) / 65536.0; };
   const auto place = [] { return *generators::among(256, 65536 - 255) / 65536.0; };
@@ -41,7 +41,7 @@ Span any_span() {
           std::floor(100 + 32000 * part()), place(), place()};
 }
 
-/// The same way with other places, for rows.
+/// The same depths with other places, for the rows of the bitmap.
 Span with_other_places(Span span) {
   const Span other = any_span();
   span.from = other.from;
@@ -60,8 +60,8 @@ std::vector<RecordingLoops::Call> calls_of_span(const Span& span, const Span& do
       span.width);
 }
 
-/// Between exact places h apart a line errs by h^2 / 8 times the bend. An exact place errs by what
-/// p and q do, each a product's half unit at the corners, and a slope's for every pixel.
+/// Between exact places h apart, a line is off by h^2 / 8 times the bend. An exact place has the
+/// errors of p and q: half a unit from the products at the corners, and a slope's error per pixel.
 TEST(Texture, IsWithinABoundThatFollowsFromThePixelsBetweenExactPlaces) {
   EXPECT_TRUE(rc::check([] {
     const Span span = any_span();
@@ -88,7 +88,7 @@ TEST(Texture, IsWithinABoundThatFollowsFromThePixelsBetweenExactPlaces) {
   }));
 }
 
-// Linear distortion goes straight from corner to corner.
+// Linear distortion is a straight line from corner to corner.
 TEST(Texture, WithoutExactPlacesIsLinear) {
   EXPECT_TRUE(rc::check([] {
     const Span span = any_span();
@@ -110,7 +110,7 @@ TEST(Texture, WithoutExactPlacesIsLinear) {
 
 template <class N>
 void check_inside() {
-  // As corners have them: from the middle of the first texel to that of the last, or back.
+  // Corners go from the centre of the first texel to that of the last, or back.
   const std::int32_t width = *generators::among(2, 4097);
   const bool back = *generators::among(0, 2) == 1;
   const double from = back ? 255.5 / 256 : 0.5 / 256;
@@ -145,7 +145,7 @@ TEST(Texture, APlaceOutsideIsBroughtToTheEdgeOfTheBitmap) {
   EXPECT_EQ(inside_bitmap({70000, 5}, 1), (StepWords{65535, 5}));
 }
 
-/// Pixels of frame 40 of the textured scene that are not those of the exact rendering.
+/// The number of pixels that differ from the exact rendering in frame 40 of the textured scene.
 std::ptrdiff_t differing(std::int32_t every) {
   Scene scene = read_scene(SCENES "/textured.json");
   for (ObjectDescription& object : scene.objects) object.surface.exact_every = every;
@@ -182,9 +182,9 @@ TEST(Texture, PatternsAreWhatTheySay) {
   surface.pattern = Pattern::bricks;
   const auto bricks = bitmap_of(surface);
   EXPECT_EQ(bricks[3 * 256 + 20], 9);   // the joint above a row
-  EXPECT_EQ(bricks[10 * 256 + 3], 9);   // and before a brick
+  EXPECT_EQ(bricks[10 * 256 + 3], 9);   // the joint before a brick
   EXPECT_EQ(bricks[10 * 256 + 20], 3);  // a brick
-  EXPECT_EQ(bricks[40 * 256 + 3], 3);   // half a brick further in the next row
+  EXPECT_EQ(bricks[40 * 256 + 3], 3);   // the next row is shifted by half a brick
   EXPECT_EQ(bricks[40 * 256 + 35], 9);
 }
 

@@ -1,4 +1,4 @@
-/// Scenes in motion: pages, what is out of reach, flights past the viewer, objects of other kinds.
+/// Tests moving scenes: pages, reach, flights past the viewer and custom objects.
 #include "xsharp/animation.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,6 @@ using Page3 = std::array<std::int32_t, 3>;
 
 constexpr std::int32_t frame_side = 200;
 
-/// A cube that turns about all axes.
 ObjectDescription spinning(double half_edge, const Triple& position) {
   ObjectDescription object = pipeline::body(cube(half_edge), position);
   object.spin.tenths = {30, 50, -20};
@@ -36,7 +35,7 @@ template <class N>
 struct AnimationOf : testing::Test {};
 TYPED_TEST_SUITE(AnimationOf, pipeline::all_types, );
 
-/// What is drawn, order included; points as they are.
+/// Expects the same polygons in the same order with the same points.
 void expect_same(const Picture& a, const Picture& b) {
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.values, b.values);
@@ -49,7 +48,7 @@ void expect_same(const Picture& a, const Picture& b) {
   }
 }
 
-/// Two cubes, a ball that drifts out of its page, one in orbit, and a viewer who has turned.
+/// Two cubes, a ball that drifts out of its page, an orbiting object and a turned viewer.
 Scene moved_to(const Page3& page) {
   std::vector<ObjectDescription> objects{
       spinning(40, {100, 20, -700}), spinning(60, {-90, -50, -900.25}),
@@ -81,7 +80,7 @@ TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-/// An object whose surface has values, but nothing of which shows, begins none for others.
+/// An invisible object with an interpolated surface gives the other objects no values.
 TYPED_TEST(AnimationOf, HasNoValuesWhereNothingIsInterpolated) {
   Scene scene =
       pipeline::scene(frame_side, {spinning(40, {0, 0, -600}), spinning(40, {0, 0, 600})});
@@ -119,7 +118,7 @@ TYPED_TEST(AnimationOf, AFarPageIsSeenAsTheFirstIs) {
 
 TYPED_TEST(AnimationOf, APlaceIsTheSameFromTheNextPage) {
   using N = TypeParam;
-  // 384.5 is 16384 - 15999.5; and the viewer sees it from a page of his own.
+  // In the next page, 384.5 stands for 16384 - 15999.5. The viewer has a page of its own.
   const auto state = [](const Page3& object_page, const Triple& position, const Page3& camera) {
     Scene scene = pipeline::scene(frame_side, {spinning(30, position)});
     scene.objects[0].page = object_page;
@@ -162,11 +161,11 @@ TYPED_TEST(AnimationOf, WhatIsOutOfReachIsCountedAndNotDrawn) {
   }
 }
 
-/// An object that comes from far away, past the viewer and away again is either out of reach or in
-/// its place to the unit: its matrix is the identity, so nothing is rounded.
+/// An object that flies past the viewer is either out of reach or exactly in place. Its matrix is
+/// the identity, so nothing rounds.
 TYPED_TEST(AnimationOf, AnObjectIsOutOfReachOrInItsPlace) {
   Scene scene = pipeline::scene(frame_side, {pipeline::body(cube(100), {50, 60, 0})});
-  // One frame has the middle at -32753.25, in 16.16, and some corners out of it.
+  // In one frame the centre is at -32753.25, inside 16.16, while some corners are outside.
   scene.objects[0].page = {0, 0, -4};
   scene.objects[0].drift = Drift{{0.875, 0, 250.25}, {}, {}};
   Animation<TypeParam> animation(scene);
@@ -176,7 +175,7 @@ TYPED_TEST(AnimationOf, AnObjectIsOutOfReachOrInItsPlace) {
     const Tally tally = animation.draw(picture);
     EXPECT_EQ(tally.faults, 0U);
     const double z = -4 * 16384 + frame * 250.25;
-    // 1000 are more than its size and how far it is to the side.
+    // The margin of 1000 exceeds the object's size and its sideways offset.
     if (std::fabs(z) > 32768) {
       EXPECT_EQ(tally.out_of_reach, 1U) << z;
     }
@@ -208,7 +207,7 @@ TYPED_TEST(AnimationOf, WhatFliesPastTheViewerNeverFaults) {
       Picture picture;
       const Tally tally = animation.draw(picture);
       EXPECT_EQ(tally.faults + tally.out_of_reach, 0U);
-      // Its corners are within 70 of its middle, which is at -400 + 3 * frame.
+      // Corners are within 70 of the centre, which is at -400 + 3 * frame.
       if (frame <= 100) {
         EXPECT_FALSE(picture.polygons.empty()) << frame;
       }
@@ -240,7 +239,7 @@ TYPED_TEST(AnimationOf, AmbientLightNeedsNoNormals) {
 
 TYPED_TEST(AnimationOf, LightsAreSwitched) {
   Scene scene = pipeline::scene(frame_side, {pipeline::body(with_normals(cube(40)), {0, 0, -400})});
-  // Every level is whole, so that builds that cut products show it too.
+  // Every level is whole, so builds with truncated products give the same result.
   scene.objects[0].shadings.assign(6, {.ambient = true, .diffuse = true});
   for (Paint& paint : scene.objects[0].paints) paint = {false, 0, {128, 128, 128}};
   scene.lights.ambient = {0.25, 0.25, 0.25};
@@ -262,13 +261,12 @@ TYPED_TEST(AnimationOf, LightsAreSwitched) {
   EXPECT_EQ(red(), 64);
 }
 
-// A cube seen from a corner shows three faces: one as it is painted, one under ambient light, one
-// under both.
+// A cube seen from a corner shows three faces: one unlit, one under ambient light, and one under
+// ambient and diffuse light.
 TYPED_TEST(AnimationOf, TheKindOfShadingBelongsToTheFace) {
   using N = TypeParam;
   Scene scene = pipeline::scene(frame_side, {pipeline::body(cube(40), {-100, -100, -400})});
   ObjectDescription& object = scene.objects[0];
-  // Faces toward +x, +y and +z.
   constexpr std::size_t right = 0;
   constexpr std::size_t above = 2;
   constexpr std::size_t front = 5;
@@ -292,7 +290,7 @@ TYPED_TEST(AnimationOf, TheKindOfShadingBelongsToTheFace) {
   EXPECT_EQ(picture.polygons[2].paint, (Paint{false, 0, {96, 48, 24}}));
 }
 
-/// A bitmap that always faces the viewer, larger the nearer it is: a small quad for each pixel.
+/// A bitmap that always faces the viewer, with a quad for each pixel.
 template <class N>
 class Bitmap final : public Object<N> {
  public:
@@ -352,7 +350,7 @@ TYPED_TEST(AnimationOf, ObjectsOfAnotherKindAreSortedAndDrawn) {
     return static_cast<int>(
         pipeline::drawn(picture, frame_side).row(frame_side / 2)[frame_side / 2]);
   };
-  // The middle pixel of the bitmap is 104. At -800, -700 and -600 it is behind the cube.
+  // The middle pixel of the bitmap is 104. At -800, -700 and -600 the bitmap is behind the cube.
   for (int frame = 0; frame < 3; ++frame, animation.move()) {
     EXPECT_EQ(middle(), 7);
     EXPECT_EQ(animation.order().back(), 0U);
@@ -363,9 +361,8 @@ TYPED_TEST(AnimationOf, ObjectsOfAnotherKindAreSortedAndDrawn) {
   }
 }
 
-// The list of listing 53.2: a new object goes in before those of its depth, and a later sort moves
-// an object past strictly smaller depths alone, so that objects that come to be at one depth keep
-// the order of the frame before.
+// Listing 53.2 inserts a new object before those of equal depth. A later sort moves an object only
+// past strictly smaller depths, so objects that reach the same depth keep their order.
 TYPED_TEST(AnimationOf, ObjectsOfEqualDepthAreDrawnInTheReverseOrder) {
   using N = TypeParam;
   Scene scene = pipeline::scene(frame_side, {pipeline::plain_body(cube(10), {0, 0, -600}, 1),
@@ -386,7 +383,8 @@ TYPED_TEST(AnimationOf, ObjectsOfEqualDepthAreDrawnInTheReverseOrder) {
   animation.add(std::make_unique<Bitmap<N>>(3, pipeline::vector<N>({0, 0, -600})));
   EXPECT_EQ(order(), (std::vector<std::size_t>{1, 3, 2, 0}));
 
-  // Unsorted, and from the list's other end under a depth buffer: as they were added.
+  // Without sorting, objects keep the order of addition. A depth buffer starts at the list's other
+  // end.
   for (const bool buffered : {false, true}) {
     scene.depth_key = buffered ? DepthKey::center : DepthKey::none;
     scene.depth_buffer = buffered ? DepthBuffering::on : DepthBuffering::off;
@@ -401,7 +399,7 @@ TYPED_TEST(AnimationOf, ObjectsOfEqualDepthAreDrawnInTheReverseOrder) {
 
 TYPED_TEST(AnimationOf, AViewerWhoHasTurnedSeesWhatIsThere) {
   using N = TypeParam;
-  // Turned by a quarter to the left, about y, he looks down -x.
+  // The camera turns left by 90 degrees about y and looks down -x.
   Scene scene = pipeline::scene(frame_side, {pipeline::plain_body(cube(10), {-600, 0, 0}, 1),
                                              pipeline::plain_body(cube(10), {0, 0, -600}, 2)});
   scene.camera.turn_tenths = {0, 900, 0};

@@ -1,4 +1,4 @@
-/// How constants become numbers, and numbers pixels.
+/// Tests the conversion of constants to numbers and of numbers to pixels.
 #include "xsharp/arithmetic.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::int32_t least_raw = std::numeric_limits<std::int32_t>::min();
 constexpr std::int32_t most_raw = std::numeric_limits<std::int32_t>::max();
 
-/// Toward minus infinity. The built-in division goes toward zero.
+/// Floor division; the built-in division truncates.
 std::int64_t floor_of(std::int64_t n, std::int64_t d) { return n / d - (n % d < 0 ? 1 : 0); }
 
 TEST(RawConstant, PublishedAddsAHalfAndDropsTheFraction) {
@@ -40,7 +40,7 @@ TEST(RawConstant, IsTheRationalRuleForEveryNumberOfEighthsOfAUnit) {
 }
 
 TEST(RawConstant, PublishedIsUpToOneAndAHalfUnitsTooHigh) {
-  // -1.4 units: -1.4 + 0.5 = -0.9, whose whole part is 0.
+  // -1.4 ulp + 0.5 = -0.9 ulp, which truncates to 0.
   EXPECT_EQ(raw_constant(std::ldexp(-1.4, -16), Conversion::published), 0);
   EXPECT_EQ(raw_constant(std::ldexp(-1.6, -16), Conversion::published), -1);
   EXPECT_EQ(raw_constant(std::ldexp(-1.4, -16), Conversion::nearest), -1);
@@ -48,7 +48,7 @@ TEST(RawConstant, PublishedIsUpToOneAndAHalfUnitsTooHigh) {
 
 TEST(RawConstant, WhatIsOutOfRangeIsTheEndOfTheRange) {
   using limits = std::numeric_limits<double>;
-  // Volatile: a compiler may take the undefined conversion of a NaN it knows for 0.
+  // The variable is volatile because converting a known NaN is undefined; a compiler may yield 0.
   const volatile double nan = limits::quiet_NaN();
   for (const Conversion conversion : {Conversion::published, Conversion::nearest}) {
     for (const double large : {32768.0, 1e9, limits::max(), limits::infinity()}) {
@@ -57,7 +57,7 @@ TEST(RawConstant, WhatIsOutOfRangeIsTheEndOfTheRange) {
     }
     EXPECT_EQ(raw_constant(nan, conversion), 0);
     EXPECT_EQ(raw_constant(limits::denorm_min(), conversion), 0);
-    // 2^31 - 1 units is the last that is in range.
+    // The largest value in range is 2^31 - 1 ulp.
     EXPECT_EQ(raw_constant(32768 - std::ldexp(1, -16), conversion), most_raw);
     EXPECT_EQ(raw_constant(32768 - std::ldexp(3, -17), conversion), most_raw);
     EXPECT_EQ(raw_constant(32768 - std::ldexp(2, -16), conversion), most_raw - 1);
@@ -69,7 +69,7 @@ TEST(RawCoordinate, WholeNumbersAreExactUnderBothConversions) {
     EXPECT_EQ(coordinate<fixed::q16_16>(whole, Conversion::published).raw(), whole * 65536);
     EXPECT_EQ(coordinate<fixed::q16_16>(whole, Conversion::nearest).raw(), whole * 65536);
   }
-  // -0.5 is -32768 units: -32767.5 loses its fraction.
+  // -0.5 is -32768 ulp; -32767.5 truncates to -32767.
   EXPECT_EQ(coordinate<fixed::q16_16>(-0.5, Conversion::published).raw(), -32767);
   EXPECT_EQ(coordinate<fixed::q16_16>(-0.5, Conversion::nearest).raw(), -32768);
   EXPECT_EQ(
@@ -122,7 +122,7 @@ TYPED_TEST(ArithmeticOf, DivideByZeroHasNoResult) {
             from_whole<TypeParam>(-2));
 }
 
-// The whole parts of floor and the fractions each by themselves, worked out in 64-bit integers.
+// Adds the floors and the fractions separately, in 64-bit integers.
 TYPED_TEST(ArithmeticOf, OnlyThe8088LosesTheCarryOfATranslation) {
   using N = TypeParam;
   using A = Arithmetic<N>;
@@ -152,7 +152,7 @@ TYPED_TEST(ArithmeticOf, OnlyThe8088LosesTheCarryOfATranslation) {
   }));
 }
 
-// A policy that divides by the whole part alone is no 8088 build.
+// A custom policy that divides by the whole part alone is not an 8088 build.
 TEST(Concatenation, APolicyOfOnesOwnKeepsTheCarry) {
   constexpr fixed::policy own{.divisor = fixed::divisor_width::whole_part};
   EXPECT_FALSE(is_i8088_build(own));

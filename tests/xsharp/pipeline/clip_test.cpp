@@ -1,4 +1,4 @@
-/// Clipping, and that what it leaves can be projected.
+/// Tests clipping, and that the clipped points can be projected.
 #include "xsharp/clip.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Points<N> clipped(const Points<N>& polygon, std::int32_t slope) {
   return clip<N>(std::span<const Vec3<N>>(polygon), slope);
 }
 
-/// Points from `drawn`, three numbers each.
+/// The points for `drawn`, which has three numbers per point.
 template <class N>
 Points<N> points_of(const Integers& drawn) {
   const auto coordinate = [&](std::size_t i) {
@@ -44,12 +44,12 @@ Points<N> points_of(const Integers& drawn) {
   return points;
 }
 
-/// Halving 32 times, each time rounded by half a unit, moves a point off its edge by 16 units at
-/// most in each component.
+/// Halving 32 times, with half an ulp of rounding each, moves a point off its edge by at most 16
+/// ulp per component.
 constexpr double off_edge = 16 * ulp;
 
-/// By the definition of the volume. An edge along a side is cut again by the two planes that follow
-/// at most, each of which moves x or y, and z times the slope, off the side.
+/// Whether the point is inside by the definition of the volume. At most two later planes cut an
+/// edge along a side again. Each moves x or y off the side, and also z times the slope.
 template <class N>
 bool is_inside(const Vec3<N>& point, std::int32_t slope) {
   const auto [x, y, z] = triple(point);
@@ -57,8 +57,7 @@ bool is_inside(const Vec3<N>& point, std::int32_t slope) {
   return z <= -1 && std::fabs(x) <= most && std::fabs(y) <= most;
 }
 
-/// Whether `holds` is true of triangles of any size, and of some about the near plane, under every
-/// slope.
+/// Whether `holds` is true under every slope for triangles of any size and near the near plane.
 template <class N, class Check>
 bool for_triangles(Check holds) {
   const auto check = [holds](const Integers& drawn) {
@@ -132,8 +131,8 @@ TYPED_TEST(Clip, AnEdgeThatTwoPolygonsShareGetsTheSamePointsFromBoth) {
   EXPECT_TRUE(draws::hold(12, -300000, 300000, check));
 }
 
-/// Whether each corner turns as the triangle does, as far as the points are on its edges, which
-/// each of the five planes may cut.
+/// Whether each corner turns the same way as the triangle. The tolerance allows for errors from
+/// each of the five planes.
 template <class N>
 bool keeps_convex(const Points<N>& triangle, std::int32_t slope) {
   const auto at = [](const Points<N>& points, std::size_t i) {
@@ -152,7 +151,7 @@ bool keeps_convex(const Points<N>& triangle, std::int32_t slope) {
     const double edges = length(difference(at(left, i + 1), at(left, i))) +
                          length(difference(at(left, i + 2), at(left, i + 1)));
     if (dot(turn(left, i), unit) < -2 * off * (edges + off)) return false;
-    // And each point is on the plane of the triangle.
+    // Each point must also lie in the plane of the triangle.
     if (std::fabs(dot(difference(at(left, i), at(triangle, 0)), unit)) > off) return false;
   }
   return true;
@@ -164,7 +163,7 @@ TYPED_TEST(Clip, StaysConvexFlatAndInTheSameSense) {
 
 TYPED_TEST(Clip, AWallIsCutAtTheVolumesEdges) {
   using N = TypeParam;
-  // A wall at z = -4 that is as wide as can be is left with the four corners of the volume there.
+  // A very wide wall at z = -4 keeps only the four corners of the volume at that depth.
   const Points<N> wall{
       pipeline::vector<N>({-30000, 30000, -4}), pipeline::vector<N>({30000, 30000, -4}),
       pipeline::vector<N>({30000, -30000, -4}), pipeline::vector<N>({-30000, -30000, -4})};
@@ -176,14 +175,13 @@ TYPED_TEST(Clip, AWallIsCutAtTheVolumesEdges) {
         [&](const Vec3<N>& point) { return length(difference(triple(point), corner)) < 2 * ulp; }))
         << corner[0] << " " << corner[1];
   }
-  // The near plane: from z = -9 to 7 at x = 0, half of the way to -1.
+  // The near plane cuts the edge from z = -9 to z = 7 halfway, at z = -1.
   const Points<N> edge =
       clipped<N>({pipeline::vector<N>({0, 0, -9}), pipeline::vector<N>({0, 16, 7})}, 64);
   ASSERT_GE(edge.size(), 2U);
   EXPECT_LT(length(difference(triple(edge[1]), {0, 8, -1})), 2 * ulp);
 }
 
-/// The projection of a page of this width.
 template <class N>
 Projection<N> projection(double ratio, std::int32_t width) {
   Scene scene;
@@ -199,7 +197,7 @@ TYPED_TEST_SUITE(ClippedProjection, pipeline::all_types, );
 
 TYPED_TEST(ClippedProjection, WhatIsLeftIsProjectedWithoutAFaultAndWithin16Bits) {
   using N = TypeParam;
-  // Projection constants from -0.01 to -16000, the least and greatest a scene may have.
+  // Projection constants run from -0.01 to -16000, the limits of a scene.
   for (const auto& [ratio, width] :
        {std::pair{-0.01, 2}, {-2.0, 320}, {-1.0, 4096}, {-8.0, 4000}}) {
     const Projection<N> p = projection<N>(ratio, width);
@@ -218,7 +216,7 @@ TYPED_TEST(ClippedProjection, WhatIsLeftIsProjectedWithoutAFaultAndWithin16Bits)
 
 TYPED_TEST(ClippedProjection, AProjectedPointIsWhereTheQuotientIs) {
   using N = TypeParam;
-  // Whole z: the 8088 divide drops no fraction then.
+  // z is a whole number, so the 8088 divide drops no fraction.
   const Projection<N> p = projection<N>(-2, 320);
   EXPECT_EQ(project(pipeline::vector<N>({0, 0, -1}), p), (ScreenPoint{160, 160}));
   EXPECT_EQ(project(pipeline::vector<N>({4, 2, -8}), p), (ScreenPoint{320, 80}));

@@ -1,4 +1,4 @@
-/// Depth sorting, against another way to do it.
+/// Tests depth sorting against a linked list.
 #include "xsharp/depth.hpp"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,9 @@ namespace {
 using draws::Integers;
 using Order = std::vector<std::size_t>;
 
-/// The object list of chapter 53: linked both ways between two sentinels that are never drawn, one
-/// at -32768.0 that nothing is behind, one at the largest depth there is. From the second object
-/// on, each that is farther away than the one before it is taken out and put in behind the nearest
-/// one before it that is not nearer.
+/// The object list of chapter 53: doubly linked between two sentinels, at -32768.0 and at the
+/// largest depth. From the second object on, the sort moves each object that is farther than its
+/// predecessor behind the nearest earlier object that is not nearer.
 class ObjectList {
  public:
   explicit ObjectList(std::size_t objects) : links_(objects + 2) {
@@ -48,7 +47,7 @@ class ObjectList {
     }
   }
 
-  /// Objects from 0, from the head to the tail.
+  /// Object indices, starting at 0, from head to tail.
   [[nodiscard]] Order order() const {
     Order result;
     for (std::size_t node = links_[0].next; node != links_.size() - 1; node = links_[node].next) {
@@ -124,7 +123,8 @@ TYPED_TEST(Depth, NothingToSort) {
   EXPECT_EQ(one, Order{0});
 }
 
-/// Sorts frame after frame of `objects` depths; each order is a permutation, and that of the list.
+/// Sorts successive frames of `objects` depths. Each order must be a permutation and match the
+/// list.
 template <class N>
 bool is_the_list(const Integers& depths, std::size_t objects) {
   ObjectList list(objects);
@@ -147,7 +147,7 @@ bool is_the_list(const Integers& depths, std::size_t objects) {
 
 TYPED_TEST(Depth, IsTheListOfObjectsFrameAfterFrame) {
   for (const std::size_t objects : {1U, 2U, 3U, 7U, 12U}) {
-    // The first draw has many equal depths.
+    // This small range gives many equal depths.
     EXPECT_TRUE(draws::hold(84, -4, 4, [=](const Integers& depths) {
       return is_the_list<TypeParam>(depths, objects);
     }));
@@ -156,7 +156,6 @@ TYPED_TEST(Depth, IsTheListOfObjectsFrameAfterFrame) {
   }
 }
 
-/// A depth that counts how often it is compared.
 struct Counted {
   int depth = 0;
   static inline std::size_t comparisons = 0;
@@ -167,7 +166,7 @@ struct Counted {
   }
 };
 
-/// How often depths of that many objects are compared, sorted in this order of the objects.
+/// The number of comparisons when sorting the depths, starting from `order`.
 std::size_t comparisons_for(Order& order, const std::vector<Counted>& depths) {
   Counted::comparisons = 0;
   sort_by_depth(order, std::span<const Counted>(depths));
@@ -180,16 +179,16 @@ TEST(DepthSort, IsAsLongAsWhatHasChanged) {
   for (std::size_t i = 0; i < objects; ++i) depths[i].depth = static_cast<int>(i / 2);
   Order order = from_zero(objects);
   EXPECT_LT(comparisons_for(order, depths), objects);
-  // Every hundredth falls behind the ten before it.
+  // Every hundredth object moves behind the ten before it.
   for (std::size_t i = 100; i < objects; i += 100) depths[i].depth -= 10;
   EXPECT_LT(comparisons_for(order, depths), 2 * objects);
-  // All turned about: 50 million pairs.
+  // The order reverses completely: 50 million pairs.
   for (std::size_t i = 0; i < objects; ++i) depths[i].depth = -static_cast<int>(i / 2);
   EXPECT_LT(comparisons_for(order, depths), 10 * objects * 14);
   Order expected = from_zero(objects);
   std::stable_sort(expected.begin(), expected.end(),
                    [&](std::size_t a, std::size_t b) { return depths[a].depth < depths[b].depth; });
-  // The pairs that were equal had changed places in the sorts before; both orders begin alike.
+  // Earlier sorts may have swapped equal pairs, so compare the depths and not the objects.
   for (std::size_t i = 0; i < objects; ++i) {
     ASSERT_EQ(depths[order[i]].depth, depths[expected[i]].depth);
   }

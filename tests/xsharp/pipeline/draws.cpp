@@ -6,7 +6,7 @@ namespace draws {
 
 namespace {
 
-/// Equally likely from the first case of a property on.
+/// A uniform generator that ignores RapidCheck's size, so early cases cover the whole range.
 rc::Gen<std::int64_t> among(std::int64_t least, std::int64_t most) {
   return rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::int64_t>(least, most + 1));
 }

@@ -1,6 +1,6 @@
 /// @file
-/// Properties of numbers of every type. RapidCheck takes seconds to compile for each type it draws
-/// for, so it draws integers only.
+/// Property checks for numbers of every type. RapidCheck takes seconds to compile for each type, so
+/// it draws only integers.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace draws {
 using Integers = std::vector<std::int64_t>;
 using Check = std::function<bool(const Integers&)>;
 
-/// Whether `check` is true for `count` integers from `least` to `most`. Prints the least
+/// Whether `check` is true for `count` integers from `least` to `most`. Prints the smallest
 /// counterexample.
 bool hold(std::size_t count, std::int64_t least, std::int64_t most, const Check& check);
 
-/// Whether `check` is true for `count` integers of 32 bits: the ends of their range, what is near
-/// to them or to whole numbers of 16.16, and anything.
+/// Whether `check` is true for `count` 32-bit integers: range ends, values near them or near whole
+/// 16.16 numbers, and arbitrary values.
 bool hold_for_raws(std::size_t count, const Check& check);
 
 }  // namespace draws

@@ -1,4 +1,4 @@
-/// Which faces of a body show, and that what shows has no holes.
+/// Tests which faces of a body are visible, and that visible faces leave no holes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using draws::Integers;
 using ScreenPoints = std::vector<ScreenPoint>;
 
-/// Twice the area, above 0 where a corner turns from positive x to positive y.
+/// Twice the area; positive if corners turn from positive x to positive y.
 std::int64_t area(const ScreenPoints& points) {
   std::int64_t sum = 0;
   for (std::size_t i = 2; i < points.size(); ++i) {
@@ -75,7 +75,7 @@ template <class N>
 struct Faces : testing::Test {};
 TYPED_TEST_SUITE(Faces, pipeline::all_types, );
 
-/// The body after one frame, turned by `tenths` from scratch, and its Picture.
+/// The body after one frame with rotation `tenths`, and its Picture.
 template <class N>
 struct Turned {
   Turned(const ObjectDescription& object, const std::array<std::int32_t, 3>& tenths,
@@ -98,8 +98,8 @@ struct Turned {
   Tally tally;
 };
 
-/// How far the viewer is in front of the plane of each face, negative for behind, over how far the
-/// face is away: the sine of the angle it is seen under. In long double, from the description.
+/// The sine of the viewing angle of each face, in long double: the viewer's signed distance from
+/// the face's plane over its distance from the face. Negative means behind the plane.
 std::vector<double> seen_under(const ObjectDescription& object,
                                const std::array<std::int32_t, 3>& tenths) {
   const pipeline::Matrix turn = pipeline::rotation(tenths);
@@ -132,7 +132,7 @@ TYPED_TEST(Faces, ShowWhoseNormalPointsToTheViewerAndTileTheSilhouette) {
   const ObjectDescription cube = pipeline::body(xsharp::cube(300), {100, -60, -1400});
   EXPECT_TRUE(draws::hold(3, -1800, 1800, [&](const Integers& drawn) {
     const std::vector<double> sines = seen_under(cube, angles(drawn));
-    // A face seen under less than this is as thin as the roundings to pixels.
+    // Below this sine, rounding to pixels is as large as the face is thin.
     for (const double sine : sines) {
       if (std::fabs(sine) < 0.06) return true;
     }
@@ -150,8 +150,8 @@ TYPED_TEST(Faces, ShowWhoseNormalPointsToTheViewerAndTileTheSilhouette) {
 
 TYPED_TEST(Faces, AWallCloseByHasNoHoles) {
   using N = TypeParam;
-  // 4000 wide to every side of the line of sight and 20 away, turned by up to two degrees:
-  // the walls of the volume cut every edge that the walls before have made.
+  // The wall extends 4000 to every side at distance 20 and turns by up to two degrees. Each clip
+  // plane cuts edges that earlier planes have made.
   const ObjectDescription wall = pipeline::plain_body(xsharp::cube(4000), {0, 0, -4020}, 1);
   EXPECT_TRUE(draws::hold(3, -20, 20, [&](const Integers& drawn) {
     const Turned<N> turned(wall, angles(drawn), page_side);

@@ -1,5 +1,5 @@
 /// @file
-/// Rotations in long double: what those in numbers are compared to.
+/// Reference rotations in long double.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline Matrix product(const Matrix& a, const Matrix& b) {
   return result;
 }
 
-/// Counterclockwise about x (0), y (1) or z (2), seen from the end of the axis.
+/// A counterclockwise rotation about x (0), y (1) or z (2), seen from the end of the axis.
 inline Matrix rotation(std::size_t axis, std::int32_t tenths) {
   const long double angle = tenths * std::numbers::pi_v<long double> / 1800;
   const long double c = std::cos(angle);
@@ -37,7 +37,7 @@ inline Matrix rotation(std::size_t axis, std::int32_t tenths) {
   return {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
 }
 
-/// About x, then y, then z.
+/// Rotates about x, then y, then z.
 inline Matrix rotation(const std::array<std::int32_t, 3>& tenths) {
   return product(rotation(2, tenths[2]), product(rotation(1, tenths[1]), rotation(0, tenths[0])));
 }
@@ -53,7 +53,7 @@ Matrix matrix_of(const xsharp::Transform<N>& t) {
   return result;
 }
 
-/// The root of the sum of the squares of the differences of all entries.
+/// The Frobenius norm of the difference.
 inline double distance(const Matrix& a, const Matrix& b) {
   long double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,7 +62,6 @@ inline double distance(const Matrix& a, const Matrix& b) {
   return static_cast<double>(std::sqrt(sum));
 }
 
-/// The largest entry of |rows * rows - I|.
 inline double skew(const Matrix& m) {
   long double worst = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-/// Delays, spins, drifts, orbits and pages.
+/// Tests delays, spins, drifts, orbits and pages.
 #include "xsharp/motion.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Triple place(const Motion<N>& motion) {
   return triple(motion.to_world().translation());
 }
 
-/// The frames of the first `count` in which something changed.
+/// The frames, out of the first `count`, in which the object changed.
 template <class N>
 std::vector<int> frames_of_change(const ObjectDescription& object, int count) {
   Motion<N> motion(object, plain);
@@ -67,7 +67,7 @@ TYPED_TEST(MotionOf, BeyondStopZItMovesInZNoMore) {
   Motion<TypeParam> motion(object, plain);
   for (int frame = 1; frame <= 100; ++frame) {
     motion.advance();
-    // -6000 + 70 * 80 is -400, not yet beyond; -320 is.
+    // -6000 + 70 * 80 is -400, which is not beyond stop_z; the next position, -320, is.
     EXPECT_EQ(place(motion), (Triple{7.0 + frame, 0, frame <= 71 ? -6000.0 + 80 * frame : -320}));
   }
 }
@@ -86,13 +86,13 @@ TYPED_TEST(MotionOf, OutsideOfItsBoundsItTurnsBackInZ) {
   object.position = {0, 0, -400};
   object.drift = Drift{.step = {1, 0, 30}, .bounce_z = Bounds{-420, -350}};
   Motion<TypeParam> motion(object, plain);
-  // -340 is beyond -350, and -430 is beyond -420; -400 itself is between them.
+  // -340 is beyond -350 and -430 is beyond -420; -400 is between the bounds.
   const std::vector<double> expected{-370, -340, -370, -400, -430, -400, -370, -340, -370};
   for (std::size_t frame = 0; frame < expected.size(); ++frame) {
     motion.advance();
     EXPECT_EQ(place(motion), (Triple{1.0 + static_cast<double>(frame), 0, expected[frame]}));
   }
-  // A bound itself is within.
+  // A position on a bound is still within the bounds.
   object.drift = Drift{.step = {0, 0, 50}, .bounce_z = Bounds{-400, -350}};
   Motion<TypeParam> between(object, plain);
   between.advance();
@@ -120,8 +120,8 @@ TYPED_TEST(MotionOf, SpinsAboutXThenYThenZ) {
   }
 }
 
-/// With cosines within e = half a unit and products within p: the offset in x is within
-/// a = radius * e + p, y and z within a + radius * e + p each.
+/// The error bound of an orbit position. With cosines within e = half an ulp and products within p,
+/// the x offset is within a = radius * e + p, and y and z within a + radius * e + p each.
 template <class N>
 double orbit_error(double radius) {
   const double a = radius * ulp / 2 + pipeline::product_error<N>();
@@ -153,7 +153,7 @@ TYPED_TEST(MotionOf, AnOrbitIsATiltedCircle) {
 
 TYPED_TEST(MotionOf, ADriftGoesOnFromPageToPage) {
   using N = TypeParam;
-  // Positions and steps of up to a page, in units; the ends are likely enough to come.
+  // Positions and steps reach up to a page in either direction; clamping makes the ends likely.
   EXPECT_TRUE(draws::hold(6, -16400, 16400, [](const Integers& drawn) {
     ObjectDescription object;
     object.drift = Drift{};

@@ -1,5 +1,5 @@
-/// What sorting by one depth cannot do: two bodies for which it draws the hidden one over the
-/// other. What is seen is worked out pixel by pixel, from rays.
+/// Tests two-body scenes that a sort by one depth draws in the wrong order. Rays determine the
+/// visible body at each pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace xsharp {
 namespace {
 
-/// Faces at right angles to the axes, at whole numbers: the 8088 divide drops no fraction then.
+/// A box with axis-aligned faces at whole numbers, so the 8088 divide drops no fraction.
 struct Box {
   Triple least;
   Triple most;
@@ -25,8 +25,8 @@ struct Box {
 constexpr std::int32_t screen_side = 128;
 constexpr double half = screen_side / 2;
 
-/// How far along the ray, in units of the distance of the screen, it enters the box; more than any
-/// distance if it does not. Between two planes for each axis.
+/// Where the ray enters the box, in units of the screen's distance, or a huge value if it misses.
+/// The box is the intersection of three slabs.
 double entry(const Box& box, const Triple& ray) {
   constexpr double never = std::numeric_limits<double>::max();
   double enter = 0;
@@ -43,8 +43,8 @@ double entry(const Box& box, const Triple& ray) {
   return enter < leave ? enter : never;
 }
 
-/// What the ray through this point of the page meets first: 1 or 2, 0 if nothing. The plane of
-/// projection is as far as the page is wide.
+/// The body that the ray through this page point hits first: 1 or 2, or 0 for none. The distance of
+/// the projection plane equals the page width.
 std::uint8_t seen(const std::array<Box, 2>& boxes, double x, double y) {
   const Triple ray{(x - half) / screen_side, (half - y) / screen_side, -1};
   const double one = entry(boxes[0], ray);
@@ -53,8 +53,8 @@ std::uint8_t seen(const std::array<Box, 2>& boxes, double x, double y) {
   return one < two ? 1 : 2;
 }
 
-/// Pixels of the page that are not as seen. Those near an edge, which rounding may give to either
-/// side, do not count.
+/// The number of pixels with the wrong body. Pixels near an edge do not count, because rounding may
+/// give them to either side.
 int wrong_pixels(const pipeline::Mask& page, const std::array<Box, 2>& boxes) {
   int wrong = 0;
   for (std::int32_t y = 0; y < screen_side; ++y) {
@@ -87,13 +87,13 @@ int wrong_pixels(const std::array<Box, 2>& boxes, DepthKey key, bool swapped = f
   return wrong_pixels(pipeline::drawn(picture, screen_side), boxes);
 }
 
-/// A wall to the right that runs away from the viewer, from 10 to 110.
+/// A wall on the right that runs from 10 to 110 away from the viewer.
 constexpr Box wall{{10, -8, -110}, {12, 8, -10}};
-/// On the viewer's side of it; nearer than the wall's end, farther than its middle.
+/// On the viewer's side of the wall, nearer than its end and farther than its middle.
 constexpr Box small_before{{6, -2, -72}, {8, 2, -68}};
-/// On the other side of it, nearer than its middle.
+/// On the other side of the wall, nearer than its middle.
 constexpr Box small_behind{{16, -2, -44}, {18, 2, -40}};
-/// All along the other side, and nearer in every way: 14 / 28 is the rightmost that is seen.
+/// Behind the wall but nearer by every key; its rightmost visible point is at 14 / 28.
 constexpr Box wall_behind{{14, -2, -70}, {20, 2, -8}};
 
 template <class N>

@@ -1,4 +1,4 @@
-/// Batches against one by one: vertices, faults, exceptions, and whole pictures.
+/// Compares batches with single vertices: places, faults, exceptions and whole pictures.
 #include "xsharp/place.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 
 namespace pipeline {
 
-/// A number type by itself: what the pipeline does one by one.
+/// Wraps a number type so that the pipeline handles vertices one by one.
 template <class N>
 struct Plain {
   N n{};
@@ -77,7 +77,7 @@ using batch_types = testing::Types<fixed::q16_16, fixed::q16_16_saturating, fixe
                                    fixed::q16_16_i8088_div_rounded, fixed::q16_16_i8088_unrounded>;
 TYPED_TEST_SUITE(Placing, batch_types, );
 
-/// Where vertices have come to, and what was thrown.
+/// The placed vertices and the exception, if any.
 template <class N>
 struct Result {
   std::vector<Vec3<N>> view;
@@ -95,7 +95,7 @@ struct Result {
   }
 };
 
-/// As many vertices as fill two blocks and a part; their coordinates have this many bits.
+/// Random vertices of `bits`-bit coordinates that fill two blocks and part of a third.
 template <class N>
 std::vector<Vec3<N>> vertices_of_bits(int bits) {
   std::mt19937 random(1994);
@@ -107,7 +107,6 @@ std::vector<Vec3<N>> vertices_of_bits(int bits) {
   return vertices;
 }
 
-/// Turned and moved away from the viewer.
 template <class N>
 Transform<N> seen_from(double distance) {
   Transform<N> t;
@@ -124,7 +123,7 @@ Projection<N> projected_by(double constant, std::int32_t slope) {
   return {pipeline::number<N>(constant), 160, 120, slope};
 }
 
-/// Of every slope: nothing that is behind z = -1 is outside.
+/// A slope so large that every point behind z = -1 is inside the volume.
 constexpr std::int32_t everything = std::int32_t{1} << 20;
 
 template <class N>
@@ -153,7 +152,7 @@ TYPED_TEST(Placing, IsTheSameInBatches) {
   const auto vertices = vertices_of_bits<N>(24);
   const auto all = expect_same(seen_from<N>(1000), vertices, projected_by<N>(-320, 32));
   EXPECT_EQ(all.unplaced, Unplaced{});
-  // Some behind the viewer, some beside what is seen.
+  // Some vertices are behind the viewer and some are beside the volume.
   const auto some = expect_same(seen_from<N>(20), vertices, projected_by<N>(-320, 1));
   EXPECT_GT(some.unplaced.outside, vertices.size() / 4);
   EXPECT_LT(some.unplaced.outside, vertices.size());
@@ -169,7 +168,7 @@ TYPED_TEST(Placing, OverflowsTheSameWhenTransformed) {
   EXPECT_EQ(!result.thrown.empty(), traps<N>);
 }
 
-/// Every seventh vertex as it is asked for, the others easy.
+/// Puts every seventh vertex at `place`; the others are uncritical.
 template <class N>
 std::vector<Vec3<N>> with_some(const Triple& place) {
   auto vertices = vertices_of_bits<N>(20);
@@ -189,7 +188,6 @@ TYPED_TEST(Placing, OverflowsTheSameWhenProjected) {
 
 TYPED_TEST(Placing, HasTheSameFaults) {
   using N = TypeParam;
-  // The quotient would be 2^15.
   const auto vertices = with_some<N>({-32768, 0, -1});
   const auto result = expect_same(identity<N>(), vertices, projected_by<N>(-1, everything));
   EXPECT_EQ(result.thrown, "");
@@ -198,7 +196,8 @@ TYPED_TEST(Placing, HasTheSameFaults) {
   EXPECT_EQ(result.unplaced.outside, 0U);
 }
 
-/// A ball beyond one block, one that the near plane cuts, one beside what is seen, and shading.
+/// A ball larger than one block, one that the near plane cuts, a cube outside the view, and a
+/// texture.
 Scene hard_scene() {
   std::vector<ObjectDescription> objects{
       pipeline::body(ball(80, 16), {20, 10, -500}), pipeline::body(ball(30, 6), {5, -8, -20}),

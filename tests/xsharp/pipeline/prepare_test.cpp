@@ -1,5 +1,4 @@
-/// An object that is prepared again and again without moving: what became of it, and what it
-/// throws.
+/// Tests repeated preparation of an object that does not move: its faults and exceptions.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 namespace xsharp {
 namespace {
 
-/// A triangle in front of the viewer, but for its first corner.
+/// A triangle in front of the viewer with a variable first corner.
 Polyhedron<fixed::q16_16_trapping> with_corner(const Triple& corner) {
   Mesh mesh;
   mesh.vertices = {corner, {0, 10, -40}, {10, 0, -40}};
@@ -21,7 +20,7 @@ Polyhedron<fixed::q16_16_trapping> with_corner(const Triple& corner) {
   return {pipeline::body(std::move(mesh), {}), 0, {}};
 }
 
-/// x is stretched; nothing behind z = -1 is outside of the clip volume.
+/// A view that stretches x. The clip volume holds every point behind z = -1.
 View<fixed::q16_16_trapping> stretched(double x, double constant) {
   using N = fixed::q16_16_trapping;
   View<N> view{.world_to_view = identity<N>()};
@@ -32,7 +31,7 @@ View<fixed::q16_16_trapping> stretched(double x, double constant) {
 
 TEST(Preparing, ThrowsAgain) {
   auto object = with_corner({300, -200, -1.5});
-  const auto view = stretched(1, -320);  // of 200 times 320
+  const auto view = stretched(1, -320);  // 200 times 320 overflows
   for (int frame = 0; frame < 2; ++frame) {
     Tally tally;
     EXPECT_THROW(object.prepare(view, tally), fixed::overflow_error) << frame;

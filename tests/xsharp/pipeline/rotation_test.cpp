@@ -1,4 +1,4 @@
-/// Rotations: their direction, how fast they lose their shape, and what restores it.
+/// Tests rotations: direction, loss of orthogonality and its restoration.
 #include "xsharp/rotation.hpp"
 
 #include <gtest/gtest.h>
@@ -26,9 +26,8 @@ using pipeline::ulp;
 
 constexpr std::array axes{Axis::x, Axis::y, Axis::z};
 
-/// How far a cosine or sine may be from the exact one. The table has the nearest number. A double
-/// goes through the conversion: published, what is below 0 comes out up to 3/2 units too high. In
-/// double nothing is rounded to units at all.
+/// The error bound of a cosine or sine. Table entries are the nearest numbers. The published
+/// conversion makes negative values up to 3/2 ulp too high. Double does not round to ulps of 16.16.
 template <class N>
 double cosine_error(Trigonometry trigonometry, Conversion conversion) {
   if (std::same_as<N, double>) return 1e-15;
@@ -37,13 +36,13 @@ double cosine_error(Trigonometry trigonometry, Conversion conversion) {
   return published ? 1.5 * ulp : 0.5 * ulp;
 }
 
-/// How much one append_rotation() can take a matrix away from the exact rotation.
+/// The distance that one append_rotation() can add between a matrix and the exact rotation.
 ///
-/// With c and s within e of the cosine and sine, and products within p, each entry c * a - s * b of
-/// the two new rows is within e * (|a| + |b|) + 2 p. The old rows have length 1, so as a vector the
-/// new row is within 2 e + 2 p * sqrt 3, and both rows together within sqrt 2 times that. An exact
-/// rotation leaves the distance that was there as it was: after n steps it is n times as much. Two
-/// per cent more are for rows that are no longer quite of length 1.
+/// With c and s within e of the exact values and products within p, each entry c * a - s * b of the
+/// two new rows is within e * (|a| + |b|) + 2 p. The old rows have length 1, so each new row is
+/// within 2 e + 2 p * sqrt 3 as a vector, and both rows together within sqrt 2 times that. An exact
+/// rotation preserves the earlier distance, so n steps add up to n times as much. The bound has two
+/// per cent more because the rows are no longer exactly of length 1.
 template <class N>
 double step_error(Trigonometry trigonometry, Conversion conversion) {
   const double e = cosine_error<N>(trigonometry, conversion);
@@ -56,7 +55,7 @@ TYPED_TEST_SUITE(Rotation, pipeline::multiplying_types, );
 
 TYPED_TEST(Rotation, QuarterTurnsAreCounterclockwise) {
   using N = TypeParam;
-  // About x, y goes to z; about y, z to x; about z, x to y.
+  // About x, y turns to z; about y, z turns to x; about z, x turns to y.
   for (const auto axis : axes) {
     for (const Trigonometry trigonometry : {Trigonometry::table, Trigonometry::floating}) {
       const auto i = static_cast<std::size_t>(axis);
@@ -87,9 +86,9 @@ TYPED_TEST(Rotation, LeavesTheTranslation) {
   }));
 }
 
-/// Appends rotations about axes in turn by these angles. @return whether the distance to the exact
-/// rotation, which bounds how much the lengths of rows and columns differ from 1, is in its bound
-/// after each.
+/// Appends rotations by these angles about the axes in turn. @return whether the distance to the
+/// exact rotation stays in its bound after each. The distance also bounds the length errors of rows
+/// and columns.
 template <class N>
 bool stays_a_rotation(const Integers& tenths, Trigonometry trigonometry, Conversion conversion) {
   Transform<N> t = identity<N>();
@@ -128,19 +127,19 @@ TYPED_TEST(Rotation, AFullTurnComesBack) {
   }
 }
 
-/// The largest entry of |rows * rows - I| after restore_orthogonality(), where before it was at
-/// most `skew`, itself at most 0.02. With products within p:
+/// The bound of |rows * rows - I| after restore_orthogonality(), if it was at most `skew` <= 0.02
+/// before. With products within p:
 ///
-/// - toward_unit() of length 1 + e, |e| small: 1 - 3/2 e^2, |e|^3 / 2 more at most. Rounding: the
-///   dot product is within 3 p, so the factor within 3/2 p + p, so is each row's length, and the
-///   three entries' own products add p * sqrt 3: together 4.3 p.
-/// - cross(): each component within 2 p, the vector within 3.5 p. Its length is that of the rows,
-///   1 + skew / 2 each, times the sine between them, at least 1 - skew^2 / 1.9: within 0.6 skew of
-///   1, and 3.5 p.
-/// - So every length is within 3/2 (0.6 skew + 8 p)^2 + 4.4 p of 1, its square within twice that,
-///   which is less than 1.2 skew^2 + 9 p.
-/// - A cross product is at right angles to its factors but for its own error and the last
-///   products': 3.5 p + 1.8 p. The middle row's factors are the final ones.
+/// - toward_unit() maps length 1 + e to 1 - 3/2 e^2, or |e|^3 / 2 more at most. The dot product is
+///   within 3 p, so the factor and each row's length are within 3/2 p + p. The products of the
+///   three entries add p * sqrt 3, which makes 4.3 p.
+/// - cross() has components within 2 p, so the vector is within 3.5 p. Its length is the product of
+///   the rows' lengths, 1 + skew / 2 each, and the sine between them, at least 1 - skew^2 / 1.9. It
+///   is within 0.6 skew + 3.5 p of 1.
+/// - Every length is therefore within 3/2 (0.6 skew + 8 p)^2 + 4.4 p of 1, and its square within
+///   twice that, which is less than 1.2 skew^2 + 9 p.
+/// - A cross product is orthogonal to its factors within 3.5 p + 1.8 p, from its own error and that
+///   of the last products. The factors of the middle row are the final rows.
 template <class N>
 double restored_skew(double skew) {
   return 1.2 * skew * skew + 9 * product_error<N>();
@@ -148,7 +147,7 @@ double restored_skew(double skew) {
 
 TYPED_TEST(Rotation, OrthogonalityIsRestored) {
   using N = TypeParam;
-  // Three angles, and nine errors of up to 1/300.
+  // Each draw has three angles and nine errors of up to 1/300.
   EXPECT_TRUE(draws::hold(12, -218, 218, [](const Integers& drawn) {
     const auto angle = [&](std::size_t i) { return static_cast<std::int32_t>(drawn[i] * 16); };
     const auto exact = pipeline::rotation({angle(0), angle(1), angle(2)});
@@ -160,13 +159,13 @@ TYPED_TEST(Rotation, OrthogonalityIsRestored) {
     const double before = pipeline::skew(matrix_of(t));
     const pipeline::Matrix broken = matrix_of(t);
     restore_orthogonality(t);
-    // It moves no further than the errors it takes away.
+    // Restoring moves the matrix no farther than the errors it removes.
     return before < 0.02 && pipeline::skew(matrix_of(t)) <= restored_skew<N>(before) &&
            distance(matrix_of(t), exact) < 2 * distance(broken, exact) + 20 * product_error<N>();
   }));
 }
 
-// Chapter 52's remedy: one row, and its length is the product of the others'.
+// Chapter 52's remedy replaces one row, whose length becomes the product of the others' lengths.
 TYPED_TEST(Rotation, OneRowBecomesTheCrossProductOfTheOthers) {
   using N = TypeParam;
   EXPECT_TRUE(draws::hold(9, -70000, 70000, [](const Integers& drawn) {
@@ -178,7 +177,6 @@ TYPED_TEST(Rotation, OneRowBecomesTheCrossProductOfTheOthers) {
     const Transform<N> before = t;
     restore_orthogonality(t, RestoredRows::one);
     const Triple exact = cross(triple(before.row(0)), triple(before.row(1)));
-    // Two products each.
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::fabs(triple(t.row(2))[i] - exact[i]) > 2 * product_error<N>() + 1e-15) return false;
     }
@@ -192,7 +190,7 @@ TYPED_TEST(Rotation, RestoredEveryFewTurnsAnObjectKeepsItsShapeForEver) {
   ObjectDescription object;
   object.spin.tenths = {30, -27, 41};
   Motion<N> motion(object, {.conversion = Conversion::nearest, .restore_every = 4});
-  // Twelve appended rotations between.
+  // Twelve rotations are appended between two restorations.
   const double before =
       2.1 * 12 * step_error<N>(Trigonometry::table, Conversion::nearest) + restored_skew<N>(0);
   for (int frame = 1; frame <= 4000; ++frame) {
@@ -242,7 +240,7 @@ TYPED_TEST(Rotation, FromScratchAnObjectNeverLosesItsShape) {
     for (int frame = 0; frame < 300; ++frame) {
       motion.advance();
       exact = pipeline::product(step, exact);
-      // Nine entries within half a unit.
+      // Each of the nine entries is within half an ulp.
       if (distance(matrix_of(motion.to_world()), exact) > 1.5 * ulp + 1e-12) return false;
     }
     return true;

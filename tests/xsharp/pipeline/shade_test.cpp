@@ -1,4 +1,4 @@
-/// Light on a face, against the formula in double.
+/// Tests the light on a face against the formula in double.
 #include "xsharp/shade.hpp"
 
 #include <gtest/gtest.h>
@@ -36,14 +36,14 @@ Lighting<N> ambient(double intensity) {
   return {true, {number<N>(intensity), number<N>(intensity), number<N>(intensity)}, {}};
 }
 
-/// Of length 1 but for rounding.
+/// A vector of length 1, up to rounding.
 template <class N>
 Vec3<N> direction(std::int64_t x, std::int64_t y, std::int64_t z) {
   const Triple v{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) + 0.5};
   return pipeline::vector<N>(scaled(v, 1 / length(v)));
 }
 
-/// 255 times the light that a component reflects, of the numbers as they are.
+/// 255 times the reflected light of a component, in double, from the rounded inputs.
 template <class N>
 double formula(const Vec3<N>& normal, std::uint8_t reflectance, const Shading& shading,
                const Lighting<N>& lighting, std::size_t component) {
@@ -59,7 +59,7 @@ double formula(const Vec3<N>& normal, std::uint8_t reflectance, const Shading& s
   return std::min(255.0, light * reflectance);
 }
 
-/// Three spots and ambient light of intensities up to 2, from 12 + 6 numbers from -100 to 100.
+/// Three spots and ambient light with intensities up to 2, from 18 numbers from -100 to 100.
 template <class N>
 Lighting<N> lighting_of_draw(const Integers& d) {
   const auto intensity = [&](std::size_t i) {
@@ -78,9 +78,9 @@ template <class N>
 struct Shade : testing::Test {};
 TYPED_TEST_SUITE(Shade, pipeline::multiplying_types, );
 
-/// With products within p: a cosine is within 3 p, times an intensity of at most 2 within 7 p, the
-/// light of three spots within 21 p, 255 times that below 0.1. The last product is in 255ths, and
-/// rounds as all products do: to the nearest, or cut.
+/// With products within p, a cosine is within 3 p, its product with an intensity of at most 2
+/// within 7 p, and the light of three spots within 21 p, so 255 times that is below 0.1. The last
+/// product is in 255ths and rounds or truncates like every product.
 TYPED_TEST(Shade, IsTheFormula) {
   using N = TypeParam;
   const double allowed = std::max(0.5, product_error<N>() / ulp) + 255 * 21 * product_error<N>();
@@ -100,7 +100,8 @@ TYPED_TEST(Shade, IsTheFormula) {
   }));
 }
 
-/// Every reflectance under light in 16.16: one product of whole numbers, in 2^-16 of a 255th.
+/// Checks every reflectance under light in 16.16. The level is one integer product, in 2^-16 of a
+/// 255th.
 template <class N>
 void expect_levels(std::int64_t added) {
   for (std::int32_t light = 0; light <= 0x18000; light += 0x0777) {
@@ -191,7 +192,7 @@ TYPED_TEST(Shade, ASpotIsTurnedIntoViewSpaceAndPointsBack) {
   Lights lights;
   lights.ambient = {0.25, 0, 1};
   lights.spots.push_back({.on = false, .direction = {0, 0, -20}, .intensity = {1, 0.5, 0}});
-  // Takes z to x, x to y and y to z. The place of the viewer does not matter to a direction.
+  // Maps z to x, x to y and y to z. The translation does not affect a direction.
   Transform<N> to_view;
   to_view.rows[0][2] = to_view.rows[1][0] = to_view.rows[2][1] = number<N>(1);
   to_view.rows[0][3] = number<N>(100);
@@ -203,9 +204,9 @@ TYPED_TEST(Shade, ASpotIsTurnedIntoViewSpaceAndPointsBack) {
   EXPECT_EQ(lighting.rays[0].intensity, (std::array{number<N>(1), number<N>(0.5), number<N>(0)}));
 }
 
-// Worked by hand: (1, -0.5, -1) is converted to (65536, -32767, -65535), whose length is 98303; a
-// unit vector of that has 43691.1, -21844.9 and -43690.4, which the conversion makes 43691, -21844
-// and -43689. The exact unit vector has -43690.7, which it would make -43690.
+// By hand: (1, -0.5, -1) converts to (65536, -32767, -65535), whose length is 98303. The unit
+// vector has 43691.1, -21844.9 and -43690.4, which convert to 43691, -21844 and -43689. The exact
+// unit vector has -43690.7, which would convert to -43690.
 TEST(ShadePublished, ADirectionIsConvertedBeforeAndAfterItIsMadeAUnitVectorAndThenNegated) {
   using N = fixed::q16_16_i386;
   Lights lights;

@@ -1,5 +1,5 @@
 /// @file
-/// Scenes for a test, and what is seen of them.
+/// Scenes for tests, and their drawn pixels.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace pipeline {
 
-/// Each face with an index of its own, from `first` on.
+/// A body whose faces have consecutive indices from `first` on.
 inline xsharp::ObjectDescription body(xsharp::Mesh mesh, const xsharp::Triple& position,
                                       std::uint8_t first = 1) {
   xsharp::ObjectDescription object;
@@ -27,7 +27,6 @@ inline xsharp::ObjectDescription body(xsharp::Mesh mesh, const xsharp::Triple& p
   return object;
 }
 
-/// All faces with the same index.
 inline xsharp::ObjectDescription plain_body(xsharp::Mesh mesh, const xsharp::Triple& position,
                                             std::uint8_t index) {
   xsharp::ObjectDescription object = body(std::move(mesh), position);
@@ -35,7 +34,7 @@ inline xsharp::ObjectDescription plain_body(xsharp::Mesh mesh, const xsharp::Tri
   return object;
 }
 
-/// A cube stretched so that it reaches this far from its middle.
+/// A cube stretched to these half edges.
 inline xsharp::Mesh box(const xsharp::Triple& half) {
   xsharp::Mesh mesh = xsharp::cube(1);
   for (xsharp::Triple& vertex : mesh.vertices) {
@@ -44,7 +43,7 @@ inline xsharp::Mesh box(const xsharp::Triple& half) {
   return mesh;
 }
 
-/// Square, with index 0 behind everything.
+/// A square scene with background index 0.
 inline xsharp::Scene scene(std::int32_t side, std::vector<xsharp::ObjectDescription> objects) {
   xsharp::Scene scene;
   scene.width = side;
@@ -56,7 +55,6 @@ inline xsharp::Scene scene(std::int32_t side, std::vector<xsharp::ObjectDescript
 
 using Mask = xsharp::Page<std::uint8_t>;
 
-/// The picture with its indices.
 inline Mask drawn(const xsharp::Picture& picture, std::int32_t side) {
   Mask page(side, side);
   xsharp::Filler filler;
@@ -66,7 +64,6 @@ inline Mask drawn(const xsharp::Picture& picture, std::int32_t side) {
   return page;
 }
 
-/// How many polygons cover each pixel.
 inline Mask times_covered(const xsharp::Picture& picture, std::int32_t side) {
   Mask times(side, side);
   xsharp::Filler filler;

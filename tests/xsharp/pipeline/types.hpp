@@ -1,5 +1,5 @@
 /// @file
-/// The number types that every stage is tested with.
+/// The number types for the tests of each stage.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using all_types =
                    fixed::q16_16_i8088, fixed::q16_16_i8088_mul_rounded,
                    fixed::q16_16_i8088_div_rounded, fixed::q16_16_i8088_unrounded>;
 
-/// One type for each arithmetic without division, for code that never divides.
+/// One type per distinct arithmetic, for code that never divides.
 using multiplying_types = testing::Types<double, fixed::q16_16, fixed::q16_16_saturating,
                                          fixed::q16_16_trapping, fixed::q16_16_i386_unrounded,
                                          fixed::q16_16_i8088, fixed::q16_16_i8088_unrounded>;
@@ -31,25 +31,25 @@ constexpr bool multiply_alike(fixed::policy a, const fixed::policy& b) {
   a.fault = b.fault;
   return a == b;
 }
-// The presets that multiplying_types leaves out multiply, add and subtract like one that it has.
+// Each preset missing from multiplying_types multiplies, adds and subtracts like a listed one.
 static_assert(multiply_alike(fixed::policies::i386_rounded, fixed::policies::wrapping));
 static_assert(multiply_alike(fixed::policies::i386_mul_rounded, fixed::policies::wrapping));
 static_assert(multiply_alike(fixed::policies::i386_div_rounded, fixed::policies::i386_unrounded));
 static_assert(multiply_alike(fixed::policies::i8088_mul_rounded, fixed::policies::i8088_rounded));
 static_assert(multiply_alike(fixed::policies::i8088_div_rounded, fixed::policies::i8088_unrounded));
 
-/// For code that only compares: the comparison of 16.16 numbers ignores the policy.
+/// For code that only compares, since comparison of 16.16 numbers ignores the policy.
 using comparing_types = testing::Types<double, fixed::q16_16>;
 
-/// Those with a divide of their own, for what takes long.
+/// Types with distinct division, for slow tests.
 using some_types = testing::Types<double, fixed::q16_16, fixed::q16_16_trapping, fixed::q16_16_i386,
                                   fixed::q16_16_i8088_unrounded>;
 
-/// The unit in the last place of 16.16.
+/// One ulp of 16.16.
 inline constexpr double ulp = 1.0 / 65536;
 
-/// How far a product may be from the exact one: half a unit where products are rounded, one where
-/// they are not; next to nothing in double.
+/// The error bound of a product: half an ulp if products round, one ulp if they truncate, and
+/// almost nothing in double.
 template <class N>
 constexpr double product_error() {
   if constexpr (std::same_as<N, double>) {

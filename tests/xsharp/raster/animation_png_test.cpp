@@ -16,7 +16,6 @@
 namespace xsharp {
 namespace {
 
-/// Pages that are all different.
 std::vector<Page<std::uint32_t>> pages(std::int32_t width, std::int32_t height, std::size_t count) {
   std::vector<Page<std::uint32_t>> all(count, Page<std::uint32_t>(width, height));
   std::uint32_t state = 7;

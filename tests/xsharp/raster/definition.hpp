@@ -1,5 +1,5 @@
 /// @file
-/// Which pixels a polygon has, pixel by pixel, from integers that cannot overflow.
+/// Defines the pixels of a polygon one by one, with integers that cannot overflow.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,14 @@ namespace definition {
 using Integer = boost::multiprecision::checked_int128_t;
 using Points = std::vector<xsharp::ScreenPoint>;
 
-/// Above 0 if c is on the side of the line from a to b on which positive y is when b is at
-/// positive x of a.
+/// Positive if c lies on the positive-y side of the line from a to b, for b at positive x of a.
 inline Integer side(const xsharp::ScreenPoint& a, const xsharp::ScreenPoint& b,
                     const xsharp::ScreenPoint& c) {
   return (Integer(b.x) - a.x) * (Integer(c.y) - a.y) - (Integer(b.y) - a.y) * (Integer(c.x) - a.x);
 }
 
-/// The corners of the convex hull, each once, so that the inside has side() > 0 of every edge.
-/// Fewer than three if it has no area.
+/// The distinct corners of the convex hull, ordered so that side() > 0 inside for every edge. Fewer
+/// than three if the hull has no area.
 inline Points hull(Points points) {
   const auto order = [](const auto& p) { return std::tuple(p.x, p.y); };
   std::sort(points.begin(), points.end(),
@@ -49,7 +48,7 @@ inline Points hull(Points points) {
   return corners;
 }
 
-/// By half planes: strictly inside of every edge, or on a left edge, or on a top edge.
+/// Whether the pixel is strictly inside every edge, or on a left or top edge.
 inline bool belongs(const Points& hull, std::int32_t x, std::int32_t y) {
   if (hull.size() < 3) return false;
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -63,8 +62,8 @@ inline bool belongs(const Points& hull, std::int32_t x, std::int32_t y) {
   return true;
 }
 
-/// Entry `index` of the list that a chain of points makes: one for each row of each edge that goes
-/// down, and none for other edges. The ceiling of the edge's crossing, plus `shift`.
+/// Entry `index` of a chain's list, which has one entry for each row of each downward edge. The
+/// entry is the ceiling of the edge's crossing plus `shift`.
 inline Integer entry_of(const Points& chain, Integer index, int shift) {
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     const Integer height = Integer(chain[i + 1].y) - chain[i].y;
@@ -74,14 +73,14 @@ inline Integer entry_of(const Points& chain, Integer index, int shift) {
       continue;
     }
     const Integer across = (Integer(chain[i + 1].x) - chain[i].x) * index;
-    // Division truncates, which is the ceiling of a negative quotient.
+    // Truncation is already the ceiling of a negative quotient.
     const Integer whole = across / height;
     return Integer(chain[i].x) + shift + whole + (across > whole * height ? 1 : 0);
   }
   throw std::logic_error("a chain is shorter than its polygon");
 }
 
-/// For any points: X-Sharp's rule, as two lists of one x for each row.
+/// X-Sharp's rule for arbitrary points: two lists with one x per row.
 inline bool in_lists(const Points& points, std::int32_t x, std::int32_t y) {
   if (points.size() < 3) return false;
   const auto count = static_cast<std::ptrdiff_t>(points.size());
@@ -99,7 +98,7 @@ inline bool in_lists(const Points& points, std::int32_t x, std::int32_t y) {
   while (at(last + 1).y == highest.y) ++last;
   const bool flat = at(first).x != at(last).x;
   bool swapped = at(first).x > at(last).x;
-  // Which way it turns from the next point by the top to the previous one.
+  // The turn from the next point via the top to the previous one decides which chain is left.
   if (!flat) swapped = side(at(first), at(last + 1), at(first - 1)) < 0;
 
   Points backward{at(first)};

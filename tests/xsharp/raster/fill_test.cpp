@@ -42,7 +42,7 @@ Mask defined(const std::function<bool(std::int32_t, std::int32_t)>& belongs, std
   return page;
 }
 
-/// One line for each row, '#' for a pixel that is set.
+/// One line per row, with '#' for each set pixel.
 std::string drawing(const Mask& page) {
   std::string text;
   for (std::int32_t y = 0; y < page.height(); ++y) {
@@ -103,9 +103,9 @@ TEST(Fill, PointsInAnyOrderAreFilledBetweenTheTwoLists) {
   }));
 }
 
-// Worked by hand. The left chain has the edges (0, 0) to (0, 2), which yields 0, 0, and, after one
-// that rises, (2, 1) to (0, 4), which yields 2, 2, 1: the crossings of its rows 1, 2 and 3, drawn
-// in rows 2, 3 and none.
+// By hand: the left chain starts with the edge (0, 0) to (0, 2), which yields 0, 0. After a rising
+// edge, (2, 1) to (0, 4) yields 2, 2, 1 for rows 1, 2 and 3. The filler draws these in rows 2, 3
+// and none.
 TEST(Fill, WhatFollowsARisingEdgeMovesUp) {
   EXPECT_EQ(drawing(filled({{0, 0}, {6, 0}, {6, 4}, {0, 4}, {2, 1}, {0, 2}}, 7, 5)),
             "######.\n"
@@ -115,8 +115,8 @@ TEST(Fill, WhatFollowsARisingEdgeMovesUp) {
             ".......\n");
 }
 
-// Worked by hand. The left chain goes by (2, 2) to (6, 6), with 3, 2, 3 in rows 1 to 3, the right
-// one by (4, 2) to (0, 6), with 3, 3, 2: from row 3 on there is nothing.
+// By hand: the left chain goes by (2, 2) to (6, 6) with 3, 2, 3 in rows 1 to 3, and the right one
+// by (4, 2) to (0, 6) with 3, 3, 2. From row 3 on nothing is drawn.
 TEST(Fill, WhereTheChainsHaveCrossedThereIsNothing) {
   EXPECT_EQ(drawing(filled({{3, 0}, {4, 2}, {0, 6}, {6, 6}, {2, 2}}, 7, 7)),
             ".......\n"
@@ -134,13 +134,13 @@ TEST(Fill, TheWholeRangeOfCoordinatesCoversAPage) {
 }
 
 TEST(Fill, TheLongestDiagonalIsExact) {
-  // On the line from (least, least) to (most, most) x is y.
+  // On the line from (least, least) to (most, most), x equals y.
   EXPECT_EQ(drawing(filled({{least, least}, {most, most}, {least, most}}, 4, 4)),
             "....\n"
             "#...\n"
             "##..\n"
             "###.\n");
-  // From (least, most) to (most, least) x is -1 - y; right of it is all of the page.
+  // On the line from (least, most) to (most, least), x is -1 - y; the whole page is right of it.
   EXPECT_EQ(drawing(filled({{most, least}, {most, most}, {least, most}}, 2, 2)), "##\n##\n");
 }
 

@@ -17,8 +17,7 @@ namespace generators {
 
 using definition::Points;
 
-/// From `least` up to, but not including, `end`, equally likely from the first case of a property
-/// on.
+/// Uniform values from `least` up to, but not including, `end`, from the first case on.
 template <class T>
 rc::Gen<T> among(T least, T end) {
   return rc::gen::resize(rc::kNominalSize, rc::gen::inRange<T>(least, end));
@@ -30,10 +29,10 @@ inline rc::Gen<xsharp::ScreenPoint> point(const rc::Gen<std::int32_t>& coordinat
   });
 }
 
-/// Around a page of about 30 x 20.
+/// Coordinates around a page of about 30 x 20.
 inline rc::Gen<std::int32_t> small() { return among<std::int32_t>(-12, 44); }
 
-/// Ends of the range, what is near them, what is near a page, and anything.
+/// Range ends and values near them, values near a page, and arbitrary values.
 inline rc::Gen<std::int32_t> extreme() {
   constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
@@ -48,10 +47,10 @@ inline Points some(const rc::Gen<std::int32_t>& coordinate, std::size_t least, s
   return *rc::gen::container<Points>(count, point(coordinate));
 }
 
-/// A convex polygon: its corners from any one on, either way round, some of them repeated, with
-/// points on its edges.
+/// A convex polygon whose points start at any corner, in either direction, with repeated corners
+/// and points on edges.
 struct Convex {
-  Points corners;  ///< as hull() has them
+  Points corners;  ///< in the order of hull()
   Points points;
 };
 
@@ -83,8 +82,8 @@ inline xsharp::Paint paint() {
   return {.is_index = *rc::gen::arbitrary<bool>(), .index = *byte, .color = {*byte, *byte, *byte}};
 }
 
-/// Up to four objects of up to three polygons; an object's polygons do not always follow one
-/// another, and some have no area.
+/// Up to four objects of up to three polygons. The polygons of an object need not be consecutive,
+/// and some have no area.
 inline xsharp::Picture picture() {
   xsharp::Picture picture;
   const int polygons = *among(0, 8);

@@ -23,7 +23,7 @@ std::string text(const Color& color) {
          std::to_string(color.blue);
 }
 
-/// The levels of the converter, 0 to 63, of an index.
+/// The DAC levels, 0 to 63, of an index.
 std::string dac(std::size_t index) {
   const Color color = vga().at(index);
   return text({static_cast<std::uint8_t>(color.red >> 2U),
@@ -121,7 +121,7 @@ TEST(VgaPalette, NoIndexIsNearerThanTheNearest) {
   }));
 }
 
-// The author's levels of the VGA's converter, 0, 39, 53 and 63, in 8 bits.
+// The author's VGA DAC levels 0, 39, 53 and 63, scaled to 8 bits.
 TEST(ShadingPalette, HasTheAuthorsGammaInMixturesAlone) {
   const Palette& gamma = palette_of(PaletteKind::shading_gamma);
   EXPECT_EQ(text(gamma.at(0)), "0,0,0");
@@ -134,7 +134,7 @@ TEST(ShadingPalette, HasTheAuthorsGammaInMixturesAlone) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     EXPECT_EQ(std::lround(63 * std::pow(static_cast<double>(i) / 3, 1 / 2.3)), levels.at(i));
   }
-  // The index of a colour is the same in both.
+  // A colour has the same index in both palettes.
   const Paint dim{.is_index = false, .color = {100, 200, 10}};
   EXPECT_EQ(index_of(dim, PaletteKind::shading_gamma), 0x1c);
   EXPECT_EQ(index_of(dim, PaletteKind::shading), 0x1c);

@@ -13,7 +13,6 @@
 namespace fixproof {
 namespace {
 
-/// The message of the exception that writing to the path ends in.
 std::string refusal(const std::string& path) {
   try {
     support::PartFile file(path);
@@ -25,7 +24,7 @@ std::string refusal(const std::string& path) {
   return "accepted";
 }
 
-/// While this lives, no file of this process can grow longer.
+/// Limits the size of every file of this process during its lifetime.
 class LongestFile {
  public:
   explicit LongestFile(rlim_t bytes) {

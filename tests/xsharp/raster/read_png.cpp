@@ -49,7 +49,7 @@ int paeth(int a, int b, int c) {
   return off_b <= off_c ? b : c;
 }
 
-/// Undoes the filters of the rows: each has its kind before it.
+/// Undoes the row filters; a filter byte precedes each row.
 Bytes unfiltered(const Bytes& rows, const Header& header) {
   const std::size_t step = header.pixel_bytes();
   const std::size_t length = header.width * step;
@@ -99,7 +99,6 @@ xsharp::Page<std::uint32_t> page_of(const Bytes& compressed, const Header& heade
   return page;
 }
 
-/// The state of a reader that goes from chunk to chunk.
 class Reader {
  public:
   void chunk(const std::string& type, const Bytes& data) {

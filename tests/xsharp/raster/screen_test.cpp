@@ -34,7 +34,6 @@ void draw(Page<Pixel>& page, const Picture& picture, PaletteKind palette) {
   }
 }
 
-/// The picture on a page of its own.
 template <PixelType Pixel>
 Page<Pixel> alone(const Picture& picture, PaletteKind palette) {
   Page<Pixel> page(width, height);
@@ -49,7 +48,7 @@ std::vector<Picture> film() {
   return pictures;
 }
 
-/// Whether a screen that erased nothing would show a picture of the film wrong.
+/// Whether some picture would come out wrong without erasing.
 template <PixelType Pixel>
 bool needs_erasing(const std::vector<Picture>& pictures, PaletteKind palette) {
   std::array pages{alone<Pixel>({}, palette), alone<Pixel>({}, palette)};
@@ -85,7 +84,7 @@ TEST(Screen, EveryPictureIsAsIfOnAnEmptyPageInTrueColor) {
   every_picture_is_as_if_alone<std::uint32_t>();
 }
 
-/// A square of 4 x 4 of each object, in a row.
+/// A row of 4 x 4 squares, one per object.
 Picture squares(const std::vector<std::uint32_t>& objects, std::int32_t x, std::int32_t y) {
   Picture picture;
   for (const std::uint32_t object : objects) {

@@ -13,7 +13,7 @@
 namespace xsharp {
 namespace {
 
-/// SDL's driver without a display.
+/// Uses SDL's dummy driver, which needs no display.
 class AWindow : public testing::Test {
  protected:
   void SetUp() override { ::setenv("SDL_VIDEODRIVER", "dummy", 1); }
@@ -73,7 +73,6 @@ TEST_F(AWindow, CanBeOpenedAgain) {
   EXPECT_NO_THROW(Window("test", 1, 1));
 }
 
-/// The message of the exception that opening a window ends in.
 std::string refusal() {
   try {
     const Window window("test", 32, 24);

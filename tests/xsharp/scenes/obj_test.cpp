@@ -1,4 +1,4 @@
-/// Bodies from Wavefront OBJ, and files that are none.
+/// Tests bodies from Wavefront OBJ files, and invalid files.
 #include "xsharp/files/obj.hpp"
 
 #include <gtest/gtest.h>

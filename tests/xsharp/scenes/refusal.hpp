@@ -1,4 +1,4 @@
-/// What a refused scene says, and numbers that no scene may have.
+/// The message of a rejected scene, and numbers that no scene may contain.
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@ namespace xsharp_test {
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The message of the SceneError that `act` throws; "accepted" if it throws none.
+/// The message of the SceneError that `act` throws, or "accepted" if it throws none.
 template <class Act>
 std::string refusal(const Act& act) {
   try {

@@ -1,4 +1,4 @@
-/// The format of scenes: every key, and every way of being wrong.
+/// Tests every key of the scene format and every kind of invalid input.
 #include "xsharp/files/scene_json.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,6 @@ Scene parsed(const std::string& text) { return parse_scene(text, "s", root / "sc
 std::string said_of_scene(const std::string& text) {
   return xsharp_test::refusal([&] { parsed(text); });
 }
-/// A scene of one cube with these keys.
 std::string cube_with(const std::string& keys) {
   return R"({"objects": [{"shape": {"cube": {"half_edge": 1}}, )" + keys + "}]}";
 }
@@ -121,7 +120,7 @@ TEST(SceneJson, EveryFaceCanAnswerToItsOwnLight) {
   for (std::size_t face = 0; face < 6; ++face) {
     EXPECT_EQ(cube.shadings[face].ambient, face == 1 || face == 4) << face;
     EXPECT_EQ(cube.shadings[face].diffuse, face == 1 || face == 2) << face;
-    // Only a face that answers to diffuse light needs a normal.
+    // Only faces with diffuse light need a normal.
     EXPECT_EQ(cube.mesh.faces[face].normal_end.has_value(), face == 1 || face == 2) << face;
   }
   EXPECT_EQ(cube.mesh.vertices.size(), 10U);

@@ -1,4 +1,4 @@
-/// The scenes of the tree, against an independent transcription where they are published.
+/// Tests the shipped scenes, with an independent transcription of the published ones.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,7 +18,8 @@ std::filesystem::path file(const std::string& name) {
   return std::filesystem::path(SOURCE_FOLDER) / "scenes" / name;
 }
 
-/// Listing 52.8 as its initialisers are: place, degrees about x y z, delay and base, colours.
+/// A cube from the initialisers of listing 52.8: place, degrees about x y z, delay and base,
+/// colours.
 struct PublishedCube {
   std::array<int, 3> place;
   std::array<int, 3> degrees;
@@ -91,7 +92,7 @@ TEST(Scenes, BallAndCubesAreElevenCubesAndABall) {
   ASSERT_EQ(scene.objects.size(), 12U);
   for (const ObjectDescription& object : scene.objects) {
     EXPECT_EQ(object.mesh.faces.size(), object.name == "ball" ? 72U : 6U);
-    // Wherever it goes, all of it stays in front of the viewer.
+    // The whole object stays in front of the viewer in every frame.
     double nearest = object.position[2];
     if (object.orbit) nearest = object.orbit->about[2] + object.orbit->radius;
     EXPECT_LT(nearest + 50, -1) << object.name;
@@ -99,7 +100,7 @@ TEST(Scenes, BallAndCubesAreElevenCubesAndABall) {
   ASSERT_TRUE(scene.objects[0].orbit);
 }
 
-// Chapter 54: all light is green except spot two's.
+// In chapter 54, all light except spot two's is green.
 TEST(Scenes, ShadedBallHasThreeSpotsAndUnitNormals) {
   const Scene scene = read_scene(file("shaded_ball.json"));
   EXPECT_EQ(scene.palette, PaletteKind::shading_gamma);

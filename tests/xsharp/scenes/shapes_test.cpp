@@ -1,4 +1,4 @@
-/// Cube and ball: their published order, and what every ball has in common.
+/// Tests the published order of cube and ball, and the properties of every ball.
 #include "xsharp/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -32,8 +32,7 @@ TEST(Cube, HasThePublishedOrder) {
   }
 }
 
-/// The rule of mesh.hpp: the cross product of first and last edge on a screen whose y grows
-/// downward.
+/// The rule of mesh.hpp: the cross product of the first and last edge, on a screen with y downward.
 bool shows(const Mesh& mesh, const Face& face, const Triple& place) {
   const auto on_screen = [&](std::size_t index) {
     const Triple& v = mesh.vertices[index];
@@ -49,13 +48,13 @@ bool shows(const Mesh& mesh, const Face& face, const Triple& place) {
 }
 
 TEST(Cube, ShowsTheFacesTurnedToTheViewer) {
-  // Face by face: where its outside is.
+  // The outward direction of each face.
   const std::vector<Triple> outside{{1, 0, 0},  {0, 0, -1}, {0, 1, 0},
                                     {0, -1, 0}, {-1, 0, 0}, {0, 0, 1}};
   const Mesh mesh = cube(15);
   for (const Triple& place : std::vector<Triple>{{0, 0, -300}, {90, 40, -200}, {-70, -60, -150}}) {
     for (std::size_t i = 0; i < outside.size(); ++i) {
-      // The viewer, at the origin, is beyond the face's plane.
+      // The face is visible if the viewer, at the origin, is beyond its plane.
       double beyond = -15;
       for (std::size_t axis = 0; axis < 3; ++axis) beyond -= outside[i][axis] * place[axis];
       EXPECT_EQ(shows(mesh, mesh.faces[i], place), beyond > 0) << i << " at " << place[0];
@@ -69,7 +68,7 @@ TEST(Ball, OfSixBandsHasThePublished72Faces) {
   EXPECT_EQ(mesh.vertices.size(), 62U);
 }
 
-// Worked by hand for two bands, whose one circle is the equator: from -x by +z to +x and back.
+// By hand for two bands, whose one circle is the equator: from -x by +z to +x and back.
 TEST(Ball, BeginsAtMinusXAndGoesRoundByPlusZ) {
   const Mesh mesh = ball(10, 2);
   EXPECT_TRUE(mesh.computed);
@@ -117,7 +116,7 @@ TEST(Ball, HasItsVerticesOnTheSphereAndFacesInOrder) {
     for (const Triple& v : mesh.vertices) {
       RC_ASSERT(std::fabs(std::hypot(v[0], v[1], v[2]) - radius) <= radius * 1e-12);
     }
-    // From pole to pole; a band's faces follow one another.
+    // Faces go from pole to pole, band by band.
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
       const bool polar = i < around || i >= mesh.faces.size() - around;
       RC_ASSERT(mesh.faces[i].vertices.size() == (polar ? 3U : 4U));
@@ -136,7 +135,7 @@ TEST(Ball, IsClosed) {
   property([] {
     const AnyBall any = any_ball();
     const Mesh& mesh = any.mesh;
-    // Every edge has two faces, which run along it in opposite ways.
+    // Every edge has two faces, which traverse it in opposite directions.
     std::set<std::pair<std::size_t, std::size_t>> ways;
     for (const Face& face : mesh.faces) {
       for (std::size_t i = 0; i < face.vertices.size(); ++i) {
@@ -149,7 +148,7 @@ TEST(Ball, IsClosed) {
   });
 }
 
-/// Six times the volume of the tetrahedron a b c d: positive when b c d are clockwise seen from a.
+/// Six times the volume of the tetrahedron a b c d; positive if b c d are clockwise seen from a.
 double volume(const Triple& a, const Triple& b, const Triple& c, const Triple& d) {
   std::array<std::array<double, 3>, 3> m{};
   for (std::size_t i = 0; i < 3; ++i) m[i] = {b[i] - a[i], c[i] - a[i], d[i] - a[i]};
@@ -170,7 +169,7 @@ TEST(Ball, IsConvexWithFlatFacesClockwiseFromOutside) {
         const double side =
             volume(mesh.vertices[i], mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
         const bool of_face = std::find(v.begin(), v.end(), i) != v.end();
-        // From inside, the vertices run the other way: counterclockwise.
+        // The vertices are counterclockwise from inside.
         RC_ASSERT((of_face ? std::fabs(side) <= rounding : side < -rounding));
       }
     }
@@ -203,7 +202,6 @@ TEST(Ball, NormalsAreUnitAndPointOutward) {
       }
       RC_ASSERT(std::fabs(square - 1) < 1e-6);
       RC_ASSERT(outward > 0);
-      // At right angles to every edge.
       for (const auto v : face.vertices) {
         double along = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -218,8 +216,7 @@ TEST(Ball, NormalsAreUnitAndPointOutward) {
 TEST(Normals, OfACubePointAlongTheAxes) {
   const Mesh mesh = with_normals(cube(15));
   ASSERT_EQ(mesh.vertices.size(), 14U);
-  // Face 1 3 2 0 starts at vertex 1 and looks to +x; face 0 2 6 4 starts at vertex 0 and looks to
-  // +z.
+  // Face 1 3 2 0 starts at vertex 1 and faces +x; face 0 2 6 4 starts at vertex 0 and faces +z.
   EXPECT_EQ(mesh.vertices[8], (Triple{16, 15, -15}));
   EXPECT_EQ(mesh.vertices[13], (Triple{15, 15, 16}));
 }

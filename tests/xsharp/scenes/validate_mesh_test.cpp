@@ -1,4 +1,4 @@
-/// Meshes that are no convex bodies, each with what is said of it.
+/// Tests meshes that are not convex bodies, with the error message of each.
 #include "xsharp/validate_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(ValidateMesh, AcceptsShapes) {
   for (int bands = 2; bands <= max_bands; ++bands) {
     EXPECT_EQ(said(with_normals(ball(60, bands))), "accepted") << bands;
   }
-  // One face alone, of as many corners as can be.
+  // A single face with as many corners as allowed.
   Mesh disc{{}, {{{}}}};
   for (int i = 0; i < 16; ++i) {
     disc.vertices.push_back({std::sin(i * 0.39), std::cos(i * 0.39), 0});
@@ -43,7 +43,7 @@ TEST(ValidateMesh, AcceptsShapes) {
 TEST(ValidateMesh, AcceptsCoordinatesThatAreRounded) {
   ASSERT_TRUE(rc::check([] {
     Mesh mesh = ball(*rc::gen::inRange(1, 8000), *rc::gen::inRange(2, 12));
-    // At most one unit of 16.16 off, as the published conversion is.
+    // The published conversion moves coordinates by at most one ulp of 16.16.
     for (Triple& vertex : mesh.vertices) {
       for (double& x : vertex) x = std::trunc(x * 65536.0 + 0.5) / 65536.0;
     }
@@ -57,7 +57,7 @@ struct BadMesh {
   std::function<void(Mesh&)> spoil;
 };
 
-/// What becomes of the cube of half edge 15.
+/// Modifications that spoil the cube of half edge 15, with their messages.
 const std::vector<BadMesh>& bad_meshes() {
   static const std::vector<BadMesh> table{
       {"the mesh has no faces", [](Mesh& m) { m.faces.clear(); }},
@@ -89,12 +89,12 @@ const std::vector<BadMesh>& bad_meshes() {
          m.vertices.push_back({15, 0, -15});
          m.faces[0].vertices = {1, 3, 8};
        }},
-      // A triangle that is crossed over itself.
       {"face 0 has no area",
        [](Mesh& m) {
          m.faces[0].vertices = {1, 3, 0, 2};
        }},
-      // Its diagonals span a plane with the normal 1800 90 90; 3 / 4 * 1800 / |1800 90 90|.
+      // The diagonals span a plane with normal 1800 90 90; the distance is 3 / 4 * 1800 / |1800 90
+      // 90|.
       {"face 0 is not flat: vertex 1 is 0.748132 off its plane",
        [](Mesh& m) { m.vertices[1][0] = 12; }},
       {"face 0 is not convex: vertex 1 is outside the edge that begins at vertex 2",
@@ -111,7 +111,6 @@ const std::vector<BadMesh>& bad_meshes() {
        [](Mesh& m) { std::ranges::reverse(m.faces[0].vertices); }},
       {"face 4 faces into the body: its vertices run the wrong way round",
        [](Mesh& m) { std::ranges::reverse(m.faces[4].vertices); }},
-      // A second cube beside the first.
       {"face 0: the body is not convex: vertex 8 is 60 before the face",
        [](Mesh& m) {
          for (std::size_t i = 0; i < 8; ++i) {
@@ -136,7 +135,7 @@ TEST(ValidateMesh, RefusesWhatIsNoBody) {
 }
 
 TEST(ValidateMesh, RefusesWrongNormals) {
-  // Face 0 looks to +x; its normal starts at 15 15 -15.
+  // Face 0 faces +x; its normal starts at 15 15 -15.
   const auto with_end = [](const Triple& end) {
     Mesh mesh = with_normals(cube(15));
     mesh.vertices[*mesh.faces[0].normal_end] = end;

@@ -1,4 +1,4 @@
-/// Scenes that break a limit, each with what is said of it.
+/// Tests scenes that break a limit, with the error message of each.
 #include "xsharp/validate.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,6 @@ using namespace xsharp;
 using xsharp_test::infinity;
 using xsharp_test::nan;
 
-/// A cube and a shaded ball.
 Scene good_scene() {
   Scene scene;
   scene.name = "s";
