@@ -75,7 +75,7 @@ TEST(CheckCases, AFewAreSpreadOverEveryStream) {
   const Drawn drawn = draw_all(Operation::div, options);
   EXPECT_EQ(drawn.cases.size(), 1000U);
   EXPECT_EQ(drawn.of_stream.size(), 9U);
-  // An eighth of the 39,204 and 1,000,000 cases.
+  // The lattice has 39,204 cases, and eight other streams share 1,000,000.
   EXPECT_NEAR(static_cast<double>(drawn.of_stream.at("fault_edge")), 120, 2);
 }
 
