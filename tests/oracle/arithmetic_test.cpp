@@ -73,7 +73,7 @@ TEST(OracleMul, HalfWidth) {
 }
 
 TEST(OracleMulAdd, RoundsOnce) {
-  // 1/2 ulp - 1 ulp; a product rounded on its own would give 0, 0, -1, -1.
+  // 1/2 ulp - 1 ulp. Rounding the product first would give 0, 0, -1, -1.
   EXPECT_EQ(mul_add(kHalf, 1, 0xffffffff, Rounding::half_up, 16), 0U);
   EXPECT_EQ(mul_add(kHalf, 1, 0xffffffff, Rounding::half_away, 16), 0xffffffffU);
   EXPECT_EQ(mul_add(kHalf, 1, 0xffffffff, Rounding::floor, 16), 0xffffffffU);
