@@ -190,7 +190,6 @@ TEST(Alu, QuotientsOrFaults) {
       if (signed_fits) {
         ASSERT_EQ(signed_value(s->quotient) * sd + signed_value(s->remainder), sn);
         ASSERT_LT(std::abs(signed_value(s->remainder)), std::abs(sd));
-        // The remainder has the dividend's sign.
         ASSERT_GE(signed_value(s->remainder) * sn, 0);
       }
     }

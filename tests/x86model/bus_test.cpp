@@ -26,8 +26,7 @@ TEST(Bus, OfFixedMul) {
 }
 
 // FixedDiv has 81 bytes, 00h to 50h. -1.0 / 2.0 jumps only from 1Ch to 27h. Data: BP and CX pushed
-// and popped, three argument words read, one negated in memory (read and written), the return
-// address.
+// and popped, three argument words read, one negated in memory, the return address.
 TEST(Bus, OfFixedDiv) {
   const Program program = assemble(listing(Routine::div, Target::i8088), {});
   const auto counted = count_clocks<Routine::div>(program.instructions(),

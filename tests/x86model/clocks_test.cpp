@@ -27,7 +27,6 @@ using namespace x86model::notation;
 
 constexpr std::array cpus{Cpu::i8088, Cpu::i286, Cpu::i386, Cpu::i486};
 
-/// One executed instruction and its clocks on each processor.
 template <std::size_t Cpus>
 struct Step {
   const char* text;
@@ -175,7 +174,6 @@ TEST(Clocks, FixedMulOfThe8088) {
        {"ret", on(16 + 4, 11 + 3, 10 + 3, 5)}});
 }
 
-/// Instruction forms that the three routines above do not execute.
 TEST(Clocks, OtherForms) {
   const Instruction pushes = push(bp);
   const Instruction adds = add(sp, bytes(8));
@@ -258,8 +256,7 @@ TEST(Clocks, DivOfThe8088FollowsTheRestoringDivision) {
   EXPECT_EQ(div_on_8088(0, 1), exactly(17 + 15 * 8 + 7));
   // Every step brings down a 1 and subtracts: 15 * 9 + 10, the maximum in Intel's table.
   EXPECT_EQ(div_on_8088(0x0000FFFF, 1), exactly(17 + 15 * 9 + 10));
-  // 7 / 2 = 3. The dividend's 111b comes down last: 1 < 2, then 11b - 2 leaves 1, then 11b - 2 in
-  // the last step.
+  // 7 / 2 = 3: 1 < 2, then 11b - 2 leaves 1, then 11b - 2 in the last step.
   EXPECT_EQ(div_on_8088(7, 2), exactly(17 + 14 * 8 + 9 + 10));
   // 6 / 2 = 3: 1 < 2, then 11b - 2 leaves 1, then 10b - 2 in the last step.
   EXPECT_EQ(div_on_8088(6, 2), exactly(17 + 14 * 8 + 9 + 10));
@@ -268,8 +265,7 @@ TEST(Clocks, DivOfThe8088FollowsTheRestoringDivision) {
   // Write the remainder as FFFFh - e: a step doubles e and subtracts the bit it brings down. From e
   // = 1, ones keep e at 1, so every step carries.
   EXPECT_EQ(div_on_8088(0xFFFEFFFF, 0xFFFF), exactly(17 + 15 * 8 + 9));
-  // With zeros, steps 1 to 15 carry (e is at most 4000h before them). Step 16, from 7FFFh to FFFEh,
-  // neither carries nor subtracts.
+  // With zeros, steps 1 to 15 carry (e at most 4000h). Step 16, from 7FFFh to FFFEh, does neither.
   EXPECT_EQ(div_on_8088(0xFFFE0000, 0xFFFF), exactly(17 + 15 * 8 + 7));
   // After step k the remainder is 8001h - 2^k. Step 1 carries, from 8000h to 10000h. Steps 2 to 15
   // subtract, from at least 4001h. Step 16, from 1 to 2, does not.

@@ -11,8 +11,7 @@ namespace {
 
 using namespace x86model;
 
-/// Uses the programs that the party `model` compiles; compiling them here again would take a
-/// minute.
+/// Uses the programs that the party `model` compiles, because compiling takes a minute.
 void expect_agreement(const fixproof::cases::Variant& variant) {
   const auto words = test::cases(static_cast<Routine>(variant.operation));
   const std::size_t in = fixproof::cases::words_in(variant.operation);

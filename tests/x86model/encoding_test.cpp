@@ -111,17 +111,16 @@ TEST(Encoding, PartsOfSomeInstructions) {
       Case{jz("near"), 2, 2},                          // 74 xx
       Case{call("procedure"), 3, 2},                   // E8 xx xx
       Case{ret(), 1, 1},                               // C3
-      // Instructions of the loops.
-      Case{mov(al, dh), 2, 2},                        // 88 F0
-      Case{mov(al, byte[Texture + bx]), 4, 3},        // 8A 87 iw
-      Case{mov(byte[Screen + edi], al), 7, 4},        // 67 88 87 id
-      Case{mov(word[ZBuff + twice(edi)], bx), 8, 5},  // 67 89 1C 7D id
-      Case{cmp(bx, word[ZBuff + twice(edi)]), 8, 5},  // 67 3B 1C 7D id
-      Case{add(esi, dword[IncJ]), 5, 4},              // 66 03 36 iw
-      Case{inc(edi), 2, 2},                           // 66 47
-      Case{stosb(), 1, 1},                            // AA
-      Case{loop("near"), 2, 2},                       // E2 xx
-      Case{jmp(bx), 2, 2},                            // FF E3
+      Case{mov(al, dh), 2, 2},                         // 88 F0
+      Case{mov(al, byte[Texture + bx]), 4, 3},         // 8A 87 iw
+      Case{mov(byte[Screen + edi], al), 7, 4},         // 67 88 87 id
+      Case{mov(word[ZBuff + twice(edi)], bx), 8, 5},   // 67 89 1C 7D id
+      Case{cmp(bx, word[ZBuff + twice(edi)]), 8, 5},   // 67 3B 1C 7D id
+      Case{add(esi, dword[IncJ]), 5, 4},               // 66 03 36 iw
+      Case{inc(edi), 2, 2},                            // 66 47
+      Case{stosb(), 1, 1},                             // AA
+      Case{loop("near"), 2, 2},                        // E2 xx
+      Case{jmp(bx), 2, 2},                             // FF E3
   };
   for (const Case& c : cases) {
     EXPECT_EQ(encoding_of(c.instruction).bytes(), c.bytes) << text_of(c.instruction);

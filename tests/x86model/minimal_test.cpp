@@ -57,7 +57,6 @@ std::string form_of(const Instruction& i) {
   return form;
 }
 
-/// The operands of test::cases(), or for CosSin every angle.
 std::vector<std::uint32_t> all_cases(Routine routine) {
   if (routine != Routine::cossin) return test::cases(routine);
   std::vector<std::uint32_t> angles(0x10000);
