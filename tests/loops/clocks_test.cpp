@@ -58,8 +58,7 @@ TEST(LoopClocks, DepthTest) {
   expect(form, Cpu::i386, 3 + 2 + 6 + 3 + 2 + (11 + 5), 32, measure::Pixels::hidden);
   // Drawn: jg taken to MOV (prefix, opcode, ModR/M, displacement), two MOVs to memory, inc, loop.
   expect(form, Cpu::i386, 3 + 2 + 6 + (7 + 4) + 2 + 2 + 2 + (11 + 5), 44);
-  // 486: shld 2, add 1, cmp 2, jg 1, inc 1, loop 7. The prefixes of SHLD, ADD, CMP and INC add up
-  // to 4, and the scaled index 1.
+  // 486: shld 2, add 1, cmp 2, jg 1, inc 1, loop 7; four prefixes, and 1 for the scaled index.
   expect(form, Cpu::i486, 2 + 1 + 2 + 1 + 1 + 7, 14 + 4 + 1, measure::Pixels::hidden);
 }
 
@@ -112,7 +111,6 @@ TEST(LoopClocks, TheClaims) {
   const auto* words = gain_of(claims[0], "gouraud-byte, unrolled to gouraud-word, on a 386");
   ASSERT_NE(words, nullptr);
   EXPECT_DOUBLE_EQ(words->min, 8.0 / 6);
-  // On an 8088 and a 286, LOOP is faster.
   const auto* on_8088 = gain_of(claims[1], "gouraud-byte, loop to dec-jnz, on an 8088");
   ASSERT_NE(on_8088, nullptr);
   EXPECT_DOUBLE_EQ(on_8088->max, 33.0 / 34);

@@ -28,7 +28,6 @@ struct Ready {
   x86::Registers<16> registers;
   Memory memory;  ///< after the machine has entered the loop
 
-  /// Fills the machine with data and its registers with noise, then enters the loop.
   Ready(const LoopForm& form, const LoopCall& call, SegmentMachine& m, std::uint8_t* segment,
         const Memory& data, Random& random) {
     std::copy_n(data.begin(), fixproof::machine_code::caller_origin, segment);
@@ -182,8 +181,7 @@ TEST(LoopsOnUnicorn, TheLongestSpanInLockStep) {
             "");
 }
 
-/// Whether a byte is a 32-bit prefix that these loops do not need while their numbers are small:
-/// that of INC EDI or SHR ECX.
+/// Whether a byte is a 32-bit prefix, of INC EDI or SHR ECX, that small numbers do not need.
 bool is_idle_prefix(std::span<const std::uint8_t> code, std::size_t at) {
   return code[at] == 0x66 && (code[at + 1] == 0x47 || code[at + 1] == 0xD1);
 }

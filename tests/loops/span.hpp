@@ -58,7 +58,6 @@ inline std::uint32_t byte_of(std::uint32_t word, int place) {
   return word >> (8 * place) % 32 & 255;
 }
 
-/// The signed 16-bit number at an address.
 inline int depth_at(const Memory& m, std::uint32_t at) {
   const int word = m[at] + 256 * m[at + 1];
   return word < 32768 ? word : word - 65536;
@@ -112,8 +111,7 @@ inline std::string text(const x86::LoopForm& form) {
          (form.as_printed ? " as printed" : "");
 }
 
-/// Copies the words that the call itself writes to memory: IncJ, and the return address at the top
-/// of the stack.
+/// Copies the words that the call itself writes: IncJ, and the return address on the stack.
 inline void take_frame(const Memory& from, Memory& to) {
   for (std::uint32_t at = inc_j_at; at < inc_j_at + 4; ++at) to[at] = from[at];
   for (std::uint32_t at = 0x5E; at < 0x60; ++at) to[at] = from[at];
