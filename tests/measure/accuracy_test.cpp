@@ -49,7 +49,6 @@ TEST(Accuracy, ErrorsOfTwoTies) {
   EXPECT_EQ(down.mean(), -0.5);
 }
 
-// 3 units * 4000h units is 3/4 of a unit.
 TEST(Accuracy, TruncationIsNotTheNearest) {
   const measure::OperandSet one{"one", {3, 0x4000}};
   const auto down = row_of_set("mul", "q16_16_i8088_unrounded", one).errors;
@@ -151,8 +150,7 @@ TEST(Accuracy, ReferencesThatAreNoRatios) {
   EXPECT_THROW(static_cast<void>(oracle::scaled_sqrt(0xFFFFFFFF, 40)), std::domain_error);
 }
 
-// 24-bit words are exact in float and their products in double. In float, products of 2^29 units
-// and more are multiples of 64.
+// 24-bit words are exact in float. In float, products of 2^29 units and more are multiples of 64.
 TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
   const auto of_double = uniform("mul", "double").errors;
   EXPECT_EQ(of_double.max(), 0);
@@ -164,8 +162,8 @@ TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
   // 1 unit / 3.0 is a third of a unit, which double represents to 2^-54.
   EXPECT_LT(row_of_set("div", "double", {"", {1, 0x30000}}).errors.max(), 1e-16);
   EXPECT_LE(uniform("cos", "double").errors.max(), 1e-9);
-  // Roots are at most 2^23.5 units. Float rounds them by at most half a unit, and their operands by
-  // at most 2^-24 of the operand.
+  // Roots are at most 2^23.5 units, rounded by half a unit, of operands that are off by 2^-24
+  // relative.
   EXPECT_LE(uniform("sqrt", "float").errors.max(), 0.86);
 }
 

@@ -146,14 +146,12 @@ TEST(Claims, FiguresOfOneProduct) {
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (40.0 / 33));
   // The claim is about whole animations, so the listings decide nothing.
   EXPECT_EQ(at.figures[0].verdict, measure::Verdict::open);
-  // The unrounded 386 code omits ADD and ADC: 4 of 57 clocks. In a program of 570 clocks, of which
-  // the rounded product takes a tenth, that is 4 of 566.
+  // The unrounded 386 code omits ADD and ADC, 4 of 57 clocks, which is 4 of 566 in the program.
   const measure::Claim& rounding = claim_about(claims, "cost of rounding");
   ASSERT_EQ(rounding.figures.size(), 3U);
   EXPECT_DOUBLE_EQ(rounding.figures[0].measured.min, 100 * (57.0 / 53 - 1));
   EXPECT_EQ(rounding.figures[0].verdict, measure::Verdict::holds);
   EXPECT_NEAR(rounding.figures[1].measured.min, 100 * 4.0 / 566, 1e-9);
-  // The scene has no divide to compare.
   EXPECT_EQ(claim_about(claims, "native").figures.size(), 1U);
   // 1.0 needs no rounding.
   EXPECT_EQ(claim_about(claims, "2^-16").figures.at(0).measured.max, 0);
@@ -175,7 +173,6 @@ TEST(Claims, AnI8088HasTwoFigures) {
                    (table + 4 * 73) / table);
 }
 
-// Rounding turns half a unit into a unit; truncation drops it.
 TEST(Claims, RoundingChangesAProductByAUnit) {
   measure::RecordedScene scene = one_product();
   for (measure::SceneOperands& build : scene.builds) {
@@ -187,8 +184,8 @@ TEST(Claims, RoundingChangesAProductByAUnit) {
   EXPECT_EQ(effect.figures.at(0).verdict, measure::Verdict::holds);
 }
 
-// A frame of one ConcatXforms and one XformVec makes 36 and 9 calls of FixedMul from C, of 57
-// clocks each if every factor is 1.0.
+// ConcatXforms and XformVec make 36 and 9 calls of FixedMul from C, 57 clocks each for factors of
+// 1.0.
 TEST(Claims, TheCubesOfChapter52AreCountedByCallsOfFixedMul) {
   measure::RecordedScene scene = one_product();
   scene.name = "twelve cubes";

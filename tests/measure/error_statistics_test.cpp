@@ -33,8 +33,7 @@ TEST(ErrorStatistics, OfFourErrors) {
   EXPECT_EQ(four.correct(), 0.75);
 }
 
-// Sixteen errors of magnitude 3, half of them negative: the rms is 3, and the standard error of the
-// mean is 3 / sqrt(16).
+// Sixteen errors of 3 and -3: the rms is 3, and the standard error of the mean 3 / sqrt(16).
 TEST(ErrorStatistics, TheMeanOfSixteenIsKnownToAQuarterOfTheirSize) {
   ErrorStatistics sixteen;
   for (int i = 0; i < 8; ++i) {
@@ -53,7 +52,6 @@ TEST(ErrorStatistics, TheBiasKeepsItsSign) {
   EXPECT_EQ(two.max(), 0.5);
 }
 
-/// The counts of buckets 0 ... 15.
 using Counts = std::array<std::uint64_t, ErrorHistogram::buckets>;
 
 // Buckets are 1/16 wide while no error exceeds 1/2.

@@ -11,7 +11,6 @@ using oracle::Rounding;
 
 measure::HostCase case_of(double a, double b, double result) { return {{a, b}, result}; }
 
-/// A case with values instead of units.
 measure::HostCase values(double a, double b, double result) {
   return case_of(a * 65536, b * 65536, result * 65536);
 }
@@ -95,7 +94,6 @@ TEST(HostRules, CoordinatesRoundEveryProduct) {
   EXPECT_EQ(measure::coordinate_rounded<Rounding::floor>(c), wrong);
   c.result = 10;
   EXPECT_EQ(measure::coordinate_rounded<Rounding::floor>(c), right);
-  // 1 1/2 units plus 10, in floating point.
   c.result = 11.5;
   EXPECT_EQ(measure::coordinate_in<double>(c), right);
   EXPECT_EQ(measure::coordinate_in<float>(c), right);

@@ -9,7 +9,6 @@
 #include "measure/host/host_run.hpp"
 #include "tests/measure/never.hpp"
 
-/// Multiplies with floor rounding.
 struct CutNumber {
   std::int32_t raw = 0;
 
@@ -122,7 +121,6 @@ TEST(HostContenders, OneThatBreaksItsRuleIsNamedWithTheCase) {
   EXPECT_EQ(text.substr(29, 7), " gives ") << text;
 }
 
-/// A contender with one wrong result in its chain.
 class BrokenChain final : public measure::HostLoop {
  public:
   void load(measure::CaseWords words) override { loop_.load(words); }

@@ -18,8 +18,7 @@ const measure::PixelErrors& named(const std::vector<measure::PixelErrors>& all,
   throw std::invalid_argument("no such preset");
 }
 
-/// The error in pixels, away from the middle, of x at distance z, both in units: the type's result
-/// minus double's.
+/// The error in pixels, away from the middle, of x at distance z, both in units.
 template <class N>
 double pixels_too_far_out(std::int32_t x, std::int32_t z) {
   const N drawn = N::from_raw(x) / N::from_raw(z) * N(320);

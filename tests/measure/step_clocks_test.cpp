@@ -23,7 +23,6 @@ std::string clocks_of(std::string_view cpu, std::string_view clocks, std::string
   return at == std::string::npos ? run.out : run.out.substr(at + 8, run.out.size() - at - 9);
 }
 
-/// Clocks on 8088, 286, 386 and 486.
 struct Row {
   std::string_view instruction;
   std::array<std::string_view, 4> clocks;
@@ -60,12 +59,12 @@ TEST(StepClocks, AreThoseOfTheTables) {
       {"inc bx", {"2", "2", "2", "1"}},
       {"neg bx", {"3", "2", "2", "1"}},
       {"shl bx, 1", {"2", "2", "3", "3"}},
-      // Jumps not taken, except JMP: 7 plus the jump target's size, 1 to 4 bytes on a 286, 1 to 5
-      // components on a 386.
+      // Jumps not taken; JMP is 7 plus its target's 1 to 4 bytes on a 286, 1 to 5 components on a
+      // 386.
       {"jz .There", {"4", "3", "3", "1"}},
       {"jmp .There", {"15", "8-12", "8-12", "3"}},
-      // AX has one 1 bit, and DX becomes 0. A 386 and a 486 stop at the multiplier's highest bit,
-      // but count at least 3.
+      // AX has one 1 bit, and DX becomes 0. A 386 and a 486 count at least 3 bits of the
+      // multiplier.
       {"mul bx", {"119", "21", "9", "13"}},
       // 0000 0001h / 2: no step subtracts.
       {"div bx", {"144", "22", "22", "24"}},
@@ -78,7 +77,7 @@ TEST(StepClocks, AreThoseOfTheTables) {
 }
 
 TEST(StepClocks, OfMultipliesAndDividesDependOnTheOperands) {
-  // AX has 16 1 bits, and FFFFh * FFFFh leaves DX nonzero.
+  // AX has sixteen 1 bits, and FFFFh * FFFFh leaves DX nonzero.
   EXPECT_EQ(clocks_of("8088", "8088", "mul bx", "ax=ffff bx=ffff dx=0000"), "133");
   // Every step subtracts: 17 + 15 * 9 + 10.
   EXPECT_EQ(clocks_of("8088", "8088", "div bx", "ax=ffff bx=0001 dx=0000"), "162");

@@ -70,9 +70,8 @@ TEST(SteppedLine, CutSlope) {
   expect_value(values[2], 2.0 / 3, 2);
 }
 
-// Three units over two pixels are 1.5 per pixel, rounded to 2. Stepping half a pixel in gives 1
-// instead of 0.75, then 3 instead of 2.25. The bound is half a unit per pixel from the end, plus
-// half a unit for the product.
+// Three units over two pixels, 1.5, round to 2 per pixel. Half a pixel in gives 1 instead of 0.75,
+// then 3 instead of 2.25. The bound is half a unit per pixel from the end and half for the product.
 TEST(SteppedLine, PreStep) {
   const measure::LineEnds ends{10 * level, 10 * level + 3};
   const auto values = judged_values(measure::LineRule::rounded, wide, ends, half_in);
@@ -85,8 +84,8 @@ TEST(SteppedLine, PreStep) {
   expect_value(from_end[1], -0.25, 1.5);
 }
 
-// 256 words over three pixels: 85 instead of 85.3. The bound is a word per step, half a word for
-// the start, and one for the two ends.
+// 256 words over three pixels: 85, not 85.3. Bound: a word per step, half for the start, one for
+// the ends.
 TEST(SteppedLine, WholeWords) {
   const auto values =
       judged_values(measure::LineRule::whole_words, narrow, {10 * level, 11 * level}, three_pixels);
@@ -201,8 +200,7 @@ TEST(SteppingRun, LinesTakeTheirBounds) {
 }
 
 // One end of the face is twice as far away. A straight line is off by (√2 - 1) / (√2 + 1) = 0.17157
-// of the 255 texels between the ends, 43.75. An exact place every sixteenth pixel removes that
-// error.
+// of the 255 texels, 43.75. An exact place every sixteenth pixel removes that error.
 TEST(SteppingRun, LinearTextureBesideTrueOne) {
   const auto rows = measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never,
                                                    [](std::uint64_t) {});
@@ -317,9 +315,8 @@ TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
   }
 }
 
-// 21845 units are 21.3 words of 1024 units, rounded to 21 words, 21504 units per pixel. In units of
-// four depths, 2^18, the bound is half a word for the start, plus half a word and half a unit per
-// pixel.
+// 21845 units are 21.3 words of 1024, rounded to 21 words, 21504 units per pixel. In units of 2^18,
+// four depths, the bound is half a word for the start, plus half a word and half a unit per pixel.
 TEST(SteppedLine, WordOfABufferThatIsNotCleared) {
   constexpr measure::LineFormat uncleared{10, 18, 0, 32767 * level};
   const auto values =
@@ -350,8 +347,8 @@ TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
   EXPECT_EQ(costs.back().values, 2) << "a texture has two coordinates";
 }
 
-// With a divide of 200 clocks, two divides per pixel take 400 clocks; the loop takes fewer than 30
-// by Intel's tables.
+// With a divide of 200 clocks, two per pixel take 400; the loop takes fewer than 30 by Intel's
+// tables.
 TEST(SteppingClocks, ClaimsAreJudged) {
   const auto claims = measure::judge_stepping_claims({{x86model::Cpu::i386, {200, 200}, {50, 50}}});
   ASSERT_EQ(claims.size(), 3U);
