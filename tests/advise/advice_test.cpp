@@ -52,8 +52,7 @@ trade::Tried timed(double median, double spread, double pixels) {
   return t;
 }
 
-// 200, 200.5 and 204 differ by at most their spread of 5. 209 is noisy and dearer; 201 costs the
-// same but exceeds the budget.
+// 200, 200.5 and 204 differ by at most their spread of 5. 209 is dearer; 201 exceeds the budget.
 TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
   std::vector<trade::Tried> all{timed(209, 50, 0.1),   timed(200, 5, 0.4), timed(204, 5, 0.3),
                                 timed(200.5, 5, 0.45), timed(201, 5, 9),   timed(150, 5, 8)};

@@ -13,7 +13,6 @@ namespace {
 
 constexpr auto cpu = x86model::Cpu::i386;
 
-/// A cube that turns about `axes` axes in every frame.
 xsharp::Scene turning_cube(std::int32_t axes) {
   xsharp::Scene scene;
   xsharp::ObjectDescription cube;
@@ -31,7 +30,6 @@ double clocks(const xsharp::Scene& scene, const trade::Turning& turning) {
   return trade::clocks_a_frame(scene, std::vector{choice}, cpu, stop).at(0).ranked;
 }
 
-/// The minimum and maximum clocks of a FixedMul.
 x86model::Range of_a_multiply() {
   const x86model::Program program = parties::program_of({});
   const auto count = [&](std::uint32_t factor) {
@@ -77,13 +75,12 @@ TEST(FrameClocks, OfRestoringAreSharedOut) {
   EXPECT_NEAR(clocks(scene, {false, 600}) - never, (always - never) / 600, 1e-6);
 }
 
-// Turns of 360 degrees do not change the matrix, so both ways take the same CosSin and the same
-// twelve products per rotation.
+// Turns of 360 degrees keep the matrix, so both ways take the same CosSin and twelve products.
 TEST(FrameClocks, FromScratchAreThoseOfAppendingForOneAxis) {
   xsharp::Scene scene = turning_cube(1);
   scene.objects[0].spin.tenths = {3600, 0, 0};
   const double appended = clocks(scene, {});
-  // The appended angle is 3600, the angle from scratch 0: reducing 3600 to the range costs extra.
+  // Only the appended angle, 3600, must be reduced to the range.
   EXPECT_EQ(appended - clocks(scene, {true, 0}), of_a_sine(3600) - of_a_sine(0));
 }
 

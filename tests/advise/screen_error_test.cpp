@@ -36,8 +36,7 @@ trade::ScreenError error_of(const xsharp::Scene& scene, const trade::Choice& cho
       .at(0);
 }
 
-// Corners at z = -8.5 and -9.5. The 8088 divides by -8 and -9, so 320 * 0.5 / 8.5 becomes 320 * 0.5
-// / 8 in x and y.
+// Corners at z = -8.5 and -9.5, which the 8088 divides by -8 and -9.
 TEST(ScreenError, OfTheDivisorsFraction) {
   const double expected = 160.0 * (1 / 8.0 - 1 / 8.5) * std::sqrt(2);
   // A quotient off by a unit is 320 units off on the screen.
@@ -155,8 +154,7 @@ TEST(ScreenCorners, AreWhatIsDrawn) {
 }
 
 // Drift measures only the motion. The 386's transform and divide add little: 3 products, a quotient
-// and its product are off by at most a unit each, and a unit of the quotient is 320 units on the
-// screen.
+// and its product are off by at most a unit each. A unit of the quotient is 320 on the screen.
 TEST(ScreenError, IsBorneOutByDrift) {
   const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
   for (const bool mul_round : {true, false}) {
