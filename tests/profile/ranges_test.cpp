@@ -101,7 +101,6 @@ TEST(Wraps, WhereTheTranslationDecides) {
     EXPECT_FALSE(trade::wraps(concatenation, in));
     in.at(12 + 4 * row + 3) = 20000 * unit;
     EXPECT_TRUE(trade::wraps(concatenation, in));
-    // The same translation with a vector.
     std::array<Word, 15> vector{};
     std::copy_n(in.begin(), 12, vector.begin());
     EXPECT_FALSE(trade::wraps(transform, vector));
@@ -166,8 +165,7 @@ RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
   RC_ASSERT(trade::wraps(v, in) == expected);
 }
 
-/// Adds as the printed 8088 ConcatXforms does: integer parts, and fractions that wrap without a
-/// carry.
+/// Adds as the printed 8088 ConcatXforms does: integer parts, and fractions without a carry.
 Integer sum_in_parts(const Integer& a, const Integer& b) {
   const Integer whole = 65536;
   const auto fraction = [&](const Integer& n) -> Integer { return (n % whole + whole) % whole; };
