@@ -13,7 +13,6 @@ using fixproof::cases::Operation;
 using fixproof::check::CaseKind;
 using Words = std::vector<std::uint32_t>;
 
-/// Checks the kind of a case whose result fits, and its exact result as text.
 void expect_place(Operation operation, const Words& words, CaseKind kind, const std::string& text,
                   bool negative) {
   const auto place = fixproof::check::exact_place(operation, words);
@@ -27,7 +26,6 @@ TEST(CheckPlace, OfProducts) {
   expect_place(Operation::mul, {1, 0x8000}, CaseKind::tie, "0 + 1/2", false);
   expect_place(Operation::mul, {0xffffffff, 0x8000}, CaseKind::tie, "-1 + 1/2", true);
   expect_place(Operation::mul, {1, 0x8001}, CaseKind::near_tie, "0 + 32769/65536", false);
-  // 64/65536 is 1/1024.
   expect_place(Operation::mul, {1, 0x803f}, CaseKind::near_tie, "0 + 32831/65536", false);
   expect_place(Operation::mul, {1, 0x8040}, CaseKind::between, "0 + 513/1024", false);
   expect_place(Operation::mul, {1, 0x4000}, CaseKind::between, "0 + 1/4", false);

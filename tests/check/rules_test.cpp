@@ -64,8 +64,7 @@ TEST(CheckRules, RootsToNearestAndDown) {
 }
 
 TEST(CheckRules, OverflowByEveryRule) {
-  // 256 * 128 is 2^31 ulps, the smallest result that does not fit. -256 * 128.5 is just below the
-  // other end.
+  // 256 * 128 is 2^31 ulps, the smallest overflow. -256 * 128.5 is just below the other end.
   const Words above{0x1000000, 0x800000};
   const Words below{0xff000000, 0x808000};
   const auto said = [](Overflow overflow, const Words& words) {
@@ -87,7 +86,6 @@ TEST(CheckRules, TheLastResultThatFits) {
   const Rules rules{.operation = Operation::mul, .overflow = Overflow::error};
   // 256 * -128 is -2^31 ulps.
   EXPECT_EQ(expected_word(rules, {0x1000000, 0xff800000}), 0x80000000);
-  // 32767.99998 * 1.0
   EXPECT_EQ(expected_word(rules, {0x7fffffff, 0x10000}), 0x7fffffffU);
 }
 

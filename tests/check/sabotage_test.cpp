@@ -50,8 +50,7 @@ Judge judged(const Rules& rules, const SubjectFunction& subject) {
   return judge;
 }
 
-/// Expects wrong cases of these kinds and of no others; with `negative_alone`, only for results
-/// below 0.
+/// Expects wrong cases of only these kinds; with `negative_alone`, only for results below 0.
 void expect_wrong(const Judge& judge, std::initializer_list<CaseKind> kinds,
                   bool negative_alone = false) {
   std::uint64_t sum = 0;
@@ -204,8 +203,7 @@ TEST(CheckSabotage, NoiseIsNoRule) {
 
 TEST(CheckGuess, SaysWhatCannotBeTold) {
   Judge judge(mul_half_up, 3);
-  // 1.5 ulps and just below half an ulp: no negative tie, and no tie that separates half even from
-  // half up.
+  // 1.5 ulps and just below half an ulp: no negative tie, and none that separates even from up.
   judge.add({1, "here", {3, 0x8000}, 2U});
   judge.add({2, "here", {1, 0x7fff}, 0U});
   expect_guess(judge, "half-up, half-away or half-even on all 2 cases in range");
