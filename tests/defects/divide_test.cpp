@@ -45,9 +45,8 @@ double pixels_off(std::int32_t x, std::int32_t z) {
   return std::abs(static_cast<double>(projected) + pixels_of_unit_slope * x / z);
 }
 
-/// The largest error at the screen's edge (x = z / 2), at the last depth before a whole distance.
-/// There the divisor drops almost one. Tries `distance` points, one of which has the worst
-/// rounding.
+/// The largest error at the screen's edge (x = z / 2), at the last depth before a whole distance,
+/// where the divisor drops almost one. One of the `distance` points has the worst rounding.
 template <class Number>
 double pixels_off_before(int distance) {
   const std::int32_t z = distance * 65536 - 1;
@@ -138,7 +137,6 @@ TEST(Defects, ClobberedArguments) {
   const defects::Words operands{0xFFFFC000, 0xFFFD4000};
   EXPECT_EQ(arguments_after(i8088, operands), (defects::Words{0x4000, 0xFFFF, 0xC000, 0xFFFD}));
   EXPECT_EQ(arguments_after(i386, operands), (defects::Words{0xC000, 0xFFFF, 0x4000, 0xFFFD}));
-  // Arguments of positive operands do not change.
   EXPECT_EQ(arguments_after(i8088, {0x4000, 0x2C000}), (defects::Words{0x4000, 0, 0xC000, 0x0002}));
   // The type works on its own copies of the operands.
   const auto n = fixed::q16_16_i8088::from_raw(-0x4000);

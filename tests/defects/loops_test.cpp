@@ -42,7 +42,6 @@ LoopForm depth_test(bool as_printed) {
 }
 
 TEST(Defects, ShrdForShld) {
-  // A depth of 1234h units of 1/256 has the integer part 12h.
   const x86::LoopCall call{.pixels = 1, .value = 0x1234, .colour = 7};
   const Drawn meant(depth_test(false), call);
   EXPECT_EQ(meant.depth(0), 0x12);

@@ -11,7 +11,6 @@ namespace {
 
 using namespace xsharp;
 
-/// The angle between two vectors in degrees.
 double degrees_between(const Triple& a, const Triple& b) {
   const double angle = std::atan2(length(cross(a, b)), dot(a, b));
   return angle * 180 / std::numbers::pi;

@@ -15,7 +15,6 @@ using defects::value;
 using enum x86model::Routine;
 using enum x86model::Target;
 
-/// The model's quotient under the switches as printed.
 std::uint32_t divide_as_printed(fixproof::cases::Target target, std::uint32_t n, std::uint32_t d) {
   fixproof::cli::VariantOptions options;
   options.targets = {target};
@@ -45,7 +44,6 @@ TEST(Defects, InvertedSwitch) {
   EXPECT_EQ(two_thirds(fixed::q16_16_i8088()), 0xAAAB);
 }
 
-// Minus one unit * one half.
 TEST(Defects, Ties) {
   const defects::Words minus_half{0xFFFFFFFF, 0x8000};
   EXPECT_EQ(ask<mul>(i386, defects::rounded, minus_half), value(0));

@@ -17,7 +17,6 @@ using Words = std::vector<std::uint32_t>;
 
 inline constexpr std::array targets{x86::Target::i386, x86::Target::i8088};
 
-/// The outcome of a call, and its result words if it returned.
 struct Answer {
   x86::Outcome outcome = x86::Outcome::returned;
   Words words;
