@@ -17,7 +17,6 @@ constexpr Word kMinusOne = 0xffff0000;
 constexpr Word kMost = 0x7fffffff;
 constexpr Word kLeast = 0x80000000;
 
-/// The results expected of the five rules.
 struct ProductsByRule {
   Word half_up;
   Word half_away;

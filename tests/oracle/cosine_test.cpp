@@ -12,7 +12,6 @@
 namespace oracle {
 namespace {
 
-/// Minus a word in 16.16.
 Word negated(Word word) { return ~word + 1; }
 
 TEST(OracleCosineTable, Has901EntriesFromOneToZero) {

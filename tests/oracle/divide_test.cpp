@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::optional<Word> kFault = std::nullopt;
 
-/// The results expected of the four rules.
 struct QuotientsByRule {
   std::optional<Word> i386_rounded;
   std::optional<Word> i386_unrounded;
