@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* cubes = SCENES "/twelve_cubes.json";
 
-/// Removes the folder at the end of the test.
 class Folder {
  public:
   explicit Folder(const std::string& name) : path_(testing::TempDir() + name) {
@@ -79,7 +78,7 @@ TEST(ReportCommand, WritesThePageAndItsData) {
   for (const auto& step : json.at("commands")) {
     auto line = step.at("command").get<std::string>();
     ASSERT_EQ(line.substr(0, 9), "fixproof ");
-    // Skips slow commands and timings.
+    // Slow commands and timings.
     if (line.find("--clocks") + 1 + line.find("--host") + 1 + line.find("--stepping") + 1 > 0)
       continue;
     for (std::size_t at = line.find(out.path()); at != std::string::npos;
