@@ -59,8 +59,7 @@ TEST(Jury, HasNothingToSayWhereAllAgree) {
 
 TEST(Jury, HearsEveryVariantAtBothWidths) {
   const auto& seats = fuzz::seats_of(fuzz::WordTarget::divide);
-  // Two processors, rounded and unrounded; chapter 52; the standard rules. All but chapter 52 also
-  // in 8.8.
+  // Two processors, rounded or not; chapter 52; the standard rules. All but chapter 52 also in 8.8.
   EXPECT_EQ(seats.size(), 11U);
   EXPECT_EQ(std::count_if(seats.begin(), seats.end(),
                           [](const auto& seat) { return seat.variant.fraction_bits == 8; }),

@@ -14,8 +14,7 @@ namespace {
 using namespace fixproof;
 using fuzz::WordTarget;
 
-/// The number of cases on each edge of the divide, from each definition in 64-bit integers: a
-/// dividend * 2^16 has 48 bits.
+/// The number of cases on each edge of the divide, from definitions in 64-bit integers.
 struct Edges {
   int ties = 0;
   int ties_of_8088 = 0;
