@@ -25,7 +25,6 @@ using namespace batch_bench;
 using fixed::q16_16;
 using fixed::batch::path;
 
-/// Recreates the operands to check the results.
 template <class T>
 Words words_for(const Operands<T>& x) {
   return Words(x.a.size());

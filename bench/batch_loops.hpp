@@ -37,7 +37,6 @@ constexpr Wide rounded(Wide n, Wide d, fixed::rounding by) {
   return n / d;
 }
 
-/// The rules that define the expected results.
 struct Rules {
   fixed::policy by;
   int bits = 16;  ///< number of integer bits and of fraction bits

@@ -78,7 +78,6 @@ struct Words {
   }
 };
 
-/// Aligns arrays to cache lines.
 template <class T>
 struct LineAllocator {
   using value_type = T;
@@ -132,14 +131,12 @@ struct Operands {
   }
 };
 
-/// A timed loop, and a check of the results of its last run.
 struct Loop {
   std::function<void()> run;
   std::function<bool()> right;
 };
 
-/// Times the loop from `make` for each size. Checks it only once, because Google Benchmark calls it
-/// again for every repetition.
+/// Times the loop from `make` for each size. Checks it once, not at every repetition.
 inline void add_loop(const std::string& name, const std::vector<std::int64_t>& sizes,
                      const std::function<Loop(std::size_t)>& make) {
   const auto known_right = std::make_shared<std::set<std::int64_t>>();

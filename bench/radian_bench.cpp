@@ -41,7 +41,6 @@ struct Contender {
   std::int64_t far_error;
 };
 
-/// Applies a scalar function to each element.
 template <class OfWord>
 std::function<void(Arrays&)> each(OfWord of_word) {
   return [of_word](Arrays& a) {

@@ -66,7 +66,6 @@ bool is_near(const std::optional<xsharp::ScreenPoint>& a,
   return a && b && std::abs(a->x - b->x) <= 1 && std::abs(a->y - b->y) <= 1;
 }
 
-/// Whether the second frame's vertices are within a pixel of double's.
 bool is_near_double(const xsharp::Scene& scene, const xsharp::Player& player) {
   xsharp::Animation<double> exact(scene);
   second_frame(exact);
@@ -86,7 +85,7 @@ bool is_right(const xsharp::Scene& scene) {
          std::ranges::equal(picture.polygons, other.polygons, is_same);
 }
 
-/// Caches the result per size, because Google Benchmark calls this for every repetition.
+/// Caches the result per size for repetitions.
 bool is_correct(const xsharp::Scene& scene) {
   static std::map<std::size_t, bool> known;
   const auto found = known.find(scene.objects.size());
