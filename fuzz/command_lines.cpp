@@ -29,7 +29,6 @@ using namespace fixproof;
 
 namespace {
 
-/// The output of a command, its status, and its error, if any.
 struct Answer {
   std::string out;
   int status = 0;
@@ -110,8 +109,7 @@ void step(const std::string& input) {
   }
 }
 
-/// The correct result of a case: rounded half up, wrapped; #DE for a zero divisor or a negative
-/// radicand.
+/// The result by half up and wrapping; #DE for a zero divisor or a negative radicand.
 std::optional<std::uint32_t> right(cases::Operation operation,
                                    std::span<const std::uint32_t> words) {
   constexpr auto rule = oracle::Rounding::half_up;

@@ -87,8 +87,7 @@ void read_text(std::string_view text) {
   }
 }
 
-/// Checks `>>`, which must equal from_chars() after white space, except for a point without a digit
-/// after it.
+/// Compares `>>` with from_chars() after white space, except for a point without a digit after it.
 template <class Number>
 void read_stream(std::string_view text) {
   std::istringstream in{std::string(text)};

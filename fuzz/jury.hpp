@@ -31,7 +31,6 @@ std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
 /// operand width.
 std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words);
 
-/// The first disagreement of all seats.
 std::optional<std::string> disagreement(std::span<const Seat> seats,
                                         std::span<const std::uint32_t> words);
 

@@ -28,7 +28,6 @@ namespace {
 
 constexpr std::uint64_t seed = 1994;
 
-/// The folder of a target's inputs, as numbered files.
 class Corpus {
  public:
   Corpus(const fs::path& root, std::string_view target) : folder_(root / target) {
@@ -72,8 +71,7 @@ void write_words_of(const fs::path& root, std::string_view name, fuzz::WordTarge
   const auto& seats = fuzz::seats_of(target);
   const bool chosen = target == fuzz::WordTarget::agreement;
   for (std::size_t i = 0; i < seats.size(); ++i) {
-    // All variants of an operation share their cases, and without a choice byte each input goes to
-    // all of them.
+    // All variants of an operation share cases; without a choice byte each input goes to all.
     if (!chosen && i > 0 && seats[i].variant.operation == seats[i - 1].variant.operation) continue;
     some_cases(seats[i].variant, chosen || target == fuzz::WordTarget::matrix ? 4 : 16,
                [&](std::span<const std::uint32_t> words) {
@@ -133,7 +131,6 @@ void write_lines(const fs::path& root, const fs::path& vectors) {
     fuzz::StepCase step;
     if (i % 2 == 1) step.cpu = x86model::Target::i8088;
     fuzz::mutate_step_case(step, i);
-    // The command's input line, between the quotation marks.
     const std::string command = step.replay(step.decoded()->instruction);
     const auto begin = command.find('\'') + 1;
     corpus.add(letter + command.substr(begin, command.find('\'', begin) - begin) + "\n");

@@ -27,7 +27,6 @@ namespace x86 = x86model;
 using x86::Register;
 using x86::Size;
 
-/// The outcome of an instruction and the state after it.
 struct End {
   bool divide_error = false;
   std::optional<std::size_t> length;  ///< empty if the instruction did not complete

@@ -37,8 +37,7 @@ struct StepCase {
 StepCase read_step_case(std::span<const std::uint8_t> bytes);
 void write_step_case(const StepCase& step, std::span<std::uint8_t, step_input_size> bytes);
 
-/// Replaces the instruction by another modelled one, moves registers to or near edge cases, or
-/// both.
+/// Replaces the instruction by another modelled one, or moves registers to edge cases, or both.
 void mutate_step_case(StepCase& step, std::uint32_t seed);
 
 }  // namespace fixproof::fuzz

@@ -263,8 +263,7 @@ std::optional<std::string> difference_of(Words words, bool quotients_only) {
   return difference(F, P, words, TypeAnswers<F, P>::all(words), oracle.all());
 }
 
-/// Compares quotients under every width and policy, and all operations under the policy that c
-/// chooses.
+/// Compares quotients under every policy, and all operations under the policy that c chooses.
 std::optional<std::string> first_difference(Words words, bool quotients_only) {
   using fixed::rounding;
   using namespace fixed::policies;

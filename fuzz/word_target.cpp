@@ -17,7 +17,6 @@ namespace fixproof::fuzz {
 
 namespace {
 
-/// Draws a case from one of the variant's streams.
 void draw_fresh(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
   static std::map<std::pair<cases::Operation, int>, cases::Plan> plans;
   const auto key = std::pair(variant.operation, variant.fraction_bits);
@@ -33,8 +32,7 @@ std::int64_t units(std::uint32_t word, const cases::Format& format) {
   return raw < format.limit() ? raw : raw - 2 * format.limit();
 }
 
-/// Moves the dividend to an edge for the divisor, or for the divisor's whole part, which the 8088
-/// uses.
+/// Moves the dividend to an edge for the divisor, or for its whole part as on an 8088.
 void aim_quotient(const cases::Format& format, std::span<std::uint32_t> words, cases::Draw& draw) {
   const std::array<std::int64_t, 4> edges{0, 1, format.limit(), 2 * format.limit()};
   const std::int64_t quotient =
@@ -77,7 +75,6 @@ void step_word(const cases::Format& format, std::uint32_t& word, cases::Draw& dr
   }
 }
 
-/// Every operation and every party except Unicorn.
 std::vector<Seat> all_seats() {
   std::vector<cases::Operation> operations;
   for (const cases::Variant& variant : cases::all_variants())

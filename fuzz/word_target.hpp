@@ -19,7 +19,6 @@ enum class WordTarget : std::uint8_t { divide, multiply, matrix, agreement };
 /// after each change of routine. The others have the compiled model, the interpreter and the type.
 const std::vector<Seat>& seats_of(WordTarget target);
 
-/// The size of a full input in bytes.
 std::size_t input_size(WordTarget target);
 
 /// Mutates a case: draws a fresh one from cases/streams.hpp, or moves one word to an edge or by a
