@@ -46,8 +46,8 @@ TEST(LoopProof, EveryTurnIsProven) {
   for (const LoopForm& form : x86::all_loop_forms()) {
     const auto program = x86::assemble(x86::listing(form), {});
     const auto scripts = fixproof::proof::step_questions(form, program);
-    // One question per exit of a counted loop (continue or leave) and per depth test result (drawn
-    // or not). One more that these are all cases, and for words one that the count is halved.
+    // One question per combination of a counted loop going on or ending, and a pixel being drawn or
+    // hidden. One more that these are all cases, and for words one that the count is halved.
     const bool counted = form.counting != Counting::unrolled;
     const std::size_t ways = (counted ? 2U : 1U) * (form.loop == Loop::depth_test ? 2U : 1U);
     const bool halves = counted && form.loop == Loop::gouraud_word;
