@@ -113,7 +113,7 @@ TEST(SteppedLine, DivisorCutByAn8088) {
   EXPECT_LE(values[1].bound, 2.0 / 65536);
 }
 
-// A word that is one step too large violates the bound.
+// A step that is too large violates the bound.
 TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
   const measure::LineEnds ends{10 * level, 11 * level};
   xsharp::StepWords words = measure::line_words(measure::LineRule::rounded, ends, three_pixels, 0);
