@@ -86,7 +86,7 @@ TEST(FrameClocks, FromScratchAreThoseOfAppendingForOneAxis) {
 
 // CosSin of 0 on an 8088 executes 77 bytes, counted by hand: 28 to the comparison with 90 degrees,
 // 29 for the shifts, four reads by CS: and a near jump, and 20 from CSDone on. They move 16 words
-// of data. The bus takes 4 * 109 clocks, more than the table's sum without MUL and DIV.
+// of data. Without MUL or DIV, the bus time of 4 * 109 clocks exceeds the table's.
 TEST(FrameClocks, TheBusLimitsACosSin) {
   player::OperandLog log;
   log.at(static_cast<std::size_t>(cases::Operation::cossin)) = {0};
