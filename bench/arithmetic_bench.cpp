@@ -1,6 +1,6 @@
-// The contenders of `fixproof measure --host`: the type, the plain idiom, libraries if installed,
-// float and double. Times one operation each, over arrays in the first-level cache and in
-// dependency chains. Before timing, checks every result against its contender's stated rounding.
+// Times the contenders of `fixproof measure --host`: the type, the plain idiom, installed
+// libraries, float and double. Runs single operations over arrays in the first-level cache and in
+// dependency chains. Checks every result against its contender's rounding before timing.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -34,7 +34,7 @@ void time_loop(benchmark::State& state, const measure::HostOperation& operation,
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(operations));
 }
 
-/// Names are `mul/q16_16` and `mul/q16_16/chain`.
+/// Registers `mul/q16_16` and `mul/q16_16/chain`, for example.
 void register_all(const std::vector<measure::HostOperation>& operations) {
   for (const measure::HostOperation& o : operations) {
     for (const measure::HostContender& contender : o.contenders) {

@@ -1,7 +1,7 @@
-// The batch operations on each path, beside a loop over the type, the plain idiom, float and
-// double, and a copy of the operands. Names are operation/contender/elements: 1024 elements fit the
-// first-level caches, a million do not, and ten million vertices fit no cache. Checks every result
-// first against 128-bit integers, floating point within its resolution.
+// Times batch operations on each path against loops over the type, the plain idiom, float and
+// double, and against copying the operands. Names are operation/contender/elements: 1024 elements
+// fit the first-level caches, a million do not, and ten million vertices fit no cache. First checks
+// every result against 128-bit integers, floating point within its resolution.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -25,7 +25,6 @@ using namespace batch_bench;
 using fixed::q16_16;
 using fixed::batch::path;
 
-/// Recreates the operands for checking.
 template <class T>
 Words words_for(const Operands<T>& x) {
   return Words(x.a.size());
@@ -36,7 +35,7 @@ std::shared_ptr<Operands<T>> operands(std::size_t count) {
   return std::make_shared<Operands<T>>(Words(count));
 }
 
-/// \param far also times a size that no cache holds
+/// \param far also times a size that fits no cache
 void add(const std::string& name, const std::function<Loop(std::size_t)>& make, bool far = false) {
   std::vector<std::int64_t> sizes{1024, 1'000'000};
   if (far) sizes.push_back(10'000'000);

@@ -1,6 +1,6 @@
 /// \file
 /// Each operation on one element for each kind of number, the loops that batches are compared with,
-/// and the expected results from 128-bit integers, which use nothing of the type but its policy.
+/// and the expected results. 128-bit integers compute these from the type's policy alone.
 #pragma once
 
 #include <array>
@@ -37,16 +37,15 @@ constexpr Wide rounded(Wide n, Wide d, fixed::rounding by) {
   return n / d;
 }
 
-/// The rules for expected results.
 struct Rules {
   fixed::policy by;
-  int bits = 16;  ///< before and after the point
+  int bits = 16;  ///< number of integer bits and of fraction bits
 
   [[nodiscard]] constexpr Wide one() const { return Wide{1} << bits; }
   [[nodiscard]] constexpr Wide lowest() const { return -(one() * one() / 2); }
   [[nodiscard]] constexpr Wide highest() const { return -lowest() - 1; }
 
-  /// Applies the overflow rule. Not used for results out of range if the rule throws.
+  /// Applies the overflow rule. Under a trapping rule, x must be in range.
   [[nodiscard]] constexpr Wide narrowed(Wide x) const {
     if (by.range == fixed::overflow::wrap) {
       const Wide range = one() * one();
@@ -62,8 +61,8 @@ struct Rules {
   }
 };
 
-/// The rules of the type; of the plain idiom, which rounds products half up and truncates quotients
-/// like the processor; and for float and double.
+/// The rules of the type, of the plain idiom, and of float and double. The idiom rounds products
+/// half up and truncates quotients as the processor does.
 template <class T>
 inline constexpr Rules rules_of{
     {.divide = std::is_integral_v<T> ? fixed::rounding::truncate : fixed::rounding::half_up}, 16};
@@ -121,7 +120,7 @@ struct Root {
       return fixed::sqrt(c);
     }
   }
-  /// The r with (r - 1/2)^2 < c 2^bits < (r + 1/2)^2, by halving; 0 for negative c.
+  /// The r with (r - 1/2)^2 < c 2^bits < (r + 1/2)^2, by bisection; 0 for negative c.
   static Wide right(const Rules& rules, Wide /*a*/, Wide /*b*/, Wide c) {
     Wide low = 0;
     Wide high = Wide{1} << 24;
@@ -165,7 +164,7 @@ template <class T>
   }
 }
 
-/// Whether x is the number with stored integer `right`; for float within its resolution.
+/// Whether x has the stored integer `right`; for float, within its resolution.
 template <class T>
 bool same(T x, Wide right) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -188,7 +187,7 @@ bool right_elements(const Words& words, const Array<T>& out) {
   return true;
 }
 
-/// Each product is rounded, then summed from the left, with the overflow rule at each step.
+/// Rounds each product, then sums from the left with the overflow rule at each step.
 template <class T>
 bool right_vertices(const Words& words, const Array<std::array<T, 3>>& out) {
   constexpr const Rules& rules = rules_of<T>;
@@ -218,7 +217,6 @@ bool right_points(const Words& words, const Array<std::array<T, 2>>& out) {
   return true;
 }
 
-/// Checks the dot product of `a` and `small`.
 template <class T>
 bool right_dot(const Words& words, T x) {
   Wide sum = 0;

@@ -30,11 +30,11 @@ T of_raw(std::int32_t raw) {
   }
 }
 
-/// Random stored integers of 16.16, the same for each object. No operation overflows or faults:
-/// values are within +-128, divisors are at least 1, and radicands are not negative.
+/// Random stored integers of 16.16, the same in every object. Values are within +-128, divisors at
+/// least 1 and radicands not negative, so no operation overflows or faults.
 struct Words {
   std::vector<std::int32_t> a, b, c;
-  /// Within +-1/2, so that a thousand products can be summed.
+  /// Within +-1/2, so that a thousand products can be summed without overflow.
   std::vector<std::int32_t> small;
   std::array<std::array<std::int32_t, 4>, 3> rows{};
   std::int32_t constant;
@@ -46,7 +46,7 @@ struct Words {
     };
     const auto word = [&](int width) {
       const std::int32_t x = static_cast<std::int32_t>(random()) >> (32 - width);
-      // Half of them end in zeros, so that products and quotients can be ties.
+      // Half of the words end in zeros, so that products and quotients can be ties.
       return below(2) == 0 ? x : x & -(1 << below(16));
     };
     const auto wide = [&] { return word(24); };
@@ -68,7 +68,7 @@ struct Words {
  private:
   static constexpr std::int32_t one = 1 << 16;
 
-  /// Draws a hundred thousand values and repeats them, to save time.
+  /// Draws only a hundred thousand values and repeats them, to save time.
   static std::vector<std::int32_t> filled(std::size_t count, const auto& draw) {
     constexpr std::size_t drawn = 100'000;
     std::vector<std::int32_t> words(count);
@@ -78,7 +78,6 @@ struct Words {
   }
 };
 
-/// Aligns arrays to cache lines, as fast arrays are.
 template <class T>
 struct LineAllocator {
   using value_type = T;
@@ -97,7 +96,7 @@ struct LineAllocator {
 template <class T>
 using Array = std::vector<T, LineAllocator<T>>;
 
-/// The same as numbers, and space for results.
+/// The words as numbers of type T, and space for results.
 template <class T>
 struct Operands {
   Array<T> a, b, c, small, out, out_y, out_z;
@@ -132,14 +131,12 @@ struct Operands {
   }
 };
 
-/// A timed loop, and a check of the results of its last run.
 struct Loop {
   std::function<void()> run;
   std::function<bool()> right;
 };
 
-/// Times the loop from `make` for each size. Checks it once before timing, because a benchmark is
-/// called again for every repetition.
+/// Times the loop from `make` for each size. Checks it once, not at every repetition.
 inline void add_loop(const std::string& name, const std::vector<std::int64_t>& sizes,
                      const std::function<Loop(std::size_t)>& make) {
   const auto known_right = std::make_shared<std::set<std::int64_t>>();

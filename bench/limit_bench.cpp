@@ -1,7 +1,7 @@
-// The limits of this processor: multiplies, divides and roots with each kind of instruction that
-// the type's operations use, bytes loaded and stored in the first-level cache, and bytes copied.
-// Operations are independent, so this measures throughput. Times are per result or byte, comparable
-// to the other benchmarks. Checks no results.
+// Times the limits of this processor: multiplies, divides and roots with each kind of instruction
+// that the type's operations use, loads and stores in the first-level cache, and copies. Operations
+// are independent, so this measures throughput. Times are per result or byte, as in the other
+// benchmarks. Checks no results.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -15,12 +15,12 @@
 
 namespace {
 
-/// Steps without a branch, so that the loop overhead is not timed.
+/// Unrolled steps, so that the loop overhead is not timed.
 constexpr int unrolled = 16;
 constexpr int rounds = 100;
 
 /// Keeps the value in a register and hides it from the compiler. benchmark::DoNotOptimize also
-/// allows memory, which clang chooses: that would time store-to-load forwarding.
+/// allows memory, which clang chooses; that would time store-to-load forwarding.
 template <class Value>
 void hide(Value& value) {
 #if defined(__x86_64__)
@@ -34,7 +34,6 @@ void hide(Value& value) {
 #endif
 }
 
-/// Times repeated calls of `step` on the value.
 template <class Value, class Step>
 void throughput(benchmark::State& state, Value value, Step step) {
   for ([[maybe_unused]] auto _ : state) {
@@ -49,7 +48,7 @@ void throughput(benchmark::State& state, Value value, Step step) {
   state.SetItemsProcessed(state.iterations() * rounds * unrolled);
 }
 
-// Hides the operand from the compiler, which could replace a multiply or divide by a constant.
+// Hides the operand, because the compiler could optimise a multiply or divide by a constant.
 void multiply_scalar(benchmark::State& state) {
   std::uint64_t factor = 0x12345;
   hide(factor);
@@ -58,7 +57,7 @@ void multiply_scalar(benchmark::State& state) {
 BENCHMARK(multiply_scalar);
 
 void divide_64_by_64(benchmark::State& state) {
-  // As large as a shifted 16.16 numerator, with a 32-bit quotient.
+  // As large as a shifted 16.16 numerator, with a quotient of 32 bits.
   std::int64_t divisor = 0x12345;
   hide(divisor);
   throughput(state, std::int64_t{0x712345678123},
@@ -78,7 +77,7 @@ BENCHMARK(divide_double);
 // A lambda does not inherit its function's target attribute, so these loops are macros. The asm
 // does the same as hide().
 
-// GCC says that std::array of vectors drops their attributes.
+// GCC warns that std::array of vectors drops their attributes.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses,*-avoid-c-arrays)
 
 /// `step` uses `value` and `other`.
@@ -159,7 +158,7 @@ MEMORY_LIMIT(store_avx512, "avx512f", __m512i, at[i] = value)
 
 #endif
 
-/// Copies this many bytes, in the caches and in memory.
+/// Copies `state.range(0)` bytes, in the caches and in memory.
 void copy(benchmark::State& state) {
   const std::vector<unsigned char> from(static_cast<std::size_t>(state.range(0)), 7);
   std::vector<unsigned char> to(from.size());

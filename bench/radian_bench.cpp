@@ -1,6 +1,6 @@
-// Sine and cosine in radians: the type, scalar and in batches, beside libfixmath, float and double,
-// over angles within +-8 and over all of 16.16. Checks every result first: the type must be exact,
-// the others within the errors stated here. The counter `off` is the largest error found, in ulp.
+// Times sine and cosine in radians: the type, scalar and in batches, libfixmath, float and double,
+// for angles within +-8 and for all of 16.16. First checks every result: the type must be exact,
+// the others within the errors stated here. The counter `off` is the largest error in ulp.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using fixed::q16_16;
 
-/// More than libfixmath's result cache holds.
+/// More elements than libfixmath's result cache holds.
 constexpr std::size_t count = 16384;
 
 struct Arrays {
@@ -36,12 +36,11 @@ struct Contender {
   std::string name;
   std::function<void(Arrays&)> run;
   bool has_cosines;
-  /// Allowed errors in ulp, for angles within +-8 and for all.
+  /// Maximum errors in ulp, for angles within +-8 and for all.
   std::int64_t near_error;
   std::int64_t far_error;
 };
 
-/// Each element by itself.
 template <class OfWord>
 std::function<void(Arrays&)> each(OfWord of_word) {
   return [of_word](Arrays& a) {

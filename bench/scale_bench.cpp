@@ -1,8 +1,8 @@
-// Scenes of 10 to 100,000 balls of 114 vertices and 128 faces each: the time per frame before
-// filling, on one thread and on two; the memory of the objects; sorting alone; and copying, for the
-// memory bandwidth. Checks the pictures of each size once: every vertex is within a pixel of its
-// position in double, and two threads give the same points and polygons as one. Frames and copies
-// are timed by wall clock, because each thread has its own processor time.
+// Times scenes of 10 to 100,000 balls of 114 vertices and 128 faces each: a frame before filling,
+// on one thread and on two; sorting; and copying, for the memory bandwidth. Also reports the memory
+// of the objects. Checks the pictures of each size once: every vertex is within a pixel of its
+// position in double, and two threads give the same points and polygons as one. Uses wall clock
+// time for frames and copies, because each thread has its own processor time.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
@@ -28,7 +28,7 @@ using Type = fixed::q16_16_i386;
 
 constexpr std::int64_t vertices = 114;
 
-/// A cloud of balls, each with its own rotation, all in view. Caches the last one.
+/// A cloud of balls in view, each with its own rotation. Caches the last cloud.
 const xsharp::Scene& cloud(std::int64_t balls) {
   static xsharp::Scene scene;
   if (static_cast<std::int64_t>(scene.objects.size()) == balls) return scene;
@@ -66,7 +66,6 @@ bool is_near(const std::optional<xsharp::ScreenPoint>& a,
   return a && b && std::abs(a->x - b->x) <= 1 && std::abs(a->y - b->y) <= 1;
 }
 
-/// Whether vertices of the second frame are where double puts them.
 bool is_near_double(const xsharp::Scene& scene, const xsharp::Player& player) {
   xsharp::Animation<double> exact(scene);
   second_frame(exact);
@@ -86,7 +85,7 @@ bool is_right(const xsharp::Scene& scene) {
          std::ranges::equal(picture.polygons, other.polygons, is_same);
 }
 
-/// Cached per size, because a benchmark is called again for every repetition.
+/// Caches the result per size for repetitions.
 bool is_correct(const xsharp::Scene& scene) {
   static std::map<std::size_t, bool> known;
   const auto found = known.find(scene.objects.size());
@@ -117,7 +116,7 @@ void frame(benchmark::State& state) {
       static_cast<double>(after - before) / static_cast<double>(state.range(0) * vertices);
 }
 
-/// Sorts depths[i] = i from a given order, copied for each run.
+/// Sorts depths[i] = i from a given order. Each run sorts a copy.
 void sort_from(benchmark::State& state, const std::vector<std::size_t>& order) {
   std::vector<std::int32_t> depths(order.size());
   std::iota(depths.begin(), depths.end(), 0);
@@ -139,7 +138,7 @@ std::vector<std::size_t> in_order(std::int64_t objects) {
   return order;
 }
 
-/// One in ten is swapped with one at most eight places later.
+/// Swaps one element in ten with one at most eight places later.
 void sort_little(benchmark::State& state) {
   std::mt19937 random(1994);
   std::vector<std::size_t> order = in_order(state.range(0));
@@ -149,7 +148,7 @@ void sort_little(benchmark::State& state) {
   sort_from(state, order);
 }
 
-/// The worst case for insertion sort: the reverse order.
+/// The reverse order is the worst case for insertion sort.
 void sort_reversed(benchmark::State& state) {
   std::vector<std::size_t> order = in_order(state.range(0));
   std::reverse(order.begin(), order.end());

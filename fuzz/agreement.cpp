@@ -1,5 +1,6 @@
-// Target `agreement`: a byte that chooses the variant, then its operands. Asks every fast party,
-// including the processor itself if it can run, and the type's other operations on the first words.
+// Target `agreement`: a byte that chooses the variant, then its operands. Compares every fast
+// party, including the host processor if it can run, and the type's other operations on the first
+// words.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Target `command_lines`: the first byte chooses a command, the rest is its input. Bad lines must
-// raise a UsageError and nothing else. Answers are judged too: eval by model and by oracle agree;
-// step answers the same for an 8088 and a 386; check passes what the oracle passes.
+// raise a UsageError. Also checks answers: eval must agree for model and oracle, step for an 8088
+// and a 386, and check must pass the oracle's results.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +29,6 @@ using namespace fixproof;
 
 namespace {
 
-/// The output of a command, its status, and its error, if any.
 struct Answer {
   std::string out;
   int status = 0;
@@ -38,7 +37,7 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// One command of `fixproof`. Parsing the whole command line would take most of the time.
+/// One command of `fixproof`. Parsing the whole command line would dominate the time.
 class Command {
  public:
   explicit Command(void (*add)(CLI::App&, int&)) { add(app_, status_); }
@@ -110,7 +109,7 @@ void step(const std::string& input) {
   }
 }
 
-/// The correct result of a case: half up, wrapped, DE for a zero divisor and a negative radicand.
+/// The result by half up and wrapping; #DE for a zero divisor or a negative radicand.
 std::optional<std::uint32_t> right(cases::Operation operation,
                                    std::span<const std::uint32_t> words) {
   constexpr auto rule = oracle::Rounding::half_up;
@@ -144,7 +143,7 @@ std::optional<bool> all_correct(cases::Operation operation, const std::string& c
   return all;
 }
 
-/// Cases, a line `--`, and results.
+/// The input is cases, a line `--`, and results.
 void check(cases::Operation operation, const std::string& input) {
   static Command command(cli::add_check);
   constexpr std::string_view bar = "\n--\n";
@@ -172,7 +171,7 @@ void single_steps(x86model::Target cpu, const std::string& input) {
     singlestep::read_cases(file.path(), cpu,
                            [cpu](const singlestep::Case& c) { singlestep::judge(c, cpu); });
   } catch (const support::UsageError&) {
-    // An error is allowed.
+    // A UsageError is allowed.
   } catch (const std::exception& error) {
     fuzz::report_finding(fmt::format("--singlestep: not a UsageError: {}", error.what()));
   }
@@ -204,7 +203,7 @@ const std::vector<Try>& tries() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  // Commands are numbered by letters, from `a`.
+  // Letters number the commands, from `a`.
   const std::size_t chosen = (data[0] - std::size_t{'a'}) % tries().size();
   tries()[chosen](std::string(data + 1, data + size));
   return 0;

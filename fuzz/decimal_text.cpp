@@ -1,4 +1,4 @@
-// Target `decimal_text`: reads the input as text in every way the type offers, and writes its first
+// Target `decimal_text`: reads the input as text in every way the type offers, writes its first
 // four bytes as a word, and compares both with the oracle's decimal.
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ Word word_of(Number x) {
   return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
 }
 
-/// The word for the text, if it is a number in range.
+/// The word for the text; nothing if it is not a number in range.
 template <class Number>
 std::optional<Word> expected_word(std::string_view number) {
   constexpr int bits = 2 * Number::fraction_bits;
@@ -87,8 +87,7 @@ void read_text(std::string_view text) {
   }
 }
 
-/// Expectations for `>>`: from_chars() after white space, except for a point without a digit after
-/// it.
+/// Compares `>>` with from_chars() after white space, except for a point without a digit after it.
 template <class Number>
 void read_stream(std::string_view text) {
   std::istringstream in{std::string(text)};

@@ -7,11 +7,9 @@
 
 namespace fixproof::fuzz {
 
-/// Writes `text` to standard error and aborts, so that the fuzzer records a crash and keeps the
-/// input.
+/// Writes `text` to standard error and aborts, so that the fuzzer keeps the input as a crash.
 [[noreturn]] void report_finding(const std::string& text);
 
-/// Reports the finding, if there is one.
 inline void report_if_any(const std::optional<std::string>& finding) {
   if (finding) report_finding(*finding);
 }

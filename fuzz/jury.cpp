@@ -23,7 +23,7 @@ std::vector<parties::Answer> answers_of(const Seat& seat, std::span<const std::u
   return answers;
 }
 
-/// Whether all parties agree. Without allocation, because it runs for every input.
+/// Whether all parties agree. Does not allocate, because it runs for every input.
 bool all_agree(const Seat& seat, std::span<const std::uint32_t> words) {
   using Out = std::array<std::uint32_t, cases::max_words_out>;
   const std::size_t size = cases::words_out(seat.variant.operation);
@@ -54,7 +54,7 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string name(seat.parties[i]->name());
     text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
-    // The party for the rerun command comes first.
+    // Puts the party for the rerun command first.
     const bool first_differs =
         !parties::agree(std::array{answers[i], answers.front()}) && row.parties.front() == "oracle";
     row.parties.insert(first_differs ? row.parties.begin() : row.parties.end(), name);

@@ -1,5 +1,5 @@
 /// @file
-/// The parties on one case, judged by the oracle.
+/// Compares the parties on one case and judges them by the oracle.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,16 @@ struct Seat {
   std::vector<const parties::Party*> parties;
 };
 
-/// One seat per variant of these operations, for multiply and divide also at half width. Omits
-/// parties that this build lacks or that do not answer a variant.
+/// One seat per variant of these operations; multiply and divide also at half width. Omits parties
+/// that this build lacks or that do not answer a variant.
 std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
                            std::span<const std::string_view> parties);
 
-/// Describes a disagreement with the oracle's answer: the smallest case that shows it, every
-/// answer, and the command that reproduces it. The case is the first of `words`, as many as the
-/// operation takes, reduced to the width of its operands.
+/// Describes a disagreement with the oracle: the smallest case that shows it, every answer, and the
+/// command that reproduces it. Uses the first words that the operation takes, reduced to its
+/// operand width.
 std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words);
 
-/// The first disagreement of all seats.
 std::optional<std::string> disagreement(std::span<const Seat> seats,
                                         std::span<const std::uint32_t> words);
 

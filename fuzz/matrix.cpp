@@ -1,5 +1,5 @@
 // Target `matrix`: 24 words, two transforms and their product under every build with a
-// ConcatXforms; the first 15 are a transform and a point for every XformVec.
+// ConcatXforms. The first 15 words are also a transform and a point for every XformVec.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// @file
-/// Text as a file in memory that can be opened by path.
+/// A text in memory that can be opened by path.
 #pragma once
 
 #include <sys/mman.h>

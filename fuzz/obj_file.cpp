@@ -1,5 +1,5 @@
-// Target `obj_file`: the input as Wavefront OBJ. It either raises a SceneError or gives a mesh
-// that, written as OBJ, gives the same mesh again.
+// Target `obj_file`: the input as Wavefront OBJ. It must raise a SceneError or give a mesh that
+// survives writing as OBJ and reading back.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::string text_of(const xsharp::Mesh& mesh) {
   std::string text;
   for (const auto& [x, y, z] : mesh.vertices) text += fmt::format("v {} {} {}\n", x, y, z);
   for (const auto& face : mesh.faces) {
-    // OBJ has the reverse order, with the same first vertex.
+    // OBJ has the reverse order and the same first vertex.
     auto corners = face.vertices;
     std::reverse(corners.begin() + 1, corners.end());
     text += 'f';
@@ -29,7 +29,7 @@ std::string text_of(const xsharp::Mesh& mesh) {
   return text;
 }
 
-/// With the tolerance of the library, which multiplies by rounded powers of ten.
+/// Allows for rounding in the library, which multiplies by rounded powers of ten.
 bool same_place(const xsharp::Triple& a, const xsharp::Triple& b) {
   return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
     return std::abs(x - y) <= std::max(1e-6, std::abs(x) * 1e-9);
@@ -47,7 +47,7 @@ std::optional<xsharp::Mesh> mesh_of(const std::string& text) {
   try {
     return xsharp::parse_obj(text);
   } catch (const xsharp::SceneError&) {
-    // An error is allowed.
+    // A SceneError is allowed.
   } catch (const std::exception& error) {
     fixproof::fuzz::report_finding(fmt::format("not a SceneError: {}", error.what()));
   }

@@ -1,5 +1,5 @@
 // Runs a target without a fuzzer on the named files and on all files in the named folders. Exits
-// with status 0 if all pass, and with status 2 if a file cannot be read or there is none.
+// with status 0 if all pass, and with status 2 if a file is missing or unreadable.
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Target `scene_file`: the input as the JSON of a scene. It either raises a SceneError or gives a
-// scene that keeps every limit and whose frames can be drawn.
+// Target `scene_file`: the input as the JSON of a scene. It must raise a SceneError or give a scene
+// that keeps every limit and whose frames can be drawn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace {
 
-/// Draws frames only if that is fast.
+/// Draws only frames up to these limits, to stay fast.
 constexpr std::size_t max_faces_drawn = 200;
 constexpr std::int32_t max_side_drawn = 400;
 
@@ -31,7 +31,7 @@ std::optional<xsharp::Scene> scene_of(const std::string& text) {
   try {
     return xsharp::parse_scene(text, "fuzz", FIXPROOF_SCENES);
   } catch (const xsharp::SceneError&) {
-    // An error is allowed.
+    // A SceneError is allowed.
   } catch (const std::exception& error) {
     fixproof::fuzz::report_finding(fmt::format("not a SceneError: {}", error.what()));
   }

@@ -1,5 +1,5 @@
-// Writes the initial inputs of every target: cases of the generators in verify/, in the target's
-// format. usage: fuzz_seeds FOLDER SCENES VECTORS; one folder in FOLDER per target.
+// Writes the initial inputs of every target, from the generators in verify/, in the target's
+// format. usage: fuzz_seeds FOLDER SCENES VECTORS; FOLDER gets one folder per target.
 #include <fmt/format.h>
 
 #include <array>
@@ -28,7 +28,6 @@ namespace {
 
 constexpr std::uint64_t seed = 1994;
 
-/// The folder of a target's inputs; files are numbered.
 class Corpus {
  public:
   Corpus(const fs::path& root, std::string_view target) : folder_(root / target) {
@@ -44,7 +43,6 @@ class Corpus {
   }
   void add(std::span<const std::uint8_t> bytes) { add(std::string(bytes.begin(), bytes.end())); }
 
-  /// Adds the text of a file, prefixed with `before`.
   void add_file(const fs::path& path, std::string_view before = "") {
     add(std::string(before) + support::read_file(path));
   }
@@ -73,8 +71,7 @@ void write_words_of(const fs::path& root, std::string_view name, fuzz::WordTarge
   const auto& seats = fuzz::seats_of(target);
   const bool chosen = target == fuzz::WordTarget::agreement;
   for (std::size_t i = 0; i < seats.size(); ++i) {
-    // All variants of an operation have the same cases; without a choice byte, each input goes to
-    // all.
+    // All variants of an operation share cases; without a choice byte each input goes to all.
     if (!chosen && i > 0 && seats[i].variant.operation == seats[i - 1].variant.operation) continue;
     some_cases(seats[i].variant, chosen || target == fuzz::WordTarget::matrix ? 4 : 16,
                [&](std::span<const std::uint32_t> words) {
@@ -104,7 +101,7 @@ void write_decimals(const fs::path& root) {
              40, [&](std::span<const std::uint32_t> words) {
                const std::string text = oracle::to_decimal(words[0], 16);
                corpus.add(text);
-               // Half an ulp above it, exactly and slightly more.
+               // Half an ulp above the word, exactly and slightly more.
                const std::string whole = text.find('.') == std::string::npos ? text + ".0" : text;
                corpus.add(whole + "00000762939453125");
                corpus.add(whole + "000007629394531250000000001");
@@ -115,7 +112,7 @@ void write_decimals(const fs::path& root) {
   }
 }
 
-/// A letter and lines; see command_lines.cpp.
+/// Writes a command letter and input lines; see command_lines.cpp.
 void write_lines(const fs::path& root, const fs::path& vectors) {
   Corpus corpus(root, "command_lines");
   const std::array<cases::Operation, 8> evaluated{
@@ -134,7 +131,6 @@ void write_lines(const fs::path& root, const fs::path& vectors) {
     fuzz::StepCase step;
     if (i % 2 == 1) step.cpu = x86model::Target::i8088;
     fuzz::mutate_step_case(step, i);
-    // The input line of the command, between the quotation marks.
     const std::string command = step.replay(step.decoded()->instruction);
     const auto begin = command.find('\'') + 1;
     corpus.add(letter + command.substr(begin, command.find('\'', begin) - begin) + "\n");

@@ -1,6 +1,6 @@
-// Target `step`: runs one instruction on registers and flags in the model and in Unicorn. Compares
-// the divide error, all registers, every flag that the model defines, and the instruction's length;
-// also parses the instruction's text back.
+// Target `step`: runs one instruction in the model and in Unicorn. Compares the divide error, all
+// registers, the flags that the model defines, and the instruction's length. Also parses the
+// instruction's text back.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,20 +27,18 @@ namespace x86 = x86model;
 using x86::Register;
 using x86::Size;
 
-/// The end of an instruction, and the state after it.
 struct End {
   bool divide_error = false;
-  std::optional<std::size_t> length;  ///< empty if it did not complete
+  std::optional<std::size_t> length;  ///< empty if the instruction did not complete
   x86::Registers<16> registers;
   x86::Flags flags;
 };
 
-/// Runs Unicorn one instruction at a time. An emulator caches translations, so every instruction
-/// gets its own address; when all are used, a new emulator starts.
+/// Runs Unicorn one instruction at a time. Unicorn caches translations, so every instruction gets a
+/// new address; a new emulator starts when none is left.
 class Executor {
  public:
-  /// @param length of the instruction in bytes; Unicorn may not be able to translate the random
-  /// bytes after it
+  /// @param length of the instruction in bytes; the random bytes after it may not be translatable
   End execute(const fuzz::StepCase& step, std::size_t length) {
     End left = execute_once(step, length);
     // An emulator that has run thousands of instructions may reject one that a new emulator runs.
@@ -124,8 +122,8 @@ std::optional<std::string> difference(const End& model, const End& unicorn) {
                      unicorn.length.value_or(0));
 }
 
-/// Whether the emulator would crash the process: Unicorn 2.0.1 divides -2^63 by -1 with the host's
-/// IDIV. The correct result is #DE, as for every quotient that does not fit.
+/// Whether Unicorn would crash the process: version 2.0.1 divides -2^63 by -1 with the host's IDIV.
+/// The correct result is #DE, because the quotient does not fit.
 bool ends_unicorn(const x86::Instruction& instruction, const singlestep::StepMachine& m) {
   const auto& divisor = instruction.operands[0];
   return instruction.mnemonic == x86::Mnemonic::idiv && divisor.size == Size::dword &&

@@ -22,25 +22,25 @@ namespace x86 = x86model;
 constexpr std::size_t flags_at = 1 + max_code_bytes;
 constexpr std::size_t registers_at = flags_at + 2;
 
-/// The part of a register that an instruction can change.
+/// The part of a register that the processor's instructions can change.
 x86::Size size_on(x86::Target cpu) {
   return cpu == x86::Target::i386 ? x86::Size::dword : x86::Size::word;
 }
 
 x86::Register register_at(std::size_t i) { return static_cast<x86::Register>(i); }
 
-/// Draws bytes until they are a modelled instruction, which takes some dozens of attempts.
+/// Draws bytes until they form a modelled instruction, which takes some dozens of attempts.
 void draw_code(StepCase& step, cases::Draw& draw) {
   do {
     for (auto& byte : step.code) byte = static_cast<std::uint8_t>(draw.bits());
     const bool wide = step.cpu == x86::Target::i386 && draw.coin();
     if (wide) step.code[0] = 0x66;
-    // SHLD and SHRD, which are rare by chance.
+    // SHLD and SHRD are rare by chance.
     if (wide && draw.below(16) == 0) {
       step.code[1] = 0x0F;
       step.code[2] = draw.coin() ? 0xA4 : 0xAC;
     }
-    // Makes the operand a register instead of memory, wherever a ModR/M byte may be.
+    // Makes the operand a register instead of memory, at each byte that may be a ModR/M byte.
     for (std::size_t i = 1; i < 4; ++i) {
       if (step.code[i] != 0x0F && step.code[i] != 0xA4 && step.code[i] != 0xAC && draw.coin()) {
         step.code[i] |= 0xC0U;

@@ -16,9 +16,8 @@
 
 namespace fixproof::fuzz {
 
-/// The maximum length of a modelled instruction.
 inline constexpr std::size_t max_code_bytes = 8;
-/// A byte for the processor, the code, two bytes of flags, and four per register.
+/// One byte for the processor, the code, two bytes of flags, and four per register.
 inline constexpr std::size_t step_input_size =
     1 + max_code_bytes + 2 + 4 * x86model::register_count;
 
@@ -28,7 +27,7 @@ struct StepCase {
   /// Every flag is defined. On an 8088 the upper halves of the registers are 0.
   singlestep::StepMachine machine;
 
-  /// The instruction; nothing if the bytes are not an instruction or it is not modelled.
+  /// The decoded instruction; nothing if it is invalid or not modelled.
   [[nodiscard]] std::optional<singlestep::Decoded> decoded() const;
   /// The `fixproof step` command line that executes `instruction` on this machine.
   [[nodiscard]] std::string replay(const x86model::Instruction& instruction) const;
@@ -38,7 +37,7 @@ struct StepCase {
 StepCase read_step_case(std::span<const std::uint8_t> bytes);
 void write_step_case(const StepCase& step, std::span<std::uint8_t, step_input_size> bytes);
 
-/// Replaces the instruction by another modelled one, sets registers to or near edge cases, or both.
+/// Replaces the instruction by another modelled one, or moves registers to edge cases, or both.
 void mutate_step_case(StepCase& step, std::uint32_t seed);
 
 }  // namespace fixproof::fuzz

@@ -67,7 +67,6 @@ double exact_double(Word word, int bits) {
   return std::ldexp(oracle::ulps(word, bits).convert_to<double>(), -bits);
 }
 
-/// The answers of the type.
 template <int F, policy P>
 class TypeAnswers {
  public:
@@ -140,7 +139,6 @@ class TypeAnswers {
   }
 };
 
-/// The expected answers.
 class OracleAnswers {
  public:
   OracleAnswers(int fraction_bits, const policy& rules, Words words)
@@ -217,7 +215,7 @@ class OracleAnswers {
     return oracle::wrap(exact, bits());
   }
 
-  /// The end of the range, for results that have no value.
+  /// The end of the range, for operations without a result.
   [[nodiscard]] Answer end(bool negative) const {
     if (traps()) return std::nullopt;
     const Integer far = Integer(1) << bits();
@@ -265,8 +263,7 @@ std::optional<std::string> difference_of(Words words, bool quotients_only) {
   return difference(F, P, words, TypeAnswers<F, P>::all(words), oracle.all());
 }
 
-/// Compares quotients under every width and policy, and all operations under the policy that c
-/// chooses.
+/// Compares quotients under every policy, and all operations under the policy that c chooses.
 std::optional<std::string> first_difference(Words words, bool quotients_only) {
   using fixed::rounding;
   using namespace fixed::policies;

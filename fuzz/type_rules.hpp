@@ -1,6 +1,6 @@
 /// @file
-/// Rules of the type that the parties do not cover: every operation under other policies than the
-/// FIXED.ASM builds, including saturating and trapping, judged by the oracle.
+/// Checks every operation of the type against the oracle under policies that the parties do not
+/// cover, including saturating and trapping ones.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace fixproof::fuzz {
 
-/// The first operation on a, b and c that differs from the oracle, in 16.16 or, with the low
-/// halves, in 8.8, under one policy that c chooses.
+/// Describes the first operation on a, b and c that differs from the oracle, under one policy that
+/// c chooses, in 16.16 or, with the low halves, in 8.8.
 std::optional<std::string> type_difference(std::span<const std::uint32_t, 3> words);
 
-/// The same for n / d, under every policy.
+/// The same for n / d under every policy.
 std::optional<std::string> quotient_difference(std::uint32_t n, std::uint32_t d);
 
 }  // namespace fixproof::fuzz

@@ -17,7 +17,6 @@ namespace fixproof::fuzz {
 
 namespace {
 
-/// Draws a case from one of the streams of the variant.
 void draw_fresh(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
   static std::map<std::pair<cases::Operation, int>, cases::Plan> plans;
   const auto key = std::pair(variant.operation, variant.fraction_bits);
@@ -33,21 +32,20 @@ std::int64_t units(std::uint32_t word, const cases::Format& format) {
   return raw < format.limit() ? raw : raw - 2 * format.limit();
 }
 
-/// Moves the dividend to an edge for the divisor, or for its whole part, as the 8088 divides.
+/// Moves the dividend to an edge for the divisor, or for its whole part as on an 8088.
 void aim_quotient(const cases::Format& format, std::span<std::uint32_t> words, cases::Draw& draw) {
   const std::array<std::int64_t, 4> edges{0, 1, format.limit(), 2 * format.limit()};
   const std::int64_t quotient =
       draw.coin() ? draw.magnitude(format.word_bits - 1) : edges[draw.below(edges.size())];
   const bool whole = draw.coin();
-  // Only a divisor below 1/2 has a dividend for quotients of twice the range.
+  // A quotient of twice the range needs a divisor below 1/2.
   if (!whole && quotient >= format.limit()) {
     words[1] = format.word(draw.either_sign(draw.magnitude(format.fraction_bits - 1)));
   }
   const std::int64_t d = units(words[1], format);
   const std::int64_t divisor = whole ? d / format.one() : d;
   const int scale = whole ? 0 : format.fraction_bits;
-  // Twice the quotient, so that a half is a whole number. Skips a dividend that does not fit a
-  // word.
+  // Doubles the quotient, so that halves are integers. Skips dividends that do not fit a word.
   const std::int64_t twice = 2 * quotient + static_cast<std::int64_t>(draw.below(3)) - 1;
   if (divisor == 0 || std::abs(twice) > (std::int64_t{1} << 62) / std::abs(divisor)) return;
   const std::int64_t n =
@@ -77,7 +75,6 @@ void step_word(const cases::Format& format, std::uint32_t& word, cases::Draw& dr
   }
 }
 
-/// Every operation and every party except Unicorn, including parties added later.
 std::vector<Seat> all_seats() {
   std::vector<cases::Operation> operations;
   for (const cases::Variant& variant : cases::all_variants())

@@ -1,6 +1,6 @@
 /// @file
-/// Words as inputs: four bytes each, big-endian, so that a dump of an input (`xxd -c 8`) shows them
-/// as `fixproof eval` reads them.
+/// Reads and writes words as inputs: four bytes each, big-endian, so that `xxd -c 8` shows them as
+/// `fixproof eval` reads them.
 #pragma once
 
 #include <cstddef>

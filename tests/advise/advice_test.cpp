@@ -1,4 +1,4 @@
-// Which choice is taken of those that were tried.
+// Tests which of the tried choices the advice takes.
 #include "trade/advice/advice.hpp"
 
 #include <gtest/gtest.h>
@@ -52,8 +52,7 @@ trade::Tried timed(double median, double spread, double pixels) {
   return t;
 }
 
-// 200, 200.5 and 204 are 5 or less apart; 209 is noisy, and dearer; 201 is as cheap, but over the
-// budget.
+// 200, 200.5 and 204 differ by at most their spread of 5. 209 is dearer; 201 exceeds the budget.
 TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
   std::vector<trade::Tried> all{timed(209, 50, 0.1),   timed(200, 5, 0.4), timed(204, 5, 0.3),
                                 timed(200.5, 5, 0.45), timed(201, 5, 9),   timed(150, 5, 8)};
@@ -84,7 +83,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
       .scene = "a scene",
       .budget = 0.5,
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
-  // Text, because only text shows infinity as null.
+  // Compares text because infinity becomes null only there.
   const auto json = support::Json::parse(support::json_text(trade::to_json(report)));
   EXPECT_EQ(json.at("made").at("command"), "advise");
   EXPECT_EQ(json.at("made").at("processor"), measure::processor_name());
@@ -107,7 +106,7 @@ TEST(Advice, IsNoneWhereNoneFits) {
   EXPECT_NE(cli::sentences_of(report).find("0.750 pixels off"), std::string::npos);
 }
 
-// Only drift has those.
+// Clipped corners affect only drift.
 TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
   trade::AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
   const auto names_them = [&report](double pixels) {
@@ -132,7 +131,6 @@ RC_GTEST_PROP(Advice, IsNeverDearerForALargerBudget, ()) {
   if (!strict.take) return;
   RC_ASSERT(loose.take.has_value());
   RC_ASSERT(all[*loose.take].cost.ranked <= all[*strict.take].cost.ranked);
-  // By definition: it fits, and whatever is cheaper does not.
   RC_ASSERT(all[*strict.take].error.pixels <= small);
   for (const trade::Tried& t : all) {
     RC_ASSERT(t.cost.ranked >= all[*strict.take].cost.ranked || t.error.pixels > small);

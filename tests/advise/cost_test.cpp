@@ -1,4 +1,4 @@
-// What frames cost: by hand from the clocks of single multiplies.
+// Tests the cost of frames against hand sums of single multiplies.
 #include "trade/advice/cost.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,6 @@ namespace {
 
 constexpr auto cpu = x86model::Cpu::i386;
 
-/// A cube that turns about so many axes, in every frame.
 xsharp::Scene turning_cube(std::int32_t axes) {
   xsharp::Scene scene;
   xsharp::ObjectDescription cube;
@@ -31,7 +30,6 @@ double clocks(const xsharp::Scene& scene, const trade::Turning& turning) {
   return trade::clocks_a_frame(scene, std::vector{choice}, cpu, stop).at(0).ranked;
 }
 
-/// The dearest and the cheapest FixedMul there are.
 x86model::Range of_a_multiply() {
   const x86model::Program program = parties::program_of({});
   const auto count = [&](std::uint32_t factor) {
@@ -56,8 +54,8 @@ TEST(FrameClocks, OfACubeThatStandsStillAreNone) {
   }
 }
 
-// Restoring orthogonality is 33 products: two cross products of 6, and three times 7 towards unit
-// length. An axis appended is 12, and a CosSin of a degree.
+// Restoring orthogonality takes 33 products: two cross products of 6, and three normalisations of
+// 7. Appending an axis takes 12, and a CosSin of one degree.
 TEST(FrameClocks, AreThoseOfTheProductsMade) {
   const x86model::Range multiply = of_a_multiply();
   const auto expect_products = [&](double difference, double products) {
@@ -77,20 +75,18 @@ TEST(FrameClocks, OfRestoringAreSharedOut) {
   EXPECT_NEAR(clocks(scene, {false, 600}) - never, (always - never) / 600, 1e-6);
 }
 
-// Turns of 360 degrees leave the matrix as it is: both ways take the same CosSin and the same
-// twelve products for each rotation.
+// Turns of 360 degrees keep the matrix, so both ways take the same CosSin and twelve products.
 TEST(FrameClocks, FromScratchAreThoseOfAppendingForOneAxis) {
   xsharp::Scene scene = turning_cube(1);
   scene.objects[0].spin.tenths = {3600, 0, 0};
   const double appended = clocks(scene, {});
-  // The angle is 3600 where it is appended and 0 from scratch: to bring it into range is extra.
+  // Only the appended angle, 3600, must be reduced to the range.
   EXPECT_EQ(appended - clocks(scene, {true, 0}), of_a_sine(3600) - of_a_sine(0));
 }
 
-// CosSin of 0 on an 8088. Its instructions have 77 bytes, counted by hand: 28 to the comparison
-// with 90 degrees, 29 for the shifts, four reads by CS: and a near jump, and 20 from CSDone on.
-// They move 16 words of data. That takes 4 * 109 clocks; the table's instructions without MUL or
-// DIV take less.
+// CosSin of 0 on an 8088 executes 77 bytes, counted by hand: 28 to the comparison with 90 degrees,
+// 29 for the shifts, four reads by CS: and a near jump, and 20 from CSDone on. They move 16 words
+// of data. Without MUL or DIV, the bus time of 4 * 109 clocks exceeds the table's.
 TEST(FrameClocks, TheBusLimitsACosSin) {
   player::OperandLog log;
   log.at(static_cast<std::size_t>(cases::Operation::cossin)) = {0};
@@ -102,7 +98,7 @@ TEST(FrameClocks, TheBusLimitsACosSin) {
   EXPECT_EQ(clocks.per_frame(1).at_least().max, 436);
 }
 
-// The larger of table and bus time counts. A 386 has no bus time.
+// The larger of table and bus time counts. Only an 8088 has a bus time.
 TEST(FrameClocks, OfAn8088HaveABus) {
   const std::atomic<bool> stop = false;
   const std::vector choices{
@@ -143,7 +139,7 @@ TEST(Nanoseconds, AreOfEveryChoice) {
   }
 }
 
-// Whatever the times are: a tenth of the way from never to always, on average over rounds.
+// Whatever the times are, restoring every tenth frame costs on average a tenth of restoring always.
 TEST(Nanoseconds, OfRestoringLieBetween) {
   const std::atomic<bool> stop = false;
   const std::vector<trade::Choice> choices{

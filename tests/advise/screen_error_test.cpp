@@ -1,4 +1,5 @@
-// How far corners are off: by hand, by the pipeline's own pixels, and by drift.
+// Tests the screen error of corners against hand calculations, the pipeline's own pixels, and
+// drift.
 #include "trade/advice/screen_error.hpp"
 
 #include <gtest/gtest.h>
@@ -35,11 +36,10 @@ trade::ScreenError error_of(const xsharp::Scene& scene, const trade::Choice& cho
       .at(0);
 }
 
-// Corners at z = -8.5 and -9.5, which the 8088 divide takes for -8 and -9: 320 * 0.5 / 8.5 becomes
-// 320 * 0.5 / 8 in x and in y.
+// Corners at z = -8.5 and -9.5, which the 8088 divides by -8 and -9.
 TEST(ScreenError, OfTheDivisorsFraction) {
   const double expected = 160.0 * (1 / 8.0 - 1 / 8.5) * std::sqrt(2);
-  // A quotient that is a unit off is 320 units off on the screen.
+  // A quotient off by a unit is 320 units off on the screen.
   const double units = 2 * 320.0 / 65536;
   const auto off = [](cases::Target target) {
     return error_of(still_cube(0.5, -9), {.build = {.target = target}}, 1).pixels;
@@ -48,10 +48,10 @@ TEST(ScreenError, OfTheDivisorsFraction) {
   EXPECT_LT(off(cases::Target::i386), units);
 }
 
-// Corners at x, y = 1 and z = -9, -11: 65536 / 9 and / 11 are 7281.78 and 5957.82 units.
+// Corners at x, y = 1 and z = -9, -11: 65536 / 9 and 65536 / 11 are 7281.78 and 5957.82 units.
 TEST(ScreenError, OfTheQuotientsRounding) {
   const double unit = std::sqrt(2) * 320 / 65536;
-  // Beside it, the rounding of the last product: half a unit in x and in y, or a whole one.
+  // The last product adds a rounding of half a unit in x and y, or of a whole unit.
   const double product = 2.0 / 65536;
   const auto off = [](bool div_round) {
     return error_of(still_cube(1, -10), {.build = {.div_round = div_round}}, 1).pixels;
@@ -66,7 +66,7 @@ TEST(ScreenError, IsThatOfTheWorstFrameAndObject) {
   scene.objects[1].position = {0, 0, -11.5};
   scene.objects[1].drift = xsharp::Drift{.step = {0, 0, 1.25}};
   const trade::Choice choice{.build = {.target = cases::Target::i8088}};
-  // After five frames at -5.25: corners at -4.75, taken for -4.
+  // After five frames the object is at -5.25. The 8088 divides its corners at -4.75 by -4.
   const double expected = 160.0 * (1 / 4.0 - 1 / 4.75) * std::sqrt(2);
   const trade::ScreenError error = error_of(scene, choice, 6, 5);
   EXPECT_NEAR(error.pixels, expected, 0.05);
@@ -98,7 +98,7 @@ TEST(ScreenError, StopsWhenAsked) {
   EXPECT_EQ(frames, 0U);
 }
 
-// The places that are measured are those that are drawn: to the pixel, for every corner.
+// Tests that the measured places are the drawn pixels, for every corner.
 template <class N>
 int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& choice) {
   xsharp::Scene scene = xsharp::read_scene(file);
@@ -116,7 +116,7 @@ int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& 
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (frame > 0) objects[i].advance();
       const xsharp::ObjectState state = player->state(i);
-      // Ends of normals are drawn nowhere.
+      // The pipeline does not draw the ends of normals.
       std::map<std::size_t, bool> corners;
       for (const auto& face : scene.objects[i].mesh.faces) {
         for (const std::size_t v : face.vertices) corners[v] = true;
@@ -153,8 +153,8 @@ TEST(ScreenCorners, AreWhatIsDrawn) {
   }
 }
 
-// Drift measures the motion alone. What the 386's transform and divide add is small: 3 products, a
-// quotient and its product are off by a unit each at most, and a unit of the quotient is 320.
+// Drift measures only the motion. The 386's transform and divide add little: 3 products, a quotient
+// and its product are off by at most a unit each. A unit of the quotient is 320 on the screen.
 TEST(ScreenError, IsBorneOutByDrift) {
   const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
   for (const bool mul_round : {true, false}) {

@@ -1,4 +1,4 @@
-// The cases that a subject is given are those of a verification.
+// Tests that a subject gets the cases of a verification.
 #include "check/cases.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ Drawn draw_all(Operation operation, const CaseOptions& options) {
 }
 
 TEST(CheckCases, AreTheStreamsOfLevelOne) {
-  // docs/verify.md: 1,039,204 cases of a multiply.
+  // docs/verify.md: a multiply has 1,039,204 cases.
   const Drawn drawn = draw_all(Operation::mul, {});
   EXPECT_EQ(drawn.cases.size(), 1'039'204U);
   EXPECT_EQ(drawn.of_stream.at("lattice"), 39'204U);
@@ -75,7 +75,7 @@ TEST(CheckCases, AFewAreSpreadOverEveryStream) {
   const Drawn drawn = draw_all(Operation::div, options);
   EXPECT_EQ(drawn.cases.size(), 1000U);
   EXPECT_EQ(drawn.of_stream.size(), 9U);
-  // An eighth of 39,204 and 1,000,000 cases.
+  // The lattice has 39,204 cases, and eight other streams share 1,000,000.
   EXPECT_NEAR(static_cast<double>(drawn.of_stream.at("fault_edge")), 120, 2);
 }
 

@@ -1,4 +1,4 @@
-// `fixproof gen` and `fixproof check` as a user runs them.
+// Tests `fixproof gen` and `fixproof check` as a user runs them.
 #include "tests/cli/command.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 using command::expect_usage_error;
 
-/// 1.5 x 2.5, minus an ulp x 0.5.
+/// 1.5 * 2.5 and -1 ulp * 0.5.
 constexpr std::string_view two_cases = "# two\n00018000 00028000\n\nffffffff 00008000\n";
 
 command::Run check_two(std::string_view options, std::string_view results) {
@@ -55,7 +55,6 @@ TEST(CheckCommand, ResultsInAFile) {
 TEST(CheckCommand, TooFewResults) {
   const auto run = check_two("--rounding half-up", "0003c000\n");
   expect_usage_error(run, "standard input ends after 1 result");
-  // What there was is judged.
   EXPECT_NE(run.out.find("half-up"), std::string::npos);
   const auto generated =
       command::fixproof("check div --rounding half-up --cases 5 --seed 3", "00000000\n");
@@ -94,7 +93,7 @@ TEST(CheckCommand, LinesThatAreNoCases) {
                      "there are no cases");
 }
 
-// An answer that is missing moves all that follow to other cases.
+// A missing answer would assign all later answers to the wrong cases.
 TEST(CheckCommand, BlankLineBetweenResults) {
   const std::string command = "check mul --cases 3 --rounding floor";
   expect_usage_error(command::fixproof(command, "00000000\n\n00000000\n00000000\n"),
@@ -104,7 +103,7 @@ TEST(CheckCommand, BlankLineBetweenResults) {
   EXPECT_EQ(at_the_end.status, 1) << at_the_end.err;
 }
 
-// Nothing that never ends a line fills the memory.
+// An endless line must not fill the memory.
 TEST(CheckCommand, LineWithoutAnEnd) {
   const std::string long_line(1 << 20, '0');
   expect_usage_error(
@@ -120,8 +119,8 @@ TEST(CheckCommand, LineWithoutAnEnd) {
       2);
 }
 
-// The root of 2 is 92681.9 ulps, and minus that lies between -92682 and -92681: the rules that are
-// one for roots are two for mirrored ones.
+// The square root of 2 is 92681.9 ulps, so the mirrored root lies between -92682 and -92681. Rules
+// that agree on roots differ on mirrored roots.
 TEST(CheckCommand, MirroredRootsAreTwoRules) {
   const ScratchFolder folder;
   const std::string command = "check sqrt --negative-root mirror --from " +

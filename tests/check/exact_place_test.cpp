@@ -1,4 +1,4 @@
-// Where exact results lie, worked out by hand.
+// Tests the position of exact results between ulps, worked by hand.
 #include "check/exact_place.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,6 @@ using fixproof::cases::Operation;
 using fixproof::check::CaseKind;
 using Words = std::vector<std::uint32_t>;
 
-/// The kind of a case whose result fits, and the exact result as text.
 void expect_place(Operation operation, const Words& words, CaseKind kind, const std::string& text,
                   bool negative) {
   const auto place = fixproof::check::exact_place(operation, words);
@@ -27,7 +26,6 @@ TEST(CheckPlace, OfProducts) {
   expect_place(Operation::mul, {1, 0x8000}, CaseKind::tie, "0 + 1/2", false);
   expect_place(Operation::mul, {0xffffffff, 0x8000}, CaseKind::tie, "-1 + 1/2", true);
   expect_place(Operation::mul, {1, 0x8001}, CaseKind::near_tie, "0 + 32769/65536", false);
-  // 64 of 65536 is 1/1024.
   expect_place(Operation::mul, {1, 0x803f}, CaseKind::near_tie, "0 + 32831/65536", false);
   expect_place(Operation::mul, {1, 0x8040}, CaseKind::between, "0 + 513/1024", false);
   expect_place(Operation::mul, {1, 0x4000}, CaseKind::between, "0 + 1/4", false);
@@ -49,7 +47,7 @@ TEST(CheckPlace, OfRoots) {
   expect_place(Operation::sqrt, {0x40000}, CaseKind::exact, "131072", false);
   // 92681.900024; 207243.03
   expect_place(Operation::sqrt, {0x20000}, CaseKind::between, "92681 + 0.90002", false);
-  // 11863283.203 is the largest root.
+  // The largest root is 11863283.203.
   expect_place(Operation::sqrt, {0x7fffffff}, CaseKind::between, "11863283 + 0.20027", false);
 }
 

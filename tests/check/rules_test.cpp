@@ -1,4 +1,4 @@
-// The rules a subject is held to, worked out by hand.
+// Tests the rules for subjects, worked by hand.
 #include "check/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Said expected_word(const Rules& rules, const Words& words) {
 }
 
 TEST(CheckRules, ProductsByEveryRounding) {
-  // -1.5 ulps: -3 ulps times a half.
+  // -1.5 ulps: -3 ulps * 0.5.
   const Words words{0xfffffffd, half};
   const auto product = [&](Rounding rounding) {
     return expected_word({.operation = Operation::mul, .rounding = rounding}, words);
@@ -53,7 +53,7 @@ TEST(CheckRules, QuotientsByEveryRounding) {
 }
 
 TEST(CheckRules, RootsToNearestAndDown) {
-  // The root of 2 is 92681.90 ulps.
+  // The square root of 2 is 92681.90 ulps.
   for (const Rounding nearest : {Rounding::half_up, Rounding::half_away, Rounding::half_even}) {
     EXPECT_EQ(expected_word({.operation = Operation::sqrt, .rounding = nearest}, {0x20000}),
               92682U);
@@ -64,7 +64,7 @@ TEST(CheckRules, RootsToNearestAndDown) {
 }
 
 TEST(CheckRules, OverflowByEveryRule) {
-  // 256 * 128 is 2^31 ulps, the first that does not fit; -256 * 128.5 is beside the other end.
+  // 256 * 128 is 2^31 ulps, the smallest overflow. -256 * 128.5 is just below the other end.
   const Words above{0x1000000, 0x800000};
   const Words below{0xff000000, 0x808000};
   const auto said = [](Overflow overflow, const Words& words) {
@@ -86,7 +86,6 @@ TEST(CheckRules, TheLastResultThatFits) {
   const Rules rules{.operation = Operation::mul, .overflow = Overflow::error};
   // 256 * -128 is -2^31 ulps.
   EXPECT_EQ(expected_word(rules, {0x1000000, 0xff800000}), 0x80000000);
-  // 32767.99998 * 1.0
   EXPECT_EQ(expected_word(rules, {0x7fffffff, 0x10000}), 0x7fffffffU);
 }
 
@@ -126,11 +125,10 @@ TEST(CheckRules, RootsOfNegativeNumbers) {
   };
   EXPECT_EQ(said(NoResult::zero, Rounding::half_up, minus_one_ulp), 0U);
   EXPECT_EQ(said(NoResult::error, Rounding::half_up, minus_one_ulp), std::nullopt);
-  // -2.0: the root of 2 is 92681.90 ulps.
   EXPECT_EQ(said(NoResult::mirror, Rounding::half_up, 0xfffe0000), 0U - 92682U);
   EXPECT_EQ(said(NoResult::mirror, Rounding::truncate, 0xfffe0000), 0U - 92681U);
   EXPECT_EQ(said(NoResult::mirror, Rounding::floor, 0xfffe0000), 0U - 92682U);
-  // -4.0: exact.
+  // -4.0 has an exact root.
   EXPECT_EQ(said(NoResult::mirror, Rounding::floor, 0xfffc0000), 0xfffe0000);
   // 2^23.5 is 11863283.20.
   EXPECT_EQ(said(NoResult::mirror, Rounding::half_up, 0x80000000), 0U - 11863283U);

@@ -1,5 +1,5 @@
-// Subjects with a planted defect each: told apart by the kinds of cases that are wrong, and by what
-// they are taken for.
+// Tests that subjects with one planted defect each are recognised: by the kinds of their wrong
+// cases, and by the guessed rule.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,6 @@ constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
 
 Said word(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
 
-/// Held to the rules over cases of every stream.
 Judge judged(const Rules& rules, const SubjectFunction& subject) {
   fixproof::check::CaseOptions options;
   options.cases = 60'000;
@@ -51,8 +50,7 @@ Judge judged(const Rules& rules, const SubjectFunction& subject) {
   return judge;
 }
 
-/// Wrong cases are there of these kinds, and of no other; of each that is named with `negative`,
-/// none but results below 0.
+/// Expects wrong cases of only these kinds; with `negative_alone`, only for results below 0.
 void expect_wrong(const Judge& judge, std::initializer_list<CaseKind> kinds,
                   bool negative_alone = false) {
   std::uint64_t sum = 0;
@@ -124,10 +122,10 @@ TEST(CheckSabotage, NegativesRoundedByMagnitude) {
 }
 
 TEST(CheckSabotage, NegativesHalfAUnitTooHigh) {
-  // "Add a half and cut off", on doubles.
+  // Adds a half and truncates, as often done with doubles.
   const auto cut = [](std::int64_t a, std::int64_t b) { return word((a * b + 32768) / 65536); };
   const Judge judge = judged(mul_half_up, cut);
-  // -1.0 becomes -1.0 and a unit: exact results are wrong too.
+  // -1.0 becomes -1.0 plus a unit, so exact results are wrong too.
   expect_wrong(judge, {CaseKind::exact, CaseKind::near_tie, CaseKind::between, CaseKind::overflow},
                true);
   expect_guess(judge, "rounding         half-up, but for ");
@@ -205,7 +203,7 @@ TEST(CheckSabotage, NoiseIsNoRule) {
 
 TEST(CheckGuess, SaysWhatCannotBeTold) {
   Judge judge(mul_half_up, 3);
-  // 1.5 ulps and half an ulp less a little: no negative tie, none that even and up tell apart.
+  // 1.5 ulps and just below half an ulp: no negative tie, and none that separates even from up.
   judge.add({1, "here", {3, 0x8000}, 2U});
   judge.add({2, "here", {1, 0x7fff}, 0U});
   expect_guess(judge, "half-up, half-away or half-even on all 2 cases in range");

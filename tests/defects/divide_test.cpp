@@ -1,4 +1,5 @@
-// FixedDiv: faults that vanish, half of the divisor, an undefined carry, and what the caller loses.
+// Tests FixedDiv: vanishing faults, half of the divisor range, an undefined carry, and lost
+// arguments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,13 +18,13 @@ using defects::value;
 using enum x86model::Routine;
 using enum x86model::Target;
 
-// 8001h units by one unit: the quotient is 8001h 0000h units, 2^31 and a little more.
+// 8001h units / 1 unit: the quotient is 8001h 0000h units, just above 2^31.
 TEST(Defects, VanishingFault) {
   EXPECT_EQ(ask<div>(i386, defects::rounded, {0x8001, 1}), value(0x80010000));
   EXPECT_EQ(ask<div>(i386, defects::rounded, {0x8001, 0xFFFFFFFF}), value(0x7FFF0000));
   EXPECT_EQ(ask<div>(i386, defects::unrounded, {0x8001, 1}), defects::divide_error);
   EXPECT_EQ(ask<div>(i386, defects::unrounded, {0x8001, 0xFFFFFFFF}), defects::divide_error);
-  // From 2^32 on both fault.
+  // From 2^32 on, both fault.
   EXPECT_EQ(ask<div>(i386, defects::rounded, {0x10000, 1}), defects::divide_error);
 
   const auto quotient = []<class Number>(Number) {
@@ -37,15 +38,15 @@ TEST(Defects, VanishingFault) {
 
 constexpr double pixels_of_unit_slope = 320;
 
-/// How far, in pixels, x / z * -320 is from where it belongs, by the type's arithmetic.
+/// The error of x / z * -320 in pixels, in the type's arithmetic.
 template <class Number>
 double pixels_off(std::int32_t x, std::int32_t z) {
   const Number projected = Number::from_raw(x) / Number::from_raw(z) * Number(-320);
   return std::abs(static_cast<double>(projected) + pixels_of_unit_slope * x / z);
 }
 
-/// The most on the screen's edge (x = z / 2), at the last depth before a whole distance: the
-/// divisor drops nearly one, and of as many points as it keeps one has the worst rounding.
+/// The largest error at the screen's edge (x = z / 2), at the last depth before a whole distance,
+/// where the divisor drops almost one. One of the `distance` points has the worst rounding.
 template <class Number>
 double pixels_off_before(int distance) {
   const std::int32_t z = distance * 65536 - 1;
@@ -56,9 +57,9 @@ double pixels_off_before(int distance) {
   return most;
 }
 
-// The 8088 takes z for its whole part: the picture is larger by z / floor(z), at the edge by
-// 160 (z / floor(z) - 1) pixels, to which half a unit of the quotient adds 160 / 65536 = 0.00244.
-// That is half a pixel and more for depths up to 322; 160 / 322 + 0.00244 = 0.4993.
+// The 8088 divides by the whole part of z, which enlarges the picture by z / floor(z), at the edge
+// by 160 (z / floor(z) - 1) pixels. Half a unit of the quotient adds 160 / 65536 = 0.00244. The sum
+// reaches half a pixel for depths up to 322: 160 / 322 + 0.00244 = 0.4993.
 TEST(Defects, HalfRangeDivisor) {
   EXPECT_EQ(ask<div>(i8088, defects::rounded, {0x10000, 0xFFFF}), defects::divide_error);
   EXPECT_EQ(ask<div>(i8088, defects::rounded, {0xFFFF, 0x1FFFF}), value(0xFFFF));
@@ -77,11 +78,11 @@ TEST(Defects, HalfRangeDivisor) {
   for (int distance = 2; distance <= 322; ++distance) {
     EXPECT_GT(pixels_off_before<On8088>(distance), 0.5) << distance;
   }
-  // From 323 on 160 / 322 + 160 / 65536 bounds them all.
+  // From 323 on, 160 / 322 + 160 / 65536 bounds all errors.
   for (int distance = 323; distance <= 1000; ++distance) {
     EXPECT_LT(pixels_off_before<On8088>(distance), 0.5) << distance;
   }
-  // The whole divisor errs by half a unit of the quotient at most, 320 / 131072 pixels.
+  // With the whole divisor, the error is at most half a unit of the quotient, 320 / 131072 pixels.
   for (int distance = 2; distance <= 1000; ++distance) {
     EXPECT_LE(pixels_off_before<fixed::q16_16>(distance), 320.0 / 131072) << distance;
     EXPECT_LE(pixels_off_before<fixed::q16_16_i386>(distance), 320.0 / 131072) << distance;
@@ -95,12 +96,12 @@ TEST(Defects, AdcAfterEndif) {
   scanned.endif_as_scanned = true;
   EXPECT_EQ(ask<div>(i8088, scanned, operands), defects::undefined_flag);
   EXPECT_EQ(ask<div>(i8088, defects::unrounded, operands), value(0x14000));
-  // With rounding the ADC is there in either reading, and its carry is that of the CMP and ADC.
+  // With rounding, both readings contain the ADC, and it adds the carry of the CMP and ADC.
   scanned.div_rounding = true;
   EXPECT_EQ(ask<div>(i8088, scanned, operands), value(0x14000));
 
-  // On a real 8086 DIV leaves the complement of the quotient's top bit as carry: fractions below
-  // one half are a whole too large.
+  // On a real 8086, DIV leaves the complement of the quotient's top bit in the carry flag, so
+  // quotients with a fraction below 1/2 become one too large.
   const auto on_8086 = [](std::uint32_t n, std::uint32_t d) {
     using namespace x86::notation;
     x86::Program program =
@@ -114,10 +115,10 @@ TEST(Defects, AdcAfterEndif) {
     return ask<div>(program, {n, d});
   };
   EXPECT_EQ(on_8086(0x28000, 0x20000), value(0x24000));  // 1.25 becomes 2.25
-  EXPECT_EQ(on_8086(0x30000, 0x20000), value(0x18000));  // 1.5 stays
+  EXPECT_EQ(on_8086(0x30000, 0x20000), value(0x18000));  // 1.5 does not change
 }
 
-/// The caller's arguments after a divide: low and high word of the dividend, then of the divisor.
+/// The caller's arguments after a divide: low and high words of the dividend, then of the divisor.
 defects::Words arguments_after(x86::Target target, const defects::Words& in) {
   x86::CallMachine<div, 16> machine;
   x86::enter<div>(machine, in);
@@ -131,14 +132,13 @@ defects::Words arguments_after(x86::Target target, const defects::Words& in) {
   return words;
 }
 
-// -0.25 by -2.75: the low words are c000h and 4000h.
+// -0.25 / -2.75: the low words are c000h and 4000h.
 TEST(Defects, ClobberedArguments) {
   const defects::Words operands{0xFFFFC000, 0xFFFD4000};
   EXPECT_EQ(arguments_after(i8088, operands), (defects::Words{0x4000, 0xFFFF, 0xC000, 0xFFFD}));
   EXPECT_EQ(arguments_after(i386, operands), (defects::Words{0xC000, 0xFFFF, 0x4000, 0xFFFD}));
-  // Those of positive operands stay.
   EXPECT_EQ(arguments_after(i8088, {0x4000, 0x2C000}), (defects::Words{0x4000, 0, 0xC000, 0x0002}));
-  // The type's operands are its own.
+  // The type works on its own copies of the operands.
   const auto n = fixed::q16_16_i8088::from_raw(-0x4000);
   const auto d = fixed::q16_16_i8088::from_raw(-0x2C000);
   EXPECT_EQ((n / d).raw(), 0x2000);

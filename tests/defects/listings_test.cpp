@@ -1,4 +1,4 @@
-// The sources as text: a conversion in C, and an opcode that the processor does not have.
+// Tests the sources as text: a conversion in C, and an opcode that the processor does not have.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace {
 
 namespace x86 = x86model;
 
-/// The published conversion: half a unit more, then whatever C does to make it a long.
+/// The published conversion: adds half a unit, then truncates as C does.
 std::int32_t add_half_and_truncate(double x) {
   // NOLINTNEXTLINE(bugprone-incorrect-roundings): which is the point
   return static_cast<std::int32_t>(x * 65536 + 0.5);
@@ -21,13 +21,13 @@ std::int32_t add_half_and_truncate(double x) {
 TEST(Defects, DoubleToFixed) {
   EXPECT_EQ(add_half_and_truncate(-1.0), -65535);  // ffff0001h, not ffff0000h
   EXPECT_EQ(fixed::q16_16(-1.0).raw(), -65536);
-  // Every negative number of the format, though nothing has to be rounded.
+  // Every negative number of the format is wrong, although none needs rounding.
   for (std::int32_t raw = -200'000; raw < 200'000; ++raw) {
     const double exact = raw / 65536.0;
     EXPECT_EQ(add_half_and_truncate(exact), raw < 0 ? raw + 1 : raw);
     EXPECT_EQ(fixed::q16_16(exact).raw(), raw);
   }
-  // Nor does it hold between them, but for exact halves and above minus half a unit.
+  // Between them it is wrong too, except for exact halves and above minus half a unit.
   EXPECT_EQ(add_half_and_truncate(-2.75 / 65536), -2);
   EXPECT_EQ(add_half_and_truncate(-2.25 / 65536), -1);
   EXPECT_EQ(add_half_and_truncate(-2.5 / 65536), -2);

@@ -1,4 +1,4 @@
-// The inner loops, and what their source says of them.
+// Tests the inner loops against the claims of their source.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using x86::Size;
 constexpr std::size_t screen = 0x100;
 constexpr std::size_t depths = 0x500;
 
-/// A segment for all, and what a loop leaves in it.
+/// One segment for all data, and its contents after a loop.
 struct Drawn {
   std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(0x10000);
   x86::Ending ending{};
@@ -42,18 +42,17 @@ LoopForm depth_test(bool as_printed) {
 }
 
 TEST(Defects, ShrdForShld) {
-  // A depth of 1234h units of 1/256: its integer part is 12h.
   const x86::LoopCall call{.pixels = 1, .value = 0x1234, .colour = 7};
   const Drawn meant(depth_test(false), call);
   EXPECT_EQ(meant.depth(0), 0x12);
-  // The low byte of the depth, its fraction, above what was EBX's top byte.
+  // The low byte of the depth, its fraction, above EBX's old top byte.
   const Drawn printed(depth_test(true), call, 0xAB000000);
   EXPECT_EQ(printed.depth(0), 0x34AB);
-  // Bits 23 to 16 of one pixel's depth stand below the fraction of the next.
+  // Bits 23 to 16 of one pixel's depth end up below the fraction of the next.
   const Drawn second(depth_test(true), {.pixels = 2, .value = 0x00560078, .step = 2});
   EXPECT_EQ(second.depth(0), 0x7800);
   EXPECT_EQ(second.depth(1), 0x7A56);
-  // A depth of 2 is greater than the 0 that is there, and is not drawn: its fraction is 0.
+  // A depth of 2 exceeds the 0 in the buffer, but is not drawn because its fraction is 0.
   const x86::LoopCall two{.pixels = 1, .value = 0x0200, .colour = 7};
   EXPECT_EQ(Drawn(depth_test(true), two).memory.at(screen), 0);
   EXPECT_EQ(Drawn(depth_test(false), two).memory.at(screen), 7);
@@ -70,10 +69,10 @@ TEST(Defects, NoPixels) {
   EXPECT_EQ(ending.outcome, Outcome::returned);
   EXPECT_EQ(std::count(extra.begin(), extra.end(), 0), 65536);
   EXPECT_EQ(ending.steps, 4 * 65536 + 1);
-  // DEC ECX is not the same: four instructions and JNZ for each of 2^32.
+  // DEC ECX differs: it runs four instructions and JNZ 2^32 times.
   const LoopForm dec{Loop::gouraud_byte, Counting::dec_jnz};
   EXPECT_EQ(Drawn(dec, {.pixels = 0, .place = 0x8000}).ending.outcome, Outcome::step_limit);
-  // Nor is it for a count with something in its upper half, which LOOP does not see.
+  // It also differs for a count with bits in its upper half, which LOOP ignores.
   EXPECT_EQ(Drawn(loop, {.pixels = 0x10001}).ending.steps, 5U);
   EXPECT_EQ(Drawn(dec, {.pixels = 0x10001, .place = 0x8000}, 0, 1000).ending.outcome,
             Outcome::step_limit);
@@ -85,7 +84,7 @@ TEST(Defects, OddPixel) {
   const Drawn seven(words, {.pixels = 7, .place = row, .value = 0x100});
   EXPECT_EQ(std::count(seven.memory.begin() + row, seven.memory.begin() + row + 7, 1), 6);
   EXPECT_EQ(seven.machine.registers.read(Register::di, Size::word), row + 6);
-  // One pixel is no pair, and no pair is 65,536 of them.
+  // One pixel is zero pairs, which the loop takes for 65,536.
   std::vector<std::uint8_t> extra(0x10000, 1);
   std::vector<std::uint8_t> data(0x100);
   LoopMachine m{.registers = {}, .memory = x86::ByteMemory(data, extra, data)};
@@ -96,7 +95,6 @@ TEST(Defects, OddPixel) {
 }
 
 TEST(Defects, DepthTestWords) {
-  // Whether a pixel of this depth is written over a buffer's word.
   const auto is_drawn = [](std::int32_t depth, std::uint16_t buffer) {
     std::vector<std::uint8_t> memory(0x10000);
     memory.at(depths) = static_cast<std::uint8_t>(buffer);
@@ -107,11 +105,11 @@ TEST(Defects, DepthTestWords) {
                    {.pixels = 1, .value = static_cast<std::uint32_t>(depth) << 8U, .colour = 7});
     return memory.at(screen) == 7;
   };
-  // The words keep a pixel of greater depth. The code writes it, and no other.
+  // The text keeps the pixel of greater depth. The code draws only pixels of greater depth.
   EXPECT_TRUE(is_drawn(1, 0));
   EXPECT_FALSE(is_drawn(0, 0));
   EXPECT_FALSE(is_drawn(-1, 0));
-  // Over minus infinity, the least word, every greater depth is drawn, whatever its sign.
+  // Every depth greater than minus infinity, the smallest word, is drawn, whatever its sign.
   constexpr std::uint16_t minus_infinity = 0x8000;
   for (std::int32_t depth = -32767; depth <= 32767; ++depth) {
     ASSERT_TRUE(is_drawn(depth, minus_infinity)) << depth;
@@ -120,7 +118,7 @@ TEST(Defects, DepthTestWords) {
 }
 
 TEST(Defects, BufferBeyondSegment) {
-  // Of a buffer that takes its segment from offset 0; the index wraps with its 32 bits.
+  // A buffer at offset 0 of its segment; the index wraps at 32 bits.
   const auto reached = [](std::uint32_t pixel) {
     const auto index = pixel - static_cast<std::uint32_t>(depths) / 2;
     return Drawn(depth_test(false), {.pixels = 1, .place = index}).ending.outcome;
@@ -133,7 +131,7 @@ TEST(Defects, BufferBeyondSegment) {
 }
 
 TEST(Defects, StepBeforeFetch) {
-  // A texel of row 0 is the number of its column.
+  // A texel of row 0 is its column number.
   const auto drawn = [](x86::Counting counting, std::uint32_t pixels) {
     std::vector<std::uint8_t> data(0x10000);
     std::vector<std::uint8_t> row(0x10000);
@@ -151,7 +149,7 @@ TEST(Defects, StepBeforeFetch) {
   using Texels = std::vector<std::uint8_t>;
   for (const auto counting : {Counting::loop, Counting::dec_jnz, Counting::unrolled}) {
     EXPECT_EQ(drawn(counting, 1), Texels{1});
-    // Stepped before the fetch, as the pseudo-code has it, they would be 2, 3 and 4.
+    // Stepping before the fetch, as the pseudo-code does, would give 2, 3 and 4.
     EXPECT_EQ(drawn(counting, 3), (Texels{1, 2, 3}));
   }
 }

@@ -1,4 +1,4 @@
-// What the unprinted generator of the shaded ball does to its normals.
+// Tests how the unprinted generator of the shaded ball spoils its normals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,14 +11,13 @@ namespace {
 
 using namespace xsharp;
 
-/// The angle between two vectors in degrees.
 double degrees_between(const Triple& a, const Triple& b) {
   const double angle = std::atan2(length(cross(a, b)), dot(a, b));
   return angle * 180 / std::numbers::pi;
 }
 
-// The edges at a face's first vertex have a cross product that points into the ball when they are
-// taken in the generator's order, so that subtracting the vertex lengthens it and turns it.
+// In the generator's order, the edges at a face's first vertex have a cross product that points
+// into the ball. Subtracting the vertex therefore lengthens and turns it.
 TEST(Defects, WrongNormals) {
   const Mesh body = with_normals(ball(25, 6));
   double least = 180;
@@ -33,7 +32,7 @@ TEST(Defects, WrongNormals) {
     const double angle = degrees_between(leaning, outward);
     least = std::min(least, angle);
     most = std::max(most, angle);
-    // Ours is of length 1 along the cross product.
+    // Our normal has length 1 along the cross product.
     const Triple ours = difference(body.vertices[face.normal_end.value()], base);
     EXPECT_NEAR(length(ours), 1, 1e-12);
     EXPECT_NEAR(degrees_between(ours, outward), 0, 1e-6);

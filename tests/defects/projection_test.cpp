@@ -1,4 +1,4 @@
-// What the comment on the projection ratio says, and what the code does.
+// Tests the comment on the projection ratio against the code.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,11 +17,11 @@ TEST(Defects, HalfTheWidth) {
     return pixel ? pixel->x - projection.center_x : -1;
   };
   constexpr std::int32_t edge = 160;
-  // Distance over half the width is 2: the edge is where x is half of the distance.
+  // Distance / half the width is 2: the edge is at x = distance / 2.
   EXPECT_EQ(from_middle(50), edge);
-  // Distance over width would be 2: the edge would be where x is a quarter of the distance.
+  // Distance / width would be 2 if the edge were at x = distance / 4.
   EXPECT_EQ(from_middle(25), edge / 2);
-  // The constant as published: half the width, and a unit too high.
+  // The published constant: half the width, one unit too high.
   EXPECT_EQ(projection.constant.raw(), -320 * 65536 + 1);
 }
 

@@ -1,4 +1,4 @@
-// What is rounded, and how: the switch that is read the wrong way round, halves, and a comment.
+// Tests rounding: a switch with inverted meaning, halves, and a wrong comment.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -15,7 +15,6 @@ using defects::value;
 using enum x86model::Routine;
 using enum x86model::Target;
 
-/// What the model answers to a divide under the switches as they are printed.
 std::uint32_t divide_as_printed(fixproof::cases::Target target, std::uint32_t n, std::uint32_t d) {
   fixproof::cli::VariantOptions options;
   options.targets = {target};
@@ -29,30 +28,29 @@ std::uint32_t divide_as_printed(fixproof::cases::Target target, std::uint32_t n,
   return out[0];
 }
 
-// Two thirds is 43690 2/3 units. The switch is printed off, for both processors.
+// Two thirds is 43690 2/3 units. The switch is printed off for both processors.
 TEST(Defects, InvertedSwitch) {
   EXPECT_EQ(divide_as_printed(fixproof::cases::Target::i386, 0x20000, 0x30000), 0xAAAA);
   EXPECT_EQ(divide_as_printed(fixproof::cases::Target::i8088, 0x20000, 0x30000), 0xAAAB);
-  // Asked for what the code is to do, both do it.
+  // Both processors obey an explicit rounding option.
   for (const auto target : defects::targets) {
     EXPECT_EQ(ask<div>(target, defects::unrounded, {0x20000, 0x30000}), value(0xAAAA));
     EXPECT_EQ(ask<div>(target, defects::rounded, {0x20000, 0x30000}), value(0xAAAB));
   }
-  // The type says which in its name.
+  // The type's name states its rounding.
   const auto two_thirds = []<class Number>(Number) { return (Number(2) / Number(3)).raw(); };
   EXPECT_EQ(two_thirds(fixed::q16_16_i386_mul_rounded()), 0xAAAA);
   EXPECT_EQ(two_thirds(fixed::q16_16_i8088_mul_rounded()), 0xAAAA);
   EXPECT_EQ(two_thirds(fixed::q16_16_i8088()), 0xAAAB);
 }
 
-// Minus one unit times one half.
 TEST(Defects, Ties) {
   const defects::Words minus_half{0xFFFFFFFF, 0x8000};
   EXPECT_EQ(ask<mul>(i386, defects::rounded, minus_half), value(0));
   EXPECT_EQ(ask<mul>(i8088, defects::rounded, minus_half), value(0xFFFFFFFF));
   EXPECT_EQ(ask<mul>(i386, defects::unrounded, minus_half), value(0xFFFFFFFF));
   EXPECT_EQ(ask<mul>(i8088, defects::unrounded, minus_half), value(0));
-  // A point at x = -1 unit, in a scene half as large, is in two places.
+  // A point at x = -1 unit, in a scene of half the size, gets two different places.
   defects::Words half_size_and_point(15, 0);
   half_size_and_point[0] = half_size_and_point[5] = half_size_and_point[10] = 0x8000;
   half_size_and_point[12] = 0xFFFFFFFF;
@@ -70,8 +68,8 @@ TEST(Defects, Ties) {
   EXPECT_EQ(product(fixed::q16_16_i8088_unrounded()), 0);
 }
 
-// What rounding adds is 2^-17: products of 2^-17 and more become a unit, any less becomes nothing.
-// Were it 2^-16, as one comment has it, every product above zero would.
+// Rounding adds 2^-17: products of 2^-17 and more become a unit, smaller ones 0. If it added 2^-16,
+// as one comment says, every product above zero would become a unit.
 TEST(Defects, Comments) {
   for (const auto target : defects::targets) {
     EXPECT_EQ(ask<mul>(target, defects::rounded, {1, 0x8000}), value(1));

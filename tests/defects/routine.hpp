@@ -1,5 +1,5 @@
 /// @file
-/// Asks the model's routines, step by step, in any build.
+/// Runs the model's routines, step by step, in any build.
 #pragma once
 
 #include <array>
@@ -17,7 +17,6 @@ using Words = std::vector<std::uint32_t>;
 
 inline constexpr std::array targets{x86::Target::i386, x86::Target::i8088};
 
-/// How a call ended, and its result words where it returned.
 struct Answer {
   x86::Outcome outcome = x86::Outcome::returned;
   Words words;
@@ -35,7 +34,6 @@ inline Answer values(Words words) { return {x86::Outcome::returned, std::move(wo
 inline const Answer divide_error{x86::Outcome::divide_error, {}};
 inline const Answer undefined_flag{x86::Outcome::undefined_flag, {}};
 
-/// What `program` answers in the place of `routine`.
 template <x86::Routine routine>
 Answer ask(const x86::Program& program, const Words& in) {
   Answer answer;

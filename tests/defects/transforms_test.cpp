@@ -1,4 +1,4 @@
-// Transforms: one translation too many, one element too many, one vector too few.
+// Tests transforms: one translation too many, one element too many, one vector too few.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -30,7 +30,7 @@ Words both(Words first, const Words& second) {
   return first;
 }
 
-// Moving by (4, 5, 6), then by (1, 2, 3), is moving by (5, 7, 9).
+// Translating by (4, 5, 6), then by (1, 2, 3), translates by (5, 7, 9).
 TEST(Defects, TranslationInEveryColumn) {
   const Words moves = both(move(1, 2, 3), move(4, 5, 6));
   for (const auto target : defects::targets) {
@@ -42,7 +42,7 @@ TEST(Defects, TranslationInEveryColumn) {
   }
   const x86::Build chapter_52{.chapter_52 = true};
   EXPECT_EQ(ask<concat>(i386, chapter_52, moves), defects::values(spoiled));
-  // Not to be seen where the first translation is zero.
+  // A first translation of zero hides the defect.
   EXPECT_EQ(ask<concat>(i386, chapter_52, both(move(0, 0, 0), move(4, 5, 6))),
             defects::values(move(4, 5, 6)));
   const auto exact = [&](oracle::TranslationRule rule) {
@@ -55,7 +55,7 @@ TEST(Defects, TranslationInEveryColumn) {
   EXPECT_EQ(exact(oracle::TranslationRule::every), spoiled);
 }
 
-// Translations of 0.5 and 0.5 along one axis make 0.0, 1.5 and 0.5 make 1.0.
+// Translations of 0.5 and 0.5 along one axis give 0.0; 1.5 and 0.5 give 1.0.
 TEST(Defects, LostCarry) {
   struct Case {
     std::uint32_t first, second, printed, sound;
@@ -82,7 +82,7 @@ TEST(Defects, LostCarry) {
       EXPECT_EQ(ask<concat>(i8088, defects::unrounded, in), defects::values(moved(c.printed)));
       EXPECT_EQ(ask<concat>(i8088, repaired, in), defects::values(moved(c.sound)));
       EXPECT_EQ(ask<concat>(i386, defects::rounded, in), defects::values(moved(c.sound)));
-      // XformVec has ADC in the same place.
+      // XformVec has the ADC at this place.
       Words point{0, 0, 0};
       point.at(row) = c.second;
       Words sum{0, 0, 0};
@@ -93,8 +93,8 @@ TEST(Defects, LostCarry) {
   }
 }
 
-// Of two uniform fractions of 16 bits, (65536 * 65535 / 2) / 65536^2 = (1 - 2^-16) / 2 carry. With
-// n rows the share found is within 5 standard deviations, 5 * sqrt(0.25 / n), of that.
+// Of all pairs of 16-bit fractions, (65536 * 65535 / 2) / 65536^2 = (1 - 2^-16) / 2 carry. With n
+// rows, the measured share must be within 5 standard deviations, 5 * sqrt(0.25 / n).
 TEST(Defects, HalfOfAllSumsLoseACarry) {
   using namespace fixproof;
   constexpr std::size_t cases = 20'000;
@@ -123,7 +123,7 @@ TEST(Defects, HalfOfAllSumsLoseACarry) {
   EXPECT_NEAR(static_cast<double>(lost) / rows, (1 - 1 / 65536.0) / 2, 5 * std::sqrt(0.25 / rows));
 }
 
-// A transform is three rows of four: 12 doublewords. Row 3, column 3 would be the 16th.
+// A transform has three rows of four: 12 doublewords. Row 3, column 3 would be the 16th.
 TEST(Defects, OutOfBounds) {
   constexpr std::uint32_t bytes_of_element = 4;
   const auto address = [](std::uint32_t row, std::uint32_t column) {
@@ -134,19 +134,18 @@ TEST(Defects, OutOfBounds) {
   EXPECT_TRUE(transform.write(address(2, 3) + 2, 1));
   EXPECT_FALSE(transform.write(address(3, 3), 0));
   EXPECT_FALSE(transform.write(address(3, 3) + 2, 1));
-  // The same store in C++ that looks at its index.
   std::array<std::array<std::int32_t, 4>, 3> rows{};
   EXPECT_THROW(rows.at(3).at(3) = 1, std::out_of_range);
   EXPECT_EQ(x86::arity(xformvec).in, 12 + 3);
-  // Where a second transform follows it is that one's row 0, column 3.
+  // If a second transform follows, the store hits its row 0, column 3.
   constexpr std::uint32_t bytes_of_transform = 12 * bytes_of_element;
   EXPECT_EQ(address(3, 3), bytes_of_transform + address(0, 3));
   x86::WordMemory<16, 48> two;
   EXPECT_TRUE(two.write(address(3, 3), 0));
 }
 
-/// `routine` with its destination made to point at source 0 or 1, and the words that stand there
-/// afterwards. Both take two sources and a destination, which lie above the return address.
+/// Runs `routine` with its destination pointing at source 0 or 1, and returns the words there. Both
+/// routines take two sources and a destination, which lie above the return address.
 template <x86::Routine routine>
 Words in_place(x86::Target target, const Words& in, std::uint32_t which) {
   x86::CallMachine<routine, 16> machine;
@@ -168,7 +167,7 @@ Words in_place(x86::Target target, const Words& in, std::uint32_t which) {
   return result;
 }
 
-// The transform that swaps x and y, on (1, 2, 3): the new x is taken for the old one.
+// Swapping x and y of (1, 2, 3) in place uses the new x instead of the old one.
 TEST(Defects, InPlace) {
   const Words swap{0, one, 0, 0, one, 0, 0, 0, 0, 0, one, 0};
   const Words in = both(swap, {one, 2 * one, 3 * one});
@@ -177,7 +176,7 @@ TEST(Defects, InPlace) {
               defects::values({2 * one, one, 3 * one}));
     EXPECT_EQ(in_place<xformvec>(target, in, 1), (Words{2 * one, 2 * one, 3 * one}));
   }
-  // The swap times itself: each element is taken for the old one as soon as it is written.
+  // The swap times itself: later elements use the elements already overwritten.
   const Words twice = both(swap, swap);
   for (const auto target : defects::targets) {
     EXPECT_EQ(ask<concat>(target, defects::rounded, twice), defects::values(move(0, 0, 0)));

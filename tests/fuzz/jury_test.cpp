@@ -1,4 +1,4 @@
-// What the jury says of a party that lies.
+// Tests the jury's findings about a party with a planted defect.
 #include "fuzz/jury.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using namespace fixproof;
 constexpr cases::Variant div_i8088{.operation = cases::Operation::div,
                                    .build = {.target = cases::Target::i8088}};
 
-/// Divides as the fast oracle does, but for exact ties of the 8088's divide.
+/// Divides as the fast oracle does, except for exact ties of the 8088's divide.
 test::Saboteur lost_tie() {
   return test::saboteur([](auto in, auto out, parties::Ending& ending) {
     const std::uint32_t whole = in[1] >> 16U;
@@ -33,7 +33,7 @@ TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
   const std::array<std::uint32_t, 2> words{0x0005A5A5, 0x0002FFFF};
   const auto found = fuzz::disagreement(seat, words);
   ASSERT_TRUE(found);
-  // 1 / 2, the smallest tie there is: half a unit, which goes away from zero.
+  // 1 / 2, the smallest tie: half a unit, which rounds away from zero.
   EXPECT_NE(found->find("oracle         00000001"), std::string::npos) << *found;
   EXPECT_NE(found->find("saboteur       00000000"), std::string::npos) << *found;
   EXPECT_NE(
@@ -59,14 +59,14 @@ TEST(Jury, HasNothingToSayWhereAllAgree) {
 
 TEST(Jury, HearsEveryVariantAtBothWidths) {
   const auto& seats = fuzz::seats_of(fuzz::WordTarget::divide);
-  // Two processors, rounded and not; chapter 52; the standard rules: all but chapter 52 in 8.8 too.
+  // Two processors, rounded or not; chapter 52; the standard rules. All but chapter 52 also in 8.8.
   EXPECT_EQ(seats.size(), 11U);
   EXPECT_EQ(std::count_if(seats.begin(), seats.end(),
                           [](const auto& seat) { return seat.variant.fraction_bits == 8; }),
             5);
   for (const auto& seat : seats) EXPECT_EQ(seat.parties.front()->name(), "oracle");
   const auto& all = fuzz::seats_of(fuzz::WordTarget::agreement);
-  // The first bytes of the inputs kept in fuzz/regressions/agreement count on this number: the five
+  // The first byte of each input in fuzz/regressions/agreement depends on this number: the five
   // routines and their 8.8 forms, chapter 52, the repaired ConcatXforms, the standard rules.
   EXPECT_EQ(all.size(), 8U + 8U + 4U + 4U + 4U + 3U + 2U + 2U + 2U + 7U);
   for (const auto& variant : cases::all_variants()) {

@@ -1,4 +1,4 @@
-// One instruction as an input.
+// Tests instructions as fuzz inputs.
 #include "fuzz/step_case.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using x86model::Register;
 using x86model::Size;
 
 TEST(StepCase, IsReadAndWritten) {
-  // An 8088 that has: add ax, bx; carry set; AX 1234h, the others counted up.
+  // On an 8088: add ax, bx; carry set; AX 1234h, the others numbered upwards.
   std::array<std::uint8_t, fuzz::step_input_size> bytes{1, 0x01, 0xD8};
   bytes[10] = 0x01;
   bytes[13] = 0x12;
@@ -66,7 +66,7 @@ TEST(StepCase, MutationComesToEveryFormWithRegisters) {
   }
   for (const auto cpu : {x86model::Target::i8088, x86model::Target::i386}) {
     for (const std::string& form : x86model::form_texts(cpu)) {
-      // Jumps have a label; PUSH, POP, CALL and RET work on the stack.
+      // Jumps need a label, and PUSH, POP, CALL and RET use the stack.
       const std::string name = form.substr(0, form.find(' '));
       const std::set<std::string> elsewhere{"push", "pop", "call", "ret", "jmp",
                                             "js",   "jns", "jz",   "ja",  "jg"};

@@ -1,4 +1,4 @@
-// What the mutator makes of inputs of words.
+// Tests what the mutator makes of word inputs.
 #include "fuzz/word_target.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,7 @@ namespace {
 using namespace fixproof;
 using fuzz::WordTarget;
 
-/// How many of the cases lie on each edge of the divide; from the definition of each, in 64-bit
-/// integers: a dividend times 2^16 has 48 bits.
+/// The number of cases on each edge of the divide, from definitions in 64-bit integers.
 struct Edges {
   int ties = 0;
   int ties_of_8088 = 0;
@@ -54,7 +53,7 @@ TEST(MutateInput, SeeksTheEdgesOfTheDivide) {
     fuzz::read_words(input, words);
     edges.count(words[0], words[1]);
   }
-  // Of words drawn evenly not one in a thousand is on any of these.
+  // Of uniform words, fewer than one in a thousand is on any of these edges.
   constexpr int some = inputs / 400;
   EXPECT_GT(edges.ties, some);
   EXPECT_GT(edges.ties_of_8088, some);

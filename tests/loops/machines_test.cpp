@@ -1,5 +1,6 @@
-// The loops as machine code: on the processor, span by span, and on Unicorn in lock step, against
-// the model: registers and all 64 KiB of memory, on Unicorn defined flags too.
+// Tests the loops as machine code against the model: on the host processor span by span, and on
+// Unicorn in lock step. Compares registers and all 64 KiB of memory; on Unicorn also the defined
+// flags.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,15 +21,13 @@ using x86::Loop;
 using x86::LoopCall;
 using x86::LoopForm;
 
-/// The return address that both callers of machine code push: behind a CALL of three bytes.
+/// The return address that both callers of machine code push. Their CALL has three bytes.
 constexpr std::uint32_t return_address = fixproof::machine_code::caller_origin + 3;
 
-/// A state for model and machine alike.
 struct Ready {
   x86::Registers<16> registers;
-  Memory memory;  ///< as it stands in the machine once it is entered
+  Memory memory;  ///< after the machine has entered the loop
 
-  /// Fills the machine with data, its registers with noise, and enters the loop.
   Ready(const LoopForm& form, const LoopCall& call, SegmentMachine& m, std::uint8_t* segment,
         const Memory& data, Random& random) {
     std::copy_n(data.begin(), fixproof::machine_code::caller_origin, segment);
@@ -43,7 +42,7 @@ struct Ready {
   }
 };
 
-/// The model's run from that state. Its stack is apart, for its return address is another.
+/// The model's run from that state. Its stack is separate because its return address differs.
 struct ModelRun {
   struct Instant {
     std::size_t position;
@@ -79,7 +78,7 @@ TEST(LoopsOnSilicon, EveryFormAndLength) {
     GTEST_SKIP() << why;
   }
   Random random(386);
-  // A texture may reach over the whole segment.
+  // A texture can cover the whole segment.
   fixproof::machine_code::Processor processor(fixproof::machine_code::segment_size);
   for (const LoopForm& form : x86::all_loop_forms()) {
     processor.load(fixproof::machine_code::machine_code(form));
@@ -104,8 +103,8 @@ TEST(LoopsOnSilicon, EveryFormAndLength) {
   }
 }
 
-/// What differs first between the model and Unicorn, instruction by instruction; empty where
-/// nothing does. Flags that the model calls undefined become noise on the way.
+/// Describes the first difference between the model and Unicorn, instruction by instruction; empty
+/// if there is none. Randomises the flags that the model leaves undefined.
 std::string difference(const LoopForm& form, std::span<const std::uint8_t> machine_code,
                        const LoopCall& call, Random& random) {
   fixproof::machine_code::Emulator emulator(machine_code);
@@ -182,13 +181,12 @@ TEST(LoopsOnUnicorn, TheLongestSpanInLockStep) {
             "");
 }
 
-/// Whether a byte of the code is a prefix of 32 bits without which these loops do the same, as long
-/// as their numbers are small: that of INC EDI, and of SHR ECX.
+/// Whether a byte is a 32-bit prefix, of INC EDI or SHR ECX, that small numbers do not need.
 bool is_idle_prefix(std::span<const std::uint8_t> code, std::size_t at) {
   return code[at] == 0x66 && (code[at + 1] == 0x47 || code[at + 1] == 0xD1);
 }
 
-/// Every byte of the code matters to the comparison: with one bit of it changed the two differ.
+/// Flipping one bit of any code byte must make the comparison fail.
 TEST(LoopsOnUnicorn, SeesOtherCode) {
   if (const auto why = skip_reason(fixproof::machine_code::Emulator::absence()); !why.empty()) {
     GTEST_SKIP() << why;
@@ -202,7 +200,7 @@ TEST(LoopsOnUnicorn, SeesOtherCode) {
       if (is_idle_prefix(right, at)) continue;
       Random random(7);
       bool differs = false;
-      // The last is for SHR of CL alone: a count beyond 255.
+      // The last one is for SHR of CL: it needs a count above 255.
       for (const std::uint32_t pixels : {16U, 16U, 16U, 258U}) {
         if (differs) break;
         differs = !difference(form, wrong, draw_call(form.loop, pixels, random), random).empty();

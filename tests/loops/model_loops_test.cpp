@@ -1,4 +1,4 @@
-// The loops that draw pictures on the model, against the same in C++ on words.
+// Tests the loops that draw pictures on the model against the same loops in C++ on words.
 #include "player/model_loops.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ using fixproof::player::ModelLoops;
 using x86model::Counting;
 using x86model::Target;
 
-/// Rows of every length up to the longest, for some the same as at other lengths.
+/// Rows of every length up to the longest.
 constexpr std::size_t lengths = xsharp::longest_span + 1;
 
 class Loops : public testing::TestWithParam<std::pair<Counting, Target>> {

@@ -1,5 +1,5 @@
-// Every mistake of one instruction in every loop: killed by the spans that judge them, or a word
-// that is only done twice. That these are harmless, proof_test.cpp and `fixproof mutate` ask.
+// Tests that the spans kill every one-instruction mutant of every loop, except for mutants that are
+// harmless. proof_test.cpp and `fixproof mutate` prove those harmless.
 #include <gtest/gtest.h>
 
 #include "proof/span_cases.hpp"
@@ -29,7 +29,7 @@ TEST(LoopMutation, AllAreKilledOrHarmless) {
       if (fixproof::proof::spans_to_kill(form, mutant.program, seed)) {
         ++killed;
       } else {
-        // A shift that keeps the sign is the same for a count that has none.
+        // An arithmetic shift equals a logical shift for a count that is not negative.
         const bool idle =
             mutant.change.ends_with(" -> twice") || mutant.change.starts_with("0 shr ");
         EXPECT_TRUE(idle) << text(form) << ": " << mutant.change;

@@ -1,4 +1,4 @@
-// The loops' turns proven for all registers, and what a proof does not let pass.
+// Tests the proof of one turn of each loop for all register values, and that it rejects mutants.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ const fixproof::proof::Solver& z3() {
   return one;
 }
 
-/// The answers to several scripts, asked at once.
+/// The answers to several scripts, from one run of the solver.
 std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   std::string all;
   for (const std::string& script : scripts) all += script + "(reset)\n";
@@ -46,8 +46,8 @@ TEST(LoopProof, EveryTurnIsProven) {
   for (const LoopForm& form : x86::all_loop_forms()) {
     const auto program = x86::assemble(x86::listing(form), {});
     const auto scripts = fixproof::proof::step_questions(form, program);
-    // Going on and leaving, where something counts; drawn or not. Then that this is all, and of
-    // words that the count is halved.
+    // One question per combination of a counted loop going on or ending, and a pixel being drawn or
+    // hidden. One more that these are all cases, and for words one that the count is halved.
     const bool counted = form.counting != Counting::unrolled;
     const std::size_t ways = (counted ? 2U : 1U) * (form.loop == Loop::depth_test ? 2U : 1U);
     const bool halves = counted && form.loop == Loop::gouraud_word;
@@ -57,8 +57,8 @@ TEST(LoopProof, EveryTurnIsProven) {
   EXPECT_TRUE(all_unsatisfiable(answers(all)));
 }
 
-/// Of every mutant the proof says what the spans say: one that no span kills is proven, and what is
-/// proven no span kills. Here a share of both; `fixproof mutate` asks of all that survive.
+/// Tests that the proof and the spans agree: the proof accepts exactly the mutants that no span
+/// kills. This test takes a sample of both; `fixproof mutate` proves all that survive.
 TEST(LoopProof, IsOfOneMindWithTheSpans) {
   std::vector<std::string> harmless;
   std::vector<std::vector<std::string>> harmful;
@@ -71,7 +71,7 @@ TEST(LoopProof, IsOfOneMindWithTheSpans) {
       if (killed && i % 39 != 3) continue;
       const auto scripts = fixproof::proof::step_questions(form, mutants[i].program);
       if (killed) {
-        // How an unrolled loop is entered, and where it ends, is not part of its turn.
+        // The turn does not include how an unrolled loop is entered and where it ends.
         const bool in_turn = form.counting != Counting::unrolled || i > 3;
         if (in_turn) harmful.push_back(scripts);
       } else {

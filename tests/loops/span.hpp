@@ -1,5 +1,5 @@
 /// @file
-/// What the inner loops are to do, in plain integers, and a memory to do it in.
+/// The expected result of the inner loops, in plain integers, and a memory to run them in.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace loops_test {
 
 namespace x86 = x86model;
 
-// Where things stand in the one segment that is data, extra and stack segment of these tests. The
-// addresses of the names are written out here, not asked of the model.
+// The layout of the one segment that these tests use for data, extra data and stack. The addresses
+// are written out here so that they do not depend on the model.
 inline constexpr std::uint32_t bytes = 0x10000;
-inline constexpr std::uint32_t row_at = 0x2800;  ///< of the pixels that STOS writes
+inline constexpr std::uint32_t row_at = 0x2800;  ///< where STOS writes the pixels
 inline constexpr std::uint32_t texture_at = 0x100;
 inline constexpr std::uint32_t screen_at = 0x100;
 inline constexpr std::uint32_t z_buff_at = 0x500;
@@ -37,7 +37,7 @@ inline Memory noise(Random& random) {
   return memory;
 }
 
-/// A call of so many pixels, its words random; some steps are small, as those of a picture are.
+/// A call of `pixels` pixels with random words; about half of the steps are small, as in pictures.
 inline x86::LoopCall draw_call(x86::Loop loop, std::uint32_t pixels, Random& random) {
   const auto word = [&] {
     const auto bits = static_cast<std::uint32_t>(random());
@@ -58,15 +58,13 @@ inline std::uint32_t byte_of(std::uint32_t word, int place) {
   return word >> (8 * place) % 32 & 255;
 }
 
-/// The signed 16-bit number at an address.
 inline int depth_at(const Memory& m, std::uint32_t at) {
   const int word = m[at] + 256 * m[at + 1];
   return word < 32768 ? word : word - 65536;
 }
 
-/// What a span leaves in memory, from what the source says of it.
-/// @param as_printed what of the depth is compared, and kept, is what SHRD makes of it; `bx` is
-/// EBX before the loop
+/// The memory after a span, according to the source.
+/// @param as_printed compares and stores the depth as SHRD computes it; `bx` is EBX before the loop
 inline Memory drawn(x86::Loop loop, const x86::LoopCall& c, Memory m, bool as_printed = false,
                     std::uint32_t bx = 0) {
   for (std::uint32_t i = 0; i < c.pixels; ++i) {
@@ -98,7 +96,6 @@ inline Memory drawn(x86::Loop loop, const x86::LoopCall& c, Memory m, bool as_pr
   return m;
 }
 
-/// A machine over one segment, registers full of noise.
 inline x86::LoopMachine machine(Memory& memory, Random& random) {
   x86::LoopMachine m{.registers = {}, .memory = x86::ByteMemory(memory, memory, memory)};
   for (std::size_t r = 0; r < x86::register_count; ++r) {
@@ -114,8 +111,7 @@ inline std::string text(const x86::LoopForm& form) {
          (form.as_printed ? " as printed" : "");
 }
 
-/// Copies the words that a call itself puts into memory: IncJ, and the return address at the top of
-/// the stack.
+/// Copies the words that the call itself writes: IncJ, and the return address on the stack.
 inline void take_frame(const Memory& from, Memory& to) {
   for (std::uint32_t at = inc_j_at; at < inc_j_at + 4; ++at) to[at] = from[at];
   for (std::uint32_t at = 0x5E; at < 0x60; ++at) to[at] = from[at];

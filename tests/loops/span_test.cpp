@@ -1,4 +1,4 @@
-// Whole spans of every form, of every length, against what the source says in plain integers.
+// Tests whole spans of every form and length against the source's meaning in plain integers.
 #include "tests/loops/span.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using x86::Outcome;
 using x86::Register;
 using x86::Size;
 
-/// Runs a span, part after part, and says whether it did all that it should and nothing else.
+/// Runs a span, part by part, and checks that it makes the expected changes and no others.
 void expect_drawn(const LoopForm& form, const LoopCall& span, Memory before, Random& random) {
   Memory memory = before;
   LoopMachine m = machine(memory, random);
@@ -50,8 +50,8 @@ TEST(Span, EveryFormDrawsEveryLength) {
       if (HasFatalFailure()) return;
     }
   }
-  // Three ways to count four 386 loops less the unrolled depth test, as printed and not; three
-  // 8088 loops.
+  // 386: four loops with three ways to count, less the unrolled depth test, which exists as printed
+  // and repaired. 8088: three loops with three ways to count.
   EXPECT_EQ(forms, 3 + 3 + 2 + 2 + 3 + 9);
 }
 
@@ -106,7 +106,7 @@ TEST(Span, EndsWhereTheSegmentDoes) {
   EXPECT_EQ(m.registers.read(Register::di, Size::word), 2U);
 }
 
-/// Only an instruction's first byte can be jumped to.
+/// A jump can only reach the first byte of an instruction.
 TEST(Span, AJumpIntoAnInstructionLeadsNowhere) {
   Random random(1);
   const LoopForm form{Loop::gouraud_byte, Counting::unrolled};
@@ -120,7 +120,7 @@ TEST(Span, AJumpIntoAnInstructionLeadsNowhere) {
   }
 }
 
-/// Every counted loop, unrolled at compile time, against the interpreter.
+/// Runs every counted loop, unrolled at compile time, against the interpreter.
 template <Loop loop, Counting counting, x86::Target target, bool as_printed>
 void expect_compiled_is_the_same(Random& random) {
   constexpr LoopForm form{loop, counting, target, as_printed};

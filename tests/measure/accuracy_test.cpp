@@ -1,4 +1,4 @@
-// What is known of each rounding, found by the measurement.
+// Tests that the measurement finds the known errors of each rounding.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,7 +22,6 @@ measure::MeasuredOperation operation_named_here(std::string_view name) {
   throw std::invalid_argument("no such operation");
 }
 
-/// The errors of one subject over uniform operands, or over one set of words.
 measure::AccuracyRow row_of_set(std::string_view operation, std::string_view subject,
                                 const measure::OperandSet& set) {
   for (measure::AccuracyRow& row :
@@ -36,7 +35,7 @@ measure::AccuracyRow uniform(std::string_view operation, std::string_view subjec
                     measure::random_operands(operation_named_here(operation), 7, 20'000).front());
 }
 
-// 1 unit times 8000h units is half a unit: up to 1, off by +1/2; -1 times the same up to 0.
+// 1 unit * 8000h units is half a unit: half up gives 1, an error of +1/2. -1 unit gives 0.
 TEST(Accuracy, ErrorsOfTwoTies) {
   const measure::OperandSet ties{"ties", {1, 0x8000, 0xFFFFFFFF, 0x8000}};
   const auto up = row_of_set("mul", "q16_16", ties).errors;
@@ -50,7 +49,6 @@ TEST(Accuracy, ErrorsOfTwoTies) {
   EXPECT_EQ(down.mean(), -0.5);
 }
 
-// 3 units times 4000h units is 3/4 of a unit.
 TEST(Accuracy, TruncationIsNotTheNearest) {
   const measure::OperandSet one{"one", {3, 0x4000}};
   const auto down = row_of_set("mul", "q16_16_i8088_unrounded", one).errors;
@@ -60,7 +58,7 @@ TEST(Accuracy, TruncationIsNotTheNearest) {
 }
 
 TEST(Accuracy, WhatDoesNotFitIsLeftOut) {
-  // 32767 times 2; 1 by 0; the most negative word by -1.0 and by 1.0, which fits.
+  // 32767 * 2, 1 / 0 and the most negative word / -1.0 do not fit; that word / 1.0 does.
   const measure::OperandSet products{"", {0x7FFF0000, 0x00020000}};
   EXPECT_EQ(row_of_set("mul", "q16_16", products).beyond, 1U);
   const measure::OperandSet quotients{"", {1, 0, 0x80000000, 0xFFFF0000, 0x80000000, 0x00010000}};
@@ -70,7 +68,7 @@ TEST(Accuracy, WhatDoesNotFitIsLeftOut) {
   EXPECT_EQ(row.errors.max(), 0);
 }
 
-// 1.0 by 1.5: the 8088 divides by 1, and is off by a third. By 0.5 it faults.
+// 1.0 / 1.5: the 8088 divides by 1, which is off by 1/3. 1.0 / 0.5 faults.
 TEST(Accuracy, The8088DividesByTheWholePart) {
   const measure::OperandSet set{"", {0x00010000, 0x00018000, 0x00010000, 0x00008000}};
   const measure::AccuracyRow row = row_of_set("div", "q16_16_i8088", set);
@@ -84,7 +82,7 @@ TEST(Accuracy, ARoundedProductIsHalfAUnitOffAtMostAndHasNoBias) {
     EXPECT_EQ(errors.cases(), 20'000U);
     EXPECT_LE(errors.max(), 0.5);
     EXPECT_GT(errors.max(), 0.49);
-    // Errors are all as likely: 1 / sqrt(12), and a mean within five of its deviations.
+    // Uniform errors: the rms is 1 / sqrt(12), and the mean lies within five of its deviations.
     EXPECT_NEAR(errors.root_mean_square(), std::sqrt(1.0 / 12), 0.01);
     EXPECT_NEAR(errors.mean(), 0, 5 * 0.289 / std::sqrt(20'000));
     EXPECT_EQ(errors.correct(), 1);
@@ -152,8 +150,7 @@ TEST(Accuracy, ReferencesThatAreNoRatios) {
   EXPECT_THROW(static_cast<void>(oracle::scaled_sqrt(0xFFFFFFFF, 40)), std::domain_error);
 }
 
-// Words of 24 bits are exact in float, and their products in double. In float, products of 2^29
-// units and more are multiples of 64.
+// 24-bit words are exact in float. In float, products of 2^29 units and more are multiples of 64.
 TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
   const auto of_double = uniform("mul", "double").errors;
   EXPECT_EQ(of_double.max(), 0);
@@ -162,10 +159,11 @@ TEST(Accuracy, FloatingPointIsMeasuredInTheSameUnits) {
   EXPECT_GT(of_float.max(), 16);
   EXPECT_LE(of_float.max(), 32);
   EXPECT_EQ(row_of_set("div", "double", {"", {0x10000, 0x20000}}).errors.max(), 0);
-  // A unit by 3.0: a third of a unit, which double has to 2^-54.
+  // 1 unit / 3.0 is a third of a unit, which double represents to 2^-54.
   EXPECT_LT(row_of_set("div", "double", {"", {1, 0x30000}}).errors.max(), 1e-16);
   EXPECT_LE(uniform("cos", "double").errors.max(), 1e-9);
-  // Roots to 2^23.5 units, by half a unit, of operands that are off by 2^-24 of themselves.
+  // Roots are at most 2^23.5 units, rounded by half a unit, of operands that are off by 2^-24
+  // relative.
   EXPECT_LE(uniform("sqrt", "float").errors.max(), 0.86);
 }
 
@@ -182,7 +180,7 @@ void expect_same_products_and_quotients(bool quotients) {
   const measure::OperandSet set =
       measure::random_operands(operation_named_here("div"), 7, 2'000).front();
   for (std::size_t i = 0; i + 2 <= set.words.size(); i += 2) {
-    // Small enough for every product, and large enough a divisor for every quotient, to fit.
+    // a is small enough for every product to fit, and b large enough for every quotient.
     const auto a = static_cast<std::int32_t>(set.words[i]) >> 8;
     const auto b = static_cast<std::int32_t>(set.words[i + 1]) >> 8 | 0x20000;
     ASSERT_EQ((One::from_raw(a) * One::from_raw(b)).raw(),
@@ -204,7 +202,7 @@ TEST(Accuracy, PresetsThatAreSaidToBeAlikeAre) {
   expect_same_products_and_quotients<q16_16_i8088_unrounded, q16_16_i8088_div_rounded>(false);
 }
 
-/// 30000 * 2 - 30000 * 1, by products that are added up: the sum fits, the first product does not.
+/// 30000 * 2 - 30000 * 1 as a sum of products: the sum fits, the first product does not.
 template <class N>
 N difference_of_products() {
   return N(30000) * N(2) + N(-30000) * N(1);
@@ -215,14 +213,14 @@ TEST(Accuracy, AlikeWhereTheSumFitsAreThoseThatWrap) {
   EXPECT_EQ(difference_of_products<q16_16>(), q16_16(30000));
   EXPECT_EQ(difference_of_products<q16_16_i386>(), q16_16_i386(30000));
   EXPECT_EQ(difference_of_products<q16_16_i386_mul_rounded>(), q16_16_i386_mul_rounded(30000));
-  // The highest word, 32768 less a unit, minus 30000.
+  // The largest word, 32768 less a unit, minus 30000.
   EXPECT_EQ(difference_of_products<q16_16_saturating>().raw(), 2768 * 65536 - 1);
   EXPECT_THROW(static_cast<void>(difference_of_products<q16_16_trapping>()), std::overflow_error);
   const auto alike = [](std::string_view operation) {
     return operation_named_here(operation).subjects.front().alike;
   };
   EXPECT_EQ(alike("dot of rounded products"), "_i386 _i386_mul_rounded");
-  // Rounded once, nothing between need fit.
+  // With one rounding, intermediate results need not fit.
   EXPECT_EQ(alike("dot rounded once"), "_saturating _trapping _i386 _i386_mul_rounded");
   const auto once = []<class N>(N) {
     return dot(std::array{N(30000), N(-30000)}, std::array{N(2), N(1)});
@@ -232,8 +230,8 @@ TEST(Accuracy, AlikeWhereTheSumFitsAreThoseThatWrap) {
   EXPECT_EQ(once(q16_16_trapping()), q16_16_trapping(30000));
 }
 
-// Its long division begins with an estimate that leaves out a unit of the remainder at most; with
-// the smallest divisor for which it does so, 2^20, that is 1/16 of a unit of the quotient.
+// libfixmath's long division starts from an estimate that omits at most one unit of the remainder.
+// At the smallest divisor for which it does so, 2^20, that is 1/16 of a unit of the quotient.
 TEST(Accuracy, LibfixmathDivideIsMoreThanHalfAUnitOffInOneCaseOfAThousand) {
   if (!measure::has_libfixmath()) GTEST_SKIP() << "libfixmath is not installed";
   const auto sets = measure::random_operands(operation_named_here("div"), 7, 200'000);
@@ -242,7 +240,7 @@ TEST(Accuracy, LibfixmathDivideIsMoreThanHalfAUnitOffInOneCaseOfAThousand) {
   EXPECT_NEAR(1 - errors.correct(), 0.001, 0.0005);
   EXPECT_GT(errors.max(), 0.5);
   EXPECT_LT(errors.max(), 0.5625);
-  // 13668.44558... by 16.00575... is 55965922.5624 units, and comes out as ...922.
+  // 13668.44558... / 16.00575... is 55965922.5624 units; libfixmath returns ...922.
   const auto worst = row_of_set("div", "libfixmath", {"", {0x35647212, 0x00100179}}).errors;
   EXPECT_NEAR(worst.max(), 0.562366, 1e-6);
   EXPECT_EQ(worst.correct(), 0);

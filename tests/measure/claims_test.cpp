@@ -1,4 +1,4 @@
-// Verdicts, and counts of whole calls that are worked by hand from Intel's tables.
+// Tests verdicts, and clock counts of whole calls against hand sums from Intel's tables.
 #include "measure/clocks/claims.hpp"
 
 #include <gtest/gtest.h>
@@ -70,9 +70,9 @@ const measure::ProcessorClocks& on(const measure::CallClocks& clocks, Cpu cpu) {
   throw std::invalid_argument("not on this processor");
 }
 
-// FixedMul on a 386: PUSH 2, MOV 2, MOV from memory 4, IMUL by memory 9 + the bits of the
-// multiplier, ADD 2, ADC 2, SHR 3, POP 4, RET 10 and 3 for ADD SP,8. Three times 2^16 has 18 bits,
-// 1.0 is 2^16: 32 + 27 and 32 + 25. On a 486 14 to 21, IMUL 27 to 29 and 26 to 27.
+// FixedMul on a 386: PUSH 2, MOV 2, MOV from memory 4, IMUL from memory 9 + the multiplier's bits,
+// ADD 2, ADC 2, SHR 3, POP 4, RET 10, and 3 for ADD SP,8. 3 * 2^16 has 18 bits, 1.0 is 2^16: 32 +
+// 27 and 32 + 25. On a 486: 14 to 21, with IMUL 27 to 29 and 26 to 27.
 TEST(CallClocks, FixedMulOnA386) {
   measure::CallClocks clocks = measure::no_calls(
       {.operation = cases::Operation::mul, .build = {.target = cases::Target::i386}});
@@ -90,8 +90,8 @@ TEST(CallClocks, FixedMulOnA386) {
   EXPECT_EQ(on(clocks, Cpu::i486).clocks.most(), 50U);
 }
 
-// Of the 8088's FixedMul of 1.0 by 1.0, the sum of the 39 rows of the listing; MUL takes 117 and a
-// clock for each one in AX and for DX = 0: 119, 118, 119 and 118.
+// The sum of the 39 listing rows that FixedMul on an 8088 executes for 1.0 * 1.0. MUL takes 117
+// clocks plus one for each 1 bit in AX and one for DX = 0: 119, 118, 119 and 118.
 TEST(CallClocks, FixedMulOnAn8088) {
   constexpr std::uint64_t pushes = 5 * 15;
   constexpr std::uint64_t pops = 5 * 12;
@@ -111,7 +111,7 @@ TEST(CallClocks, FixedMulOnAn8088) {
                                                        multiplies + ret);
 }
 
-/// A scene of one frame whose only work is 1.0 times 1.0, in each build.
+/// One frame that computes only 1.0 * 1.0, in each build.
 measure::RecordedScene one_product() {
   measure::RecordedScene scene{"one product", {}};
   for (const auto& build : measure::recorded_builds()) {
@@ -130,37 +130,36 @@ const measure::Claim& claim_about(const std::vector<measure::Claim>& claims,
   throw std::invalid_argument("no such claim");
 }
 
-// The 39 rows of the 8088's FixedMul for 1.0 by 1.0 take 155 clocks on a 386 and 220 on a 286; the
-// 386's takes 32 + 25 on a 386, 40 to 48 on a 486.
+// For 1.0 * 1.0, the 39 rows of the 8088's FixedMul take 155 clocks on a 386 and 220 on a 286. The
+// 386's FixedMul takes 32 + 25 on a 386 and 40 to 48 on a 486.
 TEST(Claims, FiguresOfOneProduct) {
   const auto claims = measure::judge_claims({one_product()});
   const measure::Claim& slower = claim_about(claims, "2.5 times");
   ASSERT_EQ(slower.figures.size(), 2U);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.min, 155.0 / 57);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.max, 155.0 / 57);
-  // The 486's figure decides.
+  // The claim depends on the 486's figure.
   EXPECT_EQ(slower.figures[0].verdict, measure::Verdict::open);
   const measure::Claim& at = claim_about(claims, "8 MHz AT is about 10");
   ASSERT_EQ(at.figures.size(), 1U);
   EXPECT_DOUBLE_EQ(at.figures[0].measured.min, 220.0 / 8 / (48.0 / 33));
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (40.0 / 33));
-  // Of whole animations: the listings decide nothing.
+  // The claim is about whole animations, so the listings decide nothing.
   EXPECT_EQ(at.figures[0].verdict, measure::Verdict::open);
-  // Unrounded, ADD and ADC are left out on a 386: 4 clocks of 57. Of a program of 570 clocks of
-  // which the rounded product takes a tenth, that is 4 of 566.
+  // The unrounded 386 code omits ADD and ADC, 4 of 57 clocks. In a program of 570 clocks, of which
+  // the rounded product takes a tenth, that is 4 of 566.
   const measure::Claim& rounding = claim_about(claims, "cost of rounding");
   ASSERT_EQ(rounding.figures.size(), 3U);
   EXPECT_DOUBLE_EQ(rounding.figures[0].measured.min, 100 * (57.0 / 53 - 1));
   EXPECT_EQ(rounding.figures[0].verdict, measure::Verdict::holds);
   EXPECT_NEAR(rounding.figures[1].measured.min, 100 * 4.0 / 566, 1e-9);
-  // There is no divide whose time could be compared.
   EXPECT_EQ(claim_about(claims, "native").figures.size(), 1U);
   // 1.0 needs no rounding.
   EXPECT_EQ(claim_about(claims, "2^-16").figures.at(0).measured.max, 0);
 }
 
-// The 8088 executes 73 bytes of code and moves 30 of data: 412 clocks of bus, which are fewer than
-// the table's. Where the code is waited for, its 292 clocks come on top.
+// The 8088 executes 73 bytes of code and moves 30 of data: 412 bus clocks, fewer than the table's.
+// If it waits for the code, the code's 292 clocks are added.
 TEST(Claims, AnI8088HasTwoFigures) {
   const auto claims = measure::judge_claims({one_product()});
   const measure::Claim& pc = claim_about(claims, "40 times");
@@ -175,7 +174,6 @@ TEST(Claims, AnI8088HasTwoFigures) {
                    (table + 4 * 73) / table);
 }
 
-// Half a unit is rounded up, and cut off.
 TEST(Claims, RoundingChangesAProductByAUnit) {
   measure::RecordedScene scene = one_product();
   for (measure::SceneOperands& build : scene.builds) {
@@ -187,8 +185,8 @@ TEST(Claims, RoundingChangesAProductByAUnit) {
   EXPECT_EQ(effect.figures.at(0).verdict, measure::Verdict::holds);
 }
 
-// A frame of one ConcatXforms and one XformVec: 36 and 9 calls of FixedMul from C, 57 clocks each
-// where every factor is 1.0.
+// ConcatXforms and XformVec make 36 and 9 calls of FixedMul from C, 57 clocks each for factors of
+// 1.0.
 TEST(Claims, TheCubesOfChapter52AreCountedByCallsOfFixedMul) {
   measure::RecordedScene scene = one_product();
   scene.name = "twelve cubes";
@@ -224,8 +222,8 @@ TEST(CallClocks, ADivideErrorIsCountedAsThatAlone) {
 
 TEST(CallClocks, EveryBuildIsTimedOnce) {
   const auto variants = measure::timed_variants();
-  // mul, div, xformvec and concat on two targets under two roundings, CosSin on two targets, and
-  // chapter 52's two: it has the third, ConcatXforms, in C.
+  // mul, div, xformvec and concat on two targets with two roundings, CosSin on two targets, and
+  // chapter 52's two. Chapter 52 has its third routine, ConcatXforms, in C.
   EXPECT_EQ(variants.size(), 4U * 4 + 2 + 2);
 }
 

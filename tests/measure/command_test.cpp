@@ -1,4 +1,4 @@
-// `fixproof measure` as a user runs it.
+// Tests `fixproof measure` as a user runs it.
 #include "tests/cli/command.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
   EXPECT_EQ(json.at("pixels").at("variants").size(), 4U);
 }
 
-/// Whether a time is one: more than nothing, the least first.
+/// Whether the times are positive and ordered.
 bool is_time(const nlohmann::json& times) {
   return times.at("min") > 0 && times.at("median") >= times.at("min") && times.at("spread") >= 0;
 }

@@ -1,4 +1,4 @@
-// Statistics of a few errors, worked by hand.
+// Tests statistics of a few errors, worked by hand.
 #include "measure/accuracy/error_statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(ErrorStatistics, OfNothingAreZero) {
   EXPECT_EQ(none.correct(), 0);
 }
 
-// -1, 0.5, 0.25 and 0.25: sum 0, squares 1 + 1/4 + 1/16 + 1/16 = 11/8.
+// -1, 0.5, 0.25 and 0.25: the sum is 0, the sum of squares 1 + 1/4 + 1/16 + 1/16 = 11/8.
 TEST(ErrorStatistics, OfFourErrors) {
   ErrorStatistics four;
   four.add(-1, false);
@@ -33,7 +33,7 @@ TEST(ErrorStatistics, OfFourErrors) {
   EXPECT_EQ(four.correct(), 0.75);
 }
 
-// Sixteen errors of 3, half of them low: an rms of 3, by four.
+// Sixteen errors of 3 and -3: the rms is 3, and the standard error of the mean 3 / sqrt(16).
 TEST(ErrorStatistics, TheMeanOfSixteenIsKnownToAQuarterOfTheirSize) {
   ErrorStatistics sixteen;
   for (int i = 0; i < 8; ++i) {
@@ -52,10 +52,9 @@ TEST(ErrorStatistics, TheBiasKeepsItsSign) {
   EXPECT_EQ(two.max(), 0.5);
 }
 
-/// The counts of buckets 0 ... 15.
 using Counts = std::array<std::uint64_t, ErrorHistogram::buckets>;
 
-// Buckets are 1/16 wide as long as no error is above 1/2.
+// Buckets are 1/16 wide while no error exceeds 1/2.
 TEST(ErrorHistogram, ABorderBelongsToTheBucketNearerZero) {
   ErrorHistogram h;
   for (const double error : {0.0, 1.0 / 16, 1.1 / 16, 0.5, -0.01, -1.0 / 16, -0.5}) h.add(error);
@@ -63,7 +62,7 @@ TEST(ErrorHistogram, ABorderBelongsToTheBucketNearerZero) {
   EXPECT_EQ(h.counts(), (Counts{1, 0, 0, 0, 0, 0, 0, 2, 2, 1, 0, 0, 0, 0, 0, 1}));
 }
 
-// 3 needs a span of 4: buckets 1/2 wide. 0.5 and -0.5 stay beside zero; 0.51 and 3 do not.
+// An error of 3 needs a span of 4, so buckets are 1/2 wide. 0.5 and -0.5 stay beside zero.
 TEST(ErrorHistogram, WidensUntilEveryErrorHasAPlace) {
   ErrorHistogram h;
   for (const double error : {0.5, -0.5, 0.25, 3.0, 0.51}) h.add(error);

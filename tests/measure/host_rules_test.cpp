@@ -1,4 +1,4 @@
-// Results that are right and results that are not, worked by hand.
+// Tests right and wrong results, worked by hand.
 #include "measure/host/host_rules.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@ using oracle::Rounding;
 
 measure::HostCase case_of(double a, double b, double result) { return {{a, b}, result}; }
 
-/// A case of numbers, not of units.
 measure::HostCase values(double a, double b, double result) {
   return case_of(a * 65536, b * 65536, result * 65536);
 }
@@ -19,7 +18,7 @@ measure::HostCase values(double a, double b, double result) {
 constexpr auto right = measure::HostJudgement::right;
 constexpr auto wrong = measure::HostJudgement::wrong;
 
-// 1 and -1 units times 8000h units are half a unit and minus half a unit.
+// 1 and -1 units * 8000h units are half a unit and minus half a unit.
 TEST(HostRules, TiesOfProducts) {
   constexpr double half = 0x8000;
   EXPECT_EQ(measure::product_rounded<Rounding::half_up>(case_of(1, half, 1)), right);
@@ -33,7 +32,7 @@ TEST(HostRules, TiesOfProducts) {
   EXPECT_EQ(measure::product_rounded<Rounding::truncate>(case_of(-1, half, -1)), wrong);
 }
 
-// What has more than 32 bits, or is no whole number of units, is no word.
+// A value with more than 32 bits, or with a fraction of a unit, is not a word.
 TEST(HostRules, AResultOfTheTypeIsAWord) {
   EXPECT_EQ(measure::product_rounded<Rounding::half_up>(values(2, 3, 6)), right);
   EXPECT_EQ(
@@ -43,7 +42,7 @@ TEST(HostRules, AResultOfTheTypeIsAWord) {
             wrong);
 }
 
-// 3 units by 2.0 are 1 1/2 units; 7.0 by 2.75 is 3.5 where the divisor loses its fraction.
+// 3 units / 2.0 is 1 1/2 units. 7.0 / 2.75 is 3.5 if the divisor loses its fraction.
 TEST(HostRules, Quotients) {
   EXPECT_EQ(measure::quotient_rounded<Rounding::half_up>(case_of(-3, 0x20000, -1)), right);
   EXPECT_EQ(measure::quotient_rounded<Rounding::half_up>(case_of(-3, 0x20000, -2)), wrong);
@@ -54,7 +53,7 @@ TEST(HostRules, Quotients) {
   EXPECT_EQ(measure::quotient_of_fixed_asm<DivideRule::i8088_rounded>(values(7, 0.75, 7)), wrong);
 }
 
-// The root of 2 is 1.41421356... or 92681.9 units; cos 60 degrees is 1/2.
+// The square root of 2 is 92681.9 units; cos 60 degrees is 1/2.
 TEST(HostRules, RootsAndCosines) {
   EXPECT_EQ(measure::root_rounded(case_of(0x20000, 0, 92682)), right);
   EXPECT_EQ(measure::root_rounded(case_of(0x20000, 0, 92681)), wrong);
@@ -63,7 +62,7 @@ TEST(HostRules, RootsAndCosines) {
   EXPECT_EQ(measure::cosine_rounded(case_of(600, 0, 0x8001)), wrong);
 }
 
-// 15 and the float, or the double, beside it; thirds; the root of 2.
+// 15 and its neighbours in float and double; thirds; the square root of 2.
 TEST(HostRules, FloatingPointIsRoundedOnce) {
   EXPECT_EQ(measure::product_in<float>(values(3, 5, 15)), right);
   EXPECT_EQ(measure::product_in<float>(values(3, 5, 15 + 0x1p-20)), wrong);
@@ -88,14 +87,13 @@ TEST(HostRules, ACosineInFloatingPointIsNearlyRight) {
   EXPECT_EQ(measure::cosine_in<float>(case_of(600, 0, exact * (1 + 1e-5))), wrong);
 }
 
-// Three products of half a unit each: 1, 0 or -3 units apart by the rule, on a translation of 10.
+// Three products of half a unit each, plus a translation of 10: the rules give different sums.
 TEST(HostRules, CoordinatesRoundEveryProduct) {
   measure::HostCase c{{1, 1, 1, 10, 0x8000, 0x8000, 0x8000}, 13};
   EXPECT_EQ(measure::coordinate_rounded<Rounding::half_up>(c), right);
   EXPECT_EQ(measure::coordinate_rounded<Rounding::floor>(c), wrong);
   c.result = 10;
   EXPECT_EQ(measure::coordinate_rounded<Rounding::floor>(c), right);
-  // 1 1/2 units and 10, in floating point.
   c.result = 11.5;
   EXPECT_EQ(measure::coordinate_in<double>(c), right);
   EXPECT_EQ(measure::coordinate_in<float>(c), right);

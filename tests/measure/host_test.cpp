@@ -1,4 +1,4 @@
-// Contenders are judged before they are timed, and timed in turn.
+// Tests that contenders are checked before timing and timed in turn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include "measure/host/host_run.hpp"
 #include "tests/measure/never.hpp"
 
-/// Products toward minus infinity.
 struct CutNumber {
   std::int32_t raw = 0;
 
@@ -28,7 +27,7 @@ namespace {
 
 using namespace fixproof;
 
-// In order 1 2 3 4 5: the quartiles are 2, 3 and 4.
+// Sorted, 1 2 3 4 5 has the quartiles 2, 3 and 4.
 TEST(HostTimes, LeastMedianAndSpread) {
   const measure::Times times = measure::times_of({4, 1, 5, 3, 2});
   EXPECT_EQ(times.min, 1);
@@ -77,7 +76,6 @@ TEST(HostErrors, AreExactForWhatIsNoWord) {
   EXPECT_EQ(small.mean(), -0x1p-70);
 }
 
-/// Four blocks of each.
 const std::vector<measure::HostOperation>& operations() {
   static const auto made = measure::host_operations(7, 4);
   return made;
@@ -98,7 +96,7 @@ measure::HostRow row_of(std::string_view operation, std::string_view contender) 
   throw std::invalid_argument("no such contender");
 }
 
-/// What the message of a contender that is wrong says; empty for one that is right.
+/// The error message for a wrong contender; empty for a correct one.
 std::string complaint(const measure::HostOperation& operation,
                       const measure::HostContender& contender) {
   try {
@@ -118,12 +116,11 @@ TEST(HostContenders, OneThatBreaksItsRuleIsNamedWithTheCase) {
   const std::string text = complaint(operation_of("mul"), cut);
   EXPECT_EQ(text.substr(0, 12), "mul of cut: ") << text;
   EXPECT_NE(text.find(", which is not rounded to nearest, halves up"), std::string::npos) << text;
-  // Two operands and a result, in eight digits.
+  // The two operands and the result have eight digits each.
   EXPECT_EQ(text.substr(20, 1), " ") << text;
   EXPECT_EQ(text.substr(29, 7), " gives ") << text;
 }
 
-/// A contender whose chain goes wrong at one place.
 class BrokenChain final : public measure::HostLoop {
  public:
   void load(measure::CaseWords words) override { loop_.load(words); }
@@ -173,7 +170,7 @@ TEST(HostContenders, TheirErrorsAreThoseOfTheirRoundings) {
   EXPECT_EQ(nearest.exceptions, 0U);
   EXPECT_EQ(nearest.errors.correct(), 1);
   EXPECT_EQ(row_of("mul", "double").errors.max(), 0) << "48 bits have room";
-  // Products of 2^29 units and more are multiples of 64 in float.
+  // In float, products of 2^29 units and more are multiples of 64.
   const double of_float = row_of("mul", "float").errors.max();
   EXPECT_GT(of_float, 16);
   EXPECT_LE(of_float, 32);
@@ -201,7 +198,6 @@ TEST(HostContenders, LibfixmathDividesAreExceptionsInOneCaseOfAThousand) {
   EXPECT_EQ(row_of("mul", "libfixmath").exceptions, 0U);
 }
 
-/// The magnitudes of a chain's results.
 std::pair<double, double> range_of_chain(const measure::HostOperation& o,
                                          const measure::HostContender& c) {
   measure::judge_contender(o, c);

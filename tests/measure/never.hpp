@@ -1,5 +1,5 @@
 /// @file
-/// A run that nobody interrupts.
+/// A stop flag that is never set.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// `fixproof step --clocks`: each figure from Intel's tables, multiplies and divides by hand.
+// Tests `fixproof step --clocks` against Intel's tables, with multiplies and divides by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What follows the state of `instruction` with these AX, BX and DX.
+/// The output after the state of `instruction`, run with these AX, BX and DX.
 std::string clocks_of(std::string_view cpu, std::string_view clocks, std::string_view instruction,
                       std::string_view ax_bx_dx = "ax=0001 bx=0002 dx=0000") {
   const auto run =
@@ -23,7 +23,6 @@ std::string clocks_of(std::string_view cpu, std::string_view clocks, std::string
   return at == std::string::npos ? run.out : run.out.substr(at + 8, run.out.size() - at - 9);
 }
 
-/// An instruction, and its clocks on 8088, 286, 386 and 486.
 struct Row {
   std::string_view instruction;
   std::array<std::string_view, 4> clocks;
@@ -54,23 +53,22 @@ void expect_clocks(const std::vector<Row>& rows) {
 
 TEST(StepClocks, AreThoseOfTheTables) {
   expect_clocks({
-      // Registers and immediates.
       {"adc bx, dx", {"3", "2", "2", "1"}},
       {"add ax, 0x8000", {"4", "3", "2", "1"}},
       {"mov ax, bx", {"2", "2", "2", "1"}},
       {"inc bx", {"2", "2", "2", "1"}},
       {"neg bx", {"3", "2", "2", "1"}},
       {"shl bx, 1", {"2", "2", "3", "3"}},
-      // Not taken, but for JMP: 7 and what it leads to, 1 to 4 bytes on a 286, 1 to 5 components on
-      // a 386.
+      // Jumps not taken; JMP is 7 plus its target's 1 to 4 bytes on a 286, 1 to 5 components on a
+      // 386.
       {"jz .There", {"4", "3", "3", "1"}},
       {"jmp .There", {"15", "8-12", "8-12", "3"}},
-      // One in AX, and DX becomes 0. A 386 and a 486 stop at the multiplier's highest bit, but not
-      // before 3.
+      // AX has one 1 bit, and DX becomes 0. A 386 and a 486 count at least 3 bits of the
+      // multiplier.
       {"mul bx", {"119", "21", "9", "13"}},
-      // 0000 0001h by 2: no step subtracts.
+      // 0000 0001h / 2: no step subtracts.
       {"div bx", {"144", "22", "22", "24"}},
-      // What only the 386 has.
+      // Only on a 386.
       {"imul ebx", {"-", "-", "9", "13-14"}},
       {"idiv ebx", {"-", "-", "43", "43-44"}},
       {"div ebx", {"-", "-", "38", "40-41"}},
@@ -79,7 +77,7 @@ TEST(StepClocks, AreThoseOfTheTables) {
 }
 
 TEST(StepClocks, OfMultipliesAndDividesDependOnTheOperands) {
-  // 16 ones; FFFFh times FFFFh leaves DX.
+  // AX has sixteen 1 bits, and FFFFh * FFFFh leaves DX nonzero.
   EXPECT_EQ(clocks_of("8088", "8088", "mul bx", "ax=ffff bx=ffff dx=0000"), "133");
   // Every step subtracts: 17 + 15 * 9 + 10.
   EXPECT_EQ(clocks_of("8088", "8088", "div bx", "ax=ffff bx=0001 dx=0000"), "162");

@@ -1,4 +1,4 @@
-// How stepping errs, by spans that can be worked out on paper. One unit is 2^-16.
+// Tests the errors of stepping on spans worked by hand. One unit is 2^-16.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,8 +42,8 @@ void expect_value(const measure::SteppedValue& value, double error_units, double
   EXPECT_TRUE(value.within);
 }
 
-// A level over three pixels is 21845 1/3 units a pixel, rounded 21845: a third less each time. Half
-// a unit is what each slope may lose.
+// One level over three pixels is 21845 1/3 units per pixel, rounded to 21845: each step loses a
+// third of a unit. Rounding a slope loses at most half a unit.
 TEST(SteppedLine, RoundedSlope) {
   const auto values =
       judged_values(measure::LineRule::rounded, wide, {10 * level, 11 * level}, three_pixels);
@@ -53,8 +53,8 @@ TEST(SteppedLine, RoundedSlope) {
   expect_value(values[2], -2.0 / 3, 1);
 }
 
-// 21845 units are 85.3 words of 256 units, so 85: 21760 a pixel. Half a word of the start, and half
-// a word and half a unit a pixel.
+// 21845 units are 85.3 words of 256 units, rounded to 85 words, 21760 units per pixel. The bound is
+// half a word for the start, plus half a word and half a unit per pixel.
 TEST(SteppedLine, NarrowWord) {
   const auto values =
       judged_values(measure::LineRule::rounded, narrow, {10 * level, 11 * level}, three_pixels);
@@ -62,7 +62,7 @@ TEST(SteppedLine, NarrowWord) {
   expect_value(values[2], -170 - 2.0 / 3, 128 + 257);
 }
 
-// Down a level the slope is cut toward zero: a third too much each time, and it may be a unit.
+// Going down a level, truncation toward zero adds a third of a unit per step, at most a unit.
 TEST(SteppedLine, CutSlope) {
   const auto values =
       judged_values(measure::LineRule::cut, wide, {11 * level, 10 * level}, three_pixels);
@@ -70,30 +70,31 @@ TEST(SteppedLine, CutSlope) {
   expect_value(values[2], 2.0 / 3, 2);
 }
 
-// Three units over two pixels: 1.5, rounded 2. Half a pixel in it is 1 where 0.75 belongs, then 3
-// where 2.25 does. Half a unit for each pixel since the end, and half for the product.
+// Three units over two pixels, 1.5, round to 2 per pixel. Half a pixel in gives 1 instead of 0.75,
+// then 3 instead of 2.25. The bound is half a unit per pixel from the end and half for the product.
 TEST(SteppedLine, PreStep) {
   const measure::LineEnds ends{10 * level, 10 * level + 3};
   const auto values = judged_values(measure::LineRule::rounded, wide, ends, half_in);
   expect_value(values[0], 0.25, 0.75);
   expect_value(values[1], 0.75, 1.25);
-  // Without it the end stands for the first pixel: 0, then 2. Half a pixel of the slope is 0.75
-  // units, 1 in the bound.
+  // Without the pre-step, the first pixel takes the end's value: 0, then 2. Half a pixel of the
+  // slope is 0.75 units, 1 in the bound.
   const auto from_end = judged_values(measure::LineRule::at_end, wide, ends, half_in);
   expect_value(from_end[0], -0.75, 1);
   expect_value(from_end[1], -0.25, 1.5);
 }
 
-// 256 words over three pixels: 85 of 85.3. A word a step, half for the start, one for both ends.
+// 256 words over three pixels: 85, not 85.3. Bound: a word per step, half for the start, one for
+// the ends.
 TEST(SteppedLine, WholeWords) {
   const auto values =
       judged_values(measure::LineRule::whole_words, narrow, {10 * level, 11 * level}, three_pixels);
   expect_value(values[2], -170 - 2.0 / 3, 3.5 * 256);
 }
 
-// 200 levels over 1.5078125 pixels: both doubled six times, 12800 by 96.5, of which an 8088 sees
-// 96: 133.3333 instead of 132.6425. By 12352, the divisor doubled seven times more, it loses
-// nothing but half a unit by rounding, and half a one by the product.
+// 200 levels over 1.5078125 pixels. Doubling both six times gives 12800 / 96.5, which an 8088 would
+// compute as 12800 / 96 = 133.3333 instead of 132.6425. With the divisor doubled seven more times,
+// to 12352, it loses only half a unit by rounding and half a unit in the product.
 TEST(SteppedLine, SteepOnAn8088) {
   const auto values = judged_values(measure::LineRule::i8088, wide, {10 * level, 210 * level},
                                     {2, 65536 + 32768 + 512, 0});
@@ -102,17 +103,17 @@ TEST(SteppedLine, SteepOnAn8088) {
   EXPECT_DOUBLE_EQ(values[1].bound, 1.0 / 65536);
 }
 
-// 1 level over 1.5 pixels and a unit: doubled until 8192 by 12288.125, of which it sees 12288.
+// 1 level over 1.5 pixels and a unit: doubled up to 8192 / 12288.125, where an 8088 uses 12288.
 TEST(SteppedLine, DivisorCutByAn8088) {
   const auto values = judged_values(measure::LineRule::i8088, wide, {10 * level, 11 * level},
                                     {2, 65536 + 32768 + 1, 0});
-  // 2/3 of a level is 43690.67 units, seen 43691; less a hundred thousandth, 43690.22, in truth.
+  // 2/3 of a level rounds to 43691 units; the exact value is 43690.22.
   EXPECT_NEAR(values[1].error * 65536, 43691 - 65536.0 * 8192 / 12288.125, 1e-6);
   EXPECT_TRUE(values[1].within);
   EXPECT_LE(values[1].bound, 2.0 / 65536);
 }
 
-// Of the bound as of the errors: words that are one step too great leave it.
+// A step that is too large violates the bound.
 TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
   const measure::LineEnds ends{10 * level, 11 * level};
   xsharp::StepWords words = measure::line_words(measure::LineRule::rounded, ends, three_pixels, 0);
@@ -128,7 +129,7 @@ TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
   EXPECT_GT(statistics.part_of_bound(), 1);
 }
 
-// Exact values are cut downwards: a third of a unit below level 11 is level 10.
+// Exact values are floored: a third of a unit below level 11 is level 10.
 TEST(SteppedLine, TheExactPictureIsCut) {
   measure::SteppedSpan span;
   const measure::LineEnds ends{11 * level, 11 * level - 1};
@@ -187,7 +188,7 @@ const measure::SteppingStatistics& of_rule(const std::vector<measure::SteppingRo
   throw std::invalid_argument(rule);
 }
 
-// Every value within its bound, and somewhere the bound nearly taken.
+// Every value keeps its bound, and some value comes close to it.
 TEST(SteppingRun, LinesTakeTheirBounds) {
   for (const measure::SteppingRow& row : measure::measure_stepping_rows(
            measure::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
@@ -198,8 +199,8 @@ TEST(SteppingRun, LinesTakeTheirBounds) {
   }
 }
 
-// A face twice as far at one end: a straight line is off by (√2 - 1) / (√2 + 1) = 0.17157 of the
-// 255 texels between the ends, 43.75, and an exact place every sixteenth pixel takes that away.
+// One end of the face is twice as far away. A straight line is off by (√2 - 1) / (√2 + 1) = 0.17157
+// of the 255 texels, 43.75. An exact place every sixteenth pixel removes that error.
 TEST(SteppingRun, LinearTextureBesideTrueOne) {
   const auto rows = measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never,
                                                    [](std::uint64_t) {});
@@ -212,9 +213,9 @@ TEST(SteppingRun, LinearTextureBesideTrueOne) {
   EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.01);
 }
 
-// Normals 60 degrees apart, s from -0.57735 to 0.57735: a straight line is off by 62 s^2 / 2 at
-// most, 10.33 levels, a parabola by 62 s^3 / (3 √3), 2.30; light half way is cos 30 of its
-// best, 8.3 levels off the line.
+// Normals 60 degrees apart, s from -0.57735 to 0.57735. A straight line is off by at most 62 s^2 /
+// 2 = 10.33 levels, a parabola by 62 s^3 / (3 √3) = 2.30. Halfway, linear interpolation gives cos
+// 30 of the maximum light, 8.3 levels less.
 TEST(SteppingRun, PhongByParabola) {
   const auto rows =
       measure::measure_stepping_rows(measure::phong_variants(), 1, 4, never, [](std::uint64_t) {});
@@ -234,7 +235,7 @@ TEST(SteppingRun, EndsWhenStopped) {
       }).empty());
 }
 
-/// Notes the words of light that a filler draws with.
+/// Records the light words that a filler draws with.
 class WordsOfLight final : public xsharp::SpanLoops {
  public:
   explicit WordsOfLight(xsharp::StepWords& words) : words_(words) {}
@@ -257,7 +258,7 @@ class WordsOfLight final : public xsharp::SpanLoops {
   xsharp::StepWords& words_;
 };
 
-/// The words for a rectangle one row high, with a value at its left and one at its right.
+/// The words for a rectangle one row high, from the values at its left and right ends.
 template <class N>
 xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const measure::LineEnds& ends,
                               std::int32_t pixels) {
@@ -295,7 +296,7 @@ TEST(SteppedLine, IsWhatTheFillerDraws) {
   }
 }
 
-// Two bits less, above where the first picture's depths begin.
+// An uncleared buffer has two fewer bits and starts where the first picture's depths begin.
 TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
   using N = fixed::q16_16;
   xsharp::DepthBuffer buffer(xsharp::DepthBuffering::no_clear);
@@ -314,8 +315,8 @@ TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
   }
 }
 
-// 21845 units are 21.3 words of 1024 units, so 21: 21504 a pixel. In units of four depths, 2^18:
-// half a word of the start, and half a word and half a unit a pixel.
+// 21845 units are 21.3 words of 1024, rounded to 21 words, 21504 units per pixel. In units of 2^18,
+// four depths, the bound is half a word for the start, plus half a word and half a unit per pixel.
 TEST(SteppedLine, WordOfABufferThatIsNotCleared) {
   constexpr measure::LineFormat uncleared{10, 18, 0, 32767 * level};
   const auto values =
@@ -324,7 +325,7 @@ TEST(SteppedLine, WordOfABufferThatIsNotCleared) {
   expect_value(values[2], (-682 - 2.0 / 3) / 4, (512 + 1025) / 4.0);
 }
 
-// The loop, two quotients every eighth pixel, and three values that begin a span of 160 pixels.
+// The loop, two quotients every eighth pixel, and three values to start a span of 160 pixels.
 TEST(SteppingTimes, AddUpToAPixel) {
   const std::vector<measure::SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
                                                   {"an exact place", "pixel", {4, 4, 0}},
@@ -334,7 +335,7 @@ TEST(SteppingTimes, AddUpToAPixel) {
   EXPECT_FALSE(measure::nanoseconds_a_pixel("intensity 8.8", "8088", times));
 }
 
-// A value's divide and multiply, spread over ten pixels.
+// A value's divide and multiply, divided by the ten pixels of the span.
 TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
   const std::vector<measure::SetupClocks> setups{{x86model::Cpu::i386, {100, 110}, {50, 60}}};
   const auto costs = measure::measure_pixel_costs(setups);
@@ -346,12 +347,13 @@ TEST(SteppingClocks, APixelHasItsShareOfTheSpan) {
   EXPECT_EQ(costs.back().values, 2) << "a texture has two coordinates";
 }
 
-// With a divide of 200 clocks two a pixel are 400 and the loop, of which Intel says less than 30.
+// With a divide of 200 clocks, two per pixel take 400; the loop takes fewer than 30 by Intel's
+// tables.
 TEST(SteppingClocks, ClaimsAreJudged) {
   const auto claims = measure::judge_stepping_claims({{x86model::Cpu::i386, {200, 200}, {50, 50}}});
   ASSERT_EQ(claims.size(), 3U);
   ASSERT_EQ(claims[0].figures.size(), 2U);
-  // MOV to memory twice 2, INC 2; STOSB 4. Then 42 clocks a pixel to 19.
+  // Two MOVs to memory of 2 clocks and INC 2, against STOSB 4. Then 42 clocks per pixel against 19.
   EXPECT_EQ(claims[0].figures[0].measured.min, 6.0 / 4);
   EXPECT_EQ(claims[0].figures[0].measured.max, 6.0 / 4);
   EXPECT_EQ(claims[0].figures[0].verdict, measure::Verdict::does_not_hold);

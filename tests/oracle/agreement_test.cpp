@@ -20,7 +20,7 @@ static_assert(fast::mul(0xffff8000, 1, Rounding::half_up, 16) == 0);
 static_assert(fast::div(0x8001, 0xffffffff, DivideRule::i386_rounded, 16) == 0x7fff0000);
 static_assert(fast::sqrt(0x20000, 16) == 0x16a0a);
 
-/// Whether both formulations answer every question about a pair alike; names the first difference.
+/// Whether both formulations agree on every operation on a pair; names the first difference.
 testing::AssertionResult agree(Word a, Word b, int fraction_bits) {
   const auto differ = [&](const char* what, std::size_t rule) {
     return testing::AssertionFailure() << what << " of " << std::hex << a << ", " << b << std::dec
@@ -69,7 +69,7 @@ std::vector<Word> boundary_words(int fraction_bits) {
   return words;
 }
 
-/// Words of every magnitude alike: a uniform one shifted down by a uniform count, of either sign.
+/// Words of every magnitude and either sign: a uniform word shifted down by a uniform count.
 class Words {
  public:
   Word operator()() {
@@ -79,7 +79,7 @@ class Words {
   }
 
  private:
-  // One seed, so that a failure comes back.
+  // A fixed seed, so that failures are reproducible.
   std::mt19937_64 generator_{20260101};  // NOLINT(cert-msc32-c, cert-msc51-cpp)
 };
 

@@ -17,7 +17,6 @@ constexpr Word kMinusOne = 0xffff0000;
 constexpr Word kMost = 0x7fffffff;
 constexpr Word kLeast = 0x80000000;
 
-/// The results expected of the five rules.
 struct ProductsByRule {
   Word half_up;
   Word half_away;
@@ -73,7 +72,7 @@ TEST(OracleMul, HalfWidth) {
 }
 
 TEST(OracleMulAdd, RoundsOnce) {
-  // 1/2 ulp - 1 ulp; a product rounded on its own would give 0, 0, -1, -1.
+  // 1/2 ulp - 1 ulp. Rounding the product first would give 0, 0, -1, -1.
   EXPECT_EQ(mul_add(kHalf, 1, 0xffffffff, Rounding::half_up, 16), 0U);
   EXPECT_EQ(mul_add(kHalf, 1, 0xffffffff, Rounding::half_away, 16), 0xffffffffU);
   EXPECT_EQ(mul_add(kHalf, 1, 0xffffffff, Rounding::floor, 16), 0xffffffffU);

@@ -12,7 +12,6 @@
 namespace oracle {
 namespace {
 
-/// Minus a word in 16.16.
 Word negated(Word word) { return ~word + 1; }
 
 TEST(OracleCosineTable, Has901EntriesFromOneToZero) {
@@ -20,7 +19,7 @@ TEST(OracleCosineTable, Has901EntriesFromOneToZero) {
   ASSERT_EQ(table.size(), 901U);
   EXPECT_EQ(table.front(), 0x10000U);
   EXPECT_EQ(table[1], 0x10000U);   // 65535.90
-  EXPECT_EQ(table[241], 0xe9b0U);  // 59823.5006, the nearest of all to a half
+  EXPECT_EQ(table[241], 0xe9b0U);  // 59823.5006, the entry nearest to a half
   EXPECT_EQ(table[300], 0xddb4U);  // 56755.84
   EXPECT_EQ(table[450], 0xb505U);  // 46340.95
   EXPECT_EQ(table[600], 0x8000U);  // 32768 exactly
@@ -28,8 +27,8 @@ TEST(OracleCosineTable, Has901EntriesFromOneToZero) {
 }
 
 TEST(OracleCosineTable, EveryEntryIsTheNearest) {
-  // With 64 bits of significand the error is below 1e-14 ulp, and no entry comes within 5e-4 of a
-  // half, so the other arithmetic decides every entry beyond doubt.
+  // A 64-bit significand keeps the error below 1e-14 ulp. No entry is within 5e-4 of a half, so
+  // long double decides every entry.
   static_assert(std::numeric_limits<long double>::digits >= 64);
   const std::vector<Word> table = cosine_table(10);
   ASSERT_EQ(table.size(), 901U);

@@ -53,7 +53,7 @@ TEST(OracleFromDouble, RoundsOnce) {
   EXPECT_EQ(from_double(0x1p-17, Rounding::half_up, 16), 1);
   EXPECT_EQ(from_double(-0x1p-17, Rounding::half_up, 16), 0);
   EXPECT_EQ(from_double(-0x1p-17, Rounding::half_away, 16), -1);
-  // One bit beyond a half, the last bit of the significand.
+  // The significand's last bit beyond a half.
   EXPECT_EQ(from_double(-0x1.0000000000001p-17, Rounding::half_up, 16), -1);
   EXPECT_EQ(from_double(-0.0, Rounding::floor, 16), 0);
 }

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::optional<Word> kFault = std::nullopt;
 
-/// The results expected of the four rules.
 struct QuotientsByRule {
   std::optional<Word> i386_rounded;
   std::optional<Word> i386_unrounded;
@@ -50,7 +49,7 @@ TEST(OracleDiv, HalvesGoAwayFromZero) {
 }
 
 TEST(OracleDiv, The8088DropsTheFractionOfTheDivisorsMagnitude) {
-  // 1 / 1.5 is 43690.67 ulps; with 1 as divisor it is 1.0.
+  // 1 / 1.5 is 43690.67 ulps; with the divisor 1 it is 1.0.
   expect_div(0x10000, 0x18000, {0xaaab, 0xaaaa, 0x10000, 0x10000});
   expect_div(0x10000, 0xfffe8000, {0xffff5555, 0xffff5556, 0xffff0000, 0xffff0000});
 }
@@ -76,7 +75,7 @@ TEST(OracleDiv, TheRounded386FaultsFromTwoToTheThirtyTwo) {
   expect_div(0x10000, 1, {kFault, kFault, kFault, kFault});
   expect_div(0xffff0000, 1, {kFault, kFault, kFault, kFault});
   expect_div(0x80000000, 0x8000, {kFault, kFault, kFault, kFault});
-  // -2^47 / 32769 is -4294836227.9999, of magnitude below 2^32.
+  // -2^47 / 32769 is -4294836227.9999, whose magnitude is below 2^32.
   expect_div(0x80000000, 0x8001, {0x0001fffc, kFault, kFault, kFault});
 }
 

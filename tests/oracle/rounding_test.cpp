@@ -11,7 +11,7 @@ namespace {
 
 /// Whether q is n / d rounded, by the inequalities that define each rule, for d > 0.
 bool defined_by_rule(int q, int n, int d, Rounding rule) {
-  const int error = q * d - n;  // of q, in units of 1 / d
+  const int error = q * d - n;  // in units of 1 / d
   switch (rule) {
     case Rounding::half_up:
       return 2 * error <= d && 2 * error > -d;

@@ -4,7 +4,7 @@
 
 #include "oracle/rule.hpp"
 
-/// Every value of the rules, for tests that hold for all of them.
+/// Lists of the rules' values, for tests of all rules.
 namespace oracle::test {
 
 inline constexpr std::array kRoundings{Rounding::half_up, Rounding::half_away, Rounding::floor,

@@ -13,11 +13,11 @@
 namespace oracle {
 namespace {
 
-/// Words whose sine or cosine is within 2^-46 of halfway, found by trying all.
+/// Words whose sine or cosine is within 2^-46 of a half ulp, found by exhaustive search.
 constexpr Word kHard[]{0x60cf72d8, 0x4162745d, 0x6c6b7c74, 0x734c79ae,
                        0x6f29ca6b, 0x776c1f1d, 0x378b3a20};
 
-/// Whether `word` is the nearest to an exact value, which an extended double gives to 2^-60.
+/// Checks that `word` is the nearest to an exact value, which an extended double gives to 2^-60.
 void expect_nearest(Word word, long double exact, Word angle) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   const long double ulps = exact * 65536;
@@ -37,9 +37,9 @@ TEST(OracleSine, KnownAngles) {
   EXPECT_EQ(cos(0, 16), 0x10000U);
   EXPECT_EQ(sin(0x10000, 16), 55147U);      // 0.8414709848 * 65536 = 55146.64
   EXPECT_EQ(cos(0x10000, 16), 35409U);      // 0.5403023059 * 65536 = 35409.25
-  EXPECT_EQ(sin(0xffff0000, 16), -55147U);  // of -1
+  EXPECT_EQ(sin(0xffff0000, 16), -55147U);  // sin(-1)
   EXPECT_EQ(sin(0x100, 8), 215U);           // 215.42
-  EXPECT_EQ(cos(0xff00, 8), 138U);          // of -1: 138.32
+  EXPECT_EQ(cos(0xff00, 8), 138U);          // cos(-1): 138.32
   EXPECT_EQ(sin(0xff00, 8), 0xff29U);
 }
 
@@ -82,7 +82,7 @@ TEST(OracleSine, FormatsOutsideTheRangeAreRefused) {
 }
 
 TEST(OracleSine, ManyDigits) {
-  // sin^2 + cos^2 = 1, to the digits that are there.
+  // sin^2 + cos^2 = 1, to the computed number of digits.
   const Integer sin = scaled_sin_of_radians(0x60cf72d8, 60);
   const Integer cos = scaled_cos_of_radians(0x60cf72d8, 60);
   const Integer one = Integer(1) << (2 * 76);

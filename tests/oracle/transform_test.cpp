@@ -79,7 +79,7 @@ TEST(OracleConcat, RoundsEveryProductOnItsOwn) {
   EXPECT_EQ(row(Rounding::truncate), (Row{0, 0, 0, 9}));
 }
 
-// Worked by hand: the identity, moved by the second translation, then by the first.
+// Worked by hand: the identity with the second translation, then with the first.
 TEST(OracleConcat, InPartsLosesTheCarryOfTheFractions) {
   struct Case {
     int fraction_bits;
@@ -89,11 +89,12 @@ TEST(OracleConcat, InPartsLosesTheCarryOfTheFractions) {
       Case{16, 0x00008000, 0x00008000, 0x00010000, 0x00000000},  // 0.5 + 0.5
       Case{16, 0x00018000, 0x00008000, 0x00020000, 0x00010000},  // 1.5 + 0.5
       Case{16, 0x00008000, 0x00007fff, 0x0000ffff, 0x0000ffff},  // no carry: one unit below 1.0
-      Case{16, 0xffffffff, 0x00000001, 0x00000000, 0xffff0000},  // -2^-16 is -1 and a fraction
+      Case{16, 0xffffffff, 0x00000001, 0x00000000, 0xffff0000},  // -2^-16 is -1 plus a fraction
       Case{16, 0xffff8000, 0xffff8000, 0xffff0000, 0xfffe0000},  // -0.5 + -0.5
-      Case{16, 0x7fff8000, 0x00008000, 0x80000000, 0x7fff0000},  // no longer out of range
+      Case{16, 0x7fff8000, 0x00008000, 0x80000000,
+           0x7fff0000},  // the lost carry brings it into range
       Case{16, 0x80008000, 0x80008000, 0x00010000, 0x00000000},  // modulo 2^32
-      Case{16, 0x80000000, 0xffff0000, 0x7fff0000, 0x7fff0000},  // whole numbers have no fractions
+      Case{16, 0x80000000, 0xffff0000, 0x7fff0000, 0x7fff0000},  // whole numbers have no fraction
       Case{8, 0x0080, 0x0080, 0x0100, 0x0000},
       Case{8, 0x00ff, 0x0001, 0x0100, 0x0000},
       Case{8, 0x007f, 0x0080, 0x00ff, 0x00ff},

@@ -1,6 +1,6 @@
-// One word for all that the type computes: the same on every machine, or somewhere a bit differs.
-//     digest [OPERATIONS]
-// Operands are drawn from a counter: every machine draws the same, in the same order.
+// Prints one digest of everything that the type computes; any differing bit changes it. Draws
+// operands from a counter, so every machine uses the same ones in the same order.
+// usage: digest [OPERATIONS]
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): a counter in, a word that looks random out.
+/// SplitMix64 (Steele, Lea, Flood 2014): maps a counter to a word that looks random.
 constexpr std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -38,7 +38,7 @@ class Digest {
   std::uint64_t state_ = 0;
 };
 
-/// Operands of one case: of every magnitude, one in eight at an edge of the range.
+/// Operands of one case, of every magnitude; one in eight is at an edge of the range.
 class Draws {
  public:
   explicit Draws(std::uint64_t number) : state_(mix(number)) {}
@@ -64,8 +64,8 @@ class Draws {
   std::uint64_t state_;
 };
 
-/// Every operation of the type, told apart by its place. A trapping type takes part where it does
-/// not throw: what it throws is for the tests.
+/// All operations of the type, numbered. A trapping type takes part only where it does not throw;
+/// the tests cover its exceptions.
 constexpr std::uint64_t operations = 17;
 
 template <class N>
@@ -157,7 +157,6 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
   }
 }
 
-/// One operation after the other, under one type after the other.
 template <class... Numbers>
 std::uint64_t digest_of(std::uint64_t count) {
   using Function = void (*)(std::uint64_t, Draws&, Digest&);

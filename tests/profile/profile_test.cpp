@@ -1,4 +1,4 @@
-// Profiles of scenes so small that they can be worked out by hand.
+// Tests profiles of scenes that are small enough to work out by hand.
 #include "trade/profile/profile.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t one = 65536;
 
-/// One cube at (0, 0, z) that stands still, seen with a constant of -320.
+/// One cube at (0, 0, z) that does not move; the projection constant is -320.
 xsharp::Scene still_cube(double half_edge, double z) {
   xsharp::Scene scene;
   scene.depth_key = xsharp::DepthKey::none;
@@ -28,7 +28,6 @@ xsharp::Scene still_cube(double half_edge, double z) {
   return scene;
 }
 
-/// The first frames of a scene.
 trade::SceneProfile profile_of(const xsharp::Scene& scene, const std::string& target, bool round,
                                int frames) {
   const xsharp::ArithmeticChoice choice{"model", target, round, round};
@@ -91,16 +90,16 @@ TEST(Profile, OfACubeWorkedByHand) {
 
   const trade::RoutineProfile& mul = routine(profile, cases::Operation::mul);
   EXPECT_EQ(mul.calls, 16U);
-  // Nine instructions without a jump, from PUSH BP to RET.
+  // Nine instructions from PUSH BP to RET, without a jump.
   EXPECT_EQ(mul.instructions, 16U * 9);
   EXPECT_EQ(std::ranges::count(mul.executed, true), 9);
   EXPECT_EQ(mul.executed.size(), 9U);
   expect_range(mul.operands.at(0), -7282, 7282, 14);
-  // Published, -320 is a unit too large.
+  // The published conversion makes -320 one unit too large.
   expect_range(mul.operands.at(1), -320 * one + 1, -320 * one + 1, 26);
   EXPECT_EQ(mul.results.at(0).greatest(), 7282 * 320);
 
-  // Nothing moves: all is done in the first frame. Nothing turns, so no sine is looked up.
+  // Nothing moves, so the first frame does all the work. Nothing turns, so no sine is looked up.
   EXPECT_EQ(mul.most_in_frame, 16U);
   EXPECT_EQ(mul.least_in_frame, 0U);
   EXPECT_EQ(routine(profile, cases::Operation::cossin).calls, 0U);
@@ -111,7 +110,7 @@ TEST(Profile, OfACubeWorkedByHand) {
   for (const trade::RoutineProfile& r : profile.routines) EXPECT_EQ(r.wrapped, 0U);
 }
 
-// As chapters 53 and 54 call the routines.
+// The calls that chapters 53 and 54 describe.
 TEST(Profile, CallsOfAFrameAreThoseOfTheText) {
   xsharp::Scene scene = still_cube(1, -10);
   xsharp::ObjectDescription& cube = scene.objects[0];
@@ -120,12 +119,12 @@ TEST(Profile, CallsOfAFrameAreThoseOfTheText) {
   cube.shadings.assign(6, {.ambient = true, .diffuse = true});
   for (xsharp::Paint& paint : cube.paints) paint = {false, 0, {255, 255, 255}};
   trade::SceneProfile profile = profile_of(scene, "i386", true, 4);
-  // Three moves of two rotations.
+  // Three moves of two rotations each.
   EXPECT_EQ(routine(profile, cases::Operation::cossin).calls, 3U * 2);
-  // Eight corners and six ends of normals are transformed, the corners alone are projected.
+  // Transforms eight corners and six ends of normals, projects only the corners.
   EXPECT_EQ(routine(profile, cases::Operation::xformvec).calls, 4U * (8 + 6));
   EXPECT_EQ(routine(profile, cases::Operation::div).calls, 4U * 8 * 2);
-  // Sorting by centres transforms these too.
+  // Sorting by centres also transforms the centres.
   scene.depth_key = xsharp::DepthKey::center;
   profile = profile_of(scene, "i386", true, 4);
   EXPECT_EQ(routine(profile, cases::Operation::xformvec).calls, 4U * (8 + 6 + 1));
@@ -137,7 +136,7 @@ TEST(Profile, TruncatedQuotientsAreAUnitSmaller) {
   EXPECT_EQ(profile.divides.greatest_quotient, 7281);
 }
 
-// Corners at z = 0 and -2: of the six faces the far one alone is whole. Crossings are at -1.
+// Corners at z = 0 and -2: only the far face is unclipped. The others are clipped at z = -1.
 TEST(Profile, OfACubeInTheNearPlane) {
   const trade::SceneProfile profile = profile_of(still_cube(1, -1), "i8088", true, 1);
   EXPECT_EQ(profile.view.nearest, -2 * one);
@@ -166,7 +165,7 @@ TEST(Profile, FormsAreExecutedOrNever) {
     std::vector<std::string> all;
     std::ranges::merge(forms.executed, forms.never, std::back_inserter(all));
     EXPECT_EQ(all, x86model::form_texts(target));
-    // What divides on either processor; and IDIV, which only an unrounded build has.
+    // Both targets divide. Only an unrounded build executes IDIV.
     EXPECT_TRUE(std::ranges::binary_search(forms.executed, i386 ? "div r/m32" : "div r/m16"));
     EXPECT_EQ(std::ranges::binary_search(forms.never, "idiv r/m32"), i386);
   }

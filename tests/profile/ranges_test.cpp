@@ -1,4 +1,4 @@
-// Bits of values, and results that leave 16.16, against the oracle's unbounded results.
+// Tests bits of values and results outside 16.16 against the oracle's unbounded results.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(Places, EveryWordHasAName) {
       EXPECT_LT(trade::result_place(operation, w), trade::result_names(operation).size());
     }
   }
-  // Row by row: the fourth word of a row is the translation's.
+  // Row by row: the fourth word of each row belongs to the translation.
   const auto name = [](std::size_t word) {
     return trade::operand_names(
         cases::Operation::concat)[trade::operand_place(cases::Operation::concat, word)];
@@ -70,8 +70,8 @@ TEST(Wraps, AtTheEndsOfTheRange) {
   EXPECT_FALSE(product_wraps(0, 0x80000000));
 }
 
-// 2351 * 4513 * 13264529 is 2^47 - 1, which truncates to the greatest word and rounds to 2^31.
-// -2^15 * 641 * 6700417 is -2^47 - 2^15: a half below the least word.
+// 2351 * 4513 * 13264529 is 2^47 - 1, which truncates to the largest word and rounds to 2^31. -2^15
+// * 641 * 6700417 is -2^47 - 2^15, half a unit below the smallest word.
 TEST(Wraps, WhereRoundingDecides) {
   const std::array<Word, 2> above{2351 * 4513, 13264529};
   const std::array<Word, 2> below{0U - 32768 * 641, 6700417};
@@ -82,13 +82,13 @@ TEST(Wraps, WhereRoundingDecides) {
     EXPECT_TRUE(trade::wraps(mul(target, true), above));
     EXPECT_FALSE(trade::wraps(mul(target, false), above));
   }
-  EXPECT_FALSE(trade::wraps(mul(cases::Target::i386, true), below));    // halves up
-  EXPECT_TRUE(trade::wraps(mul(cases::Target::i386, false), below));    // down
-  EXPECT_TRUE(trade::wraps(mul(cases::Target::i8088, true), below));    // halves away from zero
-  EXPECT_FALSE(trade::wraps(mul(cases::Target::i8088, false), below));  // toward zero
+  EXPECT_FALSE(trade::wraps(mul(cases::Target::i386, true), below));    // half up
+  EXPECT_TRUE(trade::wraps(mul(cases::Target::i386, false), below));    // floor
+  EXPECT_TRUE(trade::wraps(mul(cases::Target::i8088, true), below));    // half away from zero
+  EXPECT_FALSE(trade::wraps(mul(cases::Target::i8088, false), below));  // truncation
 }
 
-// 20000 and 20000, by identity matrices: the sum of the translations alone is out of range.
+// Translations of 20000 and 20000 with identity matrices: only their sum is out of range.
 TEST(Wraps, WhereTheTranslationDecides) {
   constexpr Word unit = 65536;
   std::array<Word, 24> concat{};
@@ -101,7 +101,6 @@ TEST(Wraps, WhereTheTranslationDecides) {
     EXPECT_FALSE(trade::wraps(concatenation, in));
     in.at(12 + 4 * row + 3) = 20000 * unit;
     EXPECT_TRUE(trade::wraps(concatenation, in));
-    // The same place as a vector.
     std::array<Word, 15> vector{};
     std::copy_n(in.begin(), 12, vector.begin());
     EXPECT_FALSE(trade::wraps(transform, vector));
@@ -110,7 +109,6 @@ TEST(Wraps, WhereTheTranslationDecides) {
   }
 }
 
-/// The rule by which a build rounds products.
 Rounding product_rule(const cases::Variant& v) {
   if (v.build.target == cases::Target::i386)
     return v.build.mul_round ? Rounding::half_up : Rounding::floor;
@@ -124,7 +122,7 @@ cases::Variant any_variant(cases::Operation operation) {
                     .div_round = *rc::gen::arbitrary<bool>()}};
 }
 
-/// Of any size, so that some results fit and some do not; of either sign.
+/// A word of any magnitude and either sign, so that some results fit and some do not.
 Word any_word(int least_shift) {
   const Word word = *rc::gen::arbitrary<Word>() >> *rc::gen::inRange(least_shift, 22);
   return *rc::gen::arbitrary<bool>() ? 0U - word : word;
@@ -167,7 +165,7 @@ RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
   RC_ASSERT(trade::wraps(v, in) == expected);
 }
 
-/// As the printed 8088 ConcatXforms adds: floors to floors, fractions to fractions, which wrap.
+/// Adds as the printed 8088 ConcatXforms does: integer parts, and fractions without a carry.
 Integer sum_in_parts(const Integer& a, const Integer& b) {
   const Integer whole = 65536;
   const auto fraction = [&](const Integer& n) -> Integer { return (n % whole + whole) % whole; };

@@ -1,4 +1,4 @@
-// What a user writes: functions, registered with their rules.
+// A user's test file: functions registered with their rules.
 #include <cstdint>
 #include <optional>
 
@@ -15,7 +15,7 @@ std::optional<std::int32_t> wide_div(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(std::int64_t{a} * 65536 / b);
 }
 
-/// Undefined for what it is not asked.
+/// Undefined for divisions that its rules exclude.
 std::int32_t careless_div(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(std::int64_t{a} * 65536 / b);
 }

@@ -1,4 +1,4 @@
-// The tests that a user gets do fail: for each planted defect, in the streams that look for it.
+// Tests that the generated tests fail for each planted defect, in the streams that target it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr check::Rules div_truncated{cases::Operation::div, Rounding::truncate,
 std::set<std::string_view> streams_that_fail(const Subject& subject) {
   std::set<std::string_view> names;
   for (const auto& [stream, cases] : property::streams_of(subject.rules.operation)) {
-    // A thousand suffice for what a stream is there for; the lattice is counted through.
+    // A thousand cases suffice for the other streams; the lattice is enumerated in full.
     const auto few =
         stream == cases::Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
     if (!property::failures_in(subject, stream, few).empty()) names.insert(cases::name_of(stream));

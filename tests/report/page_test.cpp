@@ -1,4 +1,4 @@
-// The page as text: names and data cannot break out of their places.
+// Tests the page as text: names and data must not break out of their places.
 #include "cli/report/page.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Page, EscapesHtml) {
   EXPECT_EQ(cli::escaped_html("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
 }
 
-// The vectors of RFC 4648, section 10, and the two digits that are no letters or numbers.
+// The test vectors of RFC 4648, section 10, and the two digits that are not alphanumeric.
 TEST(Page, WritesBase64) {
   EXPECT_EQ(cli::base64(""), "");
   EXPECT_EQ(cli::base64("f"), "Zg==");
@@ -39,7 +39,7 @@ TEST(Page, DataCannotEndItsScript) {
 
 TEST(Page, TakesNamesThatAreNoUtf8) {
   const std::string text = cli::script_json({{"name", "\xFF"}});
-  // U+FFFD, for what is no character.
+  // U+FFFD replaces invalid UTF-8.
   EXPECT_EQ(nlohmann::json::parse(text).at("name"), "\xEF\xBF\xBD");
 }
 
@@ -74,7 +74,7 @@ TEST(Page, RefusesPartsThatWouldBreakIt) {
                std::logic_error);
 }
 
-// Nothing in the page as it is built is loaded from elsewhere.
+// The page must not load anything from elsewhere.
 TEST(Page, IsSelfContained) {
   const cli::PageParts parts = cli::page_parts();
   const std::string page = cli::assemble_page(parts, support::Json::object(), {}, "");

@@ -1,4 +1,4 @@
-// `fixproof report` as a user runs it.
+// Tests `fixproof report` as a user runs it.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* cubes = SCENES "/twelve_cubes.json";
 
-/// A folder that is removed at the end of the test.
 class Folder {
  public:
   explicit Folder(const std::string& name) : path_(testing::TempDir() + name) {
@@ -34,7 +33,7 @@ class Folder {
   std::string path_;
 };
 
-/// A file without the lines that differ from run to run.
+/// The lines of a file, except for those that differ between runs.
 std::string contents(const std::string& file) {
   std::string text;
   for (const std::string& line : command::split(fixproof::support::read_file(file), '\n')) {
@@ -65,21 +64,21 @@ TEST(ReportCommand, WritesThePageAndItsData) {
 
   const std::string page = fixproof::support::read_file(out.file("report.html"));
   EXPECT_NE(page.find("alt=\"Animation: twelve cubes\""), std::string::npos);
-  // Only interpolated scenes stand beside the exact picture: three frames of 320 by 240.
+  // The page compares only interpolated scenes with the exact picture: three frames of 320 by 240.
   EXPECT_EQ(page.find("alt=\"twelve cubes: as stepped"), std::string::npos);
   EXPECT_NE(page.find("alt=\"phong: as stepped, exact"), std::string::npos);
   EXPECT_NE(page.find(" of 230,400 pixels differ"), std::string::npos);
   EXPECT_NE(page.find("id=\"data\">{\"made\":{"), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
 
-  // Each command that the page lists writes the files that the report wrote.
+  // Each command that the page lists must write the files that the report wrote.
   const Folder again("report_again_test");
   fs::create_directories(again.file("data"));
   std::size_t compared = 0;
   for (const auto& step : json.at("commands")) {
     auto line = step.at("command").get<std::string>();
     ASSERT_EQ(line.substr(0, 9), "fixproof ");
-    // These take long or measure time.
+    // Slow commands and timings.
     if (line.find("--clocks") + 1 + line.find("--host") + 1 + line.find("--stepping") + 1 > 0)
       continue;
     for (std::size_t at = line.find(out.path()); at != std::string::npos;
@@ -97,7 +96,7 @@ TEST(ReportCommand, WritesThePageAndItsData) {
   EXPECT_EQ(compared, 7U);
 }
 
-// Six steps, and one for each default scene.
+// Six steps, and one per default scene.
 TEST(ReportCommand, FindsTheScenesOfTheCurrentFolder) {
   const Folder out("report_scenes_test");
   fs::create_directories(out.path());
@@ -127,11 +126,11 @@ TEST(ReportCommand, TellsScenesApartByTheirNames) {
   EXPECT_NE(run.err.find("both named twelve cubes"), std::string::npos) << run.err;
 }
 
-// A file name may be any bytes.
+// A file name can contain any bytes.
 TEST(ReportCommand, TakesNamesThatAreNoUtf8) {
   const Folder out("report_\xff_test");
   fs::create_directories(out.path());
-  // A scene without a name takes that of its file.
+  // A scene without a name takes its file's name.
   fixproof::support::replace_file(out.file("\xfe.json"),
                                   R"({"objects": [{"shape": {"cube": {"half_edge": 15}},
       "paint": 1, "position": [20, -30, -200], "spin": {"tenths": [0, 60, 60]}}]})");
@@ -152,7 +151,7 @@ TEST(ReportCommand, MeasuresNothingOfASceneWithoutObjects) {
   EXPECT_NE(run.err.find("nothing has no objects"), std::string::npos) << run.err;
 }
 
-// A scene file that changes after the first step changes nothing.
+// Changing a scene file after the first step must not affect the report.
 TEST(ReportCommand, ReadsEachSceneOnce) {
   const Folder out("report_changing_test");
   fs::create_directories(out.path());
@@ -178,7 +177,7 @@ TEST(ReportCommand, ReadsEachSceneOnce) {
 
 TEST(ReportCommand, LeavesNoPageWhenStopped) {
   const Folder out("report_stopped_test");
-  // The first step of a full report takes seconds, so the signal comes before it ends.
+  // The first step of a full report takes seconds, so the signal arrives before it ends.
   const auto run = command::run(
       {INTERRUPTED, "INT", "0.1", FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
   EXPECT_EQ(run.status, 130) << run.err;
@@ -199,7 +198,7 @@ TEST(ReportCommand, SaysWhatIsWrong) {
   }
 }
 
-// The path of a file of the report may be that of a scene.
+// An output path of the report may be the path of a scene.
 TEST(ReportCommand, DoesNotOverwriteAScene) {
   const Folder out("report_scene_test");
   fs::create_directories(out.file("data"));

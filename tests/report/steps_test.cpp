@@ -1,4 +1,4 @@
-// The list of steps, their command lines, and how a step ends a report.
+// Tests the list of steps, their command lines, and the message when a step ends the report.
 #include "cli/report/steps.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Results and flags against definitions by range, exhaustively at 8 bits: CF is an unsigned result
-// out of range, OF a signed one, AF a low hex digit out of range.
+// Tests ALU results and flags against range definitions, exhaustively at 8 bits: CF means the
+// unsigned result is out of range, OF the signed result, AF the low hex digit.
 #include "x86model/alu.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Alu, LogicLeavesOnlyAuxiliaryCarryUndefined) {
   }
 }
 
-/// One bit at a time: the last bit out is CF.
+/// Shifts one bit at a time; CF is the last bit shifted out.
 struct Shifted {
   std::uint32_t value;
   bool carry;
@@ -190,7 +190,6 @@ TEST(Alu, QuotientsOrFaults) {
       if (signed_fits) {
         ASSERT_EQ(signed_value(s->quotient) * sd + signed_value(s->remainder), sn);
         ASSERT_LT(std::abs(signed_value(s->remainder)), std::abs(sd));
-        // The remainder has the dividend's sign.
         ASSERT_GE(signed_value(s->remainder) * sn, 0);
       }
     }

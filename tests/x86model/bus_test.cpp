@@ -1,4 +1,4 @@
-// Bytes on the bus of an 8088, added up by hand from what ndisasm shows of NASM's output.
+// Tests the bytes on an 8088's bus against hand counts from ndisasm listings of NASM's output.
 #include "x86model/bus.hpp"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ namespace {
 using namespace x86model;
 using namespace x86model::notation;
 
-// FixedMul is 98 bytes, 00h to 61h. 1.0 times 1.0 jumps from 11h to 19h, from 23h to 2Dh and from
-// 57h to 5Eh: 8, 10 and 7 bytes are not executed. Data: PUSH of BP, SI, DI, CX and AX, the same
-// number of POPs, four words of arguments, the return address.
+// FixedMul has 98 bytes, 00h to 61h. 1.0 * 1.0 jumps from 11h to 19h, from 23h to 2Dh and from 57h
+// to 5Eh, which skips 8, 10 and 7 bytes. Data: PUSH and POP of BP, SI, DI, CX and AX, four argument
+// words, the return address.
 TEST(Bus, OfFixedMul) {
   const Program program = assemble(listing(Routine::mul, Target::i8088), {});
   const auto counted = count_clocks<Routine::mul>(program.instructions(),
@@ -25,9 +25,8 @@ TEST(Bus, OfFixedMul) {
   EXPECT_EQ(counted.bus.clocks(), 4U * (73 + 30));
 }
 
-// FixedDiv is 81 bytes, 00h to 50h. -1.0 by 2.0 jumps from 1Ch to 27h alone. Data: BP and CX pushed
-// and popped, three words of arguments read, one negated in memory (read and written), the return
-// address.
+// FixedDiv has 81 bytes, 00h to 50h. -1.0 / 2.0 jumps only from 1Ch to 27h. Data: BP and CX pushed
+// and popped, three argument words read, one negated in memory, the return address.
 TEST(Bus, OfFixedDiv) {
   const Program program = assemble(listing(Routine::div, Target::i8088), {});
   const auto counted = count_clocks<Routine::div>(program.instructions(),
@@ -43,7 +42,7 @@ TEST(Bus, OfSingleInstructions) {
   expect(mov(bp, sp), 2, 0);                  // 89 E5
   expect(mov(ax, word[bp + 6]), 3, 2);        // 8B 46 06
   expect(mov(word[bx + 4], cx), 3, 2);        // 89 4F 04
-  expect(push(word[si + 2]), 3, 4);           // FF 74 02: read, and pushed
+  expect(push(word[si + 2]), 3, 4);           // FF 74 02: memory read, then pushed
   expect(neg(word[bp + 4]), 3, 4);            // F7 5E 04: read and written
   expect(add(cx, word[si + 12]), 3, 2);       // 03 4C 0C
   expect(cmp(bx, 3600), 4, 0);                // 81 FB 10 0E

@@ -1,5 +1,5 @@
 /// @file
-/// Operands for tests of whole routines, and every program there is.
+/// Operands for tests of whole routines, and iteration over all programs.
 #pragma once
 
 #include <array>
@@ -26,13 +26,13 @@ inline constexpr std::array<Build, 6> builds{
     Build{.repaired = true},
 };
 
-/// Chapter 52 has 386 code alone, and only 8088 code is repaired.
+/// Chapter 52 has only 386 code, and only 8088 code has a repaired form.
 constexpr bool is_for(const Build& build, Target target) {
   return target == Target::i386 ? !build.repaired : !build.chapter_52;
 }
 
-/// Operands of `routine`, one case after the other: boundary values in all pairs, angles of every
-/// quadrant, matrices drawn from the boundary values and at random.
+/// Operands of `routine`, case by case: all pairs of boundary values, angles in every quadrant, and
+/// matrices of boundary values and of random words.
 inline std::vector<std::uint32_t> cases(Routine routine) {
   std::vector<std::uint32_t> words;
   const auto in = static_cast<std::size_t>(arity(routine).in);

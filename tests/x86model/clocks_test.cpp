@@ -1,4 +1,4 @@
-// Sums from Intel's tables worked by hand, instruction by instruction.
+// Tests clock counts against hand sums from Intel's tables, instruction by instruction.
 #include "x86model/clocks.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace x86model {
 
-// GoogleTest finds it by its name.
+// GoogleTest finds this function by its name.
 // NOLINTNEXTLINE(readability-identifier-naming)
 void PrintTo(const Range& r, std::ostream* out) { *out << r.min << " to " << r.max; }
 
@@ -27,7 +27,6 @@ using namespace x86model::notation;
 
 constexpr std::array cpus{Cpu::i8088, Cpu::i286, Cpu::i386, Cpu::i486};
 
-/// One executed instruction: what it is and what it takes on one or more processors.
 template <std::size_t Cpus>
 struct Step {
   const char* text;
@@ -35,18 +34,17 @@ struct Step {
 };
 
 constexpr Range exactly(std::uint32_t n) { return {n, n}; }
-/// On 8088, 286, 386, and from ... to on a 486.
+/// Clocks on 8088, 286 and 386, and the range on a 486.
 constexpr std::array<Range, 4> on(std::uint32_t i8088, std::uint32_t i286, std::uint32_t i386,
                                   std::uint32_t i486, std::uint32_t i486_max = 0) {
   return {exactly(i8088), exactly(i286), exactly(i386), {i486, std::max(i486, i486_max)}};
 }
-/// On a 386, and from ... to on a 486.
 constexpr std::array<Range, 2> on_386(std::uint32_t i386, std::uint32_t i486,
                                       std::uint32_t i486_max) {
   return {exactly(i386), {i486, i486_max}};
 }
 
-/// Writes down every instruction and what the counter added for it.
+/// Records every instruction and the clocks that the counter adds for it.
 struct Recorder {
   Recorder(std::span<const Instruction> program, Cpu cpu) : code(program), counter(program, cpu) {}
 
@@ -88,8 +86,8 @@ void expect_steps(Target target, std::vector<std::uint32_t> in,
   }
 }
 
-// 1.0 times 3.0. IMUL: 3 * 2^16 lies between 2^17 and 2^18: 18 + 6, and 3 for the operand in
-// memory. The caller's ADD SP,8 has three components: RET is 10 + 3. On a 486 the address waits a
+// 1.0 * 3.0. IMUL: 3 * 2^16 lies between 2^17 and 2^18, so 18 + 6, plus 3 for the memory operand.
+// RET is 10 + 3 because the caller's ADD SP,8 has three components. On a 486 the address waits one
 // clock for BP, and IMUL takes 10 + 17 to 10 + 18. Sums: 59; 41 to 50.
 TEST(Clocks, FixedMulOfThe386) {
   expect_steps<Routine::mul, 2>(Target::i386, {0x00010000, 0x00030000},
@@ -111,8 +109,8 @@ TEST(Clocks, FixedMulOfThe386) {
   EXPECT_EQ(sum(Cpu::i486), (Range{41, 50}));
 }
 
-// 1.0 by 2.0. Jumps lead to SUB (66 29 D2: 3 components), DIV (66 F7 F3: 3), SHLD (66 0F A4 C2 10:
-// 5). SUB stands between the write of BP and the first address: a 486 does not wait.
+// 1.0 / 2.0. The jump targets are SUB (66 29 D2: 3 components), DIV (66 F7 F3: 3) and SHLD (66 0F
+// A4 C2 10: 5). SUB separates the write of BP from the first address, so a 486 does not wait.
 TEST(Clocks, FixedDivOfThe386) {
   expect_steps<Routine::div, 2>(
       Target::i386, {0x00010000, 0x00020000},
@@ -130,8 +128,8 @@ TEST(Clocks, FixedDivOfThe386) {
        {"pop bp", on_386(4, 1, 4)},          {"ret", on_386(13, 5, 5)}});
 }
 
-// 1.0 times 1.0, on all four. On the 8088, [BP+n] is 9 clocks of address and a word is 4 more.
-// Jumps lead to MOV BX,[BP+10] (8B 5E 0A: 3 bytes, 3 components), PUSH and POP (1 byte).
+// 1.0 * 1.0 on all four. On an 8088, [BP+n] takes 9 address clocks and a word operand 4 more. The
+// jump targets are MOV BX,[BP+10] (8B 5E 0A: 3 bytes, 3 components), PUSH and POP (1 byte).
 TEST(Clocks, FixedMulOfThe8088) {
   expect_steps<Routine::mul, 4>(
       Target::i8088, {0x00010000, 0x00010000},
@@ -150,7 +148,7 @@ TEST(Clocks, FixedMulOfThe8088) {
        {"jns .SaveSignStatus", on(16, 7 + 1, 7 + 1, 3)},
        {"push cx", on(11 + 4, 3, 2, 1)},
        {"push ax", on(11 + 4, 3, 2, 1)},
-       {"mul bx", on(117 + 1 + 1, 21, 3 + 6, 13)},  // 1 * 1: one bit, DX is 0
+       {"mul bx", on(117 + 1 + 1, 21, 3 + 6, 13)},  // 1 * 1: AX has one 1 bit, DX becomes 0
        {"mov cx, ax", on(2, 2, 2, 1)},
        {"mov ax, si", on(2, 2, 2, 1)},
        {"mul bx", on(117 + 0 + 1, 21, 3 + 6, 13)},  // 0 * 1
@@ -176,7 +174,6 @@ TEST(Clocks, FixedMulOfThe8088) {
        {"ret", on(16 + 4, 11 + 3, 10 + 3, 5)}});
 }
 
-/// The forms that the three routines above do not execute.
 TEST(Clocks, OtherForms) {
   const Instruction pushes = push(bp);
   const Instruction adds = add(sp, bytes(8));
@@ -193,7 +190,7 @@ TEST(Clocks, OtherForms) {
   expect({mov(word[bx], ax)}, on(9 + 5 + 4, 3, 2, 1));
   expect({add(cx, word[si + 12])}, on(9 + 9 + 4, 7, 6, 2));
   expect({mov(ax, word[CosTable + bx])}, on(8 + 9 + 4, 5, 4, 1));
-  // The override takes an 8088 2 clocks, a 486 up to 1.
+  // The segment override takes 2 clocks on an 8088, up to 1 on a 486.
   expect({mov(ax, word[cs(CosTable + bx)])}, on(8 + 9 + 2 + 4, 5, 4, 1, 2));
   expect({inc(cx)}, on(2, 2, 2, 1));
   expect({dec(bx)}, on(2, 2, 2, 1));
@@ -255,25 +252,23 @@ std::optional<Range> div_on_8088(std::uint32_t dx_ax, std::uint32_t divisor) {
 }
 
 TEST(Clocks, DivOfThe8088FollowsTheRestoringDivision) {
-  // Nothing is ever subtracted: 15 * 8 + 7. The least in Intel's table.
+  // No step subtracts: 15 * 8 + 7, the minimum in Intel's table.
   EXPECT_EQ(div_on_8088(0, 1), exactly(17 + 15 * 8 + 7));
-  // Every step brings a 1 down and subtracts it: 15 * 9 + 10. The most in Intel's table.
+  // Every step brings down a 1 and subtracts: 15 * 9 + 10, the maximum in Intel's table.
   EXPECT_EQ(div_on_8088(0x0000FFFF, 1), exactly(17 + 15 * 9 + 10));
-  // 7 / 2 = 3: the dividend's 111b comes down last. 1 < 2; 11b - 2 leaves 1; 11b - 2 in the last
-  // step.
+  // 7 / 2 = 3: 1 < 2, then 11b - 2 leaves 1, then 11b - 2 in the last step.
   EXPECT_EQ(div_on_8088(7, 2), exactly(17 + 14 * 8 + 9 + 10));
-  // 6 / 2 = 3: 1 < 2; 11b - 2 leaves 1; 10b - 2 in the last step.
+  // 6 / 2 = 3: 1 < 2, then 11b - 2 leaves 1, then 10b - 2 in the last step.
   EXPECT_EQ(div_on_8088(6, 2), exactly(17 + 14 * 8 + 9 + 10));
-  // 4 / 2 = 2: 10b - 2 leaves 0 in the last step but one, then 0 < 2.
+  // 4 / 2 = 2: 10b - 2 leaves 0 in the second to last step, then 0 < 2.
   EXPECT_EQ(div_on_8088(4, 2), exactly(17 + 14 * 8 + 9 + 7));
-  // Let the remainder be FFFFh - e: a step doubles e and takes off the bit brought down. It starts
-  // at e = 1; with ones brought down it stays there, and every step carries.
+  // Write the remainder as FFFFh - e: a step doubles e and subtracts the bit it brings down. From e
+  // = 1, ones keep e at 1, so every step carries.
   EXPECT_EQ(div_on_8088(0xFFFEFFFF, 0xFFFF), exactly(17 + 15 * 8 + 9));
-  // With zeros, steps 1 to 15 carry (e up to 4000h before them), and step 16, from 7FFFh to FFFEh,
-  // neither carries nor subtracts.
+  // With zeros, steps 1 to 15 carry (e at most 4000h). Step 16, from 7FFFh to FFFEh, does neither.
   EXPECT_EQ(div_on_8088(0xFFFE0000, 0xFFFF), exactly(17 + 15 * 8 + 7));
-  // After step k the remainder is 8001h - 2^k: step 1 carries, from 8000h to 10000h; steps 2 to 15
-  // subtract, from at least 4001h; step 16, from 1 to 2, does not.
+  // After step k the remainder is 8001h - 2^k. Step 1 carries, from 8000h to 10000h. Steps 2 to 15
+  // subtract, from at least 4001h. Step 16, from 1 to 2, does not.
   EXPECT_EQ(div_on_8088(0x80000000, 0x8001), exactly(17 + 8 + 14 * 9 + 7));
 }
 
@@ -281,7 +276,7 @@ std::optional<Range> multiply_on_386(const Instruction& i, std::uint32_t multipl
   return clocks(Cpu::i386, {.instruction = i, .operand = multiplier});
 }
 
-// 6 and the logarithm of the multiplier rounded up, which counts as 3 at least.
+// 6 plus log2 of the multiplier, rounded up and at least 3.
 TEST(Clocks, MultiplyOfThe386StopsAtTheHighestBit) {
   EXPECT_EQ(multiply_on_386(mul(bx), 0), exactly(9));
   EXPECT_EQ(multiply_on_386(mul(bx), 1), exactly(9));
@@ -301,8 +296,8 @@ std::optional<Range> multiply_on_486(const Instruction& i, std::uint32_t multipl
   return clocks(Cpu::i486, {.instruction = i, .operand = multiplier});
 }
 
-// 10 and the logarithm of the multiplier rounded down to rounded up, which counts as 3 at least, or
-// as 5 where the multiplier is negative. A dword's prefix may take one more.
+// 10 plus log2 of the multiplier, between rounded down and rounded up, and at least 3, or at least
+// 5 for a negative multiplier. The prefix of a dword instruction may take one more clock.
 TEST(Clocks, MultiplyOfThe486FollowsTheManualsRule) {
   EXPECT_EQ(multiply_on_486(mul(bx), 0), exactly(13)) << "the least in the table";
   EXPECT_EQ(multiply_on_486(mul(bx), 1), exactly(13));
@@ -321,7 +316,7 @@ TEST(Clocks, MultiplyOfThe486FollowsTheManualsRule) {
   EXPECT_EQ(multiply_on_486(by_memory, 0x80000000), (Range{41, 41 + 1})) << "-2^31";
 }
 
-/// What an instruction takes more on a 486 because of the one before it.
+/// The extra clocks of an instruction on a 486 because of the instruction before it.
 Range wait_after(const Instruction& before, const Instruction& i) {
   const Range alone = clocks(Cpu::i486, {i}).value();
   const Range after = clocks(Cpu::i486, {.instruction = i, .previous = &before}).value();
@@ -355,7 +350,7 @@ TEST(Clocks, The486WaitsForRegistersWrittenUnnamed) {
   EXPECT_EQ(wait_after(loop("Pixel"), mov(byte[Screen + ecx], bl)), exactly(1));
 }
 
-// The manual's rule is about the base register alone.
+// The manual states its rule only for the base register.
 TEST(Clocks, The486MayWaitForAScaledIndex) {
   EXPECT_EQ(wait_after(inc(edi), cmp(bx, word[ZBuff + twice(edi)])), (Range{0, 1}));
   EXPECT_EQ(wait_after(inc(esi), cmp(bx, word[ZBuff + twice(edi)])), exactly(0));
@@ -418,7 +413,7 @@ TEST(Clocks, EachProcessorNeedsFewerThanTheOneBefore) {
         ASSERT_EQ(bus == BusBytes{}, cpu != Cpu::i8088);
         ASSERT_LE(clocks.min, clocks.max);
         ASSERT_LT(clocks.min, before.min) << name_of(routine) << name_of(cpu) << " case " << i / in;
-        // At its worst, a 486 is no faster than a 386.
+        // In the worst case, a 486 is no faster than a 386.
         if (cpu != Cpu::i486) {
           ASSERT_LT(clocks.max, before.max) << name_of(routine) << name_of(cpu) << ' ' << i / in;
         }
@@ -435,7 +430,6 @@ TEST(Clocks, AFaultAddsNone) {
       count_clocks<Routine::div>(program.instructions(), in, Cpu::i386);
   EXPECT_EQ(ending.outcome, Outcome::divide_error);
   EXPECT_EQ(bus, BusBytes{});
-  // The rows of FixedDiv above, up to DIV.
   EXPECT_EQ(clocks, exactly(2 + 2 + 2 + 4 + 2 + 10 + 2 + 3 + 2 + 2 + 4 + 2 + 10));
 }
 

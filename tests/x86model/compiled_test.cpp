@@ -1,4 +1,5 @@
-// The compiled run against the plain interpreter: same outcome, same results, at both widths.
+// Tests that the compiled run and the plain interpreter give the same outcome and results at both
+// widths.
 #include "x86model/compiled.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace {
 
 using namespace x86model;
 
-/// Programs are compiled where the party `model` is: to compile them here again takes a minute.
+/// Uses the programs that the party `model` compiles, because compiling takes a minute.
 void expect_agreement(const fixproof::cases::Variant& variant) {
   const auto words = test::cases(static_cast<Routine>(variant.operation));
   const std::size_t in = fixproof::cases::words_in(variant.operation);

@@ -1,4 +1,4 @@
-// Nothing is modelled that no routine executes.
+// Tests that routines execute everything that the model implements.
 #include <gtest/gtest.h>
 
 #include <set>

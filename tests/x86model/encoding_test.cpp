@@ -12,7 +12,7 @@ namespace {
 using namespace x86model;
 using namespace x86model::notation;
 
-/// The programs together hold every form: a byte too many or too few shows in some sum.
+/// The programs together contain every form, so a wrong length of any form changes some sum.
 TEST(Encoding, ProgramsAreAsLongAsNasmMakesThem) {
   for (const fixproof::machine_code::ProgramKey& key : fixproof::machine_code::all_programs()) {
     const auto assembled = fixproof::machine_code::machine_code(key);
@@ -37,8 +37,8 @@ TEST(Encoding, LoopsAreAsLongAsNasmMakesThem) {
   }
 }
 
-/// The displacement that NASM puts at the end of a jump leads to the place that the lengths give
-/// its label: so lengths do not only add up over whole programs.
+/// Tests the length of each label's prefix, not only of whole programs: the displacement that NASM
+/// puts at the end of a jump must lead to the place that the lengths give its label.
 TEST(Encoding, LabelsStandWhereNasmPutsThem) {
   constexpr std::uint8_t short_jump = 0xEB;
   std::size_t jumps = 0;
@@ -78,7 +78,7 @@ TEST(Encoding, PositionsAreThoseOfFirstBytes) {
   }
 }
 
-/// Bytes as an assembler lists them, then the components a 386 counts.
+/// The bytes as an assembler lists them, then the components that a 386 counts.
 TEST(Encoding, PartsOfSomeInstructions) {
   struct Case {
     Instruction instruction;
@@ -111,17 +111,16 @@ TEST(Encoding, PartsOfSomeInstructions) {
       Case{jz("near"), 2, 2},                          // 74 xx
       Case{call("procedure"), 3, 2},                   // E8 xx xx
       Case{ret(), 1, 1},                               // C3
-      // of the loops
-      Case{mov(al, dh), 2, 2},                        // 88 F0
-      Case{mov(al, byte[Texture + bx]), 4, 3},        // 8A 87 iw
-      Case{mov(byte[Screen + edi], al), 7, 4},        // 67 88 87 id
-      Case{mov(word[ZBuff + twice(edi)], bx), 8, 5},  // 67 89 1C 7D id
-      Case{cmp(bx, word[ZBuff + twice(edi)]), 8, 5},  // 67 3B 1C 7D id
-      Case{add(esi, dword[IncJ]), 5, 4},              // 66 03 36 iw
-      Case{inc(edi), 2, 2},                           // 66 47
-      Case{stosb(), 1, 1},                            // AA
-      Case{loop("near"), 2, 2},                       // E2 xx
-      Case{jmp(bx), 2, 2},                            // FF E3
+      Case{mov(al, dh), 2, 2},                         // 88 F0
+      Case{mov(al, byte[Texture + bx]), 4, 3},         // 8A 87 iw
+      Case{mov(byte[Screen + edi], al), 7, 4},         // 67 88 87 id
+      Case{mov(word[ZBuff + twice(edi)], bx), 8, 5},   // 67 89 1C 7D id
+      Case{cmp(bx, word[ZBuff + twice(edi)]), 8, 5},   // 67 3B 1C 7D id
+      Case{add(esi, dword[IncJ]), 5, 4},               // 66 03 36 iw
+      Case{inc(edi), 2, 2},                            // 66 47
+      Case{stosb(), 1, 1},                             // AA
+      Case{loop("near"), 2, 2},                        // E2 xx
+      Case{jmp(bx), 2, 2},                             // FF E3
   };
   for (const Case& c : cases) {
     EXPECT_EQ(encoding_of(c.instruction).bytes(), c.bytes) << text_of(c.instruction);

@@ -1,6 +1,6 @@
-// The model is as small as the routines and loops allow: every form of instruction is executed by
-// one of them and none can be left out, by the oracle's judgement; of the loops tests/loops says
-// so.
+// Tests that the model is minimal: routines and loops execute every form of instruction, and
+// leaving out any form gives results that the oracle rejects. For the loops, tests/loops tests the
+// latter.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 using namespace x86model;
 
-/// Kind and size of an operand, and what else the interpreter tells apart: how a constant follows
-/// the width, and the named place in memory. A shift by one is an encoding of its own.
+/// The operand's kind and size, and the details that the interpreter distinguishes: how a constant
+/// depends on the width, and the addressing. A shift by one is a form of its own.
 std::string form_of(const Operand& o, bool is_count) {
   const auto bits = [&] { return o.size == Size::byte ? "8" : o.size == Size::word ? "16" : "32"; };
   switch (o.kind) {
@@ -50,14 +50,13 @@ std::string form_of(const Operand& o, bool is_count) {
   return is_count && o.value == 1 ? " 1" : " imm";
 }
 
-/// `mov r16 m16`, `shr r32 1`.
+/// For example `mov r16 m16` or `shr r32 1`.
 std::string form_of(const Instruction& i) {
   std::string form(name_of(i.mnemonic));
   for (const Operand& o : i.operands) form += form_of(o, detail::is_shift(i.mnemonic));
   return form;
 }
 
-/// The operands of a routine: those of test::cases(), and every angle.
 std::vector<std::uint32_t> all_cases(Routine routine) {
   if (routine != Routine::cossin) return test::cases(routine);
   std::vector<std::uint32_t> angles(0x10000);
@@ -65,7 +64,6 @@ std::vector<std::uint32_t> all_cases(Routine routine) {
   return angles;
 }
 
-/// What the oracle says of every case of one build.
 struct Expected {
   std::vector<std::uint32_t> out;
   std::vector<fixproof::parties::Ending> endings;
@@ -89,8 +87,8 @@ Expected oracle_of(const Build& build, std::span<const std::uint32_t> words) {
   return expected;
 }
 
-/// The first case in which `program` does not do what the oracle and a C caller ask: the results or
-/// the divide error, and BP, SI, DI and SP as they were. Nothing where there is none.
+/// The first case in which `program` breaks its contract; nothing if there is none. The contract is
+/// the oracle's results or divide error, and BP, SI, DI and SP preserved for a C caller.
 template <Routine routine>
 std::optional<std::size_t> first_broken(const Program& program,
                                         std::span<const std::uint32_t> words,
@@ -98,7 +96,7 @@ std::optional<std::size_t> first_broken(const Program& program,
   constexpr auto in = static_cast<std::size_t>(arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(arity(routine).out);
   CallMachine<routine, 16> ready;
-  // Registers hold anything on entry; what is zeroed by the routine must not be zero before.
+  // Registers hold arbitrary values on entry, so that a routine must clear what it needs to be 0.
   for (std::size_t r = 0; r < register_count; ++r) {
     ready.registers.write(static_cast<Register>(r), Size::dword,
                           0x89ABCDEF * static_cast<std::uint32_t>(r + 1));
@@ -114,7 +112,6 @@ std::optional<std::size_t> first_broken(const Program& program,
     for (const Register r : {Register::bp, Register::si, Register::di}) {
       if (m.registers.read(r, Size::word) != before.read(r, Size::word)) return i;
     }
-    // RET has taken the return address.
     if (m.registers.read(Register::sp, Size::word) != before.read(Register::sp, Size::word) + 2) {
       return i;
     }
@@ -126,8 +123,8 @@ std::optional<std::size_t> first_broken(const Program& program,
   return std::nullopt;
 }
 
-/// Replaces an instruction by one that does nothing. RET ends the run instead: without it XformVec
-/// would run into the FixedMul behind it, and that returns.
+/// Replaces an instruction by a no-op. Replaces RET by an end of the run: without RET, XformVec
+/// would run into the FixedMul behind it, which returns.
 void leave_out(Instruction& instruction) {
   using namespace notation;
   constexpr auto nowhere = static_cast<std::int32_t>(Program{}.code.size());
@@ -136,7 +133,6 @@ void leave_out(Instruction& instruction) {
   if (ends) instruction.operands[0].value = nowhere;
 }
 
-/// The program without any instruction of a form.
 Program without(const Program& program, const std::string& form) {
   Program rest = program;
   for (std::size_t at = 0; at < rest.size; ++at) {
@@ -145,7 +141,7 @@ Program without(const Program& program, const std::string& form) {
   return rest;
 }
 
-/// Calls `visit.operator()<routine, target>(build, program, words)` for every program there is.
+/// Calls `visit.operator()<routine, target>(build, program, words)` for every program.
 template <class Visit>
 void each_program(Visit visit) {
   test::each_routine([&]<Routine routine, Target target>() {
@@ -162,7 +158,6 @@ std::string with_target(Target target, const std::string& form) {
   return (target == Target::i386 ? "386 " : "8088 ") + form;
 }
 
-/// What runs have executed.
 struct Executed {
   std::set<std::string> forms;
   std::set<Mnemonic> mnemonics;
@@ -189,10 +184,10 @@ struct Executed {
   }
 };
 
-/// What two pixels of a loop execute; of a depth test one is drawn.
+/// Notes the instructions of two pixels of a loop. A depth test draws one of them.
 void note_executed(const LoopForm& form, Executed& executed) {
   std::vector<std::uint8_t> memory(0x1000);
-  // Nearer than all but the first.
+  // Nearer than every pixel but the first.
   memory.at(0x501) = 0x7F;
   LoopMachine m{.registers = {}, .memory = ByteMemory(memory, memory, memory)};
   const auto code = code_of(form);
@@ -208,7 +203,7 @@ TEST(Minimal, EveryFormIsExecuted) {
   Executed executed;
   std::set<std::string> listed;
   const auto list = [&](Target target, const Listing& rows) {
-    // SHL BX,2 of the printed CosSin is no instruction of an 8088: no program here has it.
+    // An 8088 does not have the SHL BX,2 of the printed CosSin, so no program here contains it.
     bool left_out = false;
     for (std::size_t i = 0; i < rows.size; ++i) {
       const Instruction& row = rows.rows.at(i);
@@ -240,15 +235,14 @@ TEST(Minimal, EveryFormIsExecuted) {
   EXPECT_EQ(executed.forms, listed);
   EXPECT_EQ(executed.mnemonics.size(), mnemonic_count);
   EXPECT_EQ(executed.registers.size(), register_count);
-  // All that instruction.hpp names: none, reg, memory, immediate, label; none, byte, word, dword;
-  // literal, bytes, half_unit, word_bits; none, cos_table, inc_j, texture, screen, z_buff;
-  // the four ways to make an address.
+  // Everything that instruction.hpp names: none, reg, memory, immediate, label; none, byte, word,
+  // dword; literal, bytes, half_unit, word_bits; none, cos_table, inc_j, texture, screen, z_buff;
+  // the four ways to form an address.
   EXPECT_EQ(executed.kinds.size(), 5U);
   EXPECT_EQ(executed.sizes.size(), 4U);
   EXPECT_EQ(executed.scalings.size(), 4U);
   EXPECT_EQ(executed.symbols.size(), 6U);
   EXPECT_EQ(executed.addressings.size(), 4U);
-  // None, and CS.
   EXPECT_EQ(executed.segments.size(), 2U);
 }
 

@@ -1,4 +1,4 @@
-// Whole routines: what a caller relies on beside the result.
+// Tests what a caller of a whole routine relies on besides the result.
 #include "x86model/routine.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,7 @@ TEST(Routine, NeverReadsAnUndefinedFlagAndAlwaysEnds) {
   });
 }
 
-/// Runs every case from registers full of `garbage` and returns all results and the machine at the
-/// end.
+/// Runs every case with registers full of `garbage`. Returns all results and the final machine.
 template <Routine routine, Target target>
 std::vector<std::uint32_t> results_from(std::uint32_t garbage) {
   const Program program = assemble(listing(routine, target), {});
@@ -49,7 +48,7 @@ std::vector<std::uint32_t> results_from(std::uint32_t garbage) {
     const auto before = m.registers;
     const Ending ending = run(program.instructions(), m);
     if (ending.outcome != Outcome::returned) continue;
-    // A C caller keeps BP, SI and DI across a call, and pops the return address itself.
+    // A C caller relies on BP, SI and DI across a call, and RET pops only the return address.
     for (const Register kept : {Register::bp, Register::si, Register::di}) {
       EXPECT_EQ(m.registers.read(kept, Size::word), before.read(kept, Size::word))
           << name_of(routine);
@@ -85,8 +84,8 @@ TEST(Routine, TheCosineTableIsTheNearestOneAtEveryStepSize) {
 }
 
 TEST(Routine, NoAngleReadsOutsideTheTable) {
-  // Memory ends with the table: any address behind it ends the run with bad_address. What lies
-  // before it is guarded by the result, which is compared for every angle.
+  // Memory ends with the table, so any address behind it ends the run with bad_address. A read
+  // before the table changes the result, which is compared for every angle.
   for (const Target target : {Target::i386, Target::i8088}) {
     const Program program = assemble(listing(Routine::cossin, target), {});
     CallMachine<Routine::cossin, 16> m;

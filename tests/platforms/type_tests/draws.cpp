@@ -1,5 +1,6 @@
-// tests/fixed/property.hpp where RapidCheck cannot be had, as on a machine that is only emulated:
-// operands of every magnitude from a counter, and the first counterexample as it is.
+// Replaces tests/fixed/property.hpp where RapidCheck is not available, for example on emulated
+// machines. Draws operands of every magnitude from a fixed generator and does not shrink
+// counterexamples.
 #include <cstdint>
 #include <iostream>
 #include <random>
@@ -13,7 +14,7 @@ namespace {
 constexpr int cases = 1000;
 constexpr int longest_list = 40;
 
-/// The lower bits of a word of any magnitude, with a sign.
+/// The low bits of a word of any magnitude and either sign.
 std::int64_t draw(std::mt19937_64& random, int fraction_bits) {
   const auto width = static_cast<int>(random() % static_cast<unsigned>(2 * fraction_bits)) + 1;
   return static_cast<std::int64_t>(random()) >> (64 - width);
