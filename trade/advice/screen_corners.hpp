@@ -14,7 +14,7 @@
 
 namespace fixproof::trade {
 
-/// Pixels from the center of the page, y up.
+/// Pixels from the centre of the page, y up.
 using ScreenPlace = std::array<double, 2>;
 
 /// One moving object under a number type. It computes the same as xsharp::Polyhedron before

@@ -17,7 +17,7 @@ struct StripRow {
 };
 
 /// Returns an SVG with a row for each arithmetic and a column for each of `frames`. The object
-/// stays centered in its cell and has the orientation of the scene.
+/// stays centreed in its cell and has the orientation of the scene.
 /// @param labels one for each column
 std::string drift_strip(const std::vector<StripRow>& rows, std::size_t object,
                         const std::vector<std::uint64_t>& frames,
