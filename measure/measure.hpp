@@ -35,7 +35,6 @@ class MeasureProgress {
   }
   void show(std::uint64_t done) { line_->show(done_ = done); }
   void add_part() { show(done_ + 1); }
-  /// Removes the progress line from the terminal.
   void end() { line_.reset(); }
 
   [[nodiscard]] const std::atomic<bool>& stop() const { return stop_; }

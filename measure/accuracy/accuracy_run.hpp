@@ -28,7 +28,6 @@ std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std:
 OperandSet scene_operands(const MeasuredOperation& operation, const std::string& scene,
                           const player::OperandLog& log, std::uint64_t cases);
 
-/// The errors of one subject over one set.
 struct AccuracyRow {
   std::string operation;
   Subject subject;

@@ -25,7 +25,6 @@ std::optional<double> word(N x) {
   return x.raw();
 }
 
-/// The operations under test, in terms of the number type.
 constexpr auto product = []<class N>(CaseWords in) {
   return word(operand<N>(in, 0) * operand<N>(in, 1));
 };
@@ -87,7 +86,6 @@ std::optional<ExactResult> exact_dot(CaseWords in) {
   return ExactResult{sum, oracle::one(16)};
 }
 
-/// A subject for a preset of the fixed-point type.
 template <class N, class Function>
 Subject preset(Function /*of the type*/, std::string name, std::string alike) {
   return {std::move(name), std::move(alike),

@@ -22,7 +22,6 @@ struct ExactResult {
   oracle::Integer denominator;  ///< positive
 };
 
-/// One implementation of an operation.
 struct Subject {
   std::string name;  ///< a preset of the type, a library, float or double
   std::string
@@ -57,7 +56,6 @@ std::vector<MeasuredOperation> measured_operations();
 std::optional<Subject> libfixmath_subject(const std::string& operation);
 std::optional<Subject> freetype_subject(const std::string& operation);
 
-/// Whether the library is built in.
 bool has_libfixmath();
 bool has_freetype();
 

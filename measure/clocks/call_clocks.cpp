@@ -12,7 +12,6 @@ namespace {
 
 namespace x86 = x86model;
 
-/// Counts clocks for several processors at once.
 class Counters {
  public:
   Counters(std::span<const x86::Instruction> code, std::span<const x86::Cpu> cpus) {

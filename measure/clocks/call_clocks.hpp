@@ -50,7 +50,6 @@ class Spread {
   std::uint64_t calls_ = 0;
 };
 
-/// The clocks on one processor.
 struct ProcessorClocks {
   x86model::Cpu cpu{};
   Spread clocks{};              ///< by Intel's table

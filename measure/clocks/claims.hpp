@@ -29,14 +29,12 @@ enum class Evidence {
 /// undecided.
 Verdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence);
 
-/// One figure.
 struct ClaimFigure {
   std::string where;  ///< scene, code and processor
   Bounds measured;
   Verdict verdict{};
 };
 
-/// One published claim.
 struct Claim {
   std::string text;   ///< in our words
   std::string place;  ///< where it is printed: chapter and section

@@ -15,7 +15,6 @@ struct FrameClocks {
   x86model::Range table;   ///< by Intel's tables, which give ranges in places
   x86model::BusBytes bus;  ///< on an 8088; see x86model/bus.hpp
 
-  /// The mean per frame.
   [[nodiscard]] Clocks per_frame(double frames) const {
     return {{static_cast<double>(table.min) / frames, static_cast<double>(table.max) / frames},
             static_cast<double>(bus.clocks()) / frames};

@@ -13,7 +13,6 @@
 
 namespace fixproof::measure {
 
-/// One operation and all its contenders.
 struct HostTable {
   std::string operation;
   std::string operands;           ///< in words

@@ -23,7 +23,6 @@ struct HostCase {
   double result = 0;
 };
 
-/// The timed loops of one contender for one operation.
 class HostLoop : private boost::noncopyable {
  public:
   HostLoop() = default;

@@ -63,7 +63,6 @@ inline HostJudgement cosine_rounded(const HostCase& c) {
   return is_word(c.result, oracle::cos_sin(static_cast<std::int16_t>(c.operands[0])).cos);
 }
 
-/// One of the three coordinates of a vertex, with every product rounded.
 template <oracle::Rounding R>
 HostJudgement coordinate_rounded(const HostCase& c) {
   std::uint32_t sum = word_of_units(c.operands[3]);

@@ -22,7 +22,6 @@ class WrongContender : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The results of one contender for one operation.
 struct HostRow {
   std::string operation;
   std::string name;

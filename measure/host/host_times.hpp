@@ -29,7 +29,6 @@ support::Json to_json(const Times& times);
 /// @param samples at least one, in any order
 Times times_of(std::vector<double> samples);
 
-/// A loop to be timed.
 struct TimedLoop {
   std::function<void()> pass;
   std::size_t operations;  ///< per pass

@@ -38,7 +38,6 @@ Bounds clocks_alone(Cpu cpu, std::initializer_list<x86::Instruction> instruction
   return {static_cast<double>(sum.min), static_cast<double>(sum.max)};
 }
 
-/// The clocks of the depth loop for a drawn pixel, after the depth test.
 Bounds clocks_of_depth_write(Cpu cpu) {
   using namespace x86::notation;
   return clocks_alone(cpu,

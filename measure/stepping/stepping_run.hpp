@@ -12,7 +12,6 @@
 
 namespace fixproof::measure {
 
-/// The results of one variant.
 struct SteppingRow {
   SteppingVariant variant;
   SteppingStatistics statistics;

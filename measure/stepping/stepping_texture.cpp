@@ -26,7 +26,6 @@ namespace {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ needs typedef
 
-/// The ends of one texture coordinate and of the depth.
 struct PerspectiveEnds {
   LineEnds place;  ///< 128 to 65408: from the middle of the first texel to that of the last
   LineEnds depth;
@@ -98,7 +97,6 @@ class Perspective {
     stepped_.depth = xsharp::step_across(near, far, place.units, place.distance);
   }
 
-  /// The computed coordinate at pixel k.
   [[nodiscard]] std::array<N, 1> at(std::size_t k) const { return stepped_.at(k); }
 
   /// The largest error of at(k), in units.

@@ -25,7 +25,6 @@ constexpr std::size_t row_pixels = xsharp::longest_span;
 /// Spans per pass of the setup loop.
 constexpr std::size_t begun_spans = 256;
 
-/// The timed loops and their buffers.
 class TimedRow {
  public:
   explicit TimedRow(std::uint64_t seed) {
@@ -169,7 +168,6 @@ constexpr std::array passes{
 
 constexpr double costed_span = 160;
 
-/// The timed parts of a stepping variant.
 struct Recipe {
   const char* value;
   const char* rule;

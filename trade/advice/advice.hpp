@@ -17,7 +17,6 @@
 
 namespace fixproof::trade {
 
-/// A choice with its cost and its error.
 struct Tried {
   Choice choice{};
   Cost cost{};
@@ -45,7 +44,6 @@ struct Advice {
 /// @param tried at least one, sorted by cost
 Advice advise(std::span<const Tried> tried, double budget);
 
-/// The request and the results of `advise`.
 struct AdviceReport {
   std::string scene;
   std::uint64_t frames = 0;  ///< measured

@@ -102,7 +102,6 @@ measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& 
           mean(never.bus, always.bus)};
 }
 
-/// Counts each choice once.
 class ClockMemory {
  public:
   ClockMemory(const xsharp::Scene& scene, x86model::Cpu cpu) : scene_(scene), cpu_(cpu) {}

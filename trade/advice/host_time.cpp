@@ -44,7 +44,6 @@ std::vector<Choice> timed_for(std::span<const Choice> choices) {
   return timed;
 }
 
-/// The times of all choices, one sample per round.
 class RoundTimes {
  public:
   RoundTimes(const xsharp::Scene& scene, std::vector<Choice> timed) : timed_(std::move(timed)) {

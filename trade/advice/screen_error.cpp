@@ -83,7 +83,6 @@ std::unique_ptr<ScreenRun> screen_run(const Scene& scene, const Choice& choice) 
   });
 }
 
-/// The exact positions of the corners.
 class ExactRun {
  public:
   explicit ExactRun(const Scene& scene) : view_(xsharp::view_of<double>(scene)) {
@@ -108,7 +107,6 @@ class ExactRun {
   ExactPlaces places_;
 };
 
-/// The run of a choice, and the index of its divide.
 struct Part {
   std::size_t run = 0;
   std::size_t divide = 0;

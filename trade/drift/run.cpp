@@ -18,7 +18,6 @@ namespace {
 using xsharp::ObjectDescription;
 using xsharp::RotationStyle;
 
-/// The motions of all objects in one number type.
 class Motions : private boost::noncopyable {
  public:
   Motions() = default;

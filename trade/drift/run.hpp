@@ -24,7 +24,6 @@ enum class Without {
   all,       ///< all three
 };
 
-/// One row of the table.
 struct DriftCase {
   /// Only the target and `mul_round` count: rotations neither divide nor overflow.
   cases::Build build{};

@@ -16,13 +16,11 @@ namespace fixproof::trade {
 
 namespace {
 
-/// Angles have 16 bits, all other words 32.
 std::int64_t value_in(cases::Operation operation, std::uint32_t word) {
   if (operation == cases::Operation::cossin) return static_cast<std::int16_t>(word);
   return static_cast<std::int32_t>(word);
 }
 
-/// Repeats one call on the model and records it.
 template <x86model::Routine routine>
 void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
   const cases::Operation operation = profile.variant.operation;

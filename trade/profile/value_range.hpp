@@ -15,7 +15,6 @@ constexpr int signed_bits(std::int64_t value) {
          static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value)));
 }
 
-/// The least and the greatest of the added values.
 class ValueRange {
  public:
   constexpr void add(std::int64_t value) {

@@ -31,7 +31,6 @@ bool quotient_wraps(const cases::Variant& variant, std::uint32_t n, std::uint32_
   return !fits(value_of(n) * 65536 / divisor);
 }
 
-/// The dot product of a transform's row and a column.
 std::int64_t row_times(const cases::Variant& variant, std::span<const std::uint32_t> row,
                        std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return exact_product(variant, row[0], x) + exact_product(variant, row[1], y) +
