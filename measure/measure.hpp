@@ -15,19 +15,19 @@ namespace fixproof::measure {
 
 /// The options of `fixproof measure`. Each measurement has its own default for `cases`.
 struct MeasureRequest {
-  std::vector<xsharp::Scene> scenes;   ///< their operands are recorded
-  std::uint64_t seed = 1994;           ///< of random operands
+  std::vector<xsharp::Scene> scenes;   ///< whose operands are recorded
+  std::uint64_t seed = 1994;           ///< seed of the random operands
   std::optional<std::uint64_t> cases;  ///< random cases of each kind
-  std::uint64_t rounds = 101;          ///< in each round, every loop is timed once
+  std::uint64_t rounds = 101;          ///< each round times every loop once
 };
 
-/// Counts the finished parts of a measurement, shows them on the terminal, and says when to stop.
-/// A measurement that stops early returns nothing.
+/// Counts the finished parts of a measurement, shows them on the terminal, and tells the
+/// measurement when to stop. A measurement that stops early returns nothing.
 class MeasureProgress {
  public:
   explicit MeasureProgress(const std::atomic<bool>& stop) : stop_(stop) {}
 
-  /// @param unit what the parts are, in the plural
+  /// @param unit the name of the parts, in the plural
   void begin(std::uint64_t all, std::string_view unit) {
     all_ = all;
     unit_ = unit;
@@ -35,7 +35,6 @@ class MeasureProgress {
   }
   void show(std::uint64_t done) { line_->show(done_ = done); }
   void add_part() { show(done_ + 1); }
-  /// Removes the line from the terminal.
   void end() { line_.reset(); }
 
   [[nodiscard]] const std::atomic<bool>& stop() const { return stop_; }

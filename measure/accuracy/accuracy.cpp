@@ -12,7 +12,7 @@ namespace {
 using support::Json;
 
 constexpr std::uint64_t default_accuracy_cases = 500'000;
-/// Operands of the other measurements per point of an octave of distance.
+/// The other measurements use this many times as many operands as each octave has points.
 constexpr std::uint64_t points_share = 10;
 
 Json to_json(const AccuracyRow& row) {

@@ -26,8 +26,8 @@ struct AccuracyResult {
 std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
                                                MeasureProgress& progress);
 
-/// Errors are in ulps of 16.16, those of points in pixels. `correct` is the share, 0 ... 1, within
-/// half an ulp.
+/// Errors are in ulps of 16.16, but those of points are in pixels. `correct` is the share, 0 ... 1,
+/// of results within half an ulp.
 ///
 ///     made        {command, seed, compiler, date}
 ///     scenes      the scenes whose operands were recorded

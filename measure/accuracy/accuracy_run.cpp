@@ -16,7 +16,7 @@ namespace {
 
 using oracle::Integer;
 
-/// Random words of a stream; which operation they are said to be of only chooses other ones.
+/// Random words of a stream. make_cases() needs an operation; multiplies serve every operation.
 std::vector<std::uint32_t> words_of_stream(cases::Stream stream, std::uint64_t seed,
                                            std::size_t words) {
   std::vector<std::uint32_t> all(words + words % 2);
@@ -25,12 +25,12 @@ std::vector<std::uint32_t> words_of_stream(cases::Stream stream, std::uint64_t s
   return all;
 }
 
-/// The upper bits of a word as a number of that many bits with a sign.
+/// The upper `bits` bits of a word, sign-extended.
 std::uint32_t signed_bits(std::uint32_t word, int bits) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(word) >> (32 - bits));
 }
 
-/// What the kind's uniform operands are, made of words that are all as likely.
+/// Maps a uniform word to a uniform operand of the kind.
 std::uint32_t confined(OperandKind kind, std::uint32_t word) {
   switch (kind) {
     case OperandKind::factors:
@@ -44,7 +44,7 @@ std::uint32_t confined(OperandKind kind, std::uint32_t word) {
   }
 }
 
-/// Whether a word can hold the exact result, rounded to either side of it.
+/// Whether a word can hold the exact result rounded in either direction.
 bool fits(const ExactResult& exact) {
   static const Integer limit = Integer(1) << 31;
   return exact.numerator >= -limit * exact.denominator &&
@@ -63,14 +63,14 @@ void add(AccuracyRow& row, CaseWords in, const ExactResult& exact) {
 }  // namespace
 
 void add_error(ErrorStatistics& errors, double result, const ExactResult& exact) {
-  // mantissa 2^-places
+  // The result is mantissa * 2^-places.
   int places = 0;
   double mantissa = result;
   if (result != std::trunc(result)) {
     int exponent = 0;
     constexpr int bits = std::numeric_limits<double>::digits;
     mantissa = std::ldexp(std::frexp(result, &exponent), bits);
-    places = bits - exponent;  // positive, as the result is no whole number
+    places = bits - exponent;  // positive, because the result is not a whole number
   }
   const Integer denominator = exact.denominator << places;
   const Integer off = Integer(static_cast<std::int64_t>(mantissa)) * exact.denominator -
@@ -91,14 +91,14 @@ std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std:
   for (std::uint32_t& word : uniform.words) word = confined(operation.kind, word);
   std::vector<OperandSet> sets{uniform};
   if (operation.kind == OperandKind::quotients) {
-    // Random words are nearly all large: smaller ones make other quotients.
+    // Uniform words are nearly all large, so smaller ones add other quotients.
     sets.push_back({"uniform to 2048", std::move(uniform.words)});
     for (std::uint32_t& word : sets.back().words) word = signed_bits(word, 28);
   }
   OperandSet scaled{"log-uniform",
                     words_of_stream(cases::Stream::scaled, seed, cases * operation.words)};
   if (operation.kind == OperandKind::radicand) {
-    // A root's operand has no sign: the magnitude in its place.
+    // Radicands are not negative.
     for (std::uint32_t& word : scaled.words) {
       if (static_cast<std::int32_t>(word) < 0) word = ~word;
     }
@@ -122,7 +122,7 @@ OperandSet scene_operands(const MeasuredOperation& operation, const std::string&
       break;
     case OperandKind::angle:
       for (const std::uint32_t word : log.at(static_cast<std::size_t>(cases::Operation::cossin))) {
-        // 16 bits with a sign.
+        // Angles have 16 bits.
         all.push_back(static_cast<std::uint32_t>(static_cast<std::int16_t>(word)));
       }
       break;
@@ -134,7 +134,7 @@ OperandSet scene_operands(const MeasuredOperation& operation, const std::string&
   const std::uint64_t kept = std::min(recorded, cases);
   OperandSet set{scene, {}};
   for (std::uint64_t i = 0; i < kept; ++i) {
-    // One of each stretch: at equal steps a scene's own rhythm could show.
+    // A random case from each stretch, because equal steps could alias with the scene's own rhythm.
     const std::uint64_t begin = i * recorded / kept;
     cases::Draw draw(0, i);
     const std::uint64_t chosen = begin + draw.below((i + 1) * recorded / kept - begin);

@@ -1,5 +1,5 @@
 /// @file
-/// The errors of every subject of an operation over the same operands.
+/// Measures the errors of all subjects of an operation over the same operands.
 #pragma once
 
 #include <atomic>
@@ -13,35 +13,35 @@
 
 namespace fixproof::measure {
 
-/// Operands of one operation, one case after the other.
+/// The operands of one operation, case by case.
 struct OperandSet {
-  std::string name;  ///< `uniform`, `log-uniform`, `every angle`, or a scene's
+  std::string name;  ///< `uniform`, `log-uniform`, `every angle` or the name of a scene
   std::vector<std::uint32_t> words;
 };
 
-/// The sets of random operands of `operation`, `cases` each; of angles every one.
+/// The sets of random operands, `cases` each. For angles, one set of all angles.
 std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std::uint64_t seed,
                                         std::uint64_t cases);
 
-/// What a scene gives the operation, thinned out to `cases` at most; empty where it never does.
+/// A random sample of at most `cases` operands from a scene; empty if the scene never calls the
+/// operation.
 OperandSet scene_operands(const MeasuredOperation& operation, const std::string& scene,
                           const player::OperandLog& log, std::uint64_t cases);
 
-/// Of one subject over one set.
 struct AccuracyRow {
   std::string operation;
   Subject subject;
   std::string operands;
   ErrorStatistics errors;
-  std::uint64_t beyond = 0;  ///< cases that have no exact result, or one that does not fit
-  std::uint64_t faults = 0;  ///< cases whose exact result fits but that are divide errors
+  std::uint64_t beyond = 0;  ///< cases without an exact result, or with one that does not fit
+  std::uint64_t faults = 0;  ///< divide errors although the exact result fits
 };
 
-/// Adds the error of a result of so many ulps, worked out exactly. It is correct within half an ulp
-/// of the exact result.
+/// Adds the error of `result`, which is in ulps, computed exactly. A result within half an ulp
+/// counts as correct.
 void add_error(ErrorStatistics& errors, double result, const ExactResult& exact);
 
-/// One row for each subject. Where `stop` ends the run, the rows are of the cases until then.
+/// Returns one row for each subject. If `stop` ends the run early, the rows cover the cases so far.
 std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,
                                         const std::atomic<bool>& stop);
 

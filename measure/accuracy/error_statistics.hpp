@@ -1,5 +1,5 @@
 /// @file
-/// Errors in units of the last place, added up.
+/// Statistics of errors in ulps.
 #pragma once
 
 #include <array>
@@ -7,16 +7,16 @@
 
 namespace fixproof::measure {
 
-/// How often errors of each size came: sixteen buckets of one width, half of them on each side of
-/// 0. The width doubles until all errors have found a place.
+/// A histogram of sixteen equal buckets, eight on each side of 0. The width doubles until all
+/// errors fit.
 class ErrorHistogram {
  public:
   static constexpr std::size_t buckets = 16;
 
   void add(double error);
 
-  /// Bucket i holds errors from -span + i * span / 8 to a bucket's width more. What lies between
-  /// two is in the one nearer 0; 0 itself is in bucket 8.
+  /// Bucket i holds errors from -span + i * span / 8 to one bucket width more. An error on a
+  /// boundary counts in the bucket nearer 0, and 0 itself in bucket 8.
   [[nodiscard]] double span() const { return span_; }
   [[nodiscard]] const std::array<std::uint64_t, buckets>& counts() const { return counts_; }
 
@@ -29,22 +29,22 @@ class ErrorHistogram {
   std::array<std::uint64_t, buckets> counts_{};
 };
 
-/// What is said of an operation's errors, each its result less the exact one.
+/// Statistics of an operation's errors: result minus exact result.
 class ErrorStatistics {
  public:
   /// @param correct whether no other word is nearer to the exact result
   void add(double error, bool correct);
 
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
-  /// Of the magnitudes.
+  /// The largest magnitude.
   [[nodiscard]] double max() const { return max_; }
-  /// The bias: of the errors with their signs.
+  /// The bias: the mean of the signed errors.
   [[nodiscard]] double mean() const;
-  /// The standard error of that mean, of cases taken at random: rms / sqrt(cases), a little more
-  /// where there is a bias.
+  /// The standard error of the mean for random cases: rms / sqrt(cases), slightly too large if
+  /// there is a bias.
   [[nodiscard]] double mean_error() const;
   [[nodiscard]] double root_mean_square() const;
-  /// The share correctly rounded, 0 ... 1.
+  /// The share of correctly rounded results, 0 ... 1.
   [[nodiscard]] double correct() const;
   [[nodiscard]] const ErrorHistogram& histogram() const { return histogram_; }
 

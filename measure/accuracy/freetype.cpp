@@ -1,4 +1,4 @@
-// FreeType's arithmetic. Its fixed-point numbers are of the C type long, as its users keep them.
+// FreeType's arithmetic. Its fixed-point numbers have the C type long, as in FreeType's users.
 #include <freetype/freetype.h>
 
 #include "measure/accuracy/number_subject.hpp"

@@ -1,4 +1,4 @@
-// libfixmath, as Debian ships it.
+// libfixmath, as packaged by Debian.
 #include <libfixmath/fix16.h>
 
 #include <cmath>
@@ -26,8 +26,8 @@ struct Fix16Number {
 
 constexpr const char* libfixmath = "libfixmath";
 
-/// Its long division begins with an estimate that can lose a unit of the remainder, with divisors
-/// of 2^20 units and more: a sixteenth of a unit beside the half.
+/// With divisors of 2^20 units or more, the first estimate of the long division can lose a unit of
+/// the remainder. The error then exceeds half a unit by up to a sixteenth.
 HostJudgement fix16_quotient(const HostCase& c) {
   const HostJudgement plain = quotient_rounded<oracle::Rounding::half_away>(c);
   if (plain == HostJudgement::right) return plain;
@@ -38,8 +38,8 @@ HostJudgement fix16_quotient(const HostCase& c) {
                                                      : HostJudgement::wrong;
 }
 
-/// For roots from 2^23 units on it takes (r + 1/2)^2 for r^2 + r + 1/2, a quarter of a unit too
-/// much: 2^-10 of a unit beside the half.
+/// For roots of 2^23 units or more, libfixmath uses (r + 1/2)^2 for r^2 + r + 1/2, a quarter of a
+/// unit too much. The error then exceeds half a unit by up to 2^-10.
 HostJudgement fix16_root(const HostCase& c) {
   const HostJudgement plain = root_rounded(c);
   if (plain == HostJudgement::right) return plain;

@@ -1,4 +1,4 @@
-// Where FreeType was not there when Fixproof was built.
+// Replaces freetype.cpp in builds without FreeType.
 #include "measure/host/host_contenders.hpp"
 
 namespace fixproof::measure {

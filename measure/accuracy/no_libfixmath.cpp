@@ -1,4 +1,4 @@
-// Where libfixmath was not there when Fixproof was built.
+// Replaces libfixmath.cpp in builds without libfixmath.
 #include "measure/host/host_contenders.hpp"
 
 namespace fixproof::measure {

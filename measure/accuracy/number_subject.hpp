@@ -1,5 +1,5 @@
 /// @file
-/// A number as one whose accuracy is measured.
+/// Makes accuracy subjects from number types.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace fixproof::measure {
 
-/// What N makes of an operation of that name; nothing where it has none.
+/// The subject for N and a named operation; nothing if N does not have the operation.
 template <class N>
 std::optional<Subject> subject_of_number(std::string name, const std::string& operation) {
   using Number = MeasuredNumber<N>;

@@ -14,18 +14,18 @@ constexpr std::int64_t unit = 65536;
 /// Distances from 1 to 32768: fifteen octaves.
 constexpr int octave_count = 15;
 
-/// The furthest x that is on the page at distance `z`, both in units.
+/// The largest x on the page at distance `z`, both in units.
 std::int32_t edge(const PageProjection& page, std::int32_t z) {
   return static_cast<std::int32_t>(std::int64_t{page.half_width} * z / std::abs(page.constant));
 }
 
-/// How many pixels too far right the point x at distance z is drawn. Where a word holds what is
-/// drawn, 64 bits hold its product with the distance.
+/// The signed error of the point x at distance z, in pixels to the right. The product of a drawn
+/// word and the distance fits in 64 bits.
 template <class N>
 double error_of(const PageProjection& page, std::int32_t x, std::int32_t z) {
   const N depth = N::from_raw(-z);
   const auto quotient = fixed::try_divide(N::from_raw(x), depth);
-  // No divide faults: |z| is 1 at least, and |x| less.
+  // No divide faults, because |z| is at least 1 and |x| is less than |z|.
   const N drawn = *quotient * N(page.constant);
   const std::int64_t off =
       std::int64_t{drawn.raw()} * depth.raw() - std::int64_t{x} * page.constant * unit;
@@ -54,17 +54,18 @@ DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponen
   return o;
 }
 
-/// Whether no point can be half a pixel off at a distance of `whole` to one more. What the divisor
-/// drops puts a point half_width / whole too far out at most, the quotient's rounding a unit of it.
+/// Whether no point at distances from `whole` to `whole` + 1 can be half a pixel off. Truncating
+/// the divisor moves a point outward by at most half_width / whole, and rounding the quotient adds
+/// at most one of its units.
 bool bounded_below_half(const PageProjection& page, std::int32_t whole) {
   const std::int64_t off = page.half_width * unit + std::int64_t{std::abs(page.constant)} * whole;
   return 2 * off < whole * unit;
 }
 
-/// From where on no point is half a pixel off. An 8088 divides by the whole part of the distance:
-/// between two whole distances the farthest is the worst. There a point nearer the middle by
-/// `whole` units has a quotient less by one unit, rounded the same way, and is less far off: the
-/// worst point is among so many at the edge of the page.
+/// The distance from which no point is half a pixel off. An 8088 divides by the whole part of the
+/// distance, so the worst distance is just below the next whole one. At that distance, moving a
+/// point toward the middle by `whole` units lowers its quotient by one unit. That point has the
+/// same rounding and a smaller error, so testing `whole` points at the edge of the page is enough.
 template <class N>
 std::int32_t safe_distance(const PageProjection& page, const std::atomic<bool>& stop) {
   for (std::int32_t whole = 32767; whole > 0 && !stop; --whole) {

@@ -1,5 +1,5 @@
 /// @file
-/// How far from its place a divide puts a projected point.
+/// The screen error of a projected point due to its divide.
 #pragma once
 
 #include <atomic>
@@ -9,30 +9,29 @@
 
 namespace fixproof::measure {
 
-/// The projection of a scene: x over z, times a constant, to the middle of the page.
+/// The projection of a scene: x / z times a constant, relative to the middle of the page.
 struct PageProjection {
   std::int32_t constant = -320;   ///< in pixels
-  std::int32_t half_width = 160;  ///< points beyond are not on the page
+  std::int32_t half_width = 160;  ///< in pixels; points farther out are off the page
 };
 
-/// Points at distances from `nearest` to twice as much.
+/// The errors at distances from `nearest` to twice `nearest`.
 struct DistanceOctave {
   std::int32_t nearest = 0;
   double max = 0;   ///< the largest error, in pixels
-  double mean = 0;  ///< of the magnitudes
-  double half = 0;  ///< the share of points half a pixel off or more
+  double mean = 0;  ///< of the magnitudes, in pixels
+  double half = 0;  ///< the share of points with an error of half a pixel or more
 };
 
 struct PixelErrors {
-  std::string name;  ///< of the preset that divides and multiplies
+  std::string name;  ///< the preset that divides and multiplies
   std::vector<DistanceOctave> octaves;
-  /// At this distance and beyond, every point of the page is less than half a pixel off; nothing
-  /// where that is so from the near plane on.
+  /// From this distance on, every point of the page has an error below half a pixel.
   std::int32_t safe_from = 0;
 };
 
-/// For the builds of the listings, from the near plane (z = -1) outward.
-/// @param cases random points of an octave
+/// Measures the builds of the listings from the near plane (z = -1) outward.
+/// @param cases random points per octave
 std::vector<PixelErrors> measure_pixel_errors(const PageProjection& page, std::uint64_t seed,
                                               std::uint64_t cases, const std::atomic<bool>& stop);
 

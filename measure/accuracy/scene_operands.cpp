@@ -16,7 +16,7 @@ const std::vector<std::uint32_t>& words_of(const player::OperandLog& log,
   return log.at(static_cast<std::size_t>(operation));
 }
 
-/// A row of a transform and a column of another, or a point: three words every `stride` words.
+/// Appends a row of a transform and a vector whose components are `stride` words apart.
 void put_dot(std::vector<std::uint32_t>& dots, std::span<const std::uint32_t> row,
              std::span<const std::uint32_t> column, std::size_t stride) {
   dots.insert(dots.end(), row.begin(), row.begin() + 3);

@@ -1,5 +1,5 @@
 /// @file
-/// The operands that the routines meet in a scene.
+/// Records the operands of the routines in a scene.
 #pragma once
 
 #include <atomic>
@@ -14,29 +14,29 @@
 
 namespace fixproof::measure {
 
-/// What the calls of some frames of a scene were given, on the model.
+/// The operands of the calls in some frames of a scene, recorded on the model.
 struct SceneOperands {
   cases::Build build;        ///< the listings that made the calls
-  std::uint64_t frames = 0;  ///< recorded
+  std::uint64_t frames = 0;  ///< number of recorded frames
   player::OperandLog log{};
 };
 
-/// A scene is recorded in this many frames ...
+/// The number of recorded frames of a scene.
 inline constexpr std::uint64_t recorded_frames = 30;
-/// ... of which each is this many after the last, from eleven seconds at 60 a second. A prime, so
-/// that objects that move every few frames move in as many of these as they should.
+/// The distance between recorded frames. In total they span eleven seconds at 60 frames per second.
+/// A prime, so that objects that move every few frames have their proper share.
 inline constexpr std::uint64_t frames_between = 23;
 
-/// Plays the scene from its beginning on the model. If `stop` ends the run early, `frames` says so.
-/// @throws std::runtime_error naming scene and frame where it cannot be drawn
+/// Plays the scene from its beginning on the model. If `stop` ends the run early, `frames` is the
+/// number of frames recorded until then.
+/// @throws std::runtime_error naming scene and frame if the frame cannot be drawn
 SceneOperands record_scene(const xsharp::Scene& scene, const cases::Build& build,
                            const std::atomic<bool>& stop);
 
-/// Every pair that a scene multiplies: in FixedMul, and in the sums of the transforms.
+/// Every pair of factors in the scene: those of FixedMul and of the transforms' dot products.
 std::vector<std::uint32_t> products_of(const player::OperandLog& log);
 
-/// Every sum of three products that a scene forms in its transforms: six words, of which the first
-/// three are multiplied with the last three.
+/// Every dot product in the scene's transforms, as six words: two vectors of three.
 std::vector<std::uint32_t> dots_of(const player::OperandLog& log);
 
 }  // namespace fixproof::measure

@@ -13,7 +13,7 @@ namespace {
 
 using oracle::Integer;
 
-/// Digits below one ulp of what is no ratio.
+/// Bits below one ulp for irrational results.
 constexpr int digits = 48;
 
 template <class N>
@@ -25,7 +25,6 @@ std::optional<double> word(N x) {
   return x.raw();
 }
 
-/// What each operation is of the type.
 constexpr auto product = []<class N>(CaseWords in) {
   return word(operand<N>(in, 0) * operand<N>(in, 1));
 };
@@ -87,15 +86,14 @@ std::optional<ExactResult> exact_dot(CaseWords in) {
   return ExactResult{sum, oracle::one(16)};
 }
 
-/// A subject for a preset of the type.
 template <class N, class Function>
 Subject preset(Function /*of the type*/, std::string name, std::string alike) {
   return {std::move(name), std::move(alike),
           [](CaseWords in) { return Function{}.template operator()<N>(in); }};
 }
 
-/// Where nothing but the rounding of products counts.
-/// @param alike with `q16_16`
+/// The presets that differ in the rounding of products.
+/// @param alike presets that return the same as `q16_16`
 template <class Function>
 std::vector<Subject> by_product(Function f, std::string alike) {
   using namespace fixed;
@@ -107,7 +105,7 @@ std::vector<Subject> by_product(Function f, std::string alike) {
   };
 }
 
-/// Where nothing but the divide counts.
+/// The presets that differ in the divide.
 template <class Function>
 std::vector<Subject> by_divide(Function f) {
   using namespace fixed;
@@ -120,7 +118,7 @@ std::vector<Subject> by_divide(Function f) {
   };
 }
 
-/// Where all presets do the same.
+/// One subject for all presets, because all return the same.
 template <class Function>
 std::vector<Subject> by_none(Function f) {
   return {preset<fixed::q16_16>(f, "q16_16", "every preset")};
@@ -131,7 +129,7 @@ std::vector<Subject> by_none(Function f) {
 std::vector<MeasuredOperation> measured_operations() {
   using enum OperandKind;
   constexpr const char* one_rounding = "_saturating _trapping _i386 _i386_mul_rounded";
-  // Where a sum fits, its products need not: those that do not wrap differ.
+  // If a sum fits, its products may still overflow, so only presets that wrap agree.
   constexpr const char* wrapping = "_i386 _i386_mul_rounded";
   std::vector<MeasuredOperation> all{
       {"mul", factors, 2, exact_product, by_product(product, one_rounding)},

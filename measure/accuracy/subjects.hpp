@@ -1,5 +1,5 @@
 /// @file
-/// Operations whose accuracy is measured, who computes them, and what is exact.
+/// The operations whose accuracy is measured, their implementations and their exact results.
 #pragma once
 
 #include <cstdint>
@@ -12,51 +12,50 @@
 
 namespace fixproof::measure {
 
-/// Operands of one case, as words.
+/// The operands of one case.
 using CaseWords = std::span<const std::uint32_t>;
 
-/// An exact result in ulps, as a ratio. Results that are no ratio come as one that is less than
-/// 2^-40 ulp too low.
+/// An exact result in ulps, as a ratio. An irrational result is rounded down by less than 2^-40
+/// ulp.
 struct ExactResult {
   oracle::Integer numerator;
   oracle::Integer denominator;  ///< positive
 };
 
-/// One implementation.
 struct Subject {
-  std::string name;   ///< a preset of the type, a library, float or double
-  std::string alike;  ///< presets that return the same wherever the exact result fits; may be empty
-  /// The result in ulps, a whole number where it is a word; nothing for a divide error.
+  std::string name;  ///< a preset of the type, a library, float or double
+  std::string
+      alike;  ///< presets with the same results wherever the exact result fits; may be empty
+  /// The result in ulps, a whole number if it is a word; nothing for a divide error.
   std::optional<double> (*answer)(CaseWords in);
 };
 
-/// What operands an operation is given besides those of scenes.
+/// The random operands of an operation.
 enum class OperandKind {
-  factors,    ///< uniform: 24 bits, so that the product fits
-  terms,      ///< pairs of a sum of products; uniform: 23 bits, so that the sum fits
-  quotients,  ///< uniform: every word as likely; and 28 bits, to 2048
-  radicand,   ///< uniform: every word that is not negative as likely
-  angle,      ///< every tenth of a degree of a turn, nothing else
-  radians,    ///< uniform: every word as likely
+  factors,    ///< 24 uniform bits, so that the product fits
+  terms,      ///< pairs of a sum of products; 23 uniform bits, so that the sum fits
+  quotients,  ///< uniform words, and 28 uniform bits (up to 2048)
+  radicand,   ///< uniform words that are not negative
+  angle,      ///< every tenth of a degree of a turn, and no random operands
+  radians,    ///< uniform words
 };
 
 struct MeasuredOperation {
   std::string name;
   OperandKind kind;
-  std::size_t words;  ///< of a case
-  /// Nothing where there is no result: a zero divisor, the root of a negative number.
+  std::size_t words;  ///< words per case
+  /// Empty if there is no result: a zero divisor or the root of a negative number.
   std::optional<ExactResult> (*exact)(CaseWords in);
   std::vector<Subject> subjects;
 };
 
-/// All of them, with the subjects that differ, libraries among them where they are built in.
+/// All operations with their distinct subjects, including the libraries that are built in.
 std::vector<MeasuredOperation> measured_operations();
 
-/// A library's form of an operation of that name; nothing where it has none, or is not built in.
+/// A library's subject for a named operation; empty if the library lacks it or is not built in.
 std::optional<Subject> libfixmath_subject(const std::string& operation);
 std::optional<Subject> freetype_subject(const std::string& operation);
 
-/// Whether they are built in.
 bool has_libfixmath();
 bool has_freetype();
 

@@ -12,7 +12,6 @@ namespace {
 
 namespace x86 = x86model;
 
-/// Counts on several processors at once.
 class Counters {
  public:
   Counters(std::span<const x86::Instruction> code, std::span<const x86::Cpu> cpus) {
@@ -74,7 +73,7 @@ std::vector<cases::Variant> timed_variants() {
     const bool second_of_two = v.operation == cases::Operation::cossin && !v.build.mul_round;
     // Chapter 52 has ConcatXforms in C. Its assembly is ours and has no published time.
     const bool ours = v.build.chapter_52 && v.operation == cases::Operation::concat;
-    // The repaired ConcatXforms has ADC where the printed one has ADD, which takes as long.
+    // The repaired ConcatXforms replaces ADD with ADC, which takes as long.
     if (v.build.target != cases::Target::standard && !second_of_two && !ours && !v.build.repaired)
       timed.push_back(v);
   }
@@ -110,7 +109,7 @@ void add_calls(CallClocks& clocks, std::span<const std::uint32_t> words, bool ty
 
 void add_cases(CallClocks& clocks, std::uint64_t seed, std::uint64_t cases, bool typical,
                const std::atomic<bool>& stop) {
-  // A plan has jobs for rows that two parties answer; here nobody is asked.
+  // A plan only makes jobs for rows with two parties. The names are placeholders.
   const cases::Plan plan(1, seed, {{clocks.variant, {"one", "another"}}});
   std::vector<std::uint32_t> words;
   for (const cases::Job& job : plan.jobs()) {

@@ -1,5 +1,5 @@
 /// @file
-/// What a call of a routine takes on each processor that can run it, over many operands.
+/// The clocks per call of a routine on each processor that can run it.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 
 namespace fixproof::measure {
 
-/// Least, mean and most of a count that is known within bounds in every call.
+/// The least, mean and greatest of a count that is a range in every call.
 class Spread {
  public:
-  /// A call that may be the least or the most, but is none of those whose mean is wanted.
+  /// Extends the range without adding the call to the mean.
   void bound(x86model::Range r) {
     least_ = std::min(least_, r.min);
     most_ = std::max(most_, r.max);
@@ -30,12 +30,12 @@ class Spread {
     ++calls_;
   }
 
-  /// Of all calls; there must have been one.
+  /// Precondition: there is at least one call.
   [[nodiscard]] std::uint64_t least() const { return least_; }
   [[nodiscard]] std::uint64_t most() const { return most_; }
-  /// How many calls the mean is of.
+  /// The number of calls in the mean.
   [[nodiscard]] std::uint64_t calls() const { return calls_; }
-  /// Bounds of the mean, the same where every count was exact; 0 where it is of no calls.
+  /// The bounds of the mean, equal if every count was exact; 0 without calls.
   [[nodiscard]] double mean_min() const { return mean(sum_.min); }
   [[nodiscard]] double mean_max() const { return mean(sum_.max); }
 
@@ -50,18 +50,17 @@ class Spread {
   std::uint64_t calls_ = 0;
 };
 
-/// On one processor.
 struct ProcessorClocks {
   x86model::Cpu cpu{};
   Spread clocks{};              ///< by Intel's table
-  std::optional<Spread> bus{};  ///< of an 8088; see x86model/bus.hpp
+  std::optional<Spread> bus{};  ///< on an 8088; see x86model/bus.hpp
 
   [[nodiscard]] Clocks mean() const {
     return {{clocks.mean_min(), clocks.mean_max()}, bus ? bus->mean_min() : 0};
   }
 };
 
-/// Of one routine. A call that ends in a divide error is counted as that alone.
+/// The clocks of one routine. A divide error only counts as such.
 struct CallClocks {
   cases::Variant variant;
   Spread instructions{};
@@ -69,24 +68,24 @@ struct CallClocks {
   std::uint64_t faults = 0;
 };
 
-/// Those that can run the program of the variant.
+/// The processors that can run the variant's program.
 std::span<const x86model::Cpu> processors_of(const cases::Variant& variant);
 
-/// The builds of the printed listings that differ: CosSin, which has no switch, once for each
-/// target.
+/// The distinct builds of the printed listings. CosSin has no rounding switch, so each target has
+/// one build of it.
 std::vector<cases::Variant> timed_variants();
 
-/// Nothing counted yet.
+/// Counts of a variant before the first call.
 CallClocks no_calls(const cases::Variant& variant);
 
-/// Adds calls with the operands of `words`, one case after the other.
-/// @param typical whether they are to be part of the mean
-/// @param stop    ends the run before its time
+/// Adds calls with the operands of `words`, case by case.
+/// @param typical whether the mean includes them
+/// @param stop    ends the run early
 void add_calls(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
                const std::atomic<bool>& stop);
 
-/// Adds calls with the cases of a verification at level 1: the boundary lattice whole, and of
-/// every other stream at most `cases`.
+/// Adds calls with the cases of a verification at level 1: the whole boundary lattice, and at most
+/// `cases` of every other stream.
 void add_cases(CallClocks& clocks, std::uint64_t seed, std::uint64_t cases, bool typical,
                const std::atomic<bool>& stop);
 

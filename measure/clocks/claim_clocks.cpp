@@ -29,7 +29,7 @@ Bounds clocks_a_frame(const RecordedScene& scene, const cases::Build& build, x86
 Bounds ratio(const Bounds& a, const Bounds& b) { return {a.min / b.max, a.max / b.min}; }
 
 void add_figure(Claim& claim, std::string where, const Bounds& measured, Evidence evidence) {
-  // A scene that never calls a routine has no figure for it.
+  // A ratio is not finite if the scene never calls the routine.
   if (!std::isfinite(measured.min) || !std::isfinite(measured.max)) return;
   claim.figures.push_back({std::move(where), measured, judge(measured, claim.allowed, evidence)});
 }

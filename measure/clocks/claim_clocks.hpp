@@ -1,5 +1,5 @@
 /// @file
-/// The clocks and figures by which the claims are judged.
+/// The clocks and figures that decide the claims.
 #pragma once
 
 #include <limits>
@@ -14,35 +14,35 @@ namespace fixproof::measure {
 
 inline constexpr cases::Build i386_rounded = cases::uniform_builds[0];
 inline constexpr cases::Build i386_unrounded = cases::uniform_builds[1];
-/// The builds that the printed switches select: the 386 rounds multiplies alone, the 8088 both.
+/// The builds with the printed switches: the 386 rounds multiplies alone, the 8088 rounds both.
 inline constexpr cases::Build i386_printed = cases::printed_build(cases::Target::i386);
 inline constexpr cases::Build i8088_printed = cases::printed_build(cases::Target::i8088);
 
-/// Up to a fifth less or a quarter more.
+/// A range from a fifth below the figure to a quarter above it.
 constexpr Bounds about(double figure) { return {figure / 1.25, figure * 1.25}; }
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Scenes whose frames a second are published.
+/// The scenes with published frame rates.
 inline constexpr std::string_view cubes_scene = "twelve cubes";
 inline constexpr std::string_view ball_scene = "shaded ball";
 
 /// Whether an 8088 fetches code while it executes.
 enum class Fetching {
   meanwhile,  ///< the least time: the larger of table and bus time
-  waiting,    ///< it waits for every byte of code: table time plus the code's bus time
+  waiting,    ///< every code byte stalls the processor: table time plus the bus time of the code
 };
 
-/// The operands that a scene has for a build.
+/// The operands of a scene under a build.
 /// @throws std::out_of_range if the build is not one of recorded_builds()
 const SceneOperands& operands_of(const RecordedScene& scene, const cases::Build& build);
 
-/// Clocks of the listings in a frame of a scene. Only an 8088 fetches.
+/// Clocks of the listings per frame of a scene. `fetching` matters on the 8088 alone.
 Bounds clocks_a_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
                       Fetching fetching = Fetching::meanwhile);
 
 Bounds ratio(const Bounds& a, const Bounds& b);
 
-/// Adds a figure with its verdict, unless there is nothing to compare.
+/// Adds a figure with its verdict, unless `measured` is not finite.
 void add_figure(Claim& claim, std::string where, const Bounds& measured,
                 Evidence evidence = Evidence::decides);
 

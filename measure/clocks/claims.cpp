@@ -16,7 +16,7 @@ using x86model::Cpu;
 
 constexpr const char* opening = "chapter 54, opening, before listing 54.1";
 
-/// Megahertz of the machines that are compared.
+/// Clock rates of the compared machines in MHz.
 constexpr double pc = 4.77;
 constexpr double at = 8;
 constexpr double fast_486 = 33;
@@ -74,7 +74,7 @@ Claim machines(const std::vector<RecordedScene>& scenes, std::string text, std::
   return claim;
 }
 
-/// A necessary condition: the listings alone have to fit into the frame.
+/// A necessary condition: the clocks of the listings alone must fit into the frame.
 Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string text, double wanted,
                       const Machine& m) {
   Claim claim{

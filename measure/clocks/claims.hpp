@@ -1,5 +1,5 @@
 /// @file
-/// What the chapters say about speed, set against the clocks of the listings.
+/// Judges the chapters' claims about speed by the clocks of the listings.
 #pragma once
 
 #include <span>
@@ -16,48 +16,46 @@ namespace fixproof::measure {
 
 enum class Verdict { holds, does_not_hold, not_refuted, open, in_part };
 
-/// What a measurement of the listings can say of a claim.
+/// How a measurement of the listings relates to a claim.
 enum class Evidence {
   decides,
-  can_show,    ///< what is claimed is at least as much as what is measured
-  can_refute,  ///< what is measured is necessary, and not enough
-  neither,     ///< the claim is of more than is measured
+  can_show,    ///< the claimed quantity is at least the measured one
+  can_refute,  ///< the measured condition is necessary but not sufficient
+  neither,     ///< the claim covers more than is measured
 };
 
-/// `holds` where all of `measured` is allowed, `does_not_hold` where none is; `not_refuted` where
-/// it is allowed but not enough; `open` where the tables' ranges leave both possible, and for what
-/// the evidence cannot say.
+/// `holds` if all of `measured` is allowed, `does_not_hold` if none of it is. `not_refuted` if it
+/// is allowed but not sufficient. `open` if the tables' ranges or the evidence leave the claim
+/// undecided.
 Verdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence);
 
-/// One figure.
 struct ClaimFigure {
-  std::string where;  ///< which scene, code and processor
+  std::string where;  ///< scene, code and processor
   Bounds measured;
   Verdict verdict{};
 };
 
-/// One published claim.
 struct Claim {
   std::string text;   ///< in our words
   std::string place;  ///< where it is printed: chapter and section
-  std::string means;  ///< what is measured, and what is allowed
+  std::string means;  ///< the measured quantity and the allowed range
   std::string unit;
   Bounds allowed;
   std::vector<ClaimFigure> figures;
 };
 
-/// A scene as each of five builds of the listings plays it.
+/// The operands of a scene under five builds of the listings.
 struct RecordedScene {
   std::string name;
-  /// For the 386 rounded, unrounded, for the 8088 the same; then for the 386 as printed, which
-  /// rounds multiplies alone. The 8088's as printed rounds both.
+  /// The 386 rounded and unrounded, the 8088 rounded and unrounded, then the 386 as printed, which
+  /// rounds multiplies alone. The 8088 as printed rounds both.
   std::vector<SceneOperands> builds;
 };
 
-/// The builds of RecordedScene, in its order.
+/// The builds in the order of RecordedScene::builds.
 std::vector<cases::Build> recorded_builds();
 
-/// A statement about speed that no measurement of the listings can judge.
+/// A claim about speed that the listings cannot decide.
 struct NotJudged {
   std::string_view text;
   std::string_view place;
@@ -65,11 +63,10 @@ struct NotJudged {
 };
 std::span<const NotJudged> not_judged();
 
-/// Every claim with its figures for these scenes.
+/// Judges every claim for these scenes.
 std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes);
 
-/// Of a claim as a whole: that of its figures, those left aside that are open; `in_part` where they
-/// disagree.
+/// The common verdict of the figures that are not open; `in_part` if they disagree.
 Verdict verdict_on(const Claim& claim);
 
 std::string name_of(Verdict verdict);

@@ -1,4 +1,4 @@
-// What chapters 52 and 53 say about speed. Their listings are for the 386 alone.
+// The claims of chapters 52 and 53, whose listings are for the 386 alone.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +20,10 @@ constexpr const char* three_keys = "chapter 52, three keys to real-time performa
 constexpr const char* raw_speed = "chapter 53, raw speed by assembly language";
 constexpr const char* rounding_section = "chapter 53, rounding";
 
-/// Frames a second of the twelve cubes on a 386 of 20 MHz.
+/// Frames per second of the twelve cubes on a 20 MHz 386.
 constexpr double published_frames = 15;
 constexpr double clocks_of_published_frame = 20e6 / published_frames;
-/// The largest share of the time that fixed-point work takes, as chapter 53 says.
+/// Chapter 53's limit for the share of the time spent on fixed-point work.
 constexpr double published_share = 0.1;
 
 const std::vector<std::uint32_t>& logged(const player::OperandLog& log,
@@ -31,7 +31,7 @@ const std::vector<std::uint32_t>& logged(const player::OperandLog& log,
   return log.at(static_cast<std::size_t>(operation));
 }
 
-/// The mean clocks of a call of one routine, over the operands that a scene has for it.
+/// The mean clocks per call of one routine, over its operands in a scene.
 Bounds clocks_a_call(const RecordedScene& scene, cases::Operation operation, cases::Target target) {
   static const std::atomic<bool> never{false};
   const SceneOperands& operands = operands_of(scene, i386_rounded);
@@ -69,8 +69,8 @@ Claim native_instructions(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// How much more a build that rounds takes, in percent of one that does not. Both meet the same
-/// ranges in the same instructions, so least is compared with least and most with most.
+/// The extra clocks of a rounding build, in percent. Both builds have the same ranges in the same
+/// instructions, so minimum is compared with minimum and maximum with maximum.
 Bounds surplus(const Bounds& a, const Bounds& b) {
   const double least = 100 * (a.min / b.min - 1);
   const double most = 100 * (a.max / b.max - 1);
@@ -102,7 +102,7 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// The largest change of a product or quotient by rounding, in units of the last place.
+/// The largest difference between a rounded and an unrounded result, in ulps.
 double most_changed(cases::Operation operation, const std::vector<std::uint32_t>& words) {
   std::int32_t most = 0;
   for (std::size_t i = 0; i + 2 <= words.size(); i += 2) {
@@ -140,8 +140,8 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// The least share of the time for the matrix routines, if no frame of chapter 53 takes longer than
-/// those of chapter 52. The text suggests that and does not say it.
+/// The least share of the time for the matrix routines, assuming that no frame of chapter 53 takes
+/// longer than those of chapter 52. The text suggests that but does not say it.
 Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
   Claim claim{"In assembly language, matrix math takes less than ten percent of the time.",
               raw_speed,
@@ -167,7 +167,7 @@ Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
   return claim;
 }
 
-/// Calls of one routine as chapter 52 has it, on a 386.
+/// Calls of one chapter 52 routine on a 386.
 struct Calls {
   double number = 0;
   double clocks = 0;
@@ -182,7 +182,7 @@ Calls chapter_52_calls(cases::Operation operation, const std::vector<std::uint32
   return {number, number * on_386.mean_max()};
 }
 
-/// Chapter 52 has assembly for multiply and divide alone.
+/// In chapter 52, only multiply and divide are in assembly.
 Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
   Claim claim{
       "A 386 at 20 MHz animates the twelve cubes about 15 times a second.",

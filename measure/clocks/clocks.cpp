@@ -15,10 +15,10 @@ namespace {
 using support::Json;
 
 constexpr std::uint64_t default_cases = 1000;
-/// Transforms get a tenth of the cases, because they take up to 36 products each.
+/// Transforms get a tenth of the cases, because they have up to 36 products each.
 constexpr std::uint64_t transforms_share = 10;
 
-/// The log of the build that a variant stands for.
+/// The log of the build that the variant belongs to.
 const player::OperandLog& log_of(const RecordedScene& scene, const cases::Variant& variant) {
   const bool round = cases::rounds(variant);
   return operands_of(scene, {variant.build.target, round, round}).log;

@@ -16,7 +16,7 @@ static_assert(static_cast<int>(cases::Operation::mul) == static_cast<int>(x86mod
 template <x86model::Routine routine>
 void add(FrameClocks& sum, const player::OperandLog& log, const cases::Build& build,
          x86model::Cpu cpu) {
-  // OperandLog is indexed by operation. The routines are the first operations.
+  // OperandLog is indexed by operation, and operations begin with the routines.
   constexpr auto operation = static_cast<cases::Operation>(routine);
   const x86model::Program program = parties::program_of(cases::variant_of(operation, build));
   const std::span<const std::uint32_t> words = log.at(static_cast<std::size_t>(operation));

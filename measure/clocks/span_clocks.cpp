@@ -27,8 +27,8 @@ bool can_run(const LoopForm& form, Cpu cpu) {
   return form.target == Target::i8088 || cpu >= Cpu::i386;
 }
 
-/// Counts a call from its first instruction to RET. The depth buffer holds what lets all pixels
-/// through, or none.
+/// Counts a call from its first instruction to RET. The depth buffer lets all pixels through, or
+/// none.
 x86::ClockCounter count_call(std::span<const x86::Instruction> code, const LoopForm& form,
                              Pixels pixels, Cpu cpu, std::uint32_t count) {
   std::vector<std::uint8_t> memory(0x10000);
@@ -53,7 +53,7 @@ std::string form_name(const LoopForm& form) {
                      form.as_printed ? " as printed" : "");
 }
 
-/// The rows of the table: every form, of the depth test twice.
+/// Visits every form; the depth test twice, with drawn and with hidden pixels.
 template <class Visit>
 void each_row(Visit visit) {
   for (const LoopForm& form : x86::all_loop_forms()) {
@@ -62,16 +62,16 @@ void each_row(Visit visit) {
   }
 }
 
-/// Adds what `slow` takes more often than `fast`, on every processor that runs both.
+/// Adds the ratio of `slow` to `fast` on every processor that runs both.
 void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixels pixels) {
   for (const Cpu cpu : loop_processors) {
     const auto a = pixel_clocks(slow, pixels, cpu);
     const auto b = pixel_clocks(fast, pixels, cpu);
     if (!a || !b) continue;
-    // A 386 runs the listings for the 8088 too; what is asked is how it runs its own.
+    // A 386 can run the 8088 listings too, but the claim is about its own.
     if (slow.target == Target::i8088 && cpu >= Cpu::i386) continue;
-    // One loop has the same ranges in the same instructions: least against least, most against
-    // most. Of two loops nothing is known but the bounds.
+    // The same loop has the same ranges in the same instructions, so minimum is compared with
+    // minimum and maximum with maximum. Of different loops only the bounds are known.
     const bool same = slow.loop == fast.loop;
     const double least = a->table.min / (same ? b->table.min : b->table.max);
     const double most = a->table.max / (same ? b->table.max : b->table.min);
@@ -81,13 +81,13 @@ void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixel
         cpu == Cpu::i8088 ? "an" : "a", x86::name_of(cpu));
     claim.gains.push_back({where, std::min(least, most), std::max(least, most)});
     if (cpu != Cpu::i8088) continue;
-    // The table gives an 8088 no ranges here.
+    // The table has no ranges for an 8088 here.
     const double with_bus = a->at_least().min / b->at_least().min;
     claim.gains.push_back({where + " with its bus", with_bus, with_bus});
   }
 }
 
-/// Compares the form with another that differs in `change` alone, where there is one.
+/// Compares the form with the one that differs only in `change`, if it exists.
 template <class Change>
 LoopClaim compared(std::string text, std::string place, Loop loop_from, Loop loop_to, Counting from,
                    Change change) {

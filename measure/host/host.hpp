@@ -1,5 +1,5 @@
 /// @file
-/// The time and the errors of every contender on this processor.
+/// Measures the time and the errors of every contender on this processor.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,6 @@
 
 namespace fixproof::measure {
 
-/// One operation and all its contenders.
 struct HostTable {
   std::string operation;
   std::string operands;           ///< in words
@@ -28,7 +27,7 @@ struct HostTable {
 struct HostResult {
   std::uint64_t seed = 0;
   std::uint64_t rounds = 0;
-  std::uint64_t cases = 0;  ///< results that were checked, at least
+  std::uint64_t cases = 0;  ///< minimum number of checked results
   std::vector<HostTable> tables;
 };
 

@@ -22,7 +22,7 @@ std::vector<HostContender> contender_list(All... all) {
   return contenders;
 }
 
-/// The numbers that differ in their products. `make` is called with a number and its rounding as
+/// The contenders with distinct products. Calls `make` with a number type and its rounding as
 /// template arguments.
 template <class Make>
 std::vector<HostContender> by_product(Make make) {
@@ -57,7 +57,7 @@ HostContender divider(std::string name, std::string alike, HostKind kind, Roundi
                                           rounding_text(rounding), judge);
 }
 
-/// A divide of the 8088: the quotient by the whole part.
+/// The 8088 divide, which divides by the whole part.
 template <class N>
 HostContender whole_divider(std::string name, std::string alike, Rounding rounding,
                             HostJudgement (*judge)(const HostCase&)) {
@@ -108,7 +108,7 @@ std::vector<HostContender> floating_vertices() {
                     std::make_unique<VertexLoop<double>>()});
 }
 
-/// As --accuracy has it. The operands here are such that there is one.
+/// The exact result as in --accuracy. It exists for all operands here.
 std::function<ExactResult(CaseWords, std::size_t)> exact_of(const std::string& operation) {
   for (const MeasuredOperation& measured : measured_operations()) {
     if (measured.name != operation) continue;
@@ -130,7 +130,7 @@ void append(std::vector<HostContender>& to, std::vector<HostContender> more) {
   to.insert(to.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
 }
 
-/// The type and the idiom, then what libraries have, then floating point.
+/// Orders the contenders: the type and the idiom, libraries, floating point.
 HostOperation host_operation(HostOperation operation, std::vector<HostContender> ours,
                              std::vector<HostContender> floats) {
   operation.contenders = std::move(ours);

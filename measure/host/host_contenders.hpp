@@ -1,5 +1,5 @@
 /// @file
-/// What is timed: operations, who does them, and over which operands.
+/// The timed operations, their contenders and their operands.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ namespace fixproof::measure {
 enum class HostKind { type, plain, library, floating };
 
 struct HostContender {
-  std::string name;   ///< a preset of the type, `idiom`, a library, or a type of the language
-  std::string alike;  ///< presets whose code is the same; may be empty
+  std::string name;   ///< a preset of the type, `idiom`, a library or a language type
+  std::string alike;  ///< presets with the same code; may be empty
   HostKind kind;
-  std::string rounding;  ///< as its maker states it
+  std::string rounding;  ///< as documented by its author
   HostJudgement (*judge)(const HostCase& c);
   std::unique_ptr<HostLoop> loop;
 };
@@ -41,42 +41,42 @@ HostContender array_contender(std::string name, std::string alike, HostKind kind
           std::make_unique<ArrayLoop<Operation, N>>()};
 }
 
-/// A number whose products are rounded so.
+/// A contender for multiplies with rounding R.
 template <class N, oracle::Rounding R>
 HostContender product_contender(std::string name, std::string alike, HostKind kind) {
   return array_contender<N, HostProduct>(std::move(name), std::move(alike), kind, rounding_text(R),
                                          product_rounded<R>);
 }
-/// The same number at vertices.
+/// A contender for vertices whose products have rounding R.
 template <class N, oracle::Rounding R>
 HostContender vertex_contender(std::string name, std::string alike, HostKind kind) {
   return {std::move(name),  std::move(alike),      kind,
           rounding_text(R), coordinate_rounded<R>, std::make_unique<VertexLoop<N>>()};
 }
 
-/// Operands for which every contender has a result: blocks of cases, each of which fits in the
-/// first-level cache with its results. The first is timed.
+/// Operands for which every contender has a result. A block of cases and its results fit in the L1
+/// cache. Only the first block is timed.
 struct HostOperands {
-  std::size_t block = 0;  ///< words of one
+  std::size_t block = 0;  ///< words per block
   std::vector<std::uint32_t> words;
   std::uint32_t start = 0;           ///< of the chain
-  std::vector<std::uint32_t> taken;  ///< at its steps; empty where there is no chain
+  std::vector<std::uint32_t> taken;  ///< the operand of each chain step; empty if there is no chain
 };
 
 struct HostOperation {
   std::string name;
   std::string operands_are;
-  std::string chain_is;     ///< empty where there is none
-  std::size_t words = 0;    ///< of a case
-  std::size_t results = 0;  ///< of a case
+  std::string chain_is;     ///< empty if there is no chain
+  std::size_t words = 0;    ///< words per case
+  std::size_t results = 0;  ///< results per case
   std::function<ExactResult(CaseWords in, std::size_t result)> exact;
   HostOperands operands;
   std::vector<HostContender> contenders;
 };
 
-/// Cases of a block: in double, three arrays of so many take 24 KB.
+/// Cases per block: three arrays of as many doubles take 24 KB.
 inline constexpr std::size_t host_block = 1024;
-/// Vertices of one, of three numbers each.
+/// Vertices per block, with three numbers each.
 inline constexpr std::size_t host_vertices = 512;
 
 HostOperands product_operands(std::uint64_t seed, std::size_t blocks);
@@ -88,8 +88,7 @@ HostOperands vertex_operands(std::uint64_t seed, std::size_t blocks);
 /// mul, div, sqrt and cos, then vertex.
 std::vector<HostOperation> host_operations(std::uint64_t seed, std::size_t blocks);
 
-/// A library's contenders for an operation of that name; none where it has none, or is not built
-/// in.
+/// A library's contenders for a named operation; empty if the library lacks it or is not built in.
 std::vector<HostContender> libfixmath_contenders(const std::string& operation);
 std::vector<HostContender> freetype_contenders(const std::string& operation);
 

@@ -1,6 +1,6 @@
 /// @file
-/// The loops that are timed. What they are given and what they return can be looked at, so that
-/// nothing is timed that was not judged.
+/// The timed loops. Their operands and results are accessible, so that every timed result can be
+/// judged.
 #pragma once
 
 #include <array>
@@ -16,35 +16,34 @@
 
 namespace fixproof::measure {
 
-/// One result and what it was made of, in units of the last place.
+/// One result and its operands, in ulps.
 struct HostCase {
-  /// As the number keeps them: a, b; of a coordinate a row of the transform and x, y, z.
+  /// In the number's own precision: a, b; for a coordinate, a row of the transform and x, y, z.
   std::array<double, 7> operands{};
   double result = 0;
 };
 
-/// One contender at one operation.
 class HostLoop : private boost::noncopyable {
  public:
   HostLoop() = default;
   virtual ~HostLoop() = default;
 
-  /// Operands of apply_all(), one case after the other.
+  /// Sets the operands of apply_all(), case by case.
   virtual void load(std::span<const std::uint32_t> words) = 0;
-  /// Results that do not depend on one another.
+  /// Computes independent results.
   virtual void apply_all() = 0;
-  /// Of the last apply_all(); `i` counts cases, or coordinates.
+  /// A result of the last apply_all(); `i` counts cases, or coordinates.
   [[nodiscard]] virtual HostCase result(std::size_t i) const = 0;
 
-  /// What apply_in_chain() begins with, and what it takes in at each step.
+  /// Sets the start of apply_in_chain() and the additional operand of each step.
   virtual void load_chain(std::uint32_t start, std::span<const std::uint32_t> words) = 0;
-  /// Each result is an operand of the next.
+  /// Makes each result an operand of the next step.
   virtual void apply_in_chain() = 0;
   [[nodiscard]] virtual HostCase chain_result(std::size_t i) const = 0;
 };
 
-/// The operations of one or two operands. `first` and `second` are the operands of a step of a
-/// chain, of the last result and what is taken in.
+/// The operations of one or two operands. `first` and `second` derive the operands of a chain step
+/// from the last result and the step's word.
 struct HostProduct {
   static constexpr std::size_t operands = 2;
   template <class N>
@@ -93,7 +92,7 @@ struct HostRoot {
   }
 };
 
-/// Of an angle; there is no chain.
+/// The cosine of an angle; there is no chain.
 struct HostCosine {
   static constexpr std::size_t operands = 1;
   template <class N>
@@ -110,7 +109,7 @@ struct HostCosine {
   }
 };
 
-/// The arrays do not alias, so that no contender pays for the possibility.
+/// `__restrict` rules out aliasing, so that no contender pays for the possibility.
 template <class Operation, class N>
 [[gnu::noinline]] void apply_to_arrays(const N* __restrict a, const N* __restrict b,
                                        N* __restrict out, std::size_t count) {
@@ -126,7 +125,7 @@ template <class Operation, class N>
   }
 }
 
-/// The loop of the pipeline, for every number alike.
+/// The vertex loop of the pipeline, identical for all number types.
 template <class N>
 [[gnu::noinline]] void transform_vertices(const xsharp::Transform<N>& transform,
                                           const xsharp::Vec3<N>* __restrict in,
@@ -160,7 +159,7 @@ class ArrayLoop final : public HostLoop {
     chain_.resize(taken_.size());
   }
   void apply_in_chain() override {
-    // The start is known when the last result is: no pass overlaps the one before.
+    // The start depends on the last result, so that passes cannot overlap.
     unsigned char low = 0;
     std::memcpy(&low, &chain_.back(), 1);
     apply_from_result_to_result<Operation>(starts_[low & 1U], taken_.data(), chain_.data(),
@@ -181,12 +180,13 @@ class ArrayLoop final : public HostLoop {
   std::vector<N> a_;
   std::vector<N> b_;
   std::vector<N> out_;
-  std::array<N, 2> starts_{};  ///< alike
+  std::array<N, 2> starts_{};  ///< equal values
   std::vector<N> taken_;
   std::vector<N> chain_;
 };
 
-/// A case is twelve words of a transform and three of a vertex; the transform of the first counts.
+/// A case has twelve words of a transform and three of a vertex. Only the first case's transform is
+/// used.
 template <class N>
 class VertexLoop final : public HostLoop {
  public:

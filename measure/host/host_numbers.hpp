@@ -1,6 +1,5 @@
 /// @file
-/// Numbers that are measured beside one another, and what a measurement asks of each. Those of
-/// libraries are in files of their own.
+/// Adapters for the measured number types. Those of libraries have their own files.
 #pragma once
 
 #include <cmath>
@@ -12,8 +11,8 @@
 
 namespace fixproof::measure {
 
-/// 16.16 as it is written by hand: products rounded halves up, quotients cut toward zero. A
-/// quotient that does not fit is anything, and a zero divisor ends the program.
+/// Hand-written 16.16: products round half up, quotients truncate. A quotient that does not fit is
+/// unspecified, and a zero divisor ends the program.
 struct PlainNumber {
   std::int32_t raw = 0;
 
@@ -29,8 +28,8 @@ struct PlainNumber {
   }
 };
 
-/// How a number is made of a word and read in units of the last place, 2^-16; and its functions,
-/// where it has them.
+/// Converts words to numbers and numbers to ulps (2^-16), and names the functions that the number
+/// has.
 template <class N>
 struct MeasuredNumber;
 
@@ -40,7 +39,7 @@ struct MeasuredNumber<fixed::number<16, P>> {
   static N of_word(std::uint32_t word) { return N::from_raw(static_cast<std::int32_t>(word)); }
   static double in_units(N x) { return x.raw(); }
   static N root(N x) { return fixed::sqrt(x); }
-  /// Of as many tenths of a degree as `x` has units.
+  /// The cosine of as many tenths of a degree as `x` has units.
   static N cosine(N x) { return fixed::cos<N>(x.raw()); }
   static N sine(N x) { return fixed::sin<N>(x.raw()); }
 };
@@ -51,7 +50,7 @@ struct MeasuredNumber<PlainNumber> {
   static double in_units(PlainNumber x) { return x.raw; }
 };
 
-/// A word that has more bits than the number is rounded to nearest.
+/// Words with more bits than the number's significand round to nearest.
 template <std::floating_point F>
 struct MeasuredNumber<F> {
   static F of_word(std::uint32_t word) {
@@ -64,7 +63,7 @@ struct MeasuredNumber<F> {
   static F sine_of_radians(F x) { return std::sin(x); }
 
  private:
-  /// Of an angle of a unit, a tenth of a degree, in the number that is a unit.
+  /// Converts tenths of a degree, stored as units of 2^-16, to radians.
   static constexpr F radians = static_cast<F>(0x1p16 * std::numbers::pi / 1800);
 };
 

@@ -1,4 +1,4 @@
-// Operands that every contender has a result for.
+// Operands for which every contender has a result.
 #include <cmath>
 
 #include "cases/draw.hpp"
@@ -9,7 +9,7 @@ namespace fixproof::measure {
 
 namespace {
 
-/// Which of an operation's random numbers a case takes.
+/// Keys of the random streams, one for each operation.
 enum class HostDraw : std::uint64_t { products = 1, quotients, roots, cosines, vertices, chains };
 
 cases::Draw host_draw(HostDraw what, std::uint64_t seed, std::uint64_t i) {
@@ -18,7 +18,7 @@ cases::Draw host_draw(HostDraw what, std::uint64_t seed, std::uint64_t i) {
 
 std::uint32_t as_word(std::int64_t units) { return static_cast<std::uint32_t>(units); }
 
-/// A number of so many bits with a sign, each value as likely.
+/// A uniform signed number of `bits` bits.
 std::int64_t signed_draw(cases::Draw& draw, unsigned bits) {
   const auto top = static_cast<std::int64_t>(draw.bits());
   return top >> (64 - bits);
@@ -35,7 +35,7 @@ HostOperands product_operands(std::uint64_t seed, std::size_t blocks) {
   }
   for (std::size_t i = 0; i < host_block; i += 2) {
     cases::Draw draw = host_draw(HostDraw::chains, seed, i);
-    // 1 to 2, and what undoes it.
+    // A factor from 1 to 2 and its inverse keep the chain in range.
     const double factor = 1 + static_cast<double>(draw.below(1U << 16U)) / 65536;
     const std::int64_t back = std::llround(65536 / factor);
     o.taken.push_back(as_word(draw.either_sign(std::llround(factor * 65536))));
@@ -54,7 +54,7 @@ HostOperands quotient_operands(std::uint64_t seed, std::size_t blocks) {
     while (divisor > -one && divisor < one) divisor = signed_draw(draw, 28);
     o.words.push_back(as_word(divisor));
   }
-  // Not more of them: by whole divisors a quotient comes back only nearly, and each time less so.
+  // A longer chain would drift, because dividing by whole parts restores a quotient only nearly.
   for (std::size_t i = 0; i < 256; i += 2) {
     cases::Draw draw = host_draw(HostDraw::chains, seed, i);
     const std::int64_t numerator =
@@ -73,7 +73,7 @@ HostOperands root_operands(std::uint64_t seed, std::size_t blocks) {
   }
   for (std::size_t i = 0; i < host_block; ++i) {
     cases::Draw draw = host_draw(HostDraw::chains, seed, i);
-    // A bit less, so that a root can be added.
+    // One bit less leaves room to add a root.
     o.taken.push_back(static_cast<std::uint32_t>(draw.bits() >> 34U));
   }
   return o;

@@ -1,5 +1,5 @@
 /// @file
-/// Whether a result is what its maker says it is, by the oracle's rules in built-in integers.
+/// Checks each result against its documented rounding, by the oracle's rules in built-in integers.
 #pragma once
 
 #include <cmath>
@@ -16,11 +16,11 @@ namespace fixproof::measure {
 
 enum class HostJudgement {
   right,
-  exception,  ///< against the rule, within what is known of this contender
+  exception,  ///< breaks the rule within the known error of the contender
   wrong,
 };
 
-/// The word of so many units.
+/// Converts a whole number of units to a word.
 inline std::uint32_t word_of_units(double units) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(units));
 }
@@ -29,7 +29,6 @@ inline HostJudgement judged(bool right) {
   return right ? HostJudgement::right : HostJudgement::wrong;
 }
 
-/// Whether a result is a certain word.
 inline HostJudgement is_word(double result, std::uint32_t word) {
   return judged(result == static_cast<std::int32_t>(word));
 }
@@ -59,12 +58,11 @@ inline HostJudgement root_rounded(const HostCase& c) {
   return root ? is_word(c.result, *root) : HostJudgement::wrong;
 }
 
-/// Of the angles of a turn.
+/// The cosine of a whole number of tenths of a degree.
 inline HostJudgement cosine_rounded(const HostCase& c) {
   return is_word(c.result, oracle::cos_sin(static_cast<std::int16_t>(c.operands[0])).cos);
 }
 
-/// One of the three coordinates of a vertex, each of its products rounded.
 template <oracle::Rounding R>
 HostJudgement coordinate_rounded(const HostCase& c) {
   std::uint32_t sum = word_of_units(c.operands[3]);
@@ -74,8 +72,8 @@ HostJudgement coordinate_rounded(const HostCase& c) {
   return is_word(c.result, sum);
 }
 
-/// Half the step between the numbers of F about `x`, which is one of them: how far one rounding to
-/// nearest can be off. The residuals that it is compared with are exact, by fma().
+/// Half the spacing of F at `x`: the largest error of one rounding to nearest. fma() makes the
+/// residuals compared with it exact.
 template <std::floating_point F>
 double half_a_step(double x) {
   return x == 0 ? 0 : std::ldexp(0.5, std::ilogb(x) + 1 - std::numeric_limits<F>::digits);
@@ -93,7 +91,7 @@ HostJudgement quotient_in(const HostCase& c) {
   return judged(std::fabs(residual) <= half_a_step<F>(c.result) * std::fabs(c.operands[1]));
 }
 
-/// r^2 is off by 2 r times as much as r.
+/// The error of r^2 is 2 r times the error of r.
 template <std::floating_point F>
 HostJudgement root_in(const HostCase& c) {
   const double r = c.result;
@@ -101,10 +99,10 @@ HostJudgement root_in(const HostCase& c) {
   return judged(r >= 0 && std::fabs(residual) <= 2 * r * half_a_step<F>(r));
 }
 
-/// Where double's own errors are judged.
+/// Judges double itself in higher precision.
 inline long double wide(double x) { return static_cast<long double>(x); }
 
-/// The angle in radians, up to 6.3, is rounded twice, then the cosine once.
+/// The angle in radians, at most 6.3, is rounded twice, and the cosine once.
 template <std::floating_point F>
 HostJudgement cosine_in(const HostCase& c) {
   constexpr long double radians = std::numbers::pi_v<long double> / 1800;
@@ -113,7 +111,7 @@ HostJudgement cosine_in(const HostCase& c) {
   return judged(std::fabs(wide(c.result) - exact) <= tolerance * 65536);
 }
 
-/// Each term is rounded four times at most, as a product and in three sums, by half an epsilon.
+/// Each term is rounded at most four times, in a product and three sums, by half an epsilon.
 template <std::floating_point F>
 HostJudgement coordinate_in(const HostCase& c) {
   long double exact = wide(c.operands[3]);

@@ -8,7 +8,7 @@ namespace fixproof::measure {
 
 namespace {
 
-/// A number of units as a word, or where it is none, as its value.
+/// The word of a whole number of units, otherwise the value.
 std::string units_text(double units) {
   const auto whole = static_cast<std::int64_t>(units);
   if (static_cast<double>(whole) == units && whole >= INT32_MIN && whole <= INT32_MAX) {
@@ -37,7 +37,7 @@ HostRow judge_contender(const HostOperation& operation, const HostContender& con
   HostLoop& loop = *contender.loop;
   const CaseWords words = operation.operands.words;
   const std::size_t block = operation.operands.block;
-  // The first block last, since it is to be timed.
+  // Ends with the first block, because that one is timed.
   for (std::size_t begin = words.size(); begin != 0;) {
     begin -= block;
     const CaseWords in = words.subspan(begin, block);

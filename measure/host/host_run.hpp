@@ -1,5 +1,5 @@
 /// @file
-/// Contenders judged and timed.
+/// Judges and times contenders.
 #pragma once
 
 #include <atomic>
@@ -16,13 +16,12 @@
 
 namespace fixproof::measure {
 
-/// A contender breaks the rule that is stated of it; what() names the case.
+/// A contender breaks its documented rule; what() names the case.
 class WrongContender : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Of one contender at one operation.
 struct HostRow {
   std::string operation;
   std::string name;
@@ -32,18 +31,18 @@ struct HostRow {
   std::uint64_t cases = 0;
   std::uint64_t exceptions = 0;
   ErrorStatistics errors{};
-  Times each{};                  ///< where results do not depend on one another
-  std::optional<Times> chain{};  ///< where each is an operand of the next
+  Times each{};                  ///< of independent operations
+  std::optional<Times> chain{};  ///< of operations on the previous result
 };
 
-/// Computes all operands of an operation, and its chain, by the loops that are timed, and leaves
-/// the contender with what is timed.
+/// Runs all operands of an operation and its chain through the timed loops, judges the results, and
+/// leaves the timed operands loaded.
 /// @throws WrongContender
 HostRow judge_contender(const HostOperation& operation, const HostContender& contender);
 
-/// A row for each contender of each operation.
-/// @param timed is told how many rounds are done
-/// @return nothing where `stop` ended the run
+/// Judges and times each contender of each operation.
+/// @param timed called with the number of finished rounds
+/// @return nothing if `stop` ended the run
 /// @throws WrongContender
 std::vector<HostRow> measure_host_rows(const std::vector<HostOperation>& operations,
                                        std::uint64_t rounds, const std::atomic<bool>& stop,

@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// Asking what was used takes a microsecond: a thousandth of a sample.
+/// Reading the thread's clock takes a microsecond, a thousandth of a sample.
 constexpr nanoseconds sample_length = std::chrono::milliseconds(1);
 
 nanoseconds time_passes(const TimedLoop& loop, std::uint64_t passes) {
@@ -17,13 +17,13 @@ nanoseconds time_passes(const TimedLoop& loop, std::uint64_t passes) {
   const nanoseconds begin = thread_time();
   for (std::uint64_t i = 0; i < passes; ++i) {
     loop.pass();
-    // What a pass has written counts as read before the next.
+    // Makes the compiler treat a pass's writes as read before the next pass.
     std::atomic_signal_fence(std::memory_order_seq_cst);
   }
   return thread_time() - begin;
 }
 
-/// How many passes take about as long as a sample is to: two thirds of it to four thirds.
+/// The number of passes in one sample: two thirds to four thirds of the sample length.
 std::uint64_t passes_of_a_sample(const TimedLoop& loop) {
   std::uint64_t passes = 1;
   while (std::min(time_passes(loop, passes), time_passes(loop, passes)) < sample_length * 2 / 3) {

@@ -1,5 +1,5 @@
 /// @file
-/// How long loops take, timed in turn: what slows the machine for a while slows all alike.
+/// Times loops in turn, so that a slow phase of the machine affects all of them.
 #pragma once
 
 #include <atomic>
@@ -13,14 +13,14 @@
 
 namespace fixproof::measure {
 
-/// What this thread has used of its processor. What others take meanwhile does not count.
+/// The processor time of this thread. Other threads and processes do not count.
 std::chrono::nanoseconds thread_time();
 
-/// Of many samples, in nanoseconds of processor time of one operation.
+/// Statistics of samples, in nanoseconds of processor time per operation.
 struct Times {
   double min = 0;
   double median = 0;
-  double spread = 0;  ///< the third quartile less the first, by the median
+  double spread = 0;  ///< interquartile range over the median
 };
 
 /// {min, median, spread}
@@ -29,15 +29,14 @@ support::Json to_json(const Times& times);
 /// @param samples at least one, in any order
 Times times_of(std::vector<double> samples);
 
-/// A loop to be timed.
 struct TimedLoop {
   std::function<void()> pass;
-  std::size_t operations;  ///< of a pass
+  std::size_t operations;  ///< per pass
 };
 
-/// The times of every loop, from so many rounds in which each is timed once, for about a
-/// millisecond, after a pass that is not.
-/// @return nothing where `stop` ended the run; `done` is told how many rounds are done
+/// Times every loop once per round, for about a millisecond after an untimed pass.
+/// @param done called with the number of finished rounds
+/// @return nothing if `stop` ended the run
 std::vector<Times> time_in_turn(const std::vector<TimedLoop>& loops, std::uint64_t rounds,
                                 const std::atomic<bool>& stop,
                                 const std::function<void(std::uint64_t)>& done);

@@ -1,5 +1,5 @@
 /// @file
-/// What made a measurement.
+/// Describes the program and the machine that made a measurement.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace fixproof::measure {
 
-/// `g++ 12.2.0`: what this program was compiled with.
+/// The compiler of this program, for example `g++ 12.2.0`.
 std::string compiler_name();
 
-/// `-O3 -DNDEBUG`: the options it was given for speed; empty where they are not known.
+/// The optimization options, for example `-O3 -DNDEBUG`; empty if unknown.
 std::string compiler_flags();
 
-/// As the system calls this processor; `unknown` where it does not say.
+/// The processor name from the operating system; `unknown` if it has none.
 std::string processor_name();
 
-/// Now, in UTC, as ISO 8601 writes it.
+/// The current time in UTC, as ISO 8601.
 std::string date_now();
 
 /// {command, seed, compiler, date}

@@ -1,5 +1,5 @@
 /// @file
-/// The errors and the cost of values that are stepped across spans.
+/// Measures the errors and the cost of values that are stepped across spans.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace fixproof::measure {
 
 struct SteppingResult {
   std::uint64_t seed = 0;
-  std::uint64_t spans = 0;   ///< of each length
-  std::uint64_t rounds = 0;  ///< in which the loops were timed
+  std::uint64_t spans = 0;   ///< per length
+  std::uint64_t rounds = 0;  ///< rounds of timing
   std::vector<SteppingRow> rows;
   std::vector<SetupClocks> setups;
   std::vector<PixelCost> pixels;
@@ -33,7 +33,7 @@ std::optional<SteppingResult> measure_stepping(const MeasureRequest& request,
 /// `level`, `depth` or `texel`
 const char* name_of(Drawn drawn);
 
-/// Errors are magnitudes, of values before they are truncated to what is drawn.
+/// Errors are magnitudes, before values are truncated for drawing.
 ///
 ///     made      {command, seed, compiler, date}
 ///     lengths   {least, most, spans}: pixels of the shortest and longest spans, spans per length

@@ -23,7 +23,8 @@ using x86::Loop;
 
 x86::Target target_of(Cpu cpu) { return cpu < Cpu::i386 ? x86::Target::i8088 : x86::Target::i386; }
 
-/// By DEC and JNZ. @throws std::bad_optional_access where the processor has no such loop
+/// The clocks of a loop counted by DEC and JNZ.
+/// @throws std::bad_optional_access if the processor has no such loop
 Bounds clocks_by_count(Loop loop, Cpu cpu, Pixels pixels = Pixels::drawn) {
   const x86::LoopForm form{loop, x86::Counting::dec_jnz, target_of(cpu)};
   return pixel_clocks(form, pixels, cpu).value().at_least();
@@ -37,7 +38,6 @@ Bounds clocks_alone(Cpu cpu, std::initializer_list<x86::Instruction> instruction
   return {static_cast<double>(sum.min), static_cast<double>(sum.max)};
 }
 
-/// The clocks of the depth loop at a drawn pixel, after its test.
 Bounds clocks_of_depth_write(Cpu cpu) {
   using namespace x86::notation;
   return clocks_alone(cpu,
@@ -49,7 +49,7 @@ Bounds clocks_of_gouraud_write(Cpu cpu) {
   return clocks_alone(cpu, {stosb()});
 }
 
-/// Least against least and most against most: both meet the same ranges.
+/// Compares minimum with minimum and maximum with maximum, because both have the same ranges.
 Bounds as_many_times(const Bounds& a, const Bounds& b) {
   const double least = a.min / b.min;
   const double most = a.max / b.max;

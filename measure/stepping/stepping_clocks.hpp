@@ -1,5 +1,5 @@
 /// @file
-/// What a stepped pixel takes on each processor, its share of what its span begins with included.
+/// Clocks per stepped pixel on each processor, including a share of the span's setup.
 #pragma once
 
 #include <array>
@@ -12,29 +12,30 @@
 
 namespace fixproof::measure {
 
-/// What a span begins with for each value that is stepped, rounded: a FixedDiv for the slope and a
-/// FixedMul for the start, means of calls over random spans, without the caller's part.
+/// The setup per stepped value with rounding: a FixedDiv for the slope and a FixedMul for the
+/// start. Means of calls over random spans, without the caller's code.
 struct SetupClocks {
-  x86model::Cpu cpu{};  ///< 8088 and 286 run the listings for the 8088, 386 and 486 their own
-  Bounds divide;        ///< on an 8088 the larger of table and bus time, as all clocks here
+  x86model::Cpu cpu{};  ///< 8088 and 286 run the 8088 listings, 386 and 486 the 386 ones
+  Bounds divide;        ///< on an 8088, all clocks here are the larger of table and bus time
   Bounds multiply;
 };
 std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed);
 
-/// Lengths of spans that a pixel's clocks are given for.
+/// Lengths of the spans whose clocks per pixel are reported.
 inline constexpr std::array<std::uint32_t, 3> costed_lengths{10, 40, 160};
 
-/// A loop, counted by DEC and JNZ, on one processor.
+/// The cost of a loop on one processor, counted by DEC and JNZ.
 struct PixelCost {
   std::string loop;
   x86model::Cpu cpu{};
-  int values = 1;                                     ///< that it steps
+  int values = 1;                                     ///< number of stepped values
   Bounds pixel;                                       ///< clocks of the loop
-  std::array<Bounds, costed_lengths.size()> of_span;  ///< with the pixel's share of the beginning
+  std::array<Bounds, costed_lengths.size()> of_span;  ///< including the pixel's share of the setup
 };
 std::vector<PixelCost> measure_pixel_costs(const std::vector<SetupClocks>& setups);
 
-/// What the document says of its methods, beside the claims of loop_claims(). Texts are ours.
+/// Judges the document's claims about its methods, except those of loop_claims(). The texts are
+/// ours.
 std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups);
 
 }  // namespace fixproof::measure

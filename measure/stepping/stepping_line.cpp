@@ -13,7 +13,7 @@ using xsharp::StepWords;
 
 constexpr std::int64_t pixel_units = 65536;
 
-/// n / d upwards, for n >= 0 and d > 0.
+/// n / d rounded up, for n >= 0 and d > 0.
 std::int64_t quotient_up(std::int64_t n, std::int64_t d) { return n / d + (n % d == 0 ? 0 : 1); }
 
 template <class N>
@@ -26,7 +26,7 @@ StepWords stepped_words(const LineEnds& ends, const SpanPlace& place, unsigned d
   return xsharp::words_of(step, dropped);
 }
 
-/// The document's own: (a2 - a1) / (x2 - x1) in words, whose divide cuts.
+/// The document's own rule: (a2 - a1) / (x2 - x1) in words, with a truncating divide.
 StepWords whole_words(const LineEnds& ends, const SpanPlace& place, unsigned dropped) {
   const auto word = [dropped](std::int64_t raw) {
     return static_cast<std::int32_t>(xsharp::word_of(static_cast<std::int32_t>(raw), dropped));
@@ -36,8 +36,8 @@ StepWords whole_words(const LineEnds& ends, const SpanPlace& place, unsigned dro
   return {static_cast<std::uint32_t>(word(ends.from)), static_cast<std::uint32_t>(step)};
 }
 
-/// Half units of a pixel's slope that an 8088 is off by for dividing n / d, in 2^-16, by whole
-/// parts of d alone, its rounding left aside.
+/// The slope error of an 8088 per pixel, in half units of 2^-16, from dividing n / d by whole parts
+/// of d. Rounding is not included.
 std::int64_t dropped_by_8088(std::int64_t difference, std::int64_t units) {
   constexpr std::int64_t most = 8191 * pixel_units;
   std::int64_t n = std::abs(difference);
@@ -51,9 +51,9 @@ std::int64_t dropped_by_8088(std::int64_t difference, std::int64_t units) {
   double_both();
   std::int64_t product = 0;
   if (d < most) {
-    // In two parts. The upper part times d is n (1 + fraction / whole) but for the quotient's half
-    // unit, which counts once for each pixel of the doubled divisor, and for the product's half
-    // unit, which d divides.
+    // The divide has two parts. The upper part times d is n (1 + fraction / whole), apart from two
+    // half units. The quotient's half unit counts once per pixel of the doubled divisor, and d
+    // divides the product's half unit.
     std::int64_t divisor = d;
     while (divisor < most) divisor *= 2;
     n = quotient_up(n * (divisor % pixel_units), divisor / pixel_units * pixel_units) +
@@ -65,7 +65,8 @@ std::int64_t dropped_by_8088(std::int64_t difference, std::int64_t units) {
   double_both();
   const std::int64_t whole = d / pixel_units;
   const std::int64_t fraction = d % pixel_units;
-  // n / by * fraction / whole units of the slope: what n is by 2^-16 of a pixel is 65536 units.
+  // The result is n / by * fraction / whole units of the slope. 2^-16 of a pixel in n is 65536
+  // units.
   return product + (fraction == 0 ? 0 : quotient_up(2 * divided * fraction / whole + 1, by));
 }
 
@@ -105,7 +106,7 @@ std::int64_t line_bound(LineRule rule, const LineEnds& ends, const SpanPlace& pl
   const std::int64_t product = place.distance == 0 || at_end ? 0 : halves * pixel_units;
   const std::int64_t apart = at_end ? quotient_up(way * place.distance, place.units) * unit : 0;
   if (place.units < pixel_units) {
-    // d / n, doubled until its divisor has a whole part of 13 bits, loses 2^-12 of itself.
+    // d / n loses 2^-12 of itself, because doubling gives its divisor a whole part of 13 bits.
     const std::int64_t part = rule == LineRule::i8088 ? way * 32 : 0;
     return (at_end ? 0 : way * halves) + part + product + words + apart;
   }
@@ -121,9 +122,9 @@ void judge_line(LineRule rule, const LineFormat& format, const LineEnds& ends,
   std::uint32_t word = words.start;
   for (std::size_t k = 0; k < place.pixels; ++k, word += words.step) {
     const std::int64_t stepped = static_cast<std::int32_t>(word << format.dropped);
-    // Below 2^57: differences of 2^32 over 2^25 at most.
+    // Below 2^57: the difference is at most 2^32 and the centre at most 2^25.
     const std::int64_t over = (ends.to - ends.from) * place.centre(k);
-    // The exact value less the stepped one, which is a register's: modulo 2^16.
+    // The exact value minus the stepped one. The register wraps, so the difference is modulo 2^16.
     const std::int64_t turn = place.units * (std::int64_t{1} << 32);
     std::int64_t above = over - (stepped - ends.from) * place.units;
     if (2 * std::abs(above) > turn) above += above < 0 ? turn : -turn;
@@ -160,7 +161,7 @@ LineEnds choose_ends(const LineFormat& format, const SpanPlace& place, Ends ends
       way = std::min(draw.magnitude(31), range);
       break;
     default: {
-      // A slope a little below or above a half unit; where words have less bits, of a half word.
+      // The slope is slightly off a half unit, or off half a word if the word has fewer bits.
       const std::int64_t steepest = range * pixel_units / place.units;
       std::int64_t slope = below(std::clamp<std::int64_t>(steepest, 1, std::int64_t{1} << 31));
       const std::int64_t word = std::int64_t{1} << format.dropped;
@@ -173,7 +174,7 @@ LineEnds choose_ends(const LineFormat& format, const SpanPlace& place, Ends ends
       break;
     }
   }
-  // Where it begins: at an end of the range, or anywhere.
+  // The way starts at an end of the range or anywhere.
   const std::int64_t room = range - way;
   const std::int64_t low = format.least + (draw.coin() ? 0 : below(room + 1));
   return draw.coin() ? LineEnds{low, low + way} : LineEnds{low + way, low};

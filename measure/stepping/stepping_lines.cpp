@@ -1,4 +1,4 @@
-// The variants that step straight lines, and what they draw.
+// The variants that step straight lines, with their drawn pixels.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -12,16 +12,16 @@ namespace fixproof::measure {
 namespace {
 
 constexpr std::int64_t one_level = 65536;
-/// Levels of light that surfaces use of the 256: what stepping errs by stays among these.
+/// Surfaces use these of the 256 light levels, so stepping errors stay within the 256.
 constexpr LineFormat light_words{8, 16, 2 * one_level, 254 * one_level};
 constexpr LineFormat wide_light_words{0, 16, 2 * one_level, 254 * one_level};
 constexpr LineFormat depth_words{8, 16, 0, 32767 * one_level};
-/// Two bits less, for a buffer that is not cleared: a unit is four of depth.
+/// Two bits fewer, for a buffer that is not cleared: one unit is four units of depth.
 constexpr LineFormat uncleared_words{10, 18, 0, 32767 * one_level};
-/// 1 is 256 texels; from the middle of the first texel to that of the last.
+/// 1.0 is 256 texels. The range is from the middle of the first texel to that of the last.
 constexpr LineFormat texel_words{0, 8, 128, 65536 - 128};
 
-/// Texels that say what column they are of, or what row.
+/// A bitmap whose texels hold their column, or their row.
 std::span<const std::uint8_t> columns_or_rows(bool rows) {
   static const auto bitmaps = [] {
     std::array<std::vector<std::uint8_t>, 2> both;
@@ -34,7 +34,7 @@ std::span<const std::uint8_t> columns_or_rows(bool rows) {
   return bitmaps.at(rows ? 1 : 0);
 }
 
-/// Whether a pixel is the whole part of the stepped value, modulo 2^bits.
+/// Checks that the drawn pixel is the whole part of the stepped value, masked.
 void check_drawn(const LineFormat& format, const xsharp::StepWords& words, std::int64_t mask,
                  std::int64_t drawn, std::size_t k, SteppedValue& value) {
   const std::uint32_t word = words.start + static_cast<std::uint32_t>(k) * words.step;
@@ -61,7 +61,7 @@ void step_light(LineRule rule, const LineFormat& format, const SpanPlace& place,
   }
 }
 
-/// In a buffer of its own, which adds to depths where it is not cleared before the next picture.
+/// Draws into its own buffer. Without clearing, depths of the next picture get an offset.
 void step_depth(LineRule rule, const LineFormat& format, const SpanPlace& place, Ends which,
                 cases::Draw draw, SteppedSpan& out) {
   const LineEnds ends = choose_ends(format, place, which, draw);

@@ -1,21 +1,21 @@
-// Phong's light in three forms, by what draws them (xsharp/raster/phong_row.hpp), set against
-// double.
+// Compares the three forms of Phong light (xsharp/raster/phong_row.hpp) with double, by running the
+// code that draws them.
 //
-// Light at a pixel is 64 + 62 (L . n) / |n|, where n goes straight from one unit normal to another,
-// an angle a apart. With T = tan(a / 2) and s = -T ... T, in proportion to the pixels, it is
-// A cos(atan s - c), and |A| <= 1. Of (b + c s) / sqrt(1 + s^2) the second derivative is at most
-// sqrt(1 + 4 s^2) / (1 + s^2)^2 <= 1, the third at most 3 sqrt(1 + 4 s^4) / (1 + s^2)^3 <= 3.
-// The bound:
+// The light at a pixel is 64 + 62 (L . n) / |n|. The normal n moves on a straight line between two
+// unit normals that are an angle a apart. Let T = tan(a / 2), and let s = -T ... T be proportional
+// to the pixels. Then the light is A cos(atan s - c) with |A| <= 1. The second derivative of
+// (b + c s) / sqrt(1 + s^2) is at most sqrt(1 + 4 s^2) / (1 + s^2)^2 <= 1, and the third at most
+// 3 sqrt(1 + 4 s^4) / (1 + s^2)^3 <= 3. The bound:
 //
-// - the arithmetic, A(k): each component is off by what line_bound() says, e; the direction by
-//   sqrt(3) e / cos(a / 2) then; Newton's steps round each component, eight times at most, and end
-//   where the square is within four units, and its own rounding, of 1; the last product rounds
-//   three times. All of it counts 62 times;
-// - every fourth, or the ends alone: A of the ends of a stretch, the steps' rounding, and a chord:
-//   62 h^2 / 8, h the part of s that the stretch has;
-// - quadratic: a parabola through three values takes their errors 5/4 times at most; it is off
-//   62 / 6 * 3 * 2 H^3 / (3 sqrt 3) = 62 H^3 / (3 sqrt 3), H half of s from the first pixel to the
-//   last; and its words' rounding counts x and x^2 times.
+// - arithmetic, A(k): line_bound() gives the error e of each component, so the direction is off by
+//   sqrt(3) e / cos(a / 2). Newton's method rounds each component at most eight times and ends when
+//   the square is within four units, plus its own rounding, of 1. The last product rounds three
+//   times. The factor 62 applies to all of these;
+// - every fourth pixel, or the ends alone: A at the ends of a stretch, the rounding of the steps,
+//   and the chord error 62 h^2 / 8, where h is the stretch's part of s;
+// - quadratic: a parabola through three values scales their errors by at most 5/4. Its own error is
+//   62 / 6 * 3 * 2 H^3 / (3 sqrt 3) = 62 H^3 / (3 sqrt 3), where H is half of s from the first
+//   pixel to the last. The rounding of its words counts x and x^2 times.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +39,7 @@ constexpr double widest_angle = std::numbers::pi / 3;
 
 enum class PhongStepping { exact, fourth, quadratic, linear };
 
-/// In 2^-16.
+/// In units of 2^-16.
 using RawVector = std::array<std::int64_t, 3>;
 
 struct PhongEnds {
@@ -64,8 +64,8 @@ Vec3<double> random_direction(cases::Draw& draw) {
   }
 }
 
-/// Extreme: the widest angle, and light at right angles to what is half way, where the third
-/// derivative is greatest.
+/// Extreme ends have the widest angle, and light perpendicular to the middle normal, where the
+/// third derivative is greatest.
 PhongEnds choose_normals(Ends which, cases::Draw& draw) {
   const bool extreme = which == Ends::extreme && draw.below(4) != 0;
   const Vec3<double> middle = random_direction(draw);
@@ -80,7 +80,7 @@ PhongEnds choose_normals(Ends which, cases::Draw& draw) {
   return {raw_of(along + aside * -1.0), raw_of(along + aside), raw_of(light), angle};
 }
 
-/// In levels, at so many units from the left end.
+/// The exact light in levels, `units` from the left end.
 double exact_light(const PhongEnds& ends, const SpanPlace& place, std::int64_t units) {
   const double part = static_cast<double>(units) / static_cast<double>(place.units);
   double product = 0;
@@ -94,7 +94,7 @@ double exact_light(const PhongEnds& ends, const SpanPlace& place, std::int64_t u
   return xsharp::ramp_dark + light_levels * product / one_raw / std::sqrt(square);
 }
 
-/// One span, light as the arithmetic finds it.
+/// The computed light of one span.
 template <class N>
 class PhongLight {
  public:
@@ -109,7 +109,7 @@ class PhongLight {
 
   [[nodiscard]] const xsharp::PhongRow<N>& row() const { return row_; }
 
-  /// What row().at() is off at most up to pixel k, in levels.
+  /// The largest error of row().at() up to pixel k, in levels.
   [[nodiscard]] double bound_to(std::size_t k) const {
     const double s = rounding();
     double component = 0;
@@ -124,7 +124,7 @@ class PhongLight {
   }
 
   [[nodiscard]] double rounding() const { return rule_ == LineRule::cut ? 1 : 0.5; }
-  /// What of s a pixel has.
+  /// The part of s per pixel.
   [[nodiscard]] double curve_a_pixel() const {
     return 2 * std::tan(ends_.angle / 2) * one_raw / static_cast<double>(place_.units) * 1.001;
   }
@@ -138,7 +138,7 @@ class PhongLight {
   xsharp::PhongRow<N> row_{};
 };
 
-/// Appends one pixel. @param value with `bits` after the point
+/// Appends one pixel. @param value with `bits` fraction bits
 void add_light(SteppedSpan& out, std::uint32_t value, unsigned bits, double exact, double bound) {
   const double error = static_cast<double>(value) / static_cast<double>(1U << bits) - exact;
   out.values.push_back({error, bound, std::fabs(error) <= bound});
@@ -168,8 +168,8 @@ void straight(std::size_t every, const PhongLight<N>& light, const PhongEnds& en
       });
 }
 
-/// What the rounding of n / d loses, in 2^-24, d a divisor of more than one divide, as fine_ratio()
-/// doubles n.
+/// The rounding loss of n / d in units of 2^-24, if d takes more than one divide. Doubles n like
+/// fine_ratio().
 double fine_loss(std::int64_t n, double rounding) {
   unsigned doublings = 0;
   for (; doublings < 8 && std::abs(n) < 8191 * std::int64_t{65536}; ++doublings) n *= 2;

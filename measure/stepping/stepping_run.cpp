@@ -4,7 +4,7 @@ namespace fixproof::measure {
 
 namespace {
 
-/// Keys of what is drawn at random.
+/// Keys of the random streams.
 constexpr std::uint64_t place_key = 1;
 constexpr std::uint64_t ends_key = 2;
 
@@ -23,7 +23,7 @@ SpanPlace span_place(std::uint64_t seed, std::size_t pixels, std::uint64_t i) {
   const std::int64_t distance = extreme == 0   ? 65535
                                 : extreme == 1 ? 0
                                                : static_cast<std::int64_t>(draw.below(65536));
-  // The right end is behind the last centre, one pixel at most.
+  // The right end is at most one pixel beyond the last centre.
   const std::int64_t last = distance + whole - 65536;
   const std::uint64_t end = extremes ? draw.below(8) : 8;
   const std::int64_t behind = end == 0   ? 1

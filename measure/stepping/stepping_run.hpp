@@ -1,5 +1,5 @@
 /// @file
-/// Every variant over spans of every length.
+/// Runs every variant over spans of every length.
 #pragma once
 
 #include <atomic>
@@ -12,24 +12,24 @@
 
 namespace fixproof::measure {
 
-/// Of one variant.
 struct SteppingRow {
   SteppingVariant variant;
   SteppingStatistics statistics;
 };
 
-/// Case i of spans of so many pixels: what its ends are in even cases is extreme, in odd ones
-/// random; of eight cases the first two go from centre to centre, and extreme places come with
-/// extreme ends.
+/// The place and the kind of ends of case i for spans of `pixels` pixels. Even cases have extreme
+/// ends, odd cases random ones. The first two of every eight cases go from centre to centre.
+/// Extreme places only occur with extreme ends.
 SpanPlace span_place(std::uint64_t seed, std::size_t pixels, std::uint64_t i);
 Ends span_ends(std::uint64_t i);
 
-/// Everything that is stepped, in the order of the tables.
+/// All variants in the order of the tables.
 std::vector<SteppingVariant> stepping_variants();
 
-/// So many spans of each length from 1 to the longest, the same places for every variant.
-/// @param done is told how many variants are
-/// @return nothing where `stop` ended the run
+/// Measures `cases` spans of each length from 1 to the longest, at the same places for every
+/// variant.
+/// @param done called with the number of finished variants
+/// @return nothing if `stop` ended the run
 std::vector<SteppingRow> measure_stepping_rows(const std::vector<SteppingVariant>& variants,
                                                std::uint64_t seed, std::uint64_t cases,
                                                const std::atomic<bool>& stop,

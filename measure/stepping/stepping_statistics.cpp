@@ -11,7 +11,7 @@ namespace fixproof::measure {
 
 namespace {
 
-/// The first pixel behind the run that begins at `from`.
+/// The end of the run of equal pixels that begins at `from`.
 std::size_t end_of_run(const std::vector<std::int64_t>& pixels, std::size_t from) {
   std::size_t to = from + 1;
   while (to < pixels.size() && pixels[to] == pixels[from]) ++to;
@@ -24,7 +24,7 @@ std::uint64_t runs_of(const std::vector<std::int64_t>& pixels) {
   return runs;
 }
 
-/// How far apart two pixels are, of texels in columns or rows.
+/// The distance of two pixel values; for texels, in columns or rows.
 std::int64_t apart(std::int64_t a, std::int64_t b, bool texels) {
   if (!texels) return std::abs(a - b);
   return std::max(std::abs(a % 256 - b % 256), std::abs(a / 256 - b / 256));
@@ -77,7 +77,7 @@ void SteppingStatistics::add_bands(const SteppedSpan& span) {
   for (std::size_t from = 0; from < span.drawn.size();) {
     const std::size_t to = end_of_run(span.drawn, from);
     ++bands_.drawn;
-    // The exact picture has the same run where it begins and ends with it.
+    // A drawn run is right if the exact picture has the same run with the same ends.
     const bool begins = from == 0 || span.exact[from - 1] != span.exact[from];
     const bool same =
         begins && span.exact[from] == span.drawn[from] && end_of_run(span.exact, from) == to;

@@ -1,5 +1,5 @@
 /// @file
-/// What is said of a way of stepping, over many spans.
+/// Error statistics of a stepping variant over many spans.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace fixproof::measure {
 
-/// The largest magnitude of an error, and the largest bound, at one place.
+/// The largest error magnitude and the largest bound at one place.
 struct ErrorAndBound {
   double error = 0;
   double bound = 0;
@@ -19,25 +19,24 @@ struct ErrorAndBound {
   void add(const SteppedValue& value);
 };
 
-/// 0 if there is no whole.
+/// Returns 0 if `whole` is 0.
 inline double share_of(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Runs of equal pixels, as wide as possible.
+/// Counts maximal runs of equal pixels.
 struct BandCount {
   std::uint64_t exact = 0;  ///< in the exact picture
   std::uint64_t drawn = 0;
-  std::uint64_t wrong = 0;   ///< drawn bands that the exact picture does not have pixel by pixel
+  std::uint64_t wrong = 0;   ///< drawn bands without an identical band in the exact picture
   std::uint64_t widest = 0;  ///< the longest run of wrong pixels
 };
 
 class SteppingStatistics {
  public:
-  /// Where errors are looked at along the longest spans: sixteenths of the way from the first pixel
-  /// to the last.
+  /// The sampled pixels of the longest spans: sixteenths of the way from first to last.
   static constexpr std::size_t places = 17;
-  /// Lengths whose last pixel is looked at: 5, 10, 20 ... 320.
+  /// The lengths whose last pixel is recorded: 5, 10, 20 ... 320.
   static constexpr std::size_t lengths = 7;
   static constexpr std::size_t length(std::size_t i) { return std::size_t{5} << i; }
 
@@ -46,28 +45,28 @@ class SteppingStatistics {
   }
 
   void add_errors(const SpanPlace& place, const SteppedSpan& span);
-  /// @param texels whether what is drawn is row * 256 + column
+  /// @param texels whether drawn values are row * 256 + column
   void add_picture(const SteppedSpan& span, bool texels);
 
   [[nodiscard]] std::uint64_t spans() const { return spans_; }
   [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
   [[nodiscard]] const ErrorAndBound& all() const { return all_; }
-  /// The largest part of its bound that an error takes.
+  /// The largest ratio of an error to its bound.
   [[nodiscard]] double part_of_bound() const { return part_; }
   [[nodiscard]] const ErrorAndBound& last() const { return last_; }
   [[nodiscard]] const std::array<ErrorAndBound, places>& along() const { return along_; }
   [[nodiscard]] const std::array<ErrorAndBound, lengths>& last_of() const { return last_of_; }
-  /// The first value that is beyond its bound, in words; empty where none is.
+  /// Describes the first value beyond its bound; empty if all are within.
   [[nodiscard]] const std::string& beyond() const { return beyond_; }
 
-  /// Pixels of pictures.
+  /// Pixels drawn in all pictures.
   [[nodiscard]] std::uint64_t drawn() const { return drawn_; }
-  /// Pixels that differ from the exact picture, and the largest difference: in what is drawn; of
+  /// Pixels that differ from the exact picture, and the largest difference, in drawn values; for
   /// texels, in columns or rows.
   [[nodiscard]] std::uint64_t wrong() const { return wrong_; }
   [[nodiscard]] std::int64_t most_off() const { return most_off_; }
   [[nodiscard]] const BandCount& bands() const { return bands_; }
-  /// Different values (texels) of exact spans, and how many of them are not drawn.
+  /// Distinct values (texels) of exact spans, and the number of them that are never drawn.
   [[nodiscard]] std::uint64_t wanted() const { return wanted_; }
   [[nodiscard]] std::uint64_t missed() const { return missed_; }
 

@@ -1,14 +1,15 @@
-// Textures in perspective: exact places every so many pixels, affine steps between, by what draws
-// them (xsharp/raster/perspective_place.hpp, xsharp/raster/stretch.hpp).
+// Textures in perspective: exact texture coordinates at intervals, affine steps between them. It
+// runs the code that draws them (xsharp/raster/perspective_place.hpp, xsharp/raster/stretch.hpp).
 //
-// A place p, 1 is 256 texels, is q / w, where depth w and q = p w are straight lines on the screen.
-// The bound, with s = 1/2 unit where the arithmetic rounds and 1 where it cuts:
+// A texture coordinate p, where 1 is 256 texels, is q / w. The depth w and q = p w are straight
+// lines on the screen. The bound, with s = 1/2 unit if the arithmetic rounds and 1 if it truncates:
 //
-// - w is off by what line_bound() says, q by the same and by the product at its ends, s; a place is
-//   then off by (Eq + p Ew) / (w - Ew), and by the quotient's s;
-// - j steps from one exact place to the next add j s to the greater error of the two;
-// - a chord of the curve u = q / w between depths a and b is off by |ua - ub| |√a - √b| / (√a + √b)
-//   at most: where the slope of the curve, a multiple of 1 / w^2, is the chord's, w = √(a b).
+// - line_bound() gives the error Ew of w. The error Eq of q adds the product at its ends, s. The
+//   coordinate is then off by (Eq + p Ew) / (w - Ew), plus s of the quotient;
+// - j steps from one exact coordinate to the next add j s to the larger error of the two;
+// - a chord of the curve u = q / w between depths a and b is off by at most
+//   |ua - ub| |√a - √b| / (√a + √b). The maximum is at w = √(a b), where the curve's slope, a
+//   multiple of 1 / w^2, equals the chord's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +26,6 @@ namespace {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ needs typedef
 
-/// One coordinate across a span, and the depth.
 struct PerspectiveEnds {
   LineEnds place;  ///< 128 to 65408: from the middle of the first texel to that of the last
   LineEnds depth;
@@ -33,9 +33,9 @@ struct PerspectiveEnds {
 
 constexpr LineFormat place_format{0, 8, 128, 65536 - 128};
 constexpr std::int64_t nearest_depth = 32767 * std::int64_t{65536};
-/// Faces whose farther end is twice as far as the nearer one at most.
+/// The far end of a face is at most twice as far as the near end.
 constexpr double most_ratio = 2;
-/// Where the nearer end is 16 times as far as what is nearest.
+/// Here the near end is 16 times as far as the nearest depth.
 constexpr std::int64_t farthest_depth = nearest_depth / 16;
 
 LineEnds choose_depths(Ends ends, cases::Draw& draw) {
@@ -50,7 +50,7 @@ LineEnds choose_depths(Ends ends, cases::Draw& draw) {
   return draw.coin() ? depth : LineEnds{depth.to, depth.from};
 }
 
-/// The exact place at a pixel, as a fraction.
+/// The exact texture coordinate at a pixel, as a fraction.
 struct ExactPlace {
   Wide numerator = 0;
   Wide denominator = 1;
@@ -71,14 +71,14 @@ double depth_at(const PerspectiveEnds& ends, const SpanPlace& place, std::size_t
          static_cast<double>(place.units);
 }
 
-/// How far off a chord between two depths is at most, of the difference of its ends.
+/// The largest error of a chord between two depths, relative to the difference of its ends.
 double chord_error(double one, double other) {
   const double a = std::sqrt(one);
   const double b = std::sqrt(other);
   return std::fabs(a - b) / (a + b);
 }
 
-/// The words of one coordinate, pixel by pixel, and their bounds in units.
+/// The words of one coordinate per pixel, and their bounds in units.
 struct SteppedPlaces {
   std::vector<std::uint32_t> words;
   std::vector<double> bounds;
@@ -97,10 +97,9 @@ class Perspective {
     stepped_.depth = xsharp::step_across(near, far, place.units, place.distance);
   }
 
-  /// The place at pixel k as the arithmetic finds it.
   [[nodiscard]] std::array<N, 1> at(std::size_t k) const { return stepped_.at(k); }
 
-  /// What at(k) is off at most, in units.
+  /// The largest error of at(k), in units.
   [[nodiscard]] double bound_at(std::size_t k) const {
     const double unit = 131072;
     const double s = rule_ == LineRule::cut ? 1 : 0.5;
@@ -125,7 +124,7 @@ class Perspective {
   xsharp::PerspectivePlace<N, 1> stepped_;
 };
 
-/// @param every pixels from one exact place to the next
+/// @param every pixels from one exact coordinate to the next
 template <class N>
 void step_places(LineRule rule, std::size_t every, const PerspectiveEnds& ends,
                  const SpanPlace& place, SteppedPlaces& out) {
@@ -151,7 +150,7 @@ void step_places(LineRule rule, std::size_t every, const PerspectiveEnds& ends,
       place.pixels, every, [&](std::size_t k) { return perspective.at(k); }, draw);
 }
 
-/// No exact place but those of the ends: a straight line where a curve is meant.
+/// Steps a straight line between the exact ends in place of the perspective curve.
 void step_affine(const PerspectiveEnds& ends, const SpanPlace& place, SteppedPlaces& out) {
   const xsharp::StepWords words = line_words(LineRule::rounded, ends.place, place, 0);
   const double chord =
@@ -168,7 +167,7 @@ void step_affine(const PerspectiveEnds& ends, const SpanPlace& place, SteppedPla
 SteppedValue judged(std::uint32_t word, double bound, const ExactPlace& exact) {
   const Wide off = static_cast<std::int32_t>(word) * exact.denominator - exact.numerator;
   const double error = static_cast<double>(off) / static_cast<double>(exact.denominator);
-  // The bound is worked out in double.
+  // The tolerance covers the rounding of the bound, which is a double.
   return {error / 256, bound / 256, std::fabs(error) <= bound * (1 + 1e-9) + 1e-9};
 }
 

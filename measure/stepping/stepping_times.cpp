@@ -22,10 +22,9 @@ namespace {
 
 using N = fixed::q16_16;
 constexpr std::size_t row_pixels = xsharp::longest_span;
-/// Spans whose slopes are worked out in one pass.
+/// Spans per pass of the setup loop.
 constexpr std::size_t begun_spans = 256;
 
-/// What is timed, and the room it works in.
 class TimedRow {
  public:
   explicit TimedRow(std::uint64_t seed) {
@@ -50,7 +49,7 @@ class TimedRow {
   void gouraud_wide() { loops_.gouraud_wide(pixels_, u_, du_); }
   void texture() { loops_.texture(pixels_, bitmap_, u_, du_, v_, dv_); }
   void quadratic() { xsharp::quadratic(pixels_, {u_, du_, dv_}); }
-  /// Every pixel is drawn, for the buffer is cleared before.
+  /// The cleared buffer lets every pixel pass the test.
   void depth_drawn() {
     buffer_.fill(std::numeric_limits<std::int16_t>::min());
     loops_.depth(pixels_, buffer_, 1, depth_, depth_step);
@@ -64,7 +63,7 @@ class TimedRow {
                            xsharp::dropped_bits);
     }
   }
-  /// The two quotients that an exact place takes.
+  /// Computes the two quotients of an exact texture coordinate pair.
   void exact_places() {
     for (std::size_t i = 0; i < begun_spans; ++i) {
       const N depth = N::from_raw(static_cast<std::int32_t>(units_.at(i)));
@@ -72,7 +71,7 @@ class TimedRow {
                       raw(xsharp::ratio(N::from_raw(to_.at(i)), depth))};
     }
   }
-  /// Light at a pixel: a normal brought to unit length, times the light.
+  /// Computes light at a pixel: normalizes a normal and multiplies it by the light.
   void exact_lights() {
     const N two_thirds = N::from_raw(0xAAAB);
     for (std::size_t i = 0; i < begun_spans; ++i) {
@@ -82,7 +81,7 @@ class TimedRow {
     }
   }
 
-  /// @throws WrongContender
+  /// @throws WrongContender if a timed loop gives a wrong result
   void judge() {
     gouraud();
     expect("8.8", [&](std::uint32_t k) { return (u_ + k * du_) >> 8U & 0xFFU; });
@@ -107,7 +106,7 @@ class TimedRow {
     expect("depth, hidden", [](std::uint32_t) { return 0U; });
     begin_spans();
     for (std::size_t i = 0; i < begun_spans; ++i) {
-      // Half a unit of the quotient, the same of the word.
+      // Half a unit from the quotient and half a unit from the word.
       const std::int64_t word = static_cast<std::int32_t>(begun_.at(i).step);
       const std::int64_t off =
           word * 256 * units_.at(i) - (std::int64_t{to_.at(i)} - from_.at(i)) * 65536;
@@ -169,14 +168,13 @@ constexpr std::array passes{
 
 constexpr double costed_span = 160;
 
-/// What a way of stepping is made of.
 struct Recipe {
   const char* value;
   const char* rule;
   const char* loop;
-  int begun;          ///< values that a span begins with
-  const char* exact;  ///< what is worked out exactly, if anything
-  double how_often;   ///< a pixel
+  int begun;          ///< values in the setup of a span
+  const char* exact;  ///< the exact computation, if there is one
+  double how_often;   ///< per pixel
 };
 constexpr std::array recipes{
     Recipe{"intensity 8.8", "rounded", "intensity 8.8", 1, "", 0},

@@ -1,5 +1,5 @@
 /// @file
-/// Nanoseconds of the loops in C++, and of what a span begins with.
+/// Times the C++ loops and the setup of spans.
 #pragma once
 
 #include <atomic>
@@ -13,24 +13,24 @@
 
 namespace fixproof::measure {
 
-/// Of one loop a pixel; of what a span begins with a value.
+/// The times of a loop per pixel, or of a setup per value.
 struct SteppingTimes {
   std::string what;
   std::string of;  ///< "pixel" or "value"
   Times times;
 };
 
-/// Spans of the most pixels, of xsharp::PlainLoops and what it lacks, as they are compiled here.
-/// @param timed is told how many rounds are done
-/// @return nothing where `stop` ended the run
-/// @throws WrongContender for a loop whose pixels are not what a multiplication makes of each
+/// Times spans of the longest length with xsharp::PlainLoops and the loops that it lacks, as
+/// compiled here.
+/// @param timed called with the number of finished rounds
+/// @return nothing if `stop` ended the run
+/// @throws WrongContender if a loop's pixels differ from multiplying for each pixel
 std::vector<SteppingTimes> time_stepping(std::uint64_t seed, std::uint64_t rounds,
                                          const std::atomic<bool>& stop,
                                          const std::function<void(std::uint64_t)>& timed);
 
-/// Nanoseconds a pixel of a way of stepping, with its share of what a span of 160 pixels begins
-/// with: the sum of the least times of its parts. Nothing where its arithmetic is not what was
-/// timed.
+/// Nanoseconds per pixel of a stepping variant, including its share of the setup of a span of 160
+/// pixels: the sum of the minimum times of its parts. Empty if its arithmetic was not timed.
 std::optional<double> nanoseconds_a_pixel(const std::string& value, const std::string& rule,
                                           const std::vector<SteppingTimes>& times);
 

@@ -7,7 +7,7 @@ namespace fixproof::trade {
 
 namespace {
 
-/// Of those places, the first and all that cost the same.
+/// The first of `places` and all others that cost the same.
 std::vector<std::size_t> as_cheap_as_the_first(std::span<const Tried> tried,
                                                const std::vector<std::size_t>& places) {
   std::vector<std::size_t> same;
@@ -17,7 +17,7 @@ std::vector<std::size_t> as_cheap_as_the_first(std::span<const Tried> tried,
   return same;
 }
 
-/// The one that is least far off; of two alike, the cheaper.
+/// The place with the smallest error; ties go to the cheaper one.
 std::size_t nearest_of(std::span<const Tried> tried, const std::vector<std::size_t>& places) {
   return *std::ranges::min_element(places, {},
                                    [&](std::size_t i) { return tried[i].error.pixels; });

@@ -1,5 +1,5 @@
 /// @file
-/// Which choice to take.
+/// The recommendation of `advise`.
 #pragma once
 
 #include <cstddef>
@@ -17,33 +17,33 @@
 
 namespace fixproof::trade {
 
-/// A choice, what it costs and how far off it is.
 struct Tried {
   Choice choice{};
   Cost cost{};
   ScreenError error{};
 };
 
-/// Whether a difference is within the spread of both: one noisy time is not the same as all.
+/// Whether the difference is within the smaller spread of the two, so that one noisy measurement
+/// does not make everything equal.
 bool costs_the_same(const Cost& a, const Cost& b);
 
-/// Cheapest first; of two that cost the same, the one that is less far off.
+/// Sorts by cost; of equal costs, the smaller error comes first.
 void sort_by_cost(std::vector<Tried>& tried);
 
-/// Places in what was tried, sorted by cost.
+/// Indices into the tried choices, which are sorted by cost.
 struct Advice {
-  /// The cheapest within the budget: of those that cost as little, the least far off.
+  /// The cheapest choice within the budget; of those that cost the same, the most accurate.
   std::optional<std::size_t> take;
-  std::optional<std::size_t> runner_up;     ///< the same of the others
-  std::optional<std::size_t> next_cheaper;  ///< the dearest that is cheaper; all those are over
-  std::size_t as_cheap = 0;                 ///< others within the budget that cost as little
-  std::size_t nearest = 0;                  ///< the one that is least far off
+  std::optional<std::size_t> runner_up;  ///< the best of the remaining choices within the budget
+  std::optional<std::size_t>
+      next_cheaper;          ///< the dearest cheaper choice; every cheaper one is over budget
+  std::size_t as_cheap = 0;  ///< how many others within the budget cost the same
+  std::size_t nearest = 0;   ///< the choice with the smallest error
 };
 
 /// @param tried at least one, sorted by cost
 Advice advise(std::span<const Tried> tried, double budget);
 
-/// Everything that was asked and found.
 struct AdviceReport {
   std::string scene;
   std::uint64_t frames = 0;  ///< measured
@@ -52,7 +52,7 @@ struct AdviceReport {
   std::optional<x86model::Cpu> cpu{};
   bool repaired = false;       ///< 8088 code has the repaired ConcatXforms
   std::vector<Tried> tried{};  ///< sorted by cost
-  /// The largest error of the advised choice's motion alone, as `drift` measures it.
+  /// The largest error from the motion of the advised choice alone, as `drift` measures it.
   std::optional<double> drift_pixels{};
 };
 
@@ -65,7 +65,7 @@ inline const char* cost_unit(const AdviceReport& report) {
 }
 
 /// made: {command, compiler, date; processor: null if clocks are counted}. worst_pixels is null if
-/// a divide error leaves a corner without a place: JSON has no number for an infinite error.
+/// a divide error leaves a corner without a position, because JSON has no infinity.
 support::Json to_json(const AdviceReport& report);
 
 }  // namespace fixproof::trade

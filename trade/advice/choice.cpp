@@ -11,7 +11,7 @@ namespace fixproof::trade {
 
 namespace {
 
-/// Never; every ten seconds and every second at 60 rotations per second; more often; from scratch.
+/// The intervals at 60 rotations per second: never, ten seconds, one second, shorter; from scratch.
 constexpr std::array<Turning, 6> turnings{
     {{false, 0}, {false, 600}, {false, 60}, {false, 10}, {false, 1}, {true, 0}}};
 

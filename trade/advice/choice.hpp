@@ -15,8 +15,8 @@ namespace fixproof::trade {
 
 /// How an object gets its orientation in each frame.
 struct Turning {
-  bool from_scratch = false;       ///< computed anew instead of from the frame before
-  std::int32_t restore_every = 0;  ///< rotations between two restorings of orthogonality; 0: never
+  bool from_scratch = false;       ///< computed anew instead of from the previous frame
+  std::int32_t restore_every = 0;  ///< rotations between orthogonality restorations; 0: never
 
   friend bool operator==(const Turning&, const Turning&) = default;
 };
@@ -29,7 +29,7 @@ struct Choice {
   friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// All choices that `cpu` can run; without one, all choices. An 8088 or a 286 has no 32-bit
+/// All choices that `cpu` can run, or all choices if it is empty. An 8088 or a 286 has no 32-bit
 /// registers and cannot run 386 code.
 std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu);
 

@@ -1,4 +1,4 @@
-// measure::Clocks a frame, from the calls of the model.
+// Clocks per frame, counted from the calls of the model.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -15,12 +15,12 @@ namespace fixproof::trade {
 
 namespace {
 
-/// What FIXED.ASM would be called for, were orientations made from angles.
+/// The FIXED.ASM calls that would compute orientations from angles.
 class FromAngles {
  public:
   explicit FromAngles(const xsharp::Scene& scene) {
     for (xsharp::ObjectDescription object : scene.objects) {
-      // Then advance() tells rotations alone.
+      // Then advance() reports rotations alone.
       object.drift.reset();
       object.orbit.reset();
       objects_.push_back({object.spin.tenths, xsharp::Motion<double>(object, {})});
@@ -42,7 +42,7 @@ class FromAngles {
     std::int64_t rotations = 0;
   };
 
-  /// Operands of builds differ by units: one build stands for all.
+  /// Operands differ between builds by a few units only, so one build represents all.
   static void make_matrix(const Turned& object) {
     using N = player::ModelNumber<cases::Build{}>;
     auto matrix = xsharp::identity<N>();
@@ -64,7 +64,7 @@ Cost cost_of(const measure::Clocks& c, x86model::Cpu cpu) {
   return cost;
 }
 
-/// The clocks of the sampled frames, as counted.
+/// The mean clocks of the sampled frames, without sharing restorations out.
 measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   const auto player = player::make_player(scene, scene.arithmetic);
   const auto canvas = player::canvas_of_surfaces(scene);
@@ -74,7 +74,7 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   xsharp::Picture picture;
   measure::FrameClocks sum;
   for (std::uint64_t place = 0; place < ClockSample::places; ++place) {
-    // Afterwards nothing is left to prepare but what moves.
+    // This draw does the one-time work, so the sample contains only the work of motion.
     player->draw(picture);
     for (std::uint64_t i = 0; i < ClockSample::apart; ++i) {
       const bool counts = i < ClockSample::in_a_row;
@@ -94,7 +94,7 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   return sum.per_frame(frames);
 }
 
-/// Of the motions between always and never restoring.
+/// Interpolates between never restoring and restoring after every rotation.
 measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& always,
                            double rotations) {
   const auto mean = [rotations](double a, double b) { return a + (b - a) / rotations; };
@@ -102,7 +102,6 @@ measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& 
           mean(never.bus, always.bus)};
 }
 
-/// Counts each scene once.
 class ClockMemory {
  public:
   ClockMemory(const xsharp::Scene& scene, x86model::Cpu cpu) : scene_(scene), cpu_(cpu) {}

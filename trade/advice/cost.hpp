@@ -1,5 +1,5 @@
 /// @file
-/// What a frame costs under each choice.
+/// The cost of a frame under each choice.
 #pragma once
 
 #include <atomic>
@@ -15,49 +15,49 @@
 
 namespace fixproof::trade {
 
-/// Of a frame, in clocks or in nanoseconds.
+/// The cost per frame, in clocks or in nanoseconds.
 struct Cost {
   double least = 0;
   double most = 0;
-  double ranked = 0;  ///< what choices are ranked by
-  double spread = 0;  ///< of what ranks, from round to round: less than that is no difference
-  std::optional<double> bus{};  ///< of an 8088; the others are at least as large
+  double ranked = 0;            ///< the ranking compares this value
+  double spread = 0;            ///< of `ranked` between rounds; smaller differences do not count
+  std::optional<double> bus{};  ///< bus time on an 8088; the other figures are at least as large
 };
 
-/// The frames that are looked at for clocks: so many in a row, so that delays of 2, 3 and 4 frames
-/// have their share, at so many places of the first minute.
+/// The frames whose clocks are counted: `in_a_row` consecutive frames, so that delays of 2, 3 and 4
+/// frames have their share, at each of `places` points in the first minute.
 struct ClockSample {
   static constexpr std::uint64_t in_a_row = 12;
   static constexpr std::uint64_t places = 5;
   static constexpr std::uint64_t apart = 720;
 };
 
-/// The frames that are timed: the first minute, in every round anew.
+/// The timed frames: the first minute, replayed in every round.
 struct TimeSample {
   static constexpr std::uint64_t frames = 3600;
   static constexpr std::uint64_t rounds = 15;
 };
 
-/// Clocks of the listings alone, not of the C around them, as the mean of a sample of frames. Two
-/// numbers where the tables of clocks give a range, whose middle ranks. On an 8088 the larger of
-/// table and bus time.
+/// Counts the clocks of the listings, without the C around them, as the mean of a sample of frames.
+/// If the tables give a range, the ranking uses its middle. An 8088 takes the larger of table and
+/// bus time.
 ///
-/// Restoring is counted after every rotation and shared out among the frames between two. From
-/// scratch, an orientation is made in double, for which there is no table of clocks: it is counted
-/// as what FIXED.ASM would need for it, one CosSin and the twelve products of a rotation for each
-/// axis that turns.
+/// Restorations are counted after every rotation and shared out among the frames between two of
+/// them. From-scratch orientations use double, which has no clock table. They count as the
+/// FIXED.ASM work: per turning axis, one CosSin and the twelve products of a rotation.
 ///
-/// @param counted called with how many choices are done
-/// @return fewer than there are choices when `stop` ended the run
+/// @param counted called with the number of finished choices
+/// @return fewer costs than choices if `stop` ended the run
 std::vector<Cost> clocks_a_frame(
     const xsharp::Scene& scene, std::span<const Choice> choices, x86model::Cpu cpu,
     const std::atomic<bool>& stop,
     const std::function<void(std::uint64_t)>& counted = [](std::uint64_t) {});
 
-/// Nanoseconds of this processor for moving, transforming, projecting, hiding and sorting by the
-/// type: the least and the median, which ranks, of rounds that take the choices in turn. The spread
-/// is the third quartile less the first. Restoring is shared out as clocks are.
-/// @return fewer than there are choices when `stop` ended the run
+/// Times moving, transforming, projecting, hiding and sorting with the type, in nanoseconds on this
+/// processor. Each round times every choice in turn. The figures are the minimum and the median
+/// over the rounds, and the median ranks. The spread is the interquartile range. Restorations are
+/// shared out as in clocks_a_frame().
+/// @return fewer costs than choices if `stop` ended the run
 std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
                                       const std::atomic<bool>& stop);
 

@@ -1,4 +1,4 @@
-// Nanoseconds a frame, on this processor.
+// Nanoseconds per frame on this processor.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 double time_a_frame(const xsharp::Scene& scene, xsharp::Picture& picture) {
   const auto player = player::make_player(scene, scene.arithmetic);
   const auto canvas = player::canvas_of_surfaces(scene);
-  // Afterwards nothing is left to prepare but what moves.
+  // This draw does the one-time work, so the loop times only the work of motion.
   player->draw(picture);
   const auto begin = measure::thread_time();
   for (std::uint64_t frame = 0; frame < TimeSample::frames; ++frame) {
@@ -27,7 +27,7 @@ double time_a_frame(const xsharp::Scene& scene, xsharp::Picture& picture) {
   return passed.count() / static_cast<double>(TimeSample::frames);
 }
 
-/// What is timed: from scratch, never restored, always restored.
+/// The choices to time. A restoring interval needs two of them: never and always restored.
 std::vector<Choice> timed_for(std::span<const Choice> choices) {
   std::vector<Choice> timed;
   const auto add = [&timed](const Choice& choice) {
@@ -44,7 +44,6 @@ std::vector<Choice> timed_for(std::span<const Choice> choices) {
   return timed;
 }
 
-/// The times of choices, round by round.
 class RoundTimes {
  public:
   RoundTimes(const xsharp::Scene& scene, std::vector<Choice> timed) : timed_(std::move(timed)) {
@@ -52,8 +51,8 @@ class RoundTimes {
     samples_.resize(timed_.size());
   }
 
-  /// In turn, so that what slows the machine for a while slows all alike.
-  /// @return whether it got to its end
+  /// Times the choices in turn, so that a slow phase of the machine affects all of them.
+  /// @return whether the round is complete
   bool add_round(const std::atomic<bool>& stop) {
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       if (stop) return false;
@@ -62,7 +61,8 @@ class RoundTimes {
     return true;
   }
 
-  /// Few restorings are too little to time: those of every rotation are shared out.
+  /// Rare restorations take too little time to measure, so the cost of restoring after every
+  /// rotation is shared out.
   [[nodiscard]] std::vector<double> of(Choice choice) const {
     const std::int32_t every = choice.turning.restore_every;
     if (every <= 1) return timed(choice);

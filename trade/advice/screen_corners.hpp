@@ -1,5 +1,5 @@
 /// @file
-/// Where the corners of an object are on the screen, to a fraction of a pixel.
+/// Subpixel screen positions of the corners of an object.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace fixproof::trade {
 
-/// From the middle of the page, in pixels, y up.
+/// Pixels from the centre of the page, y up.
 using ScreenPlace = std::array<double, 2>;
 
-/// One object in motion under a number type: what xsharp::Polyhedron does before it rounds to
-/// pixels, for vertices that are corners of faces.
+/// One moving object under a number type. It computes the same as xsharp::Polyhedron before
+/// rounding to pixels, for vertices that are corners of faces.
 template <xsharp::Scalar N>
 class ScreenCorners {
  public:
@@ -30,17 +30,17 @@ class ScreenCorners {
     }
     for (std::size_t i = 0; i < is_corner.size(); ++i) {
       const xsharp::Triple& v = object.mesh.vertices[i];
-      // Ends of normals too: the pipeline asks the whole mesh whether it is within reach.
+      // Ends of normals count too, because the pipeline tests the whole mesh for being in range.
       radius_ = std::max(radius_, xsharp::length(v));
       if (!is_corner[i]) continue;
       vertices_.push_back(xsharp::vertex_of<N>(object.mesh, v, style.conversion));
     }
   }
 
-  /// One frame. @return whether anything changed
+  /// Advances one frame. @return whether anything changed
   bool advance() { return motion_.advance(); }
 
-  /// The corners in view space; none for an object that is out of reach.
+  /// The corners in view space; empty if the object is out of range.
   const std::vector<xsharp::Vec3<N>>& view(const xsharp::View<N>& from) {
     seen_.clear();
     const auto to_world = xsharp::within_reach(motion_, from, radius_);
@@ -58,7 +58,7 @@ class ScreenCorners {
   double radius_ = 0;
 };
 
-/// Nothing where the divide faults, which it does not for what is inside the clip volume.
+/// Projects a point. Returns nothing on #DE, which cannot happen inside the clip volume.
 template <xsharp::Scalar N>
 std::optional<ScreenPlace> screen_place(const xsharp::Vec3<N>& view,
                                         const xsharp::Projection<N>& projection) {

@@ -17,14 +17,14 @@ namespace {
 using xsharp::RotationStyle;
 using xsharp::Scene;
 
-/// The corners of one object where they should be; nothing where clipped, empty out of reach.
+/// The exact corners of one object; a clipped corner is empty, an object out of range has none.
 using ExactPlaces = std::vector<std::optional<ScreenPlace>>;
 
-/// Squares of the worst distances, under the divide that rounds and under the one that does not.
+/// The largest squared distances, under the rounding divide and under the truncating one.
 using OfBothDivides = std::array<double, 2>;
 
-/// A multiply and a way of turning: divides follow when the motion is done, so that one motion
-/// serves both.
+/// A multiply and a way of turning. Divides only follow the motion, so one motion serves both
+/// divides.
 class ScreenRun : private boost::noncopyable {
  public:
   ScreenRun() = default;
@@ -34,7 +34,7 @@ class ScreenRun : private boost::noncopyable {
 };
 
 void add_error(double& worst, const std::optional<ScreenPlace>& is, const ScreenPlace& should_be) {
-  // A divide error leaves no place at all.
+  // A divide error leaves the corner without a position.
   const double x = is ? (*is)[0] - should_be[0] : std::numeric_limits<double>::infinity();
   const double y = is ? (*is)[1] - should_be[1] : 0;
   worst = std::max(worst, x * x + y * y);
@@ -83,7 +83,6 @@ std::unique_ptr<ScreenRun> screen_run(const Scene& scene, const Choice& choice) 
   });
 }
 
-/// Where the corners should be.
 class ExactRun {
  public:
   explicit ExactRun(const Scene& scene) : view_(xsharp::view_of<double>(scene)) {
@@ -108,16 +107,15 @@ class ExactRun {
   ExactPlaces places_;
 };
 
-/// The run of a choice, and which of its divides.
 struct Part {
   std::size_t run = 0;
   std::size_t divide = 0;
 };
 
-/// One run for all choices that differ in their divide alone.
+/// Choices that differ only in their divide share a run.
 struct SharedRuns {
   std::vector<std::unique_ptr<ScreenRun>> runs;
-  std::vector<Part> parts;  ///< of each choice
+  std::vector<Part> parts;  ///< one for each choice
 };
 
 SharedRuns shared_runs(const Scene& scene, std::span<const Choice> choices) {
@@ -174,7 +172,7 @@ std::vector<ScreenError> screen_errors(const Scene& scene, std::span<const Choic
       if (frame > 0) {
         for (const auto& run : runs) run->advance(object);
       }
-      // What stands still is as wrong as it was.
+      // The error of an object at rest does not change.
       if (frame == 0 || exact.advance(object)) compare(frame, object);
     }
     frame_done(frame + 1);

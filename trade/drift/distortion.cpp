@@ -40,7 +40,7 @@ Distortion distortion(const Placement& is, const Placement& should_be, const xsh
     const Point a = column(is, j);
     const Point b = column(is, (j + 1) % 3);
     const double lengths = xsharp::length(a) * xsharp::length(b);
-    // An axis that has collapsed has no direction: nothing of a right angle is left.
+    // A collapsed axis has no direction, so the skew is total.
     d.skew = std::max(d.skew, lengths == 0 ? 1 : std::fabs(xsharp::dot(a, b)) / lengths);
   }
   d.volume = std::fabs(determinant(is) - 1);

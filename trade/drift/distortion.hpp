@@ -1,5 +1,5 @@
 /// @file
-/// How far a matrix is from the rotation that it should be.
+/// The distance of a matrix from the exact rotation.
 #pragma once
 
 #include <array>
@@ -9,24 +9,24 @@
 
 namespace fixproof::trade {
 
-/// Object to view in double, row by row; the fourth column is the place.
+/// The transform from object to view space in double, row-major; column 4 is the translation.
 using Placement = std::array<std::array<double, 4>, 3>;
 
-/// Greatest values found. Lengths are relative: 0.02 is 2 %.
+/// The largest values found. Lengths are relative: 0.02 is 2 %.
 struct Distortion {
   double skew = 0;    ///< |cosine| of the angle between two axes that should be at right angles
   double length = 0;  ///< of an edge
   double volume = 0;
-  double pixels = 0;  ///< between a vertex on the screen and where it should be
+  double pixels = 0;  ///< distance between a vertex's screen position and the exact one
 
-  /// The greater of each.
+  /// Keeps the larger value of each member.
   void add(const Distortion& other);
 };
 
-/// @param is        what has become of the object
-/// @param should_be the same, from a rotation without error
-/// @param mesh      vertices that are corners of faces count
-/// @param scene     for its projection; a vertex nearer than z = -1 does not count on the screen
+/// @param is        the actual placement of the object
+/// @param should_be the placement with an exact rotation
+/// @param mesh      only vertices that are corners of faces count
+/// @param scene     gives the projection; a vertex nearer than z = -1 has no screen error
 Distortion distortion(const Placement& is, const Placement& should_be, const xsharp::Mesh& mesh,
                       const xsharp::Scene& scene);
 

@@ -1,5 +1,5 @@
 /// @file
-/// What drift found, as JSON.
+/// The results of `drift` as JSON.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace fixproof::trade {
 
-/// @param rate of the frames, a second: what times are to be counted by
+/// @param rate frames per second, to convert frames to times
 support::Json drift_json(const std::string& scene, std::uint64_t frames, std::uint64_t rate,
                          const std::vector<DriftCase>& cases,
                          const std::vector<DriftResult>& results);

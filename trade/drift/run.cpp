@@ -18,7 +18,6 @@ namespace {
 using xsharp::ObjectDescription;
 using xsharp::RotationStyle;
 
-/// The motions of all objects in some number type.
 class Motions : private boost::noncopyable {
  public:
   Motions() = default;
@@ -75,14 +74,14 @@ std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase&
   const RotationStyle style{scene.trigonometry, conversion, c.from_scratch, c.restore_every,
                             c.restore_rows};
   return parties::with_build(c.build, [&]<cases::Build build>() {
-    // Divides play no part, so both roundings may be the multiply's.
+    // No divide runs, so the divide rounding can be the multiply's.
     constexpr cases::Build same{build.target, build.mul_round, build.mul_round};
     constexpr fixed::policy rules = parties::policy_of(same);
     return motions_with<parties::NumberOf<same>, rules.multiply>(scene, style, c.without);
   });
 }
 
-/// The placement in view space, where pixels are counted.
+/// The placement in view space, where errors are measured in pixels.
 Placement seen(const Placement& to_world, const xsharp::Camera& camera,
                const std::array<std::array<double, 3>, 3>& turn) {
   Placement from_camera = to_world;
@@ -100,7 +99,7 @@ Placement seen(const Placement& to_world, const xsharp::Camera& camera,
   return view;
 }
 
-/// @param point the point of the series that the frame belongs to
+/// @param point the point of the time series that contains the frame
 void note(DriftResult& result, const Distortion& d, std::uint64_t frame, std::size_t point) {
   result.worst.add(d);
   if (result.series.size() <= point) result.series.resize(point + 1);

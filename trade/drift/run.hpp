@@ -1,5 +1,5 @@
 /// @file
-/// The drift experiment: how objects deform when they turn for a long time.
+/// The drift experiment: how objects deform during long rotations.
 #pragma once
 
 #include <atomic>
@@ -19,12 +19,11 @@ namespace fixproof::trade {
 enum class Without {
   nothing,
   offset,    ///< the published conversion's unit: constants are rounded to nearest
-  step,      ///< the rounding of sines and cosines, and the offset with it
+  step,      ///< the rounding of sines and cosines, including the offset
   products,  ///< the rounding of products
   all,       ///< all three
 };
 
-/// One row of the table.
 struct DriftCase {
   /// Only the target and `mul_round` count: rotations neither divide nor overflow.
   cases::Build build{};

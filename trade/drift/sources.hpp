@@ -1,10 +1,10 @@
 /// @file
-/// Numbers that leave out one source of error each, to tell the sources apart.
+/// Number types that each leave out one source of rotation error.
 ///
-/// A rotation that is appended step by step goes wrong in three ways: its sine and cosine are
-/// rounded to 16.16, so that it stretches or shrinks a little, always the same way; every product
-/// is rounded; and the published conversion makes nearly every negative constant one unit too large
-/// (leave that out with Conversion::nearest).
+/// Rotations that are appended step by step have three sources of error. Sines and cosines are
+/// rounded to 16.16, so each step stretches or shrinks the object a little, always the same way.
+/// Every product is rounded. The published conversion makes nearly every negative constant one unit
+/// too large; Conversion::nearest avoids that.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@
 
 namespace fixproof::trade {
 
-/// Double, whose products `Rule` rounds.
+/// A double whose products are rounded by `Rule`.
 template <class Rule>
 struct Partly {
   double value = 0;
@@ -40,7 +40,7 @@ struct ExactProducts {
   }
 };
 
-/// Exact sines and cosines, every product rounded as by a listing.
+/// Exact sines and cosines; every product is rounded as in a listing.
 template <fixed::rounding rounding>
 struct ExactSteps {
   static double product(double exact) {

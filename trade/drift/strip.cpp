@@ -15,19 +15,19 @@ constexpr int cell = 110;
 constexpr int name_width = 190;
 constexpr int head = 28;
 
-/// The object alone, before the viewer, large enough to fill most of a cell.
+/// A scene with this object alone, in front of the viewer, filling most of a cell.
 xsharp::Scene alone(xsharp::Scene scene, std::size_t object) {
   xsharp::ObjectDescription kept = scene.objects.at(object);
   double radius = 0;
   for (const xsharp::Triple& v : kept.mesh.vertices) radius = std::max(radius, xsharp::length(v));
-  // A body that had half the size would look the same from half as far, but for the rounding of its
-  // vertices: any size will do that leaves room in 16.16.
+  // Scaling a body and its distance together changes only the rounding of its vertices, so any size
+  // that leaves headroom in 16.16 will do.
   const std::vector<xsharp::Triple> before = kept.mesh.vertices;
   for (xsharp::Triple& v : kept.mesh.vertices) v = xsharp::scaled(v, 100 / radius);
   for (const xsharp::Face& face : kept.mesh.faces) {
     if (!face.normal_end) continue;
     const std::size_t start = face.vertices[0];
-    // Normals stay of unit length.
+    // Normals keep unit length.
     kept.mesh.vertices[*face.normal_end] = xsharp::sum(
         kept.mesh.vertices[start], xsharp::difference(before[*face.normal_end], before[start]));
   }
@@ -42,7 +42,7 @@ xsharp::Scene alone(xsharp::Scene scene, std::size_t object) {
   return scene;
 }
 
-/// What has grown out of its cell is cut off.
+/// A nested SVG clips shapes that have grown beyond their cell.
 std::string polygons(const xsharp::Picture& picture, const xsharp::Palette& palette, int x, int y) {
   std::string svg =
       fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", x, y, cell, cell);

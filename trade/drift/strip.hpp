@@ -1,5 +1,5 @@
 /// @file
-/// The same object after a while under several arithmetics, as a picture.
+/// Pictures of one object after long rotations under several arithmetics.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ struct StripRow {
   xsharp::Scene scene;  ///< under its own arithmetic
 };
 
-/// An SVG: a row for each arithmetic, a column for each of `frames`; the object stands still in the
-/// middle of its field, turned as in the scene.
+/// Returns an SVG with a row for each arithmetic and a column for each of `frames`. The object
+/// stays centreed in its cell and has the orientation of the scene.
 /// @param labels one for each column
 std::string drift_strip(const std::vector<StripRow>& rows, std::size_t object,
                         const std::vector<std::uint64_t>& frames,

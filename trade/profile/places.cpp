@@ -6,7 +6,7 @@ namespace fixproof::trade {
 
 namespace {
 
-/// Twelve words row by row: 0 for the matrix, 1 for the fourth column.
+/// Maps an index into twelve row-major words: 0 for the matrix, 1 for the fourth column.
 std::size_t of_transform(std::size_t index) { return index % 4 == 3 ? 1 : 0; }
 
 }  // namespace

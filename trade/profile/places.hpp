@@ -1,5 +1,5 @@
 /// @file
-/// What the words of a call are: its operands and results, by name.
+/// Names for the operands and results of a call.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace fixproof::trade {
 
-/// Names of the kinds of operands of a routine, in their order: `matrix`, `translation`, `vector`.
+/// The kinds of operands of a routine in call order, such as `matrix`, `translation`, `vector`.
 std::span<const std::string_view> operand_names(cases::Operation operation);
-/// The same of its results.
+/// The kinds of results of a routine.
 std::span<const std::string_view> result_names(cases::Operation operation);
 
-/// Which of operand_names() word `index` of a call is.
+/// The index into operand_names() of word `index` of a call.
 std::size_t operand_place(cases::Operation operation, std::size_t index);
-/// Which of result_names().
+/// The index into result_names() of word `index` of the results.
 std::size_t result_place(cases::Operation operation, std::size_t index);
 
 }  // namespace fixproof::trade

@@ -16,13 +16,11 @@ namespace fixproof::trade {
 
 namespace {
 
-/// Angles have 16 bits, all other words 32.
 std::int64_t value_in(cases::Operation operation, std::uint32_t word) {
   if (operation == cases::Operation::cossin) return static_cast<std::int16_t>(word);
   return static_cast<std::int32_t>(word);
 }
 
-/// Runs one call again and notes all that can be seen of it.
 template <x86model::Routine routine>
 void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
   const cases::Operation operation = profile.variant.operation;
@@ -83,7 +81,7 @@ Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& c
   const cases::Build build = player::build_of(choice).value();
   for (int i = 0; i < x86model::routine_count; ++i) {
     RoutineProfile routine;
-    // The routines are the first operations.
+    // Operations begin with the routines.
     routine.variant = cases::variant_of(static_cast<cases::Operation>(i), build);
     routine.program = parties::program_of(routine.variant);
     routine.executed.resize(routine.program.size);

@@ -1,5 +1,5 @@
 /// @file
-/// What a scene asks of the arithmetic while it runs.
+/// How a scene uses the arithmetic while it runs.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@
 
 namespace fixproof::trade {
 
-/// The calls of one routine. Values are in units of 2^-16, angles in tenths of a degree.
+/// Statistics of the calls of one routine. Values are in units of 2^-16, angles in tenths of a
+/// degree.
 struct RoutineProfile {
   cases::Variant variant{};
   x86model::Program program{};
@@ -26,24 +27,24 @@ struct RoutineProfile {
   std::uint64_t most_in_frame = 0;
   std::uint64_t instructions = 0;
   std::uint64_t faults = 0;
-  /// Calls of which some result does not fit.
+  /// Calls with a result that does not fit in 32 bits.
   std::uint64_t wrapped = 0;
-  std::vector<ValueRange> operands;  ///< as operand_names()
-  std::vector<ValueRange> results;   ///< as result_names()
-  std::vector<bool> executed;        ///< of the instructions of the program
+  std::vector<ValueRange> operands;  ///< indexed like operand_names()
+  std::vector<ValueRange> results;   ///< indexed like result_names()
+  std::vector<bool> executed;        ///< one for each instruction of the program
 };
 
-/// How near a divide error is.
+/// How close the divides come to a divide error.
 struct DivideProfile {
-  std::optional<std::int64_t> least_divisor;      ///< by magnitude, in units of 2^-16
-  std::optional<std::int64_t> greatest_quotient;  ///< the same
+  std::optional<std::int64_t> least_divisor;      ///< smallest magnitude, in units of 2^-16
+  std::optional<std::int64_t> greatest_quotient;  ///< largest magnitude, in units of 2^-16
 };
 
-/// Vertices and faces before the viewer, over all objects and frames.
+/// Visible vertices and faces over all objects and frames.
 struct ViewProfile {
-  std::optional<std::int32_t> nearest;  ///< greatest view z of a vertex that is not clipped
-  std::uint64_t faces = 0;              ///< of objects within reach
-  std::uint64_t clipped_faces = 0;      ///< of these, with a corner outside the clip volume
+  std::optional<std::int32_t> nearest;  ///< greatest view-space z of an unclipped vertex
+  std::uint64_t faces = 0;              ///< of objects within range
+  std::uint64_t clipped_faces = 0;      ///< those with a corner outside the clip volume
   std::uint64_t out_of_reach = 0;       ///< objects too far away to be drawn
 };
 
@@ -55,13 +56,15 @@ struct SceneProfile {
   ViewProfile view{};
 };
 
-/// Takes part in a run of the model.
+/// Profiles a run of the model.
 class Profiler {
  public:
-  /// @param choice the arithmetic, of the model
+  /// @param choice must select a listing
   Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice);
 
-  /// One frame: its calls, and the player after it has been drawn.
+  /// Adds one frame.
+  /// @param log the calls of the frame
+  /// @param player in its state after drawing the frame
   void add(const player::OperandLog& log, const xsharp::Player& player);
 
   [[nodiscard]] const SceneProfile& profile() const { return profile_; }
@@ -73,7 +76,7 @@ class Profiler {
   SceneProfile profile_;
 };
 
-/// Forms of instructions of the listings for the processor, by what the scene made of them. Sorted.
+/// The instruction forms of the processor's listings, by whether the scene executed them. Sorted.
 struct FormUse {
   std::vector<std::string> executed;
   std::vector<std::string> never;

@@ -1,5 +1,5 @@
 /// @file
-/// What range of values has been met.
+/// The range of observed values.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,12 @@
 
 namespace fixproof::trade {
 
-/// Bits of two's complement that hold a value, its sign among them: 1 for 0 and -1.
+/// Two's-complement bits that hold a value, including the sign bit: 1 for 0 and -1.
 constexpr int signed_bits(std::int64_t value) {
   return 1 +
          static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value)));
 }
 
-/// Least and greatest.
 class ValueRange {
  public:
   constexpr void add(std::int64_t value) {
@@ -23,11 +22,10 @@ class ValueRange {
     greatest_ = std::max(greatest_, value);
   }
 
-  /// Whether nothing has been added.
   [[nodiscard]] constexpr bool empty() const { return least_ > greatest_; }
   [[nodiscard]] constexpr std::int64_t least() const { return least_; }
   [[nodiscard]] constexpr std::int64_t greatest() const { return greatest_; }
-  /// That hold every value; 0 where there is none.
+  /// Two's-complement bits that hold every value; 0 if the range is empty.
   [[nodiscard]] constexpr int bits() const {
     return empty() ? 0 : std::max(signed_bits(least_), signed_bits(greatest_));
   }

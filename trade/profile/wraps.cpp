@@ -14,7 +14,7 @@ bool fits(std::int64_t value) {
          value <= std::numeric_limits<std::int32_t>::max();
 }
 
-/// Rounded as the listings round it. |a b| <= 2^62, so that nothing wraps here.
+/// The product rounded as in the listings. |a b| <= 2^62, so the 64-bit sum cannot wrap.
 std::int64_t exact_product(const cases::Variant& variant, std::uint32_t a, std::uint32_t b) {
   const std::int64_t exact = value_of(a) * value_of(b);
   const std::int64_t half = variant.build.mul_round ? 0x8000 : 0;
@@ -22,23 +22,22 @@ std::int64_t exact_product(const cases::Variant& variant, std::uint32_t a, std::
   return exact < 0 ? -((half - exact) >> 16) : (exact + half) >> 16;
 }
 
-/// Truncated: no quotient of two words is so near the ends of the range that rounding decides.
+/// Truncates, because rounding never moves a quotient of two words across the ends of the range.
 bool quotient_wraps(const cases::Variant& variant, std::uint32_t n, std::uint32_t d) {
-  // The 8088 listing has the whole part of the divisor's magnitude.
+  // The 8088 listing divides by the whole part of the divisor's magnitude.
   const std::int64_t unit =
       variant.build.target == cases::Target::i8088 ? std::int64_t{1} << 16 : 1;
   const std::int64_t divisor = value_of(d) / unit * unit;
   return !fits(value_of(n) * 65536 / divisor);
 }
 
-/// Row `i` of a transform times a column.
 std::int64_t row_times(const cases::Variant& variant, std::span<const std::uint32_t> row,
                        std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return exact_product(variant, row[0], x) + exact_product(variant, row[1], y) +
          exact_product(variant, row[2], z);
 }
 
-/// What the printed 8088 ConcatXforms leaves out of sum + moved: 1.0, or nothing.
+/// The carry that the printed 8088 ConcatXforms loses in sum + moved: 1.0 or 0.
 std::int64_t lost_carry(const cases::Variant& variant, std::int64_t sum, std::int64_t moved) {
   constexpr std::int64_t one = 0x10000;
   const auto fraction = [](std::int64_t value) { return value & (one - 1); };

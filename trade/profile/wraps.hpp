@@ -1,5 +1,5 @@
 /// @file
-/// Whether a result leaves 32 bits.
+/// Detects results that overflow 32 bits.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace fixproof::trade {
 
-/// Whether some result of the call is outside -32768 ... 32768 - 2^-16, so that the words returned
-/// are not it. Of a call that does not fault.
+/// Whether any exact result of the call is outside -32768 ... 32768 - 2^-16, so that the returned
+/// words wrap. The call must not end in a divide error.
 bool wraps(const cases::Variant& variant, std::span<const std::uint32_t> in);
 
 }  // namespace fixproof::trade
