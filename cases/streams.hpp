@@ -1,5 +1,5 @@
 /// @file
-/// The streams of cases, each of which looks for one kind of defect. Case i of a stream is a pure
+/// The streams of cases. Each stream looks for one kind of defect. Case i of a stream is a pure
 /// function of the operation and format of the variant, the seed, the stream and i.
 #pragma once
 

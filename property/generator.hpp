@@ -42,7 +42,7 @@ rc::Gen<Raw> power_raw() {
       rc::gen::arbitrary<bool>());
 }
 
-/// Random bits, of which a random number is kept: uniform in value and in magnitude.
+/// Random bits, cut to a random length: uniform in value and in magnitude.
 template <class Raw>
 rc::Gen<Raw> uniform_raw(int min_dropped, int max_dropped) {
   constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();

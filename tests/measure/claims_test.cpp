@@ -146,8 +146,8 @@ TEST(Claims, FiguresOfOneProduct) {
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (40.0 / 33));
   // The claim is about whole animations, so the listings decide nothing.
   EXPECT_EQ(at.figures[0].verdict, measure::Verdict::open);
-  // The unrounded 386 code omits ADD and ADC, 4 of 57 clocks. In a program of 570 clocks, of which
-  // the rounded product takes a tenth, that is 4 of 566.
+  // The unrounded 386 code omits ADD and ADC, 4 of 57 clocks. If the rounded product takes 57 of a
+  // program's 570 clocks, that is 4 of 566.
   const measure::Claim& rounding = claim_about(claims, "cost of rounding");
   ASSERT_EQ(rounding.figures.size(), 3U);
   EXPECT_DOUBLE_EQ(rounding.figures[0].measured.min, 100 * (57.0 / 53 - 1));

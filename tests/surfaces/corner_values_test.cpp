@@ -129,7 +129,7 @@ TYPED_TEST(CornerValues, OfDistanceAsLight) {
   const Corner<N> corner{vector<N>({-60, 80, -240}), {}};
   const PointValues values =
       point_values(surface_of(SurfaceKind::distance), corner, {}, number<N>(65));
-  // unit() is off by up to 16 ulp, of which the value takes 1/4, and the quotient rounds.
+  // unit() is off by up to 16 ulp, the value takes a quarter of that, and the quotient rounds.
   EXPECT_NEAR(values[1], 79.5, 62 * 6 * ulp);
 }
 

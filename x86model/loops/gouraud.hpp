@@ -17,7 +17,7 @@ constexpr Listing gouraud_byte(Counting counting, Target target) {
 }
 
 /// Five instructions per two pixels. CX is an even number of pixels. The words are aligned if the
-/// first pixel has an even address. On the 386 the sums have 32 bits, of which DH uses 16.
+/// first pixel has an even address. On the 386 the sums have 32 bits, and DH uses 16 of them.
 constexpr Listing gouraud_word(Counting counting, Target target) {
   using namespace notation;
   const Registers r = registers_of(target);

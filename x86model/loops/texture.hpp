@@ -9,7 +9,7 @@
 
 namespace x86model::loops {
 
-/// Six instructions per pixel, plus counting. The 386 steps 32 bits, of which 16 are used.
+/// Six instructions per pixel, plus counting. The 386 steps 32 bits and uses 16 of them.
 constexpr Listing texture(Counting counting, Target target) {
   using namespace notation;
   const Registers r = registers_of(target);
