@@ -110,7 +110,7 @@ bool FileCases::next(std::span<std::uint32_t> words) {
     do {
       ++line_;
       if (!support::read_line(file_, line)) return false;
-    } while (support::says_nothing(line));
+    } while (support::is_blank_or_comment(line));
     cases::parse_words(line, variant_, words);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));

@@ -4,8 +4,8 @@
 
 namespace fixproof::check {
 
-Judge::Judge(const Rules& rules, std::size_t most_shown)
-    : rules_(rules), wrong_(most_shown), trial_(rules.operation) {}
+Judge::Judge(const Rules& rules, std::size_t max_shown)
+    : rules_(rules), wrong_(max_shown), trial_(rules.operation) {}
 
 void Judge::add(const JudgedCase& one) {
   const auto ulps = rounded_result(rules_.operation, one.words, rules_.rounding);

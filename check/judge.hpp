@@ -25,8 +25,8 @@ struct LargestError {
 
 class Judge {
  public:
-  /// `most_shown` is the number of wrong cases to keep.
-  Judge(const Rules& rules, std::size_t most_shown);
+  /// `max_shown` is the number of wrong cases to keep.
+  Judge(const Rules& rules, std::size_t max_shown);
 
   void add(const JudgedCase& one);
 

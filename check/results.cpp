@@ -10,7 +10,7 @@ namespace fixproof::check {
 
 namespace {
 
-constexpr std::string_view what_a_result_is =
+constexpr std::string_view result_format =
     "a result is 8 lower-case hex digits, or DE for a divide error";
 
 }  // namespace
@@ -20,7 +20,7 @@ Said parse_result(std::string_view line) {
   try {
     return support::parse_hex(line, 8);
   } catch (const support::UsageError& error) {
-    throw support::UsageError(fmt::format("{}; {}", error.what(), what_a_result_is));
+    throw support::UsageError(fmt::format("{}; {}", error.what(), result_format));
   }
 }
 
@@ -30,11 +30,12 @@ std::optional<Said> Results::next() {
     do {
       ++line_;
       if (!support::read_line(in_, text_)) return std::nullopt;
-      if (blank == 0 && !text_.starts_with('#') && support::says_nothing(text_)) blank = line_;
-    } while (support::says_nothing(text_));
+      if (blank == 0 && !text_.starts_with('#') && support::is_blank_or_comment(text_))
+        blank = line_;
+    } while (support::is_blank_or_comment(text_));
     if (blank != 0) {
       line_ = blank;
-      throw support::UsageError(fmt::format("blank; {}", what_a_result_is));
+      throw support::UsageError(fmt::format("blank; {}", result_format));
     }
     return parse_result(text_);
   } catch (const support::UsageError& error) {

@@ -40,12 +40,12 @@ class RuleTrial {
  private:
   static constexpr std::size_t rounding_count = 5;
   static constexpr std::size_t overflow_count = 6;
-  static constexpr std::size_t most_no_result_count = 6;
+  static constexpr std::size_t max_no_result_count = 6;
 
   cases::Operation operation_;
   std::array<RuleScore, rounding_count> in_range_;
   std::array<std::array<RuleScore, overflow_count>, rounding_count> overflows_;
-  std::array<std::array<RuleScore, most_no_result_count>, rounding_count> no_results_;
+  std::array<std::array<RuleScore, max_no_result_count>, rounding_count> no_results_;
 };
 
 }  // namespace fixproof::check

@@ -35,7 +35,7 @@ struct AdviseOptions {
   std::string json;
 };
 
-constexpr double most_pixels = 10'000;
+constexpr double max_pixels = 10'000;
 
 double pixels_of(std::string_view text) {
   std::string_view number = text;
@@ -44,10 +44,10 @@ double pixels_of(std::string_view text) {
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), pixels);
   // The negated condition also rejects NaN.
   if (error != std::errc{} || end != number.data() + number.size() ||
-      !(pixels > 0 && pixels <= most_pixels)) {
+      !(pixels > 0 && pixels <= max_pixels)) {
     throw support::UsageError(
         fmt::format("--budget {}: want pixels above 0, to {:.0f}, as 0.5 or 0.5px",
-                    support::quoted(text), most_pixels));
+                    support::quoted(text), max_pixels));
   }
   return pixels;
 }

@@ -28,7 +28,7 @@ void answer_lines(std::istream& in, std::ostream& out,
   for (std::uint64_t number = 1;; ++number) {
     try {
       if (!support::read_line(in, line)) break;
-      if (support::says_nothing(line)) continue;
+      if (support::is_blank_or_comment(line)) continue;
       answer(line, pending);
     } catch (const support::UsageError& error) {
       write(out, pending);

@@ -39,7 +39,7 @@ std::string error_columns(const measure::SteppingRow& row) {
 std::string picture_columns(const measure::SteppingRow& row) {
   const measure::SteppingStatistics& s = row.statistics;
   return fmt::format("{:>10}{:>9}{:>12}{:>10}{:>8}{:>10}",
-                     percent_text(measure::share_of(s.wrong(), s.drawn())), s.most_off(),
+                     percent_text(measure::share_of(s.wrong(), s.drawn())), s.max_error(),
                      support::grouped(s.bands().drawn),
                      percent_text(measure::share_of(s.bands().wrong, s.bands().drawn)),
                      s.bands().widest, percent_text(measure::share_of(s.missed(), s.wanted())));

@@ -101,7 +101,7 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options,
   if (failure) std::rethrow_exception(failure);
 }
 
-std::string what_became_of(const Trial& trial) {
+std::string fate_of(const Trial& trial) {
   const proof::Judgement& j = trial.judgement;
   switch (j.fate) {
     case proof::Fate::killed:
@@ -159,7 +159,7 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
       all.add(trial.judgement);
       if (verbose || trial.judgement.fate == proof::Fate::gap) {
         notable += fmt::format("{}, mutant {}: {}: {}\n", name, trial.number, trial.mutant.change,
-                               what_became_of(trial));
+                               fate_of(trial));
       }
     }
     lines += score.line(name);

@@ -31,7 +31,7 @@ std::string calls_text(const trade::SceneProfile& profile) {
     text += fmt::format("{:<10}{:>12}{:>12}{:>12.1f}{:>12}{:>8}{:>16}\n",
                         cases::name_of(r.variant.operation), support::grouped(r.calls),
                         support::grouped(r.least_in_frame), static_cast<double>(r.calls) / frames,
-                        support::grouped(r.most_in_frame), support::grouped(r.faults),
+                        support::grouped(r.max_in_frame), support::grouped(r.faults),
                         support::grouped(r.instructions));
   }
   return text +
@@ -73,7 +73,7 @@ std::string wrapped_text(const trade::SceneProfile& profile) {
   return fmt::format("Overflow: {} calls had a result outside 16.16", support::grouped(wrapped));
 }
 
-int most_bits(const trade::SceneProfile& profile) {
+int max_bits(const trade::SceneProfile& profile) {
   int bits = 0;
   for (const trade::RoutineProfile& r : profile.routines) {
     for (const trade::ValueRange& range : r.results) bits = std::max(bits, range.bits());
@@ -92,7 +92,7 @@ std::string quotient_limit(const trade::SceneProfile& profile) {
 }
 
 std::string closeness_text(const trade::SceneProfile& profile) {
-  const int bits = most_bits(profile);
+  const int bits = max_bits(profile);
   std::string text = fmt::format("{}; the widest word has {} bits, {} to spare.\n",
                                  wrapped_text(profile), bits, word_bits - bits);
   const trade::DivideProfile& divides = profile.divides;
@@ -136,7 +136,7 @@ std::string unexecuted_text(const trade::RoutineProfile& r) {
 
 std::string needless_text(const trade::SceneProfile& profile) {
   const trade::FormUse forms = forms_of(profile);
-  const int bits = most_bits(profile);
+  const int bits = max_bits(profile);
   std::string text = "Never needed by this scene:\n";
   for (const trade::RoutineProfile& r : profile.routines) text += unexecuted_text(r);
   if (!forms.never.empty()) {

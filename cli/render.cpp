@@ -48,7 +48,7 @@ struct RenderOptions {
   bool show = false;
 };
 
-constexpr std::uint64_t most_threads = 256;
+constexpr std::uint64_t max_threads = 256;
 
 void set_size(xsharp::Scene& scene, const std::string& size) {
   const auto refuse = [&size] {
@@ -248,7 +248,7 @@ void add_render(CLI::App& app, int& status) {
       ->add_option("--threads", options->threads,
                    "that move, prepare and draw objects; pictures are the same on any number, and "
                    "small ones no quicker; the model has 1")
-      ->transform(whole_number(1, most_threads))
+      ->transform(whole_number(1, max_threads))
       ->capture_default_str();
   command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
   command

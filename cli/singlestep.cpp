@@ -19,7 +19,7 @@ using singlestep::Differences;
 using singlestep::Skip;
 
 /// Mismatches printed per file; further ones are only counted.
-constexpr std::uint64_t most_shown = 20;
+constexpr std::uint64_t max_shown = 20;
 
 struct Counts {
   std::uint64_t equal = 0;
@@ -55,7 +55,7 @@ void count(const singlestep::Case& c, x86model::Target cpu, const std::string& f
     ++counts.equal;
     return;
   }
-  if (++counts.differing > most_shown) return;
+  if (++counts.differing > max_shown) return;
   std::cout << fmt::format("{}: case {} {}: {}\n", file, c.index, fixproof::support::quoted(c.name),
                            fmt::join(differences, "; "));
 }
@@ -71,8 +71,8 @@ int judge_files(const std::vector<std::string>& files, x86model::Target cpu) {
     try {
       singlestep::read_cases(path, cpu,
                              [&](const singlestep::Case& c) { count(c, cpu, file, counts); });
-      if (counts.differing > most_shown) {
-        std::cout << fmt::format("{}: {} more\n", file, counts.differing - most_shown);
+      if (counts.differing > max_shown) {
+        std::cout << fmt::format("{}: {} more\n", file, counts.differing - max_shown);
       }
       std::cout << fmt::format("{}: {}\n", file, summary(counts)) << std::flush;
       if (counts.run() == 0) throw support::UsageError(path + ": not one case could be run");

@@ -127,7 +127,7 @@ void run_rest(const VerifyOptions& options, verify::Report& report) {
       {.threads = options.threads, .stop = &support::Interrupt::flag(), .observe = observe});
 }
 
-std::string how_to_go_on(const VerifyOptions& options) {
+std::string resume_hint(const VerifyOptions& options) {
   if (!options.resume.empty()) {
     return fmt::format("Stopped. The same command goes on from {}.\n", options.resume);
   }
@@ -167,7 +167,7 @@ int verify(const VerifyOptions& options) {
     }
   }
   std::cout << table(report);
-  if (!report.complete()) std::cout << how_to_go_on(options);
+  if (!report.complete()) std::cout << resume_hint(options);
   std::cout.flush();
   if (!failure.empty()) throw std::runtime_error(failure);
   // A mismatch counts even if the run is incomplete.

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "fuzz/finding.hpp"
-#include "fuzz/jury.hpp"
+#include "fuzz/panel.hpp"
 #include "fuzz/type_rules.hpp"
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
@@ -15,11 +15,11 @@
 using namespace fixproof;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const auto& seats = fuzz::seats_of(fuzz::WordTarget::agreement);
+  static const auto& variants = fuzz::parties_by_variant(fuzz::WordTarget::agreement);
   if (size == 0) return 0;
   std::array<std::uint32_t, cases::max_words_in> words{};
   fuzz::read_words(std::span(data, size).subspan(1), words);
-  fuzz::report_if_any(fuzz::disagreement(seats[data[0] % seats.size()], words));
+  fuzz::report_if_any(fuzz::disagreement(variants[data[0] % variants.size()], words));
   fuzz::report_if_any(fuzz::type_difference(std::span(words).first<3>()));
   return 0;
 }

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "fuzz/finding.hpp"
-#include "fuzz/jury.hpp"
+#include "fuzz/panel.hpp"
 #include "fuzz/type_rules.hpp"
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
@@ -14,10 +14,10 @@
 using namespace fixproof;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const auto& seats = fuzz::seats_of(fuzz::WordTarget::divide);
+  static const auto& variants = fuzz::parties_by_variant(fuzz::WordTarget::divide);
   std::array<std::uint32_t, 2> words{};
   fuzz::read_words({data, size}, words);
-  fuzz::report_if_any(fuzz::disagreement(seats, words));
+  fuzz::report_if_any(fuzz::disagreement(variants, words));
   fuzz::report_if_any(fuzz::quotient_difference(words[0], words[1]));
   return 0;
 }

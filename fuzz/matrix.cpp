@@ -6,17 +6,17 @@
 #include <span>
 
 #include "fuzz/finding.hpp"
-#include "fuzz/jury.hpp"
+#include "fuzz/panel.hpp"
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
 
 using namespace fixproof;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const auto& seats = fuzz::seats_of(fuzz::WordTarget::matrix);
+  static const auto& variants = fuzz::parties_by_variant(fuzz::WordTarget::matrix);
   std::array<std::uint32_t, cases::max_words_in> words{};
   fuzz::read_words({data, size}, words);
-  fuzz::report_if_any(fuzz::disagreement(seats, words));
+  fuzz::report_if_any(fuzz::disagreement(variants, words));
   return 0;
 }
 

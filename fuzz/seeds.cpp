@@ -68,12 +68,13 @@ void some_cases(const cases::Variant& variant, std::uint64_t of_each_stream, Eac
 
 void write_words_of(const fs::path& root, std::string_view name, fuzz::WordTarget target) {
   Corpus corpus(root, name);
-  const auto& seats = fuzz::seats_of(target);
+  const auto& variants = fuzz::parties_by_variant(target);
   const bool chosen = target == fuzz::WordTarget::agreement;
-  for (std::size_t i = 0; i < seats.size(); ++i) {
+  for (std::size_t i = 0; i < variants.size(); ++i) {
     // All variants of an operation share cases; without a choice byte each input goes to all.
-    if (!chosen && i > 0 && seats[i].variant.operation == seats[i - 1].variant.operation) continue;
-    some_cases(seats[i].variant, chosen || target == fuzz::WordTarget::matrix ? 4 : 16,
+    if (!chosen && i > 0 && variants[i].variant.operation == variants[i - 1].variant.operation)
+      continue;
+    some_cases(variants[i].variant, chosen || target == fuzz::WordTarget::matrix ? 4 : 16,
                [&](std::span<const std::uint32_t> words) {
                  std::vector<std::uint8_t> bytes(fuzz::input_size(target));
                  if (chosen) bytes[0] = static_cast<std::uint8_t>(i);

@@ -75,7 +75,7 @@ void step_word(const cases::Format& format, std::uint32_t& word, cases::Draw& dr
   }
 }
 
-std::vector<Seat> all_seats() {
+std::vector<VariantParties> all_variants() {
   std::vector<cases::Operation> operations;
   for (const cases::Variant& variant : cases::all_variants())
     operations.push_back(variant.operation);
@@ -83,20 +83,20 @@ std::vector<Seat> all_seats() {
   for (const auto& party : parties::parties()) {
     if (party->name() != "oracle" && party->name() != "unicorn") names.push_back(party->name());
   }
-  return seats_of(operations, names);
+  return parties_by_variant(operations, names);
 }
 
 }  // namespace
 
-const std::vector<Seat>& seats_of(WordTarget target) {
+const std::vector<VariantParties>& parties_by_variant(WordTarget target) {
   using enum cases::Operation;
   constexpr auto hear = [](std::initializer_list<cases::Operation> operations) {
     constexpr auto names =
         std::to_array<std::string_view>({"oracle", "fast", "type", "model", "interpreter"});
-    return seats_of(operations, names);
+    return parties_by_variant(operations, names);
   };
-  static const std::array<std::vector<Seat>, 4> all{hear({div}), hear({mul}),
-                                                    hear({concat, xformvec}), all_seats()};
+  static const std::array<std::vector<VariantParties>, 4> all{
+      hear({div}), hear({mul}), hear({concat, xformvec}), all_variants()};
   return all.at(static_cast<std::size_t>(target));
 }
 
@@ -140,18 +140,18 @@ std::size_t mutate_input(WordTarget target, std::span<std::uint8_t> room, std::s
   std::fill(room.begin() + static_cast<std::ptrdiff_t>(std::min(size, whole)),
             room.begin() + static_cast<std::ptrdiff_t>(whole), std::uint8_t{0});
   cases::Draw draw(seed, 0);
-  const auto& seats = seats_of(target);
-  std::size_t seat = draw.below(seats.size());
+  const auto& variants = parties_by_variant(target);
+  std::size_t tested = draw.below(variants.size());
   auto bytes = room.first(whole);
   if (target == WordTarget::agreement) {
-    if (draw.below(4) == 0) bytes[0] = static_cast<std::uint8_t>(seat);
-    seat = bytes[0] % seats.size();
+    if (draw.below(4) == 0) bytes[0] = static_cast<std::uint8_t>(tested);
+    tested = bytes[0] % variants.size();
     bytes = bytes.subspan(1);
   }
   std::array<std::uint32_t, cases::max_words_in> words{};
   const auto all = std::span(words).first(bytes.size() / bytes_of_word);
   read_words(bytes, all);
-  const cases::Variant& variant = seats[seat].variant;
+  const cases::Variant& variant = variants[tested].variant;
   const auto one_case = all.first(cases::words_in(variant.operation));
   const std::uint32_t mask = ~std::uint32_t{0} >> (32 - cases::operand_bits(variant));
   for (auto& word : one_case) word &= mask;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cases/draw.hpp"
-#include "fuzz/jury.hpp"
+#include "fuzz/panel.hpp"
 
 namespace fixproof::fuzz {
 
@@ -17,7 +17,7 @@ enum class WordTarget : std::uint8_t { divide, multiply, matrix, agreement };
 /// Every variant that the target judges. `agreement`, whose first byte chooses one, has all
 /// variants with every party that this machine can run except Unicorn, which retranslates a routine
 /// after each change of routine. The others have the compiled model, the interpreter and the type.
-const std::vector<Seat>& seats_of(WordTarget target);
+const std::vector<VariantParties>& parties_by_variant(WordTarget target);
 
 std::size_t input_size(WordTarget target);
 

@@ -64,9 +64,9 @@ class Duel {
 
 template <class Subject>
 void try_to_prove(Judgement& judgement, const Subject& subject, const x86::Program& program,
-                  const Solver& solver, int most_seconds) {
+                  const Solver& solver, int max_seconds) {
   try {
-    judgement.proof = prove(subject, program, solver, most_seconds);
+    judgement.proof = prove(subject, program, solver, max_seconds);
   } catch (const Stopped&) {
     throw;
   } catch (const std::exception& error) {
@@ -122,7 +122,7 @@ std::optional<std::uint64_t> cases_to_kill(const cases::Variant& v, const partie
 }
 
 Judgement judge(const cases::Variant& v, const x86::Program& program, std::uint64_t seed,
-                const Solver& solver, int most_seconds) {
+                const Solver& solver, int max_seconds) {
   const auto begin = std::chrono::steady_clock::now();
   Judgement judgement;
   if (const auto cases = cases_to_kill(v, *parties::make_interpreter_of("mutant", program), seed)) {
@@ -131,21 +131,21 @@ Judgement judge(const cases::Variant& v, const x86::Program& program, std::uint6
   } else if (has_same_terms(v, program.instructions())) {
     judgement.fate = Fate::equivalent;
   } else {
-    try_to_prove(judgement, v, program, solver, most_seconds);
+    try_to_prove(judgement, v, program, solver, max_seconds);
   }
   judgement.seconds = seconds_since(begin);
   return judgement;
 }
 
 Judgement judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
-                const Solver& solver, int most_seconds) {
+                const Solver& solver, int max_seconds) {
   const auto begin = std::chrono::steady_clock::now();
   Judgement judgement;
   if (const auto spans = spans_to_kill(form, program, seed)) {
     judgement.fate = Fate::killed;
     judgement.cases = *spans;
   } else {
-    try_to_prove(judgement, form, program, solver, most_seconds);
+    try_to_prove(judgement, form, program, solver, max_seconds);
   }
   judgement.seconds = seconds_since(begin);
   return judgement;

@@ -42,13 +42,13 @@ std::optional<std::uint64_t> cases_to_kill(const cases::Variant& variant,
 
 /// Runs the cases of level 1 until one kills the program. The solver judges a program that
 /// survives. If the solver fails, the result is a gap and `failure` holds the reason.
-/// @param most_seconds time limit per question to the solver
+/// @param max_seconds time limit per question to the solver
 /// @throws Stopped
 Judgement judge(const cases::Variant& variant, const x86model::Program& program, std::uint64_t seed,
-                const Solver& solver, int most_seconds);
+                const Solver& solver, int max_seconds);
 
 /// The same for an inner loop, with the spans of spans_to_kill().
 Judgement judge(const x86model::LoopForm& form, const x86model::Program& program,
-                std::uint64_t seed, const Solver& solver, int most_seconds);
+                std::uint64_t seed, const Solver& solver, int max_seconds);
 
 }  // namespace fixproof::proof

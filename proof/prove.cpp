@@ -11,11 +11,11 @@ namespace fixproof::proof {
 
 namespace {
 
-SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver,
-                     int most_seconds, double& seconds) {
+SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds,
+                     double& seconds) {
   SolverAnswer answer{.verdict = Verdict::unsatisfiable};
   for (const std::string& script : scripts) {
-    answer = solver.ask(script, most_seconds);
+    answer = solver.ask(script, max_seconds);
     seconds += answer.seconds;
     if (answer.verdict != Verdict::unsatisfiable) break;
   }
@@ -23,10 +23,10 @@ SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solv
 }
 
 /// Proves questions without abstract arithmetic, where every counterexample is real.
-Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, int most_seconds) {
+Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds) {
   Proof proof;
   proof.questions = scripts.size();
-  const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
+  const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof.seconds);
   if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
   if (answer.verdict == Verdict::satisfiable) proof.standing = Standing::disproven;
   return proof;
@@ -35,8 +35,8 @@ Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, i
 }  // namespace
 
 Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
-            int most_seconds) {
-  return prove_all(step_questions(form, program), solver, most_seconds);
+            int max_seconds) {
+  return prove_all(step_questions(form, program), solver, max_seconds);
 }
 
 std::vector<std::string> lost_carry_questions(bool mul_round) {
@@ -48,18 +48,18 @@ std::vector<std::string> lost_carry_questions(bool mul_round) {
   return lost_carry_questions(program(false), program(true));
 }
 
-Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds) {
-  return prove_all(lost_carry_questions(mul_round), solver, most_seconds);
+Proof prove_lost_carry(bool mul_round, const Solver& solver, int max_seconds) {
+  return prove_all(lost_carry_questions(mul_round), solver, max_seconds);
 }
 
 Proof prove(const cases::Variant& v, const x86model::Program& program, const Solver& solver,
-            int most_seconds) {
+            int max_seconds) {
   const auto party = parties::make_interpreter_of("program", program);
   Proof proof;
   for (const Arithmetic arithmetic : {Arithmetic::abstract, Arithmetic::exact}) {
     const auto scripts = questions(v, program.instructions(), arithmetic);
     proof.questions += scripts.size();
-    const SolverAnswer answer = ask_all(scripts, solver, most_seconds, proof.seconds);
+    const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof.seconds);
     if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
     if (answer.verdict != Verdict::satisfiable) return proof;
     const auto operands = operands_in(v, answer.text);

@@ -30,20 +30,20 @@ struct Proof {
 };
 
 /// Proves that `program` does one turn of an inner loop: see step_questions(). Only memory is
-/// abstract, so a disproven turn fails for some registers, which are not recorded. `most_seconds`
+/// abstract, so a disproven turn fails for some registers, which are not recorded. `max_seconds`
 /// limits each question. @throws as Solver::ask()
 Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
-            int most_seconds);
+            int max_seconds);
 
-/// See lost_carry_questions(). `most_seconds` limits each question. @throws as Solver::ask()
-Proof prove_lost_carry(bool mul_round, const Solver& solver, int most_seconds);
+/// See lost_carry_questions(). `max_seconds` limits each question. @throws as Solver::ask()
+Proof prove_lost_carry(bool mul_round, const Solver& solver, int max_seconds);
 
 std::vector<std::string> lost_carry_questions(bool mul_round);
 
 /// Proves that `program` does what the routine of `variant` should. Products and quotients are
-/// abstract at first, and exact in a second attempt after a spurious counterexample. `most_seconds`
+/// abstract at first, and exact in a second attempt after a spurious counterexample. `max_seconds`
 /// limits each question. @throws as Solver::ask()
 Proof prove(const cases::Variant& variant, const x86model::Program& program, const Solver& solver,
-            int most_seconds);
+            int max_seconds);
 
 }  // namespace fixproof::proof

@@ -29,11 +29,11 @@ std::string remark(const Output& output) {
   return first_line(output.out.empty() ? output.err : output.out);
 }
 
-std::vector<std::string> command_of(const std::string& solver, int most_seconds) {
+std::vector<std::string> command_of(const std::string& solver, int max_seconds) {
   if (solver == "z3") {
-    return {solver, "-smt2", "-in", "dump_models=true", fmt::format("-T:{}", most_seconds)};
+    return {solver, "-smt2", "-in", "dump_models=true", fmt::format("-T:{}", max_seconds)};
   }
-  return {solver, "--lang=smt2", "--dump-models", fmt::format("--tlimit={}", 1000 * most_seconds)};
+  return {solver, "--lang=smt2", "--dump-models", fmt::format("--tlimit={}", 1000 * max_seconds)};
 }
 
 }  // namespace
@@ -58,10 +58,10 @@ Solver::Solver(const std::string& name) : name_(name) {
   version_ = support::printable(first_line(output.out));
 }
 
-SolverAnswer Solver::ask(const std::string& script, int most_seconds) const {
+SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
   const auto begin = std::chrono::steady_clock::now();
   const Output output =
-      run_program(command_of(name_, most_seconds), script, seconds(most_seconds) + grace);
+      run_program(command_of(name_, max_seconds), script, seconds(max_seconds) + grace);
   SolverAnswer answer;
   answer.text = output.out;
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

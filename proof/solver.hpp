@@ -25,10 +25,10 @@ class Solver {
   /// The first line of `--version`.
   [[nodiscard]] const std::string& version() const { return version_; }
 
-  /// Asks with a time limit of `most_seconds`.
+  /// Asks with a time limit of `max_seconds`.
   /// @throws std::runtime_error if the solver cannot run, reports an error or exits with a status
   /// other than 0; Stopped
-  [[nodiscard]] SolverAnswer ask(const std::string& script, int most_seconds) const;
+  [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
 
  private:
   std::string name_;

@@ -142,10 +142,10 @@ class Sink {
     // The format has four levels below the outermost array. The longest case, a repeated string
     // instruction, has about ten thousand cycles.
     constexpr int deepest = 16;
-    constexpr std::size_t most_events = std::size_t{1} << 20U;
+    constexpr std::size_t max_events = std::size_t{1} << 20U;
     if (depth > deepest)
       throw support::UsageError(fmt::format("case {} is nested too deeply", cases_));
-    if (++events_ > most_events)
+    if (++events_ > max_events)
       throw support::UsageError(fmt::format("case {} is too long", cases_));
     if (event == Json::parse_event_t::key) return is_judged(depth, parsed);
     if (depth == 0 && event != Json::parse_event_t::array_end) {

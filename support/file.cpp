@@ -18,7 +18,7 @@ namespace fixproof::support {
 
 namespace {
 
-constexpr std::size_t most_read = std::size_t{256} << 20U;
+constexpr std::size_t max_read = std::size_t{256} << 20U;
 
 [[noreturn]] void fail(std::string_view what, const std::string& path, int error) {
   throw std::runtime_error(
@@ -64,7 +64,7 @@ class File : private boost::noncopyable {
       if (got == 0) return contents;
       if (got > 0) {
         contents.append(buffer.data(), static_cast<std::size_t>(got));
-        if (contents.size() > most_read) fail("read", path_, EFBIG);
+        if (contents.size() > max_read) fail("read", path_, EFBIG);
       } else if (errno != EINTR) {
         fail("read", path_, errno);
       }

@@ -46,7 +46,7 @@ PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(
     fail(path_, "not a regular file");
   }
   // Always creates a new file: an existing one may belong to another run or be a link.
-  constexpr int most_tries = 100;
+  constexpr int max_tries = 100;
   for (int number = 1;; ++number) {
     part_ = target_;
     if (number > 1) part_.append(".").append(std::to_string(number));
@@ -55,7 +55,7 @@ PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) break;
     if (errno != EEXIST) fail(path_, errno);
-    if (number == most_tries) fail(path_, "remove what unfinished runs have left, up to " + part_);
+    if (number == max_tries) fail(path_, "remove what unfinished runs have left, up to " + part_);
   }
 }
 

@@ -30,7 +30,7 @@ bool read_line(std::istream& in, std::string& line) {
   return true;
 }
 
-bool says_nothing(std::string_view line) {
+bool is_blank_or_comment(std::string_view line) {
   return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 

@@ -17,6 +17,6 @@ inline constexpr std::size_t longest_line = 4096;
 bool read_line(std::istream& in, std::string& line);
 
 /// Returns whether a line is blank or starts with #.
-bool says_nothing(std::string_view line);
+bool is_blank_or_comment(std::string_view line);
 
 }  // namespace fixproof::support

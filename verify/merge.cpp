@@ -15,7 +15,7 @@ namespace fixproof::verify {
 namespace {
 
 /// A message names at most this many shards and counts the rest.
-constexpr std::size_t most_named = 8;
+constexpr std::size_t max_named = 8;
 
 void add(Report& sum, const NamedReport& part, std::span<const NamedReport> before) {
   for (std::uint64_t chunk = 0; chunk < sum.done.size(); ++chunk) {
@@ -70,14 +70,14 @@ std::string missing(const Report& sum, std::span<const NamedReport> parts) {
       if (!sum.done[chunk]) ++left;
     }
     if (left == 0) continue;
-    if (++lacking > most_named) continue;
+    if (++lacking > max_named) continue;
     names.push_back(left == all
                         ? fmt::format("shard {}/{}", i, shards)
                         : fmt::format("{} of {} chunks of shard {}/{}", support::grouped(left),
                                       support::grouped(all), i, shards));
   }
   std::string text = fmt::format("missing: {}", fmt::join(names, ", "));
-  if (lacking > most_named) text += fmt::format(" and {} shards more", lacking - most_named);
+  if (lacking > max_named) text += fmt::format(" and {} shards more", lacking - max_named);
   return text;
 }
 

@@ -103,7 +103,7 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
 }
 
 /// The largest difference between a rounded and an unrounded result, in ulps.
-double most_changed(cases::Operation operation, const std::vector<std::uint32_t>& words) {
+double max_changed(cases::Operation operation, const std::vector<std::uint32_t>& words) {
   std::int32_t most = 0;
   for (std::size_t i = 0; i + 2 <= words.size(); i += 2) {
     const auto result = [&](bool rounds, std::array<std::uint32_t, 1>& out) {
@@ -133,8 +133,8 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
   for (const RecordedScene& scene : scenes) {
     const player::OperandLog& log = operands_of(scene, i386_rounded).log;
     const double most =
-        std::max(most_changed(cases::Operation::mul, products_of(log)),
-                 most_changed(cases::Operation::div, logged(log, cases::Operation::div)));
+        std::max(max_changed(cases::Operation::mul, products_of(log)),
+                 max_changed(cases::Operation::div, logged(log, cases::Operation::div)));
     add_figure(claim, scene.name, {most, most});
   }
   return claim;

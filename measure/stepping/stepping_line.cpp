@@ -130,11 +130,11 @@ void judge_line(LineRule rule, const LineFormat& format, const LineEnds& ends,
     if (2 * std::abs(above) > turn) above += above < 0 ? turn : -turn;
     const std::int64_t bound = line_bound(rule, ends, place, format.dropped, k);
     const std::int64_t off = std::abs(above);
-    const std::int64_t most_off =
+    const std::int64_t max_error =
         off / place.units * (1 << 17) + quotient_up(off % place.units * (1 << 17), place.units);
     out.values.push_back(
         {-static_cast<double>(above) / static_cast<double>(place.units) / drawn_unit,
-         static_cast<double>(bound) / (1 << 17) / drawn_unit, most_off <= bound});
+         static_cast<double>(bound) / (1 << 17) / drawn_unit, max_error <= bound});
     std::int64_t exact = over / place.units;
     if (over % place.units < 0) --exact;
     out.exact.push_back((ends.from + exact) >> format.drawn_below);

@@ -65,7 +65,7 @@ void SteppingStatistics::add_picture(const SteppedSpan& span, bool texels) {
   for (std::size_t k = 0; k < span.drawn.size(); ++k) {
     if (span.drawn[k] == span.exact[k]) continue;
     ++wrong_;
-    most_off_ = std::max(most_off_, apart(span.drawn[k], span.exact[k], texels));
+    max_error_ = std::max(max_error_, apart(span.drawn[k], span.exact[k], texels));
   }
   add_bands(span);
   add_missed(span);

@@ -64,7 +64,7 @@ class SteppingStatistics {
   /// Pixels that differ from the exact picture, and the largest difference, in drawn values; for
   /// texels, in columns or rows.
   [[nodiscard]] std::uint64_t wrong() const { return wrong_; }
-  [[nodiscard]] std::int64_t most_off() const { return most_off_; }
+  [[nodiscard]] std::int64_t max_error() const { return max_error_; }
   [[nodiscard]] const BandCount& bands() const { return bands_; }
   /// Distinct values (texels) of exact spans, and the number of them that are never drawn.
   [[nodiscard]] std::uint64_t wanted() const { return wanted_; }
@@ -84,7 +84,7 @@ class SteppingStatistics {
   std::string beyond_;
   std::uint64_t drawn_ = 0;
   std::uint64_t wrong_ = 0;
-  std::int64_t most_off_ = 0;
+  std::int64_t max_error_ = 0;
   BandCount bands_;
   std::uint64_t wanted_ = 0;
   std::uint64_t missed_ = 0;

@@ -34,7 +34,7 @@ struct PerspectiveEnds {
 constexpr LineFormat place_format{0, 8, 128, 65536 - 128};
 constexpr std::int64_t nearest_depth = 32767 * std::int64_t{65536};
 /// The far end of a face is at most twice as far as the near end.
-constexpr double most_ratio = 2;
+constexpr double max_ratio = 2;
 /// Here the near end is 16 times as far as the nearest depth.
 constexpr std::int64_t farthest_depth = nearest_depth / 16;
 
@@ -45,7 +45,7 @@ LineEnds choose_depths(Ends ends, cases::Draw& draw) {
   const double size = static_cast<double>(farthest_depth) *
                       std::pow(static_cast<double>(nearest_depth / farthest_depth), near);
   const double ratio =
-      extreme ? (draw.below(4) == 0 ? 1.0 : most_ratio) : 1 + (most_ratio - 1) * part();
+      extreme ? (draw.below(4) == 0 ? 1.0 : max_ratio) : 1 + (max_ratio - 1) * part();
   const LineEnds depth{static_cast<std::int64_t>(size), static_cast<std::int64_t>(size / ratio)};
   return draw.coin() ? depth : LineEnds{depth.to, depth.from};
 }

@@ -174,7 +174,7 @@ struct Recipe {
   const char* loop;
   int begun;          ///< values in the setup of a span
   const char* exact;  ///< the exact computation, if there is one
-  double how_often;   ///< per pixel
+  double per_pixel;   ///< per pixel
 };
 constexpr std::array recipes{
     Recipe{"intensity 8.8", "rounded", "intensity 8.8", 1, "", 0},
@@ -205,7 +205,7 @@ std::optional<double> nanoseconds_a_pixel(const std::string& value, const std::s
   };
   for (const Recipe& r : recipes) {
     if (r.value != value || r.rule != rule) continue;
-    return least(r.loop) + least(r.exact) * r.how_often +
+    return least(r.loop) + least(r.exact) * r.per_pixel +
            least("slope, start and words") * r.begun / costed_span;
   }
   return std::nullopt;

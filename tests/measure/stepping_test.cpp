@@ -145,7 +145,7 @@ TEST(SteppingStatistics, BandsAndWrongPixels) {
   statistics.add_picture(span, false);
   EXPECT_EQ(statistics.drawn(), 5U);
   EXPECT_EQ(statistics.wrong(), 1U);
-  EXPECT_EQ(statistics.most_off(), 1);
+  EXPECT_EQ(statistics.max_error(), 1);
   EXPECT_EQ(statistics.bands().exact, 3U);
   EXPECT_EQ(statistics.bands().drawn, 3U);
   EXPECT_EQ(statistics.bands().wrong, 2U) << "the first is too long, the second too short";
@@ -162,7 +162,7 @@ TEST(SteppingStatistics, MissedTexels) {
   EXPECT_EQ(statistics.wanted(), 4U);
   EXPECT_EQ(statistics.missed(), 2U);
   EXPECT_EQ(statistics.wrong(), 2U);
-  EXPECT_EQ(statistics.most_off(), 2) << "two rows";
+  EXPECT_EQ(statistics.max_error(), 2) << "two rows";
   EXPECT_EQ(statistics.bands().wrong, 2U);
 }
 

@@ -100,7 +100,7 @@ TEST(Profile, OfACubeWorkedByHand) {
   EXPECT_EQ(mul.results.at(0).greatest(), 7282 * 320);
 
   // Nothing moves, so the first frame does all the work. Nothing turns, so no sine is looked up.
-  EXPECT_EQ(mul.most_in_frame, 16U);
+  EXPECT_EQ(mul.max_in_frame, 16U);
   EXPECT_EQ(mul.least_in_frame, 0U);
   EXPECT_EQ(routine(profile, cases::Operation::cossin).calls, 0U);
 

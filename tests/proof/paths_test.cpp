@@ -54,14 +54,14 @@ TEST(Paths, ThereAreNoMoreThanIsSaid) {
   struct Limit {
     std::size_t most;
     std::size_t least_given_up;
-    std::size_t most_returned;
+    std::size_t max_returned;
   };
-  for (const auto& [most, least_given_up, most_returned] :
+  for (const auto& [most, least_given_up, max_returned] :
        {Limit{1000, 0, 8}, Limit{4, 1, 7}, Limit{0, 1, 0}}) {
     sym::Terms terms;
     const auto paths = paths_of(terms, signs, {.max_paths = most});
     EXPECT_GE(count(paths, Outcome::step_limit), least_given_up) << most;
-    EXPECT_LE(count(paths, Outcome::returned), most_returned) << most;
+    EXPECT_LE(count(paths, Outcome::returned), max_returned) << most;
     EXPECT_LE(paths.size(), std::min(most + 2, std::size_t{8})) << most;
     EXPECT_EQ(paths.size(), count(paths, Outcome::step_limit) + count(paths, Outcome::returned));
     sym::Evaluation evaluation(terms, sym::concrete);

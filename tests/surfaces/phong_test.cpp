@@ -79,7 +79,7 @@ double arithmetic_error(PhongForm form, double component, double distance) {
 /// The largest index difference when the values differ by less than `bound`.
 int levels(double bound) { return static_cast<int>(std::floor(bound)) + 1; }
 
-int most_difference(const Indices& one, const Indices& other) {
+int max_difference(const Indices& one, const Indices& other) {
   int most = 0;
   for (std::size_t i = 0; i < one.pixels().size(); ++i) {
     most = std::max(most, std::abs(one.pixels()[i] - other.pixels()[i]));
@@ -111,7 +111,7 @@ TEST(Phong, EverySpanIsWithinItsBound) {
     for (const PhongForm form : forms) {
       surface.phong = form;
       StepFiller<Number> filler(scene_of(surface), std::make_unique<PlainLoops>());
-      const int most = most_difference(drawn(filler, picture, width, 1), expected);
+      const int most = max_difference(drawn(filler, picture, width, 1), expected);
       RC_ASSERT(most <= levels(form_error(form, {width, k, 1}) +
                                arithmetic_error(form, component, distance)));
     }

@@ -102,7 +102,7 @@ void Profiler::add(const player::OperandLog& log, const xsharp::Player& player) 
     }
     routine.calls += calls;
     routine.least_in_frame = profile_.frames == 0 ? calls : std::min(routine.least_in_frame, calls);
-    routine.most_in_frame = std::max(routine.most_in_frame, calls);
+    routine.max_in_frame = std::max(routine.max_in_frame, calls);
     if (routine.variant.operation == cases::Operation::div) {
       note_divide(profile_.divides, routine, all);
     }

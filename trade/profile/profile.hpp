@@ -24,7 +24,7 @@ struct RoutineProfile {
   x86model::Program program{};
   std::uint64_t calls = 0;
   std::uint64_t least_in_frame = 0;
-  std::uint64_t most_in_frame = 0;
+  std::uint64_t max_in_frame = 0;
   std::uint64_t instructions = 0;
   std::uint64_t faults = 0;
   /// Calls with a result that does not fit in 32 bits.

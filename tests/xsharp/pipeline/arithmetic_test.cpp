@@ -15,7 +15,7 @@ namespace xsharp {
 namespace {
 
 constexpr std::int32_t least_raw = std::numeric_limits<std::int32_t>::min();
-constexpr std::int32_t most_raw = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t max_raw = std::numeric_limits<std::int32_t>::max();
 
 /// Floor division; the built-in division truncates.
 std::int64_t floor_of(std::int64_t n, std::int64_t d) { return n / d - (n % d < 0 ? 1 : 0); }
@@ -30,7 +30,7 @@ TEST(RawConstant, PublishedAddsAHalfAndDropsTheFraction) {
 }
 
 TEST(RawConstant, IsTheRationalRuleForEveryNumberOfEighthsOfAUnit) {
-  EXPECT_TRUE(draws::hold(1, std::int64_t{least_raw} * 8 + 8, std::int64_t{most_raw} * 8 - 8,
+  EXPECT_TRUE(draws::hold(1, std::int64_t{least_raw} * 8 + 8, std::int64_t{max_raw} * 8 - 8,
                           [](const draws::Integers& eighths) {
                             const std::int64_t n = eighths[0];
                             const double value = std::ldexp(static_cast<double>(n), -19);
@@ -52,15 +52,15 @@ TEST(RawConstant, WhatIsOutOfRangeIsTheEndOfTheRange) {
   const volatile double nan = limits::quiet_NaN();
   for (const Conversion conversion : {Conversion::published, Conversion::nearest}) {
     for (const double large : {32768.0, 1e9, limits::max(), limits::infinity()}) {
-      EXPECT_EQ(raw_constant(large, conversion), most_raw);
+      EXPECT_EQ(raw_constant(large, conversion), max_raw);
       EXPECT_EQ(raw_constant(-large - 1, conversion), least_raw);
     }
     EXPECT_EQ(raw_constant(nan, conversion), 0);
     EXPECT_EQ(raw_constant(limits::denorm_min(), conversion), 0);
     // The largest value in range is 2^31 - 1 ulp.
-    EXPECT_EQ(raw_constant(32768 - std::ldexp(1, -16), conversion), most_raw);
-    EXPECT_EQ(raw_constant(32768 - std::ldexp(3, -17), conversion), most_raw);
-    EXPECT_EQ(raw_constant(32768 - std::ldexp(2, -16), conversion), most_raw - 1);
+    EXPECT_EQ(raw_constant(32768 - std::ldexp(1, -16), conversion), max_raw);
+    EXPECT_EQ(raw_constant(32768 - std::ldexp(3, -17), conversion), max_raw);
+    EXPECT_EQ(raw_constant(32768 - std::ldexp(2, -16), conversion), max_raw - 1);
   }
 }
 

@@ -16,22 +16,23 @@
 namespace fixproof::fuzz {
 
 /// The parties for one variant; the oracle comes first.
-struct Seat {
+struct VariantParties {
   cases::Variant variant;
   std::vector<const parties::Party*> parties;
 };
 
-/// One seat per variant of these operations; multiply and divide also at half width. Omits parties
+/// One entry per variant of these operations; multiply and divide also at half width. Omits parties
 /// that this build lacks or that do not answer a variant.
-std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
-                           std::span<const std::string_view> parties);
+std::vector<VariantParties> parties_by_variant(std::span<const cases::Operation> operations,
+                                               std::span<const std::string_view> parties);
 
 /// Describes a disagreement with the oracle: the smallest case that shows it, every answer, and the
 /// command that reproduces it. Uses the first words that the operation takes, reduced to its
 /// operand width.
-std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words);
+std::optional<std::string> disagreement(const VariantParties& tested,
+                                        std::span<const std::uint32_t> words);
 
-std::optional<std::string> disagreement(std::span<const Seat> seats,
+std::optional<std::string> disagreement(std::span<const VariantParties> variants,
                                         std::span<const std::uint32_t> words);
 
 }  // namespace fixproof::fuzz

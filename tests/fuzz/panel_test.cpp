@@ -1,5 +1,5 @@
-// Tests the jury's findings about a party with a planted defect.
-#include "fuzz/jury.hpp"
+// Tests what the panel finds about a party with a planted defect.
+#include "fuzz/panel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,11 +27,11 @@ test::Saboteur lost_tie() {
   });
 }
 
-TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
+TEST(Panel, SaysWhatDiffersAndHowToSeeItAgain) {
   const auto liar = lost_tie();
-  const fuzz::Seat seat{div_i8088, {&parties::party_named("oracle"), &liar}};
+  const fuzz::VariantParties tested{div_i8088, {&parties::party_named("oracle"), &liar}};
   const std::array<std::uint32_t, 2> words{0x0005A5A5, 0x0002FFFF};
-  const auto found = fuzz::disagreement(seat, words);
+  const auto found = fuzz::disagreement(tested, words);
   ASSERT_TRUE(found);
   // 1 / 2, the smallest tie: half a unit, which rounds away from zero.
   EXPECT_NE(found->find("oracle         00000001"), std::string::npos) << *found;
@@ -45,38 +45,38 @@ TEST(Jury, SaysWhatDiffersAndHowToSeeItAgain) {
   EXPECT_NE(found->find("found with  0005a5a5 0002ffff"), std::string::npos) << *found;
 }
 
-TEST(Jury, HasNothingToSayWhereAllAgree) {
+TEST(Panel, HasNothingToSayWhereAllAgree) {
   const auto liar = lost_tie();
-  const fuzz::Seat seat{div_i8088, {&parties::party_named("oracle"), &liar}};
-  EXPECT_FALSE(fuzz::disagreement(seat, std::array<std::uint32_t, 2>{0x0005A5A4, 0x0002FFFF}));
+  const fuzz::VariantParties tested{div_i8088, {&parties::party_named("oracle"), &liar}};
+  EXPECT_FALSE(fuzz::disagreement(tested, std::array<std::uint32_t, 2>{0x0005A5A4, 0x0002FFFF}));
   // #DE is an answer.
-  EXPECT_FALSE(fuzz::disagreement(seat, std::array<std::uint32_t, 2>{1, 0xFFFF}));
+  EXPECT_FALSE(fuzz::disagreement(tested, std::array<std::uint32_t, 2>{1, 0xFFFF}));
   for (const auto target : {fuzz::WordTarget::divide, fuzz::WordTarget::multiply}) {
     EXPECT_FALSE(fuzz::disagreement(fuzz::seats_of(target),
                                     std::array<std::uint32_t, 2>{0x80000000, 0xFFFFFFFF}));
   }
 }
 
-TEST(Jury, HearsEveryVariantAtBothWidths) {
+TEST(Panel, HearsEveryVariantAtBothWidths) {
   const auto& seats = fuzz::seats_of(fuzz::WordTarget::divide);
   // Two processors, rounded or not; chapter 52; the standard rules. All but chapter 52 also in 8.8.
   EXPECT_EQ(seats.size(), 11U);
   EXPECT_EQ(std::count_if(seats.begin(), seats.end(),
-                          [](const auto& seat) { return seat.variant.fraction_bits == 8; }),
+                          [](const auto& tested) { return tested.variant.fraction_bits == 8; }),
             5);
-  for (const auto& seat : seats) EXPECT_EQ(seat.parties.front()->name(), "oracle");
+  for (const auto& tested : seats) EXPECT_EQ(tested.parties.front()->name(), "oracle");
   const auto& all = fuzz::seats_of(fuzz::WordTarget::agreement);
   // The first byte of each input in fuzz/regressions/agreement depends on this number: the five
   // routines and their 8.8 forms, chapter 52, the repaired ConcatXforms, the standard rules.
   EXPECT_EQ(all.size(), 8U + 8U + 4U + 4U + 4U + 3U + 2U + 2U + 2U + 7U);
   for (const auto& variant : cases::all_variants()) {
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& seat) {
-      return seat.variant == variant;
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& tested) {
+      return tested.variant == variant;
     })) << cases::name_of(variant.operation);
   }
   const auto heard = [&](std::string_view name) {
-    return std::any_of(all.begin(), all.end(), [&](const auto& seat) {
-      return std::any_of(seat.parties.begin(), seat.parties.end(),
+    return std::any_of(all.begin(), all.end(), [&](const auto& tested) {
+      return std::any_of(tested.parties.begin(), tested.parties.end(),
                          [&](const parties::Party* party) { return party->name() == name; });
     });
   };

@@ -1,4 +1,4 @@
-#include "fuzz/jury.hpp"
+#include "fuzz/panel.hpp"
 
 #include <fmt/format.h>
 
@@ -16,43 +16,44 @@ namespace fixproof::fuzz {
 
 namespace {
 
-std::vector<parties::Answer> answers_of(const Seat& seat, std::span<const std::uint32_t> words) {
+std::vector<parties::Answer> answers_of(const VariantParties& tested,
+                                        std::span<const std::uint32_t> words) {
   std::vector<parties::Answer> answers;
-  for (const parties::Party* party : seat.parties)
-    answers.push_back(parties::ask(*party, seat.variant, words));
+  for (const parties::Party* party : tested.parties)
+    answers.push_back(parties::ask(*party, tested.variant, words));
   return answers;
 }
 
 /// Whether all parties agree. Does not allocate, because it runs for every input.
-bool all_agree(const Seat& seat, std::span<const std::uint32_t> words) {
+bool all_agree(const VariantParties& tested, std::span<const std::uint32_t> words) {
   using Out = std::array<std::uint32_t, cases::max_words_out>;
-  const std::size_t size = cases::words_out(seat.variant.operation);
+  const std::size_t size = cases::words_out(tested.variant.operation);
   const auto ask = [&](const parties::Party& party, Out& out) {
     std::array<parties::Ending, 1> ending{parties::Ending::broken};
     const auto used = std::span(out).first(size);
-    party.answer(seat.variant, {words, used, ending});
+    party.answer(tested.variant, {words, used, ending});
     return parties::AnswerView{ending[0], used};
   };
   Out first_out{};
-  const parties::AnswerView first = ask(*seat.parties.front(), first_out);
-  return std::all_of(seat.parties.begin() + 1, seat.parties.end(),
+  const parties::AnswerView first = ask(*tested.parties.front(), first_out);
+  return std::all_of(tested.parties.begin() + 1, tested.parties.end(),
                      [&](const parties::Party* party) {
                        Out out{};
                        return parties::agree(first, ask(*party, out));
                      });
 }
 
-std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
-  const int bits = cases::operand_bits(seat.variant);
+std::string text_of(const VariantParties& tested, std::span<const std::uint32_t> words) {
+  const int bits = cases::operand_bits(tested.variant);
   const auto smallest = verify::shrink({words.begin(), words.end()}, bits, [&](auto fewer) {
-    return !parties::agree(answers_of(seat, fewer));
+    return !parties::agree(answers_of(tested, fewer));
   });
-  const auto answers = answers_of(seat, smallest);
-  const int result_bits = 2 * seat.variant.fraction_bits;
-  std::string text = fmt::format("{}: not all parties agree\n", cases::name_of(seat.variant));
-  cases::Row row{seat.variant, {}};
+  const auto answers = answers_of(tested, smallest);
+  const int result_bits = 2 * tested.variant.fraction_bits;
+  std::string text = fmt::format("{}: not all parties agree\n", cases::name_of(tested.variant));
+  cases::Row row{tested.variant, {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const std::string name(seat.parties[i]->name());
+    const std::string name(tested.parties[i]->name());
     text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
     // Puts the party for the rerun command first.
     const bool first_differs =
@@ -66,20 +67,20 @@ std::string text_of(const Seat& seat, std::span<const std::uint32_t> words) {
 
 }  // namespace
 
-std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
-                           std::span<const std::string_view> names) {
-  std::vector<Seat> seats;
+std::vector<VariantParties> parties_by_variant(std::span<const cases::Operation> operations,
+                                               std::span<const std::string_view> names) {
+  std::vector<VariantParties> variants;
   const auto add = [&](const cases::Variant& variant) {
-    Seat seat{variant, {}};
+    VariantParties tested{variant, {}};
     for (const std::string_view name : names) {
       const auto found = std::find_if(parties::parties().begin(), parties::parties().end(),
                                       [&](const auto& party) { return party->name() == name; });
       if (found != parties::parties().end() && (*found)->absence().empty() &&
           (*found)->answers(variant)) {
-        seat.parties.push_back(found->get());
+        tested.parties.push_back(found->get());
       }
     }
-    if (seat.parties.size() > 1) seats.push_back(std::move(seat));
+    if (tested.parties.size() > 1) variants.push_back(std::move(tested));
   };
   for (const cases::Variant& variant : cases::all_variants()) {
     if (std::find(operations.begin(), operations.end(), variant.operation) == operations.end()) {
@@ -89,24 +90,25 @@ std::vector<Seat> seats_of(std::span<const cases::Operation> operations,
     const auto half = cases::at_level(3, variant);
     if (half && half->fraction_bits == 8) add(*half);
   }
-  return seats;
+  return variants;
 }
 
-std::optional<std::string> disagreement(const Seat& seat, std::span<const std::uint32_t> words) {
+std::optional<std::string> disagreement(const VariantParties& tested,
+                                        std::span<const std::uint32_t> words) {
   std::array<std::uint32_t, cases::max_words_in> own{};
-  const auto one_case = std::span(own).first(cases::words_in(seat.variant.operation));
-  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - cases::operand_bits(seat.variant));
+  const auto one_case = std::span(own).first(cases::words_in(tested.variant.operation));
+  const std::uint32_t mask = ~std::uint32_t{0} >> (32 - cases::operand_bits(tested.variant));
   for (std::size_t i = 0; i < one_case.size() && i < words.size(); ++i) {
     one_case[i] = words[i] & mask;
   }
-  if (all_agree(seat, one_case)) return std::nullopt;
-  return text_of(seat, one_case);
+  if (all_agree(tested, one_case)) return std::nullopt;
+  return text_of(tested, one_case);
 }
 
-std::optional<std::string> disagreement(std::span<const Seat> seats,
+std::optional<std::string> disagreement(std::span<const VariantParties> variants,
                                         std::span<const std::uint32_t> words) {
-  for (const Seat& seat : seats) {
-    if (auto found = disagreement(seat, words)) return found;
+  for (const VariantParties& tested : variants) {
+    if (auto found = disagreement(tested, words)) return found;
   }
   return std::nullopt;
 }
