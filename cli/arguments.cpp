@@ -15,7 +15,7 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
             const char* end = text.data() + text.size();
             const auto [read, error] = std::from_chars(text.data(), end, value);
             if (error != std::errc{} || read != end || value < first || value > last) {
-              return fmt::format("{} is no whole number from {} to {}",
+              return fmt::format("{} is not a whole number from {} to {}",
                                  fixproof::support::quoted(text), first, last);
             }
             text = std::to_string(value);
@@ -25,7 +25,7 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
 }
 
 CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""};
+  return {[](const std::string& text) { return text.empty() ? "the value is empty" : ""; }, ""};
 }
 
 }  // namespace fixproof::cli

@@ -112,10 +112,10 @@ std::string fate_of(const Trial& trial) {
       break;
   }
   if (j.proof.standing != proof::Standing::disproven) {
-    return fmt::format("GAP: survives level 1, not decided{}{}", j.failure.empty() ? "" : ": ",
-                       support::printable(j.failure));
+    return fmt::format("GAP: survives level 1, the solver does not decide it{}{}",
+                       j.failure.empty() ? "" : ": ", support::printable(j.failure));
   }
-  if (trial.loop) return "GAP: survives all spans, but its turn is disproven";
+  if (trial.loop) return "GAP: survives all spans, but the proof of one iteration fails";
   return fmt::format("GAP: survives level 1, but fails at {}",
                      cases::hex_words(j.proof.counterexample, cases::operand_bits(trial.variant)));
 }
@@ -203,26 +203,26 @@ int run(const MutateOptions& options) {
 
 void add_mutate(CLI::App& app, int& status) {
   auto options = std::make_shared<MutateOptions>();
-  CLI::App* command =
-      app.add_subcommand("mutate", "measure what level 1 would catch, by planting mistakes");
+  CLI::App* command = app.add_subcommand(
+      "mutate", "change instructions one at a time, and test that level 1 detects it");
   command->add_option("operations", options->selection.operations,
-                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
-                      "gouraud-word, depth, texture; none: all");
+                      "mul, div, cossin, xformvec, concat, or the inner loops gouraud-byte, "
+                      "gouraud-word, depth, texture; by default all");
   options->selection.variant.add_to(*command);
-  command->add_option("--seed", options->seed, "of the random cases")
+  command->add_option("--seed", options->seed, "seed of the random cases")
       ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   options->solver.add_to(*command);
   command
-      ->add_option("--threads", options->threads, "of the run; by default one for each processor")
+      ->add_option("--threads", options->threads, "number of threads; by default one per processor")
       ->transform(whole_number(1, 1024));
-  command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
+  command->add_flag("--verbose", options->verbose, "print the result of every mutant");
   command->footer(
       R"(Changes every instruction of every routine and inner loop in every way that
 x86model/mutants.hpp lists, one at a time. A mutant is killed by the first case of level 1 on
-which it differs from the oracle or raises an unexpected error. The solver decides which of the
-others are equivalent to the routine for all operands. Any that remain are gaps in the
-verification. Inner loops run spans of every length up to 320 pixels.
+which it differs from the oracle or raises an unexpected error. The solver proves which of the
+others are equivalent to the routine for all operands. The rest are gaps in the verification.
+Inner loops run spans of every length up to 320 pixels.
 
 Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 interrupted.
 

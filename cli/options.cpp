@@ -26,8 +26,8 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
   command
       .add_option_function<std::string>(
           "--target", [this](const std::string& t) { targets = targets_of_rows.at(t); },
-          of_rows ? "whose rules: i386, i8088, both of these, or standard (those of the type)"
-                  : "which half of the listing: i386 or i8088")
+          of_rows ? "rules of i386, of i8088, of both, or standard, those of fixed::q16_16"
+                  : "half of the listing: i386 or i8088")
       ->check(named(of_rows ? targets_of_rows : targets_of_programs));
   // Contradictory options exclude each other, because neither is the more likely intent.
   auto* both =
@@ -50,16 +50,17 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
       ->excludes(both);
   auto* printed =
       command.add_flag("--as-printed", as_printed,
-                       "take roundings from the printed switches (docs/findings.md, 1); "
-                       "list and trace take CosSin's shift by two as well (8)");
+                       "round as the printed switches say (docs/findings.md, 1); list and trace "
+                       "also use the printed shift by two in CosSin (docs/findings.md, 8)");
   auto* chapter = command
                       .add_option_function<std::string>(
                           "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
-                          "which printing: 54, or 52 (386 only, always rounded)")
+                          "chapter that prints the listing: 54, or 52 (386 only, always rounded)")
                       ->check(CLI::IsMember({"52", "54"}));
   command
       .add_flag("--repaired", repaired,
-                "the 8088 concat with the carry that its listing loses: see docs/findings.md, 18")
+                "use the 8088 concat that keeps the carry that its listing loses; see "
+                "docs/findings.md, 18")
       ->excludes(printed)
       ->excludes(chapter);
 }
@@ -87,7 +88,8 @@ cases::Variant VariantOptions::choose(cases::Operation operation) const {
                              operation == cases::Operation::concat;
   if (chapter_52 && (!in_chapter_52 || build.target != cases::Target::i386 || !build.mul_round ||
                      !build.div_round)) {
-    throw support::UsageError("--chapter 52 has only mul, div and concat, for the 386, rounded");
+    throw support::UsageError(
+        "--chapter 52 has only mul, div and concat, for i386, rounded; use --chapter 54");
   }
   if (repaired && !cases::can_be_repaired(operation, build.target)) {
     throw support::UsageError(only_repaired);

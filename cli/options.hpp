@@ -13,12 +13,12 @@ namespace fixproof::cli {
 
 /// The error message for --repaired if the operation or target has no repaired form.
 inline constexpr const char* only_repaired =
-    "--repaired is for concat --target i8088: no other routine loses a carry";
+    "--repaired is for concat --target i8088: only that routine loses a carry";
 
 /// The error message of commands that do not support VariantOptions::has_printed_shift().
 inline constexpr const char* no_printed_shift =
-    "cossin as printed has 'shl bx, 2', which an 8088 does not have and no party models; "
-    "without --as-printed it shifts twice by one (docs/findings.md, 8)";
+    "cossin as printed has 'shl bx, 2', which an 8088 does not have and no party models; leave out "
+    "--as-printed to shift twice by one (docs/findings.md, 8)";
 
 /// The variant options of a command line. Options that are not given are empty.
 struct VariantOptions {

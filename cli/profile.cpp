@@ -82,21 +82,22 @@ int run_profile(const ProfileOptions& options) {
 
 void add_profile(CLI::App& app, int& status) {
   auto options = std::make_shared<ProfileOptions>();
-  CLI::App* command =
-      app.add_subcommand("profile", "record what a scene asks of the arithmetic while it runs");
+  CLI::App* command = app.add_subcommand(
+      "profile", "record the calls, ranges and margins of the arithmetic in a scene");
   options->scene.add_to(*command);
   // The profile records instructions, which only the listings have.
   command->remove_option(command->get_option("--arith"));
   options->scene.by = "model";
   command->get_option("--target")->description("rules of i386 or i8088");
   options->surfaces.add_to(*command);
-  command->add_option("--frames", options->frames, "how many; by default ten seconds")
+  command->add_option("--frames", options->frames, "number of frames; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
-  command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
+  command->add_option("--json", options->json, "write the profile to this file as JSON")
+      ->check(not_empty());
   command->footer(
       R"(Runs the scene on the register-level model. For each routine it reports the number of calls, the
-ranges of operands and results, how near they came to overflow, to a divide error and to the
-near plane, and which instructions the scene never executed.
+ranges of operands and results, their distance from overflow, a divide error and the near plane,
+and the instructions that the scene never executes.
 
 Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
 

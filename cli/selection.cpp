@@ -67,8 +67,8 @@ std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
     if (std::find(chosen.begin(), chosen.end(), party) == chosen.end()) chosen.push_back(party);
   }
   if (chosen.size() < 2) {
-    throw support::UsageError(
-        fmt::format("'{}' alone cannot be compared: give --against another", names.front()));
+    throw support::UsageError(fmt::format(
+        "'{}' alone cannot be compared; give another party to --against", names.front()));
   }
   return chosen;
 }
@@ -91,7 +91,9 @@ std::vector<cases::Variant> chosen_routines(const Selection& selection) {
     return !parties::has_program(v) ||
            (v.operation == cases::Operation::cossin && !v.build.mul_round);
   });
-  if (variants.empty()) throw support::UsageError("no routine has these operations and options");
+  if (variants.empty())
+    throw support::UsageError(
+        "no routine matches these operations and options; leave some options out");
   return variants;
 }
 
@@ -108,8 +110,9 @@ Programs chosen_programs(const Selection& selection) {
   const bool rounds = options.mul_round || options.div_round || options.as_printed ||
                       options.repaired || selection.chapter_given;
   if (rounds && !loops.empty()) {
-    throw support::UsageError(fmt::format("{} rounds nothing, and is of no chapter",
-                                          machine_code::name_of_loop(loops[0])));
+    throw support::UsageError(fmt::format(
+        "{} is an inner loop: it has no rounding, chapter or repair; leave these options out",
+        machine_code::name_of_loop(loops[0])));
   }
   Programs chosen;
   if (selection.operations.empty() || !routines.operations.empty()) {
@@ -128,7 +131,8 @@ Programs chosen_programs(const Selection& selection) {
     if (asked(form)) chosen.loops.push_back(form);
   }
   if (chosen.routines.empty() && chosen.loops.empty()) {
-    throw support::UsageError("the loop depth is for the 386 alone");  // the others run on both
+    throw support::UsageError(
+        "depth exists only for i386; leave out --target i8088");  // the others run on both
   }
   return chosen;
 }
@@ -138,7 +142,7 @@ namespace {
 /// Rejects a row that cannot be compared as requested. Skipping it would suggest that it is equal.
 [[noreturn]] void refuse(const cases::Row& row, std::string_view reason) {
   throw support::UsageError(
-      fmt::format("{}: {}; choose rows (--target, the operations) or other parties",
+      fmt::format("{}: {}; select other operations, another --target or other parties",
                   cases::name_of(row.variant), reason));
 }
 
@@ -166,12 +170,14 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
   }
   if (rows.empty()) {
     throw support::UsageError(
-        fmt::format("level {} has no row for these operations and options", selection.level));
+        fmt::format("level {} has no row for these operations and options; leave some options out",
+                    selection.level));
   }
   if (!selection.by.empty()) refuse_without(selection.by, rows);
   for (const std::string& party : selection.against) refuse_without(party, rows);
   for (const cases::Row& row : rows) {
-    if (!row.compared()) refuse(row, "nothing to compare, fewer than two of the parties answer");
+    if (!row.compared())
+      refuse(row, "fewer than two of the parties answer, so there is nothing to compare");
   }
   return rows;
 }

@@ -93,8 +93,8 @@ std::vector<x86::Mutant> mutants_of(const cases::Variant& v) {
 x86::Mutant mutant_of(const cases::Variant& v, std::size_t number) {
   const auto all = mutants_of(v);
   if (number < 1 || number > all.size()) {
-    throw support::UsageError(
-        fmt::format("--mutant {}: {} has mutants 1 to {}", number, cases::name_of(v), all.size()));
+    throw support::UsageError(fmt::format("--mutant {}: {} has mutants 1 to {}; choose one of them",
+                                          number, cases::name_of(v), all.size()));
   }
   return all[number - 1];
 }

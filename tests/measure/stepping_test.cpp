@@ -330,9 +330,9 @@ TEST(SteppingTimes, AddUpToAPixel) {
   const std::vector<measure::SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
                                                   {"an exact place", "pixel", {4, 4, 0}},
                                                   {"slope, start and words", "value", {16, 16, 0}}};
-  EXPECT_NEAR(measure::nanoseconds_a_pixel("texture, perspective", "every 8th", times).value(),
+  EXPECT_NEAR(measure::nanoseconds_per_pixel("texture, perspective", "every 8th", times).value(),
               1 + 4.0 / 8 + 3 * 16.0 / 160, 1e-12);
-  EXPECT_FALSE(measure::nanoseconds_a_pixel("intensity 8.8", "8088", times));
+  EXPECT_FALSE(measure::nanoseconds_per_pixel("intensity 8.8", "8088", times));
 }
 
 // A value's divide and multiply, divided by the ten pixels of the span.
