@@ -98,28 +98,28 @@ Claim claim_of_frame_rate(const std::vector<RecordedScene>& scenes, std::string 
 
 }  // namespace
 
-Verdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence) {
+ClaimVerdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence) {
   const bool shows = evidence == Evidence::decides || evidence == Evidence::can_show;
   const bool refutes = evidence == Evidence::decides || evidence == Evidence::can_refute;
   const bool inside = allowed.min <= measured.min && measured.max <= allowed.max;
   const bool outside = measured.max < allowed.min || allowed.max < measured.min;
-  if (inside && shows) return Verdict::holds;
-  if (inside && refutes) return Verdict::not_refuted;
-  if (outside && refutes) return Verdict::does_not_hold;
-  return Verdict::open;
+  if (inside && shows) return ClaimVerdict::holds;
+  if (inside && refutes) return ClaimVerdict::not_refuted;
+  if (outside && refutes) return ClaimVerdict::does_not_hold;
+  return ClaimVerdict::open;
 }
 
-Verdict verdict_on(const Claim& claim) {
-  Verdict all = Verdict::open;
+ClaimVerdict verdict_on(const Claim& claim) {
+  ClaimVerdict all = ClaimVerdict::open;
   for (const ClaimFigure& f : claim.figures) {
-    if (f.verdict == Verdict::open || f.verdict == all) continue;
-    if (all != Verdict::open) return Verdict::in_part;
+    if (f.verdict == ClaimVerdict::open || f.verdict == all) continue;
+    if (all != ClaimVerdict::open) return ClaimVerdict::in_part;
     all = f.verdict;
   }
   return all;
 }
 
-std::string name_of(Verdict verdict) {
+std::string name_of(ClaimVerdict verdict) {
   static constexpr std::array names{"holds", "does not hold", "not refuted", "open",
                                     "holds in part"};
   return names.at(static_cast<std::size_t>(verdict));

@@ -356,11 +356,11 @@ TEST(SteppingClocks, ClaimsAreJudged) {
   // Two MOVs to memory of 2 clocks and INC 2, against STOSB 4. Then 42 clocks per pixel against 19.
   EXPECT_EQ(claims[0].figures[0].measured.min, 6.0 / 4);
   EXPECT_EQ(claims[0].figures[0].measured.max, 6.0 / 4);
-  EXPECT_EQ(claims[0].figures[0].verdict, measure::Verdict::does_not_hold);
+  EXPECT_EQ(claims[0].figures[0].verdict, measure::ClaimVerdict::does_not_hold);
   EXPECT_NEAR(claims[0].figures[1].measured.min, 42.0 / 19, 1e-9);
-  EXPECT_EQ(measure::verdict_on(claims[0]), measure::Verdict::in_part);
+  EXPECT_EQ(measure::verdict_on(claims[0]), measure::ClaimVerdict::in_part);
   for (const std::size_t i : {1U, 2U}) ASSERT_EQ(claims[i].figures.size(), 1U) << claims[i].text;
-  EXPECT_EQ(measure::verdict_on(claims[2]), measure::Verdict::holds);
+  EXPECT_EQ(measure::verdict_on(claims[2]), measure::ClaimVerdict::holds);
   EXPECT_GT(claims[2].figures[0].measured.min, 400.0 / 30);
 }
 
