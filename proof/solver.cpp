@@ -78,7 +78,7 @@ SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
     throw std::runtime_error(
         fmt::format("{} gives an unknown answer: {}", name_, fixproof::support::quoted(line)));
   }
-  answer.verdict = line == "sat" ? Verdict::satisfiable : Verdict::unsatisfiable;
+  answer.verdict = line == "sat" ? Satisfiability::satisfiable : Satisfiability::unsatisfiable;
   return answer;
 }
 
