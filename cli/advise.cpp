@@ -3,12 +3,13 @@
 #include <charconv>
 #include <cstdint>
 #include <iostream>
-#include <map>
 #include <memory>
 
 #include "cli/advice_text.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/scene_options.hpp"
 #include "cli/surface_options.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
@@ -110,12 +111,8 @@ int advise_on(const AdviseOptions& options) {
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   options.surfaces.apply(scene);
   if (options.repaired) scene.arithmetic.repaired = true;
-  if (scene.objects.empty())
-    throw support::UsageError(scene.name + " has no objects: add one to \"objects\"");
-  if (!options.json.empty()) {
-    player::refuse_inputs("--json", options.json, scene.files);
-    support::check_replaceable(options.json);
-  }
+  require_objects(scene);
+  player::check_output("--json", options.json, scene.files);
 
   trade::AdviceReport report{
       .scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};
@@ -179,15 +176,11 @@ void add_advise(CLI::App& app, int& status) {
       ->add_option("--minutes", options->minutes, "length of the animation at 60 frames a second")
       ->transform(whole_number(1, 10'000))
       ->capture_default_str();
-  static const std::map<std::string, x86model::Cpu> cpus{{"8088", x86model::Cpu::i8088},
-                                                         {"286", x86model::Cpu::i286},
-                                                         {"386", x86model::Cpu::i386},
-                                                         {"486", x86model::Cpu::i486}};
   command
       ->add_option_function<std::string>(
-          "--cpu", [options](const std::string& name) { options->cpu = cpus.at(name); },
+          "--cpu", [options](const std::string& name) { options->cpu = cpu_names.at(name); },
           "processor whose clocks are the cost: 8088, 286, 386 or 486; by default 386")
-      ->check(CLI::IsMember({"8088", "286", "386", "486"}));
+      ->check(CLI::IsMember(&cpu_names));
   command
       ->add_flag("--host", options->host,
                  "measure the cost in nanoseconds on this processor instead")

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 #include <string>
 
 #include "support/plain_text.hpp"
@@ -22,6 +23,12 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
             return "";
           },
           "", "whole number"};
+}
+
+void add_seed(CLI::App& command, std::uint64_t& seed) {
+  command.add_option("--seed", seed, "seed of the random cases")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
 }
 
 CLI::Validator not_empty() {

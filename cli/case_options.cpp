@@ -1,7 +1,6 @@
 #include "cli/case_options.hpp"
 
 #include <cstdint>
-#include <limits>
 
 #include "cli/arguments.hpp"
 
@@ -13,9 +12,7 @@ void add_case_options(CLI::App& command, check::CaseOptions& options) {
                   "level of verify: 1 has about a million cases, 2 sixty times as many")
       ->transform(whole_number(1, 2))
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "seed of the random cases")
-      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  add_seed(command, options.seed);
   command.add_option("--shard", options.shard, "i/n: select only the i-th of n parts")
       ->check(not_empty())
       ->capture_default_str();

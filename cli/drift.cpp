@@ -8,6 +8,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
@@ -83,12 +84,6 @@ xsharp::Scene unrestored(xsharp::Scene scene) {
   return scene;
 }
 
-void check_output(std::string_view option, const std::string& file, const xsharp::Scene& scene) {
-  if (file.empty()) return;
-  player::refuse_inputs(option, file, scene.files);
-  support::check_replaceable(file);
-}
-
 }  // namespace
 
 std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request) {
@@ -143,15 +138,14 @@ namespace {
 
 int run(const DriftOptions& options) {
   const xsharp::Scene scene = xsharp::read_scene(options.scene);
-  if (scene.objects.empty())
-    throw support::UsageError(scene.name + " has no objects: add one to \"objects\"");
+  require_objects(scene);
   if (options.request.object >= scene.objects.size()) {
     throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}; choose one of them",
                                           options.request.object, scene.name,
                                           scene.objects.size() - 1));
   }
-  check_output("--strip", options.strip, scene);
-  check_output("--json", options.json, scene);
+  player::check_output("--strip", options.strip, scene.files);
+  player::check_output("--json", options.json, scene.files);
   if (!options.strip.empty() && !options.json.empty() &&
       support::same_file(options.strip, options.json)) {
     throw support::UsageError(

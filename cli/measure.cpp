@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -33,13 +34,13 @@ struct MeasureOptions {
 ///         cannot be written
 measure::MeasureRequest read_request(const MeasureOptions& options) {
   measure::MeasureRequest request = options.request;
+  std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
     request.scenes.push_back(xsharp::read_scene(file));
-    if (!options.json.empty()) {
-      player::refuse_inputs("--json", options.json, request.scenes.back().files);
-    }
+    const auto& files = request.scenes.back().files;
+    inputs.insert(inputs.end(), files.begin(), files.end());
   }
-  if (!options.json.empty()) support::check_replaceable(options.json);
+  player::check_output("--json", options.json, inputs);
   return request;
 }
 
@@ -108,9 +109,7 @@ void add_measure(CLI::App& app, int& status) {
       ->add_option("--cases", options->request.cases,
                    "number of random operands of each kind, or of spans of each length")
       ->transform(whole_number(1, 100'000'000));
-  command->add_option("--seed", options->request.seed, "seed of the random operands")
-      ->transform(whole_number(0, ~std::uint64_t{0}))
-      ->capture_default_str();
+  add_seed(*command, options->request.seed);
   command
       ->add_option("--rounds", options->request.rounds,
                    "number of timed rounds of --host (about 0.07 s each) and --stepping")

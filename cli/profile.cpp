@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "cli/arguments.hpp"
@@ -27,19 +25,14 @@ namespace {
 struct ProfileOptions {
   SceneOptions scene;
   SurfaceOptions surfaces;
-  std::optional<std::uint64_t> frames;
   std::string json;
 };
 
 int run_profile(const ProfileOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
-  if (!options.json.empty()) {
-    player::refuse_inputs("--json", options.json, scene.files);
-    support::check_replaceable(options.json);
-  }
-  const std::uint64_t frames = options.frames.value_or(
-      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  player::check_output("--json", options.json, scene.files);
+  const std::uint64_t frames = options.scene.frame_count(scene);
   std::unique_ptr<xsharp::Player> player;
   trade::Profiler profiler(scene, scene.arithmetic);
   const auto canvas = player::canvas_of_surfaces(scene);
@@ -90,8 +83,6 @@ void add_profile(CLI::App& app, int& status) {
   options->scene.by = "model";
   command->get_option("--target")->description("rules of i386 or i8088");
   options->surfaces.add_to(*command);
-  command->add_option("--frames", options->frames, "number of frames; by default ten seconds")
-      ->transform(whole_number(1, 100'000'000));
   command->add_option("--json", options->json, "write the profile to this file as JSON")
       ->check(not_empty());
   command->footer(

@@ -44,8 +44,8 @@ std::optional<x86model::LoopForm> ProgramOptions::choose_loop() const {
         operation));
   }
   x86model::LoopForm form{.loop = *loop, .as_printed = variant.as_printed};
-  if (!variant.targets.empty() && variant.targets.front() == cases::Target::i8088) {
-    form.target = x86model::Target::i8088;
+  if (!variant.targets.empty()) {
+    form.target = machine_code::model_target(variant.targets.front());
   }
   for (const auto way : {x86model::Counting::dec_jnz, x86model::Counting::unrolled}) {
     if (x86model::name_of(way) == counting) form.counting = way;

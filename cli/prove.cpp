@@ -16,6 +16,7 @@
 #include "parties/interpreter.hpp"
 #include "proof/kill.hpp"
 #include "proof/lemmas.hpp"
+#include "proof/lost_carry.hpp"
 #include "proof/process.hpp"
 #include "proof/step_proof.hpp"
 #include "support/file.hpp"
@@ -138,9 +139,9 @@ void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& so
                  Tally& tally) {
   const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
   const proof::Standing standing =
-      answer.verdict == proof::Verdict::unsatisfiable ? proof::Standing::proven
-      : answer.verdict == proof::Verdict::satisfiable ? proof::Standing::disproven
-                                                      : proof::Standing::open;
+      answer.verdict == proof::Satisfiability::unsatisfiable ? proof::Standing::proven
+      : answer.verdict == proof::Satisfiability::satisfiable ? proof::Standing::disproven
+                                                             : proof::Standing::open;
   print_line(fmt::format("lemma {}", lemma.name), word_for(standing), answer.seconds);
   tally.add(standing, answer.seconds);
 }
@@ -243,10 +244,7 @@ void add_prove(CLI::App& app, int& status) {
   auto options = std::make_shared<ProveOptions>();
   CLI::App* command = app.add_subcommand(
       "prove", "prove the routines, and one iteration of each inner loop, for all operands");
-  command->add_option("operations", options->selection.operations,
-                      "mul, div, cossin, xformvec, concat, or the inner loops gouraud-byte, "
-                      "gouraud-word, depth, texture; by default all");
-  options->selection.variant.add_to(*command);
+  add_programs_to(*command, options->selection);
   options->solver.add_to(*command);
   command
       ->add_option("--write", options->directory,
@@ -270,10 +268,7 @@ Examples:
   fixproof prove div --target i8088 --solver cvc5
   fixproof prove div --target i8088 --round on --mutant 3
   fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2)");
-  command->callback([command, options, &status] {
-    options->selection.chapter_given = command->count("--chapter") > 0;
-    status = run(*options);
-  });
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace fixproof::cli

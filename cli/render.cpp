@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
@@ -39,7 +38,6 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   SurfaceOptions surfaces;
-  std::optional<std::uint64_t> frames;
   std::uint64_t threads = 1;
   std::string size;
   std::vector<std::uint64_t> switched_spots;
@@ -159,8 +157,7 @@ int render(const RenderOptions& options) {
   const auto threads = static_cast<std::size_t>(options.threads);
   if (options.show) return player::show_scene(scene, options.true_color, threads);
 
-  const std::uint64_t frames = options.frames.value_or(
-      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  const std::uint64_t frames = options.scene.frame_count(scene);
   DrawnFrames drawn;
   {
     const support::Interrupt interrupt;
@@ -243,8 +240,6 @@ void add_render(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("render", "draw a scene to images or a window");
   options->scene.add_to(*command);
   options->surfaces.add_to(*command);
-  command->add_option("--frames", options->frames, "number of frames; by default ten seconds")
-      ->transform(whole_number(1, 100'000'000));
   command
       ->add_option("--threads", options->threads,
                    "number of threads; small pictures are no faster with more, pictures are the "

@@ -36,9 +36,7 @@ void add_report(CLI::App& app, int& status) {
   command->add_option("--out", options->folder, "folder for report.html and its data")
       ->check(not_empty())
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "seed of the random operands")
-      ->transform(whole_number(0, ~std::uint64_t{0}))
-      ->capture_default_str();
+  add_seed(*command, options->seed);
   command->add_flag("--quick", options->quick,
                     "make a trial page in seconds, with too few cases to draw conclusions");
   command->footer(

@@ -1,36 +1,34 @@
 #include "cli/scene_options.hpp"
 
+#include <algorithm>
 #include <limits>
-#include <map>
 
 #include "cli/arguments.hpp"
+#include "cli/options.hpp"
 #include "player/players.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
 
+void require_objects(const xsharp::Scene& scene) {
+  if (!scene.objects.empty()) return;
+  throw support::UsageError(scene.name + " has no objects: add one to \"objects\"");
+}
+
 void SceneOptions::add_to(CLI::App& command) {
   command.add_option("scene", file, "scene file, such as scenes/twelve_cubes.json")
       ->required()
       ->check(not_empty());
+  command.add_option("--frames", frames, "number of frames; by default ten seconds")
+      ->transform(whole_number(1, 100'000'000));
   command.add_option("--arith", by, "arithmetic: type, model or double")
       ->check(CLI::IsMember({"type", "model", "double"}));
   command
       .add_option("--target", target,
                   "rules of i386 or i8088; the type also has standard, saturating and trapping")
       ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
-  const auto on_off = [&command](const char* name, const char* what, auto set) {
-    return command
-        .add_option_function<std::string>(
-            name, [set](const std::string& text) { set(text == "on"); }, what)
-        ->check(CLI::IsMember({"on", "off"}));
-  };
-  on_off("--round", "both roundings: on or off", [this](bool on) { mul_round = div_round = on; })
-      ->excludes(on_off("--mul-round", "rounding of multiplies: on or off",
-                        [this](bool on) { mul_round = on; }))
-      ->excludes(on_off("--div-round", "rounding of divides: on or off",
-                        [this](bool on) { div_round = on; }));
+  add_rounding_options(command, mul_round, div_round);
   command.add_flag("--repaired", repaired,
                    "use the 8088 ConcatXforms that keeps the carry that its listing loses; see "
                    "docs/findings.md, 18");
@@ -45,6 +43,11 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"all", "one"}));
   command.add_flag("--from-scratch", from_scratch,
                    "compute every orientation from scratch instead of appending rotations");
+}
+
+std::uint64_t SceneOptions::frame_count(const xsharp::Scene& scene) const {
+  return frames.value_or(
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
 }
 
 xsharp::Scene SceneOptions::read() const { return applied_to(xsharp::read_scene(file)); }

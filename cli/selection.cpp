@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "machine_code/programs.hpp"
+#include "machine_code/machine_code.hpp"
 #include "parties/answer.hpp"
 #include "parties/parties.hpp"
 #include "support/usage_error.hpp"
@@ -44,8 +44,7 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
           std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
          (options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
                                                v.build.target) != options.targets.end()) &&
-         (!selection.chapter_given ||
-          (options.chapter_52 == v.build.chapter_52 && !v.build.repaired)) &&
+         (!options.chapter_52 || (options.chapter_52 == v.build.chapter_52 && !v.build.repaired)) &&
          (!options.repaired || v.build.repaired) && !(options.as_printed && v.build.repaired) &&
          rounding_fits(options, v);
 }
@@ -97,6 +96,13 @@ std::vector<cases::Variant> chosen_routines(const Selection& selection) {
   return variants;
 }
 
+void add_programs_to(CLI::App& command, Selection& selection) {
+  command.add_option("operations", selection.operations,
+                     "mul, div, cossin, xformvec, concat, or the inner loops gouraud-byte, "
+                     "gouraud-word, depth, texture; by default all");
+  selection.variant.add_to(command);
+}
+
 Programs chosen_programs(const Selection& selection) {
   Selection routines = selection;
   std::vector<x86model::Loop> loops;
@@ -108,7 +114,7 @@ Programs chosen_programs(const Selection& selection) {
   const VariantOptions& options = selection.variant;
   check_repaired(selection);
   const bool rounds = options.mul_round || options.div_round || options.as_printed ||
-                      options.repaired || selection.chapter_given;
+                      options.repaired || options.chapter_52;
   if (rounds && !loops.empty()) {
     throw support::UsageError(fmt::format(
         "{} is an inner loop: it has no rounding, chapter or repair; leave these options out",
@@ -119,13 +125,12 @@ Programs chosen_programs(const Selection& selection) {
     chosen.routines = chosen_routines(routines);
   }
   const auto asked = [&](const x86model::LoopForm& form) {
-    const auto target =
-        form.target == x86model::Target::i386 ? cases::Target::i386 : cases::Target::i8088;
-    const auto is_among = [](const auto& all, const auto& one) {
-      return std::find(all.begin(), all.end(), one) != all.end();
+    const auto is_target = [&](cases::Target target) {
+      return machine_code::model_target(target) == form.target;
     };
-    if (!options.targets.empty() && !is_among(options.targets, target)) return false;
-    return selection.operations.empty() ? !rounds : is_among(loops, form.loop);
+    if (!options.targets.empty() && std::ranges::none_of(options.targets, is_target)) return false;
+    return selection.operations.empty() ? !rounds
+                                        : std::ranges::find(loops, form.loop) != loops.end();
   };
   for (const x86model::LoopForm& form : x86model::all_loop_forms()) {
     if (asked(form)) chosen.loops.push_back(form);

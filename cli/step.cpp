@@ -9,6 +9,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/lines.hpp"
+#include "cli/options.hpp"
 #include "cli/singlestep.hpp"
 #include "singlestep/shown.hpp"
 #include "singlestep/step_clocks.hpp"
@@ -187,10 +188,6 @@ void add_step(CLI::App& app, int& status) {
   static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
                                                              {"386", x86::Target::i386}};
   auto cpu = std::make_shared<std::string>("386");
-  static const std::map<std::string, x86::Cpu> timed_processors{{"8088", x86::Cpu::i8088},
-                                                                {"286", x86::Cpu::i286},
-                                                                {"386", x86::Cpu::i386},
-                                                                {"486", x86::Cpu::i486}};
   auto timed = std::make_shared<std::string>();
   auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand(
@@ -202,7 +199,7 @@ void add_step(CLI::App& app, int& status) {
       command
           ->add_option("--clocks", *timed,
                        "append the clocks of the instruction on an 8088, 286, 386 or 486")
-          ->check(CLI::IsMember(&timed_processors));
+          ->check(CLI::IsMember(&cpu_names));
   command
       ->add_option("--singlestep", *files,
                    "judge the cases of these JSON files, plain or gzip, instead of reading lines")
@@ -239,7 +236,7 @@ Example:
       return;
     }
     std::optional<x86::Cpu> timed_cpu;
-    if (!timed->empty()) timed_cpu = timed_processors.at(*timed);
+    if (!timed->empty()) timed_cpu = cpu_names.at(*timed);
     status = run(target, timed_cpu);
   });
 }

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <thread>
 
@@ -186,9 +185,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
                   "1 takes seconds, 2 minutes; 3 is exhaustive, see below")
       ->transform(whole_number(1, 3))
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "seed of the random cases")
-      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  add_seed(command, options.seed);
   selection.variant.add_to(command, true);
   command
       .add_option_function<std::string>(
@@ -261,7 +258,6 @@ Examples:
   fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge
   fixproof verify div --case '00010000 00000003'    # every party's answer to one case)");
   command->callback([command, options, &status] {
-    options->selection.chapter_given = command->count("--chapter") > 0;
     if (options->selection.level == 3 && command->count("--width") > 0) {
       throw support::UsageError(
           "--width: level 3 sets the width of each operation; leave --width out");

@@ -30,6 +30,13 @@ bool is_frame_of(const fs::path& folder, const fs::path& file) {
       fmt::format("{} {}: this is a file of {}; name another", option, file.string(), use));
 }
 
+void refuse_inputs(std::string_view option, const fs::path& file,
+                   const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    if (support::same_file(file, input)) refuse_use(option, file, "the scene");
+  }
+}
+
 void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& inputs) {
   std::vector<Use> outputs;
   if (!names.animation.empty()) outputs.emplace_back("--animate", names.animation);
@@ -57,11 +64,11 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
 
 }  // namespace
 
-void refuse_inputs(std::string_view option, const fs::path& file,
-                   const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
-    if (support::same_file(file, input)) refuse_use(option, file, "the scene");
-  }
+void check_output(std::string_view option, const fs::path& file,
+                  const std::vector<fs::path>& inputs) {
+  if (file.empty()) return;
+  refuse_inputs(option, file, inputs);
+  support::check_replaceable(file);
 }
 
 Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,

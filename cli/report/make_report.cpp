@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "cli/command_line.hpp"
+#include "cli/scene_options.hpp"
 #include "measure/host/provenance.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
@@ -38,9 +39,7 @@ std::vector<xsharp::Scene> read_scenes(const std::vector<std::string>& files) {
                       file, scenes[i].name));
     }
   }
-  if (scenes.front().objects.empty()) {
-    throw support::UsageError(scenes.front().name + " has no objects: add one to \"objects\"");
-  }
+  require_objects(scenes.front());
   return scenes;
 }
 
@@ -53,10 +52,11 @@ void check_outputs(const ReportRequest& request, const std::vector<xsharp::Scene
   for (const ReportStep& step : steps) {
     files.insert(files.end(), step.files.begin(), step.files.end());
   }
-  for (const std::string& file : files) {
-    for (const xsharp::Scene& scene : scenes) player::refuse_inputs("--out", file, scene.files);
-    support::check_replaceable(file);
+  std::vector<std::filesystem::path> inputs;
+  for (const xsharp::Scene& scene : scenes) {
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }
+  for (const std::string& file : files) player::check_output("--out", file, inputs);
 }
 
 void make_folder(const std::string& folder) {
