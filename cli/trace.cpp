@@ -19,6 +19,7 @@
 #include "x86model/call.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/text.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::cli {
 
@@ -166,24 +167,7 @@ int run(const TraceOptions& options) {
     traced.program = mutant.program;
     traced.mistake = mutant.change;
   }
-  using enum x86::Routine;
-  switch (key.routine) {
-    case mul:
-      trace<mul>(traced);
-      break;
-    case div:
-      trace<div>(traced);
-      break;
-    case cossin:
-      trace<cossin>(traced);
-      break;
-    case xformvec:
-      trace<xformvec>(traced);
-      break;
-    case concat:
-      trace<concat>(traced);
-      break;
-  }
+  x86::with_routine(key.routine, [&]<x86::Routine routine> { trace<routine>(traced); });
   return 0;
 }
 

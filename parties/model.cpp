@@ -7,6 +7,7 @@
 #include "parties/outcome.hpp"
 #include "parties/parties.hpp"
 #include "x86model/call.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::parties {
 
@@ -68,19 +69,8 @@ class Model final : public Party {
   [[nodiscard]] std::string_view name() const override { return "model"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
   void answer(const cases::Variant& v, const Batch& batch) const override {
-    using enum x86::Routine;
-    switch (v.operation) {
-      case cases::Operation::mul:
-        return answer_compiled<mul>(v, batch);
-      case cases::Operation::div:
-        return answer_compiled<div>(v, batch);
-      case cases::Operation::cossin:
-        return answer_compiled<cossin>(v, batch);
-      case cases::Operation::xformvec:
-        return answer_compiled<xformvec>(v, batch);
-      default:
-        return answer_compiled<concat>(v, batch);
-    }
+    x86::with_routine(machine_code::key_of(v).routine,
+                      [&]<x86::Routine routine> { answer_compiled<routine>(v, batch); });
   }
 };
 
