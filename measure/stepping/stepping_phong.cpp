@@ -168,8 +168,8 @@ void straight(std::size_t every, const PhongLight<N>& light, const PhongEnds& en
       });
 }
 
-/// The rounding loss of n / d in units of 2^-24, if d takes more than one divide. Doubles n like
-/// fine_ratio().
+/// The rounding error of fine_ratio() with the numerator n, in units of 2^-24. `rounding` is the
+/// error of its divides together, in units of their quotient.
 double fine_loss(std::int64_t n, double rounding) {
   unsigned doublings = 0;
   for (; doublings < 8 && std::abs(n) < 8191 * std::int64_t{65536}; ++doublings) n *= 2;
