@@ -118,7 +118,7 @@ class Results {
   int finish() {
     if (results_.size() > 1) std::cout << "total: " << summary(total_) << '\n' << std::flush;
     if (!bad_ && total_.run() == 0) {
-      fmt::print(stderr, "fixproof: not one case could be run\n");
+      fmt::print(stderr, "fixproof: none of the cases can be run\n");
       bad_ = true;
     }
     if (total_.differing > 0) return 1;

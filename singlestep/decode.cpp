@@ -142,7 +142,8 @@ class Decoder {
   }
 
   std::uint8_t next() {
-    if (position_ == bytes_.size()) throw support::UsageError("bytes end inside the instruction");
+    if (position_ == bytes_.size())
+      throw support::UsageError("bytes end before the instruction does");
     return bytes_[position_++];
   }
   std::uint32_t number(Size size) {

@@ -29,7 +29,7 @@ class Scanner {
 
   [[noreturn]] void damaged(std::size_t at) const {
     throw support::UsageError(
-        fmt::format("no JSON, or cut short, at byte {}, after {} cases", at + 1, cases_));
+        fmt::format("not JSON, or cut short, at byte {}, after {} cases", at + 1, cases_));
   }
   /// The next character that is not white space; 0 at the end.
   char peek() {
@@ -100,7 +100,7 @@ class Scanner {
     } catch (const Json::parse_error& error) {
       damaged(static_cast<std::size_t>(part.data() - text_.data()) + error.byte - 1);
     } catch (const Json::out_of_range&) {
-      throw support::UsageError("a number too large for any field");
+      throw support::UsageError("a number is too large for any field");
     }
   }
 
@@ -183,7 +183,7 @@ void read_registers(const Json& json, Cpu cpu, const std::string& path, State& s
   for (const auto& [name, value] : json.get_ref<const Json::object_t&>()) {
     const auto place = place_named(name, cpu);
     if (!place) {
-      throw support::UsageError(fmt::format("{}: {} is no register of the {}", path,
+      throw support::UsageError(fmt::format("{}: {} is not a register of the {}", path,
                                             support::quoted(name), name_of(cpu)));
     }
     const std::uint32_t max = largest(bits_of(*place, cpu));
@@ -258,14 +258,14 @@ void read_json(std::string_view text, Cpu cpu, const UseCase& use) {
   Scanner scanner(text);
   if (scanner.peek() != '[') {
     if (!Json::accept(text)) scanner.damaged(0);
-    throw support::UsageError("no array of cases");
+    throw support::UsageError("not an array of cases");
   }
   scanner.expect('[');
-  if (scanner.peek() == ']') throw support::UsageError("no cases");
+  if (scanner.peek() == ']') throw support::UsageError("the array has no cases");
   do {
     if (scanner.peek() != '{') {
       scanner.parse(scanner.value());
-      throw support::UsageError(fmt::format("case {} is no object", scanner.cases()));
+      throw support::UsageError(fmt::format("case {} is not an object", scanner.cases()));
     }
     Case c = case_in(scanner.one_case(), cpu, scanner);
     finish(c, cpu, use);

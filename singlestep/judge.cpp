@@ -152,7 +152,7 @@ void check_length(const Case& c, Cpu cpu, std::size_t length) {
   const std::size_t rest = c.bytes.size() - length;
   if (rest == 0 || (cpu != Cpu::i8088 && rest == 1 && c.bytes.back() == hlt)) return;
   throw support::UsageError(
-      fmt::format("bytes are {}, the instruction has {}", c.bytes.size(), length));
+      fmt::format("there are {} bytes, but the instruction has {}", c.bytes.size(), length));
 }
 
 /// The flags after the case, other than the six arithmetic flags. Since only LOADALL sets bits 12

@@ -172,7 +172,7 @@ void read_moo(std::string_view bytes, Cpu cpu, const UseCase& use) {
     finish(c, cpu, use);
   }
   if (index != count) file.fail(fmt::format("{} cases, the header says {}", index, count));
-  if (index == 0) throw support::UsageError("no cases");
+  if (index == 0) throw support::UsageError("the file has no cases");
 }
 
 }  // namespace fixproof::singlestep

@@ -88,15 +88,16 @@ void expect_loop_refused(std::string_view arguments, std::string_view part) {
 }
 
 TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
-  expect_loop_refused("list depth --loop unrolled", "depth is for the 386, and never unrolled");
-  expect_loop_refused("list depth --target i8088", "depth is for the 386, and never unrolled");
-  expect_loop_refused("list texture --as-printed", "only depth is not as it was printed");
-  expect_loop_refused("list gouraud-word --round on", "rounds nothing");
-  expect_loop_refused("list gouraud-word --chapter 52", "rounds nothing");
+  expect_loop_refused("list depth --loop unrolled", "depth needs --target i386");
+  expect_loop_refused("list depth --target i8088", "depth needs --target i386");
+  expect_loop_refused("list texture --as-printed", "only depth differs from its printed form");
+  expect_loop_refused("list gouraud-word --round on", "is an inner loop");
+  expect_loop_refused("list gouraud-word --chapter 52", "is an inner loop");
+  expect_loop_refused("list gouraud-word --chapter 54", "is an inner loop");
   expect_loop_refused("list mul --loop dec-jnz", "--loop is for");
   expect_loop_refused("list gouraud-byte --loop twice", "--loop");
-  expect_loop_refused("prove texture --round on", "rounds nothing");
-  expect_loop_refused("prove depth --target i8088", "the loop depth is for the 386 alone");
+  expect_loop_refused("prove texture --round on", "is an inner loop");
+  expect_loop_refused("prove depth --target i8088", "depth exists only for i386");
   expect_loop_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
   expect_loop_refused("eval gouraud-byte", "gouraud-byte");
 }
@@ -104,8 +105,8 @@ TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
 TEST(LoopCommands, CallsThatNoLoopTakesAreRefused) {
   expect_loop_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
   expect_loop_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
-  expect_loop_refused("trace gouraud-byte 00000000 00000000 00000000", "not 0");
-  expect_loop_refused("trace gouraud-byte 00000141 00000000 00000000", "not 141");
+  expect_loop_refused("trace gouraud-byte 00000000 00000000 00000000", "gouraud-byte: 0 pixels");
+  expect_loop_refused("trace gouraud-byte 00000141 00000000 00000000", "gouraud-byte: 141 pixels");
   expect_loop_refused("trace gouraud-word 00000003 00000000 00000000", "an even number");
   expect_loop_refused("trace gouraud-byte 1 00000000 00000000", "1");
   expect_loop_refused("trace gouraud-byte 00000001 00000000 00000000 --mutant 1", "for routines");

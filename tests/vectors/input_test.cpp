@@ -32,12 +32,12 @@ void expect_refused_case(Change change, std::string_view message) {
 
 TEST(SinglestepInput, RefusesWhatIsNoArrayOfCases) {
   expect_refused("", "empty");
-  expect_refused("[]", "no cases");
-  expect_refused("null", "no array of cases");
-  expect_refused("3", "no array of cases");
-  expect_refused(sound().dump(), "no array of cases");
-  expect_refused("[1]", "case 0 is no object");
-  expect_refused("[[]]", "case 0 is no object");
+  expect_refused("[]", "the array has no cases");
+  expect_refused("null", "not an array of cases");
+  expect_refused("3", "not an array of cases");
+  expect_refused(sound().dump(), "not an array of cases");
+  expect_refused("[1]", "case 0 is not an object");
+  expect_refused("[[]]", "case 0 is not an object");
   expect_refused("[{}]", "case 0: name is missing");
   expect_refused(R"([{"name":1}])", "case 0: name is number instead of string");
 }
@@ -47,7 +47,7 @@ TEST(SinglestepInput, RefusesDamagedJson) {
   const auto refused_at = [](const std::string& text, int cases) {
     const auto run = vectors::judge_text(text, "8088");
     EXPECT_EQ(run.status, 2);
-    EXPECT_EQ(run.err.rfind("fixproof: FILE: no JSON, or cut short, at byte ", 0), 0) << run.err;
+    EXPECT_EQ(run.err.rfind("fixproof: FILE: not JSON, or cut short, at byte ", 0), 0) << run.err;
     EXPECT_NE(run.err.find(fmt::format(", after {} cases\n", cases)), std::string::npos) << run.err;
   };
   refused_at("noise", 0);
@@ -59,7 +59,7 @@ TEST(SinglestepInput, RefusesDamagedJson) {
   refused_at(R"([{"cycles":["\")", 0);
   refused_at("[\"\xff\"]", 0);
   expect_refused(R"([{"name":"x","bytes":[1e999]}])",
-                 "case 0 'x': a number too large for any field");
+                 "case 0 'x': a number is too large for any field");
 }
 
 TEST(SinglestepInput, RefusesMissingFields) {
@@ -105,23 +105,24 @@ TEST(SinglestepInput, RefusesNumbersOutOfRange) {
 
 TEST(SinglestepInput, RefusesBytesThatAreNotOneInstruction) {
   expect_refused_case([](Json& c) { c["bytes"] = Json::array(); },
-                      "bytes end inside the instruction");
-  expect_refused_case([](Json& c) { c["bytes"].erase(1); }, "bytes end inside the instruction");
+                      "bytes end before the instruction does");
+  expect_refused_case([](Json& c) { c["bytes"].erase(1); },
+                      "bytes end before the instruction does");
   expect_refused_case([](Json& c) { c["bytes"].push_back(0x90); },
-                      "bytes are 3, the instruction has 2");
+                      "there are 3 bytes, but the instruction has 2");
   // Only the 386 sets end with a HLT.
   expect_refused_case([](Json& c) { c["bytes"].push_back(0xF4); },
-                      "bytes are 3, the instruction has 2");
+                      "there are 3 bytes, but the instruction has 2");
 }
 
 TEST(SinglestepInput, RefusesTheSetOfTheOtherProcessor) {
   Json c = sound();
   c["name"] = "add";
   expect_refused(Json::array({c}).dump(),
-                 "case 0 'add': initial.regs: 'ax' is no register of the 386", "386");
+                 "case 0 'add': initial.regs: 'ax' is not a register of the 386", "386");
   c["initial"]["regs"]["fs"] = 0;
   expect_refused(Json::array({c}).dump(),
-                 "case 0 'add': initial.regs: 'fs' is no register of the 8088");
+                 "case 0 'add': initial.regs: 'fs' is not a register of the 8088");
 }
 
 TEST(SinglestepInput, RefusesEndlessCases) {
@@ -143,7 +144,7 @@ TEST(SinglestepInput, WhatRanNothingIsNoSuccess) {
       run.out,
       "FILE: 6 cases, 0 run, 0 equal, 0 differing; 6 skipped: 1 prefix in no listing, 5 form in "
       "no listing\n");
-  EXPECT_EQ(run.err, "fixproof: not one case could be run\n");
+  EXPECT_EQ(run.err, "fixproof: none of the cases can be run\n");
   EXPECT_EQ(run.status, 2);
 }
 
@@ -175,7 +176,7 @@ TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   std::string bomb;
   for (int i = 0; i < 257; ++i) bomb += mebibyte;
   ASSERT_LT(bomb.size(), 1U << 20U);
-  expect_refused(bomb, "decompressed, more than 256 MiB");
+  expect_refused(bomb, "more than 256 MiB when decompressed");
 }
 
 TEST(SinglestepInput, GoesOnAfterABadFileAndForgetsNoMismatch) {
@@ -189,7 +190,7 @@ TEST(SinglestepInput, GoesOnAfterABadFileAndForgetsNoMismatch) {
   wrong["final"]["regs"]["es"] = wrong["initial"]["regs"]["es"].get<unsigned>() ^ 1U;
   run = vectors::judge_text('[' + wrong.dump() + ",1]", "8088");
   EXPECT_EQ(run.status, 1) << "a mismatch before the damage";
-  EXPECT_EQ(run.err, "fixproof: FILE: case 1 is no object\n");
+  EXPECT_EQ(run.err, "fixproof: FILE: case 1 is not an object\n");
 }
 
 }  // namespace

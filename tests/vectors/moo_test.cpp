@@ -54,7 +54,7 @@ TEST(Moo, RefusesOtherProcessorsAndVersions) {
   expect_moo_refused(file, "byte 20: captured on 'C286', not on a 8088; see --cpu");
   expect_moo_refused(header(1, "V20 "), "byte 20: captured on 'V20 ', not on a 8088; see --cpu");
   expect_moo_refused(header(1, "8088", 2), "byte 9: MOO version 2; this reads version 1");
-  expect_moo_refused(header(0), "no cases");
+  expect_moo_refused(header(0), "the file has no cases");
 }
 
 TEST(Moo, RefusesDamagedChunksByTheirPlace) {
