@@ -161,7 +161,7 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
 
 TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
-  const std::string spaces = command::repeated(1U << 20U, ' ');
+  const std::string spaces = std::string(1U << 20U, ' ');
   auto* const out = gzopen(path.c_str(), "wb9");
   ASSERT_EQ(gzwrite(out, spaces.data(), 1U << 20U), 1 << 20);
   ASSERT_EQ(gzclose(out), Z_OK);
