@@ -1,14 +1,11 @@
 // Tests which of the tried choices the advice takes.
 #include "trade/advice/advice.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <limits>
 
 #include "cli/advice_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {

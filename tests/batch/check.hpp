@@ -2,13 +2,9 @@
 /// Checks a batch against the expected elements on every path of this processor.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <vector>
-
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 

@@ -1,15 +1,10 @@
 /// Tests quotients and roots around the points where their rounding changes, against exact integers
 /// in every rounding mode of the processor.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
 #include "tests/support/rounding_mode.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {

@@ -1,12 +1,9 @@
 /// Tests multiply, multiply-add, divide and square root on every path against the operators of the
 /// number type, with every length and alignment.
-#include <gtest/gtest.h>
-
-#include <vector>
-
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {

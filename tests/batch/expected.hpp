@@ -3,18 +3,9 @@
 /// under its policy and under policies that treat faults differently.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <ostream>
-#include <random>
-#include <span>
-#include <vector>
-
 #include "fixed/batch.hpp"
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 

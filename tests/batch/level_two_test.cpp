@@ -1,19 +1,9 @@
 /// Compares results, marks and reports for the 1.4 * 10^8 cases of `fixproof verify --level 2`, on
 /// every path and under policies that no party of `verify` has. The run takes minutes;
 /// FIXPROOF_STREAMS=1/20 selects the first of twenty parts.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <iostream>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
@@ -22,6 +12,7 @@
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
+#include "tests/support/test.hpp"
 #include "verify/report.hpp"
 
 namespace batch_test {

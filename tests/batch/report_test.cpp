@@ -1,14 +1,7 @@
 /// Tests the exceptions, marks, length checks and aliased outputs of batches.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "fixed/batch_radian.hpp"
 #include "tests/batch/expected.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {

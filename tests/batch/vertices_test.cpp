@@ -1,14 +1,10 @@
 /// Tests transform and project on every path against the operators of the type, with interleaved
 /// vertices and with separate coordinate arrays.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <vector>
-
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {

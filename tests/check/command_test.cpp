@@ -2,12 +2,9 @@
 #include "tests/cli/command.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
 
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -2,19 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <system_error>
 #include <thread>
 
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace command {
 

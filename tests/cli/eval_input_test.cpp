@@ -1,12 +1,9 @@
 // Tests the input of `fixproof eval`: lines that it skips, and lines that it rejects by number.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
 
 #include "tests/cli/command.hpp"
 #include "tests/cli/draw.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

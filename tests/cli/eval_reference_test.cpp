@@ -1,18 +1,10 @@
 // Compares `fixproof eval` on whole streams of cases with slow, simple arithmetic.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <iterator>
-#include <numbers>
-#include <string>
-#include <string_view>
-#include <tuple>
 
 #include "tests/cli/command.hpp"
 #include "tests/cli/draw.hpp"
 #include "tests/cli/semantics.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,13 +1,8 @@
 // Tests the output of `fixproof eval` against words worked out by hand.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,11 +1,8 @@
 // Tests that the output of `fixproof list` assembles to the right bytes for its processor.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,12 +1,8 @@
 // Tests `fixproof list` and `fixproof trace` of the inner loops against results worked out by hand.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

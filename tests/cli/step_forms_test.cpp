@@ -1,18 +1,11 @@
 // Tests every instruction form of `fixproof step` on both processors against bitwise.hpp.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "parties/answer.hpp"
 #include "tests/cli/bitwise.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/cli/draw.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

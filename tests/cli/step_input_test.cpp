@@ -1,13 +1,8 @@
 // Tests the input of `fixproof step`: lines that it skips, and lines that it rejects by number.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <initializer_list>
-#include <string>
-#include <string_view>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,13 +1,9 @@
 // Tests the output of `fixproof trace` against lines worked out by hand. The stack addresses are
 // the model's.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

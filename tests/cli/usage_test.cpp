@@ -1,14 +1,10 @@
 // Tests the command line: bad usage gives exit status 2 and one line on stderr.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <array>
-#include <initializer_list>
 #include <regex>
-#include <string>
-#include <string_view>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,13 +1,10 @@
 /// Tests division by hardware doubles in every rounding mode of the processor, with the operands
 /// nearest to a change of the result.
-#include <gtest/gtest.h>
-
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
 #include "tests/support/rounding_mode.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,12 +1,6 @@
 /// Tests the FIXED.ASM presets against hand-computed results of the routines.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <ostream>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,16 +1,13 @@
 // Tests that the programs of `fixproof dos` give the model's answers in DOSBox.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "cases/streams.hpp"
 #include "machine_code/machine_code.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,15 +1,11 @@
 // Tests `fixproof measure` as a user runs it.
 #include "tests/cli/command.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstdio>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "support/file.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

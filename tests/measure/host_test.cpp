@@ -1,13 +1,8 @@
 // Tests that contenders are checked before timing and timed in turn.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <string_view>
-
 #include "measure/accuracy/accuracy_run.hpp"
 #include "measure/host/host_run.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 
 struct CutNumber {
   std::int32_t raw = 0;

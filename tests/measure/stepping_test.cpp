@@ -1,10 +1,4 @@
 // Tests the errors of stepping on spans worked by hand. One unit is 2^-16.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <memory>
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "measure/stepping/stepping_clocks.hpp"
 #include "measure/stepping/stepping_line.hpp"
@@ -12,6 +6,7 @@
 #include "measure/stepping/stepping_statistics.hpp"
 #include "measure/stepping/stepping_times.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
 #include "xsharp/raster/step_filler.hpp"
 

@@ -1,12 +1,7 @@
-#include <gtest/gtest.h>
-
-#include <array>
-#include <limits>
-#include <stdexcept>
-
 #include "oracle/exact.hpp"
 #include "oracle/unbounded.hpp"
 #include "tests/oracle/rules.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

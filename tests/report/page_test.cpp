@@ -1,11 +1,8 @@
 // Tests the page as text: names and data must not break out of their places.
 #include "cli/report/page.hpp"
 
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
 #include "support/json.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,14 +1,12 @@
 // Tests `fixproof report` as a user runs it.
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,12 +1,11 @@
 // Compares register-level X-Sharp with X-Sharp on the type: transforms, vertices, faces and pixels.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
 
 #include "player/dump.hpp"
 #include "player/players.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 

@@ -2,13 +2,12 @@
 // pictures of golden/work_out_pixels.py.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 

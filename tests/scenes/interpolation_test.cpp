@@ -1,11 +1,10 @@
 // Compares every pixel of surfaces drawn by the listings, inner loops included, with surfaces drawn
 // by the type.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/exact_filler.hpp"

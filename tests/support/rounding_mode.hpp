@@ -3,9 +3,8 @@
 #pragma once
 
 #include <fenv.h>
-#include <gtest/gtest.h>
 
-#include <array>
+#include "tests/support/test.hpp"
 
 class RoundingMode {
  public:

@@ -3,9 +3,9 @@
 #include "singlestep/decode.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/text.hpp"
 
 namespace {

@@ -1,11 +1,11 @@
 // Tests that an invalid file gives one line that names the position, and exit status 2.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <filesystem>
 
 #include "support/file.hpp"
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
 namespace {

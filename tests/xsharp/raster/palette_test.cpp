@@ -1,16 +1,8 @@
 #include "xsharp/raster/palette.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/test.hpp"
 
 namespace xsharp {
 namespace {
