@@ -109,7 +109,8 @@ TYPED_TEST(LevelTwo, Multiply) {
     for (std::size_t i = 0; i < a.size(); ++i) {
       want.push_back(expected<TypeParam>([](auto x, auto y) { return x * y; }, a[i], b[i]));
     }
-    check(want, [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
+    check<TypeParam>(want,
+                     [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
   });
 }
 
@@ -124,7 +125,8 @@ TYPED_TEST(LevelTwo, MulAdd) {
       want.push_back(expected<TypeParam>(
           [](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a[i], b[i], c[i]));
     }
-    check(want, [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
+    check<TypeParam>(want,
+                     [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
   });
 }
 
@@ -134,7 +136,8 @@ TYPED_TEST(LevelTwo, Divide) {
     const auto d = cases.column<TypeParam>(1);
     std::vector<Expected<TypeParam>> want;
     for (std::size_t i = 0; i < n.size(); ++i) want.push_back(expected_quotient(n[i], d[i]));
-    check(want, [&](auto out, auto how) { return fixed::batch::divide(n, d, out, how); });
+    check<TypeParam>(want,
+                     [&](auto out, auto how) { return fixed::batch::divide(n, d, out, how); });
   });
 }
 

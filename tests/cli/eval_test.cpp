@@ -3,6 +3,7 @@
 
 #include "tests/cli/command.hpp"
 #include "tests/support/test.hpp"
+#include "tests/support/worked.hpp"
 
 namespace {
 
@@ -26,69 +27,26 @@ void expect_from_all(std::string_view arguments, const Rows& rows,
   }
 }
 
-/// A line and its answers: on the 386 with and without rounding, then on the 8088.
-struct Case {
-  std::string_view line;
-  std::string_view i386_on;
-  std::string_view i386_off;
-  std::string_view i8088_on;
-  std::string_view i8088_off;
-};
-
-void expect_in_all_forms(std::string_view operation, const std::vector<Case>& cases) {
-  const auto expect = [&](std::string_view options, std::string_view Case::*answer) {
-    Rows rows;
-    for (const Case& c : cases) rows.emplace_back(c.line, c.*answer);
-    expect_from_all(fmt::format("{} {}", operation, options), rows);
+void expect_as_worked(std::string_view operation, std::span<const worked::Row> rows) {
+  const auto expect = [&](std::string_view options, worked::Answer worked::Row::*answer) {
+    std::vector<std::string> texts;
+    texts.reserve(2 * rows.size());  // the views below stay valid
+    Rows all;
+    for (const worked::Row& row : rows) {
+      const std::string& line = texts.emplace_back(fmt::format("{:08x} {:08x}", row.a, row.b));
+      const auto& word = row.*answer;
+      all.emplace_back(line, texts.emplace_back(word ? fmt::format("{:08x}", *word) : "DE"));
+    }
+    expect_from_all(fmt::format("{} {}", operation, options), all);
   };
-  expect("--target i386 --round on", &Case::i386_on);
-  expect("--target i386 --round off", &Case::i386_off);
-  expect("--target i8088 --round on", &Case::i8088_on);
-  expect("--target i8088 --round off", &Case::i8088_off);
+  expect("--target i386 --round on", &worked::Row::i386_on);
+  expect("--target i386 --round off", &worked::Row::i386_off);
+  expect("--target i8088 --round on", &worked::Row::i8088_on);
+  expect("--target i8088 --round off", &worked::Row::i8088_off);
 }
 
-TEST(EvalMul, ByHand) {
-  expect_in_all_forms("mul",
-                      {// exact products
-                       {"00018000 00028000", "0003c000", "0003c000", "0003c000", "0003c000"},
-                       {"fffe8000 00028000", "fffc4000", "fffc4000", "fffc4000", "fffc4000"},
-                       // half a unit, minus half a unit, minus one and a half
-                       {"00000001 00008000", "00000001", "00000000", "00000001", "00000000"},
-                       {"ffffffff 00008000", "00000000", "ffffffff", "ffffffff", "00000000"},
-                       {"ffffffff 00018000", "ffffffff", "fffffffe", "fffffffe", "ffffffff"},
-                       // (2^31 - 1)^2 = 2^62 - 2^32 + 1. Above the unit it is 2^46 - 2^16, which is
-                       // -2^16 modulo 2^32.
-                       {"7fffffff 7fffffff", "ffff0000", "ffff0000", "ffff0000", "ffff0000"},
-                       {"80000000 80000000", "00000000", "00000000", "00000000", "00000000"},
-                       {"80000000 ffff0000", "80000000", "80000000", "80000000", "80000000"}});
-}
-
-TEST(EvalDiv, ByHand) {
-  expect_in_all_forms("div",
-                      {// the divisor's fraction
-                       {"00078000 00028000", "00030000", "00030000", "0003c000", "0003c000"},
-                       // two thirds
-                       {"00020000 00030000", "0000aaab", "0000aaaa", "0000aaab", "0000aaaa"},
-                       {"fffe0000 00030000", "ffff5555", "ffff5556", "ffff5555", "ffff5556"},
-                       // halves go away from zero
-                       {"00000001 00020000", "00000001", "00000000", "00000001", "00000000"},
-                       {"ffffffff 00020000", "ffffffff", "00000000", "ffffffff", "00000000"},
-                       // quotients that only the sign bit cannot hold
-                       {"00008001 00000001", "80010000", "DE", "DE", "DE"},
-                       {"00008001 ffffffff", "7fff0000", "DE", "DE", "DE"},
-                       {"00008000 00000001", "80000000", "DE", "DE", "DE"},
-                       {"00008000 ffffffff", "80000000", "80000000", "DE", "DE"},
-                       {"80000000 ffff0000", "80000000", "DE", "80000000", "80000000"},
-                       // quotients that no word holds
-                       {"00010000 00000001", "DE", "DE", "DE", "DE"},
-                       {"00010000 00000000", "DE", "DE", "DE", "DE"},
-                       {"00000000 00000000", "DE", "DE", "DE", "DE"},
-                       // divisors below one
-                       {"00010000 0000ffff", "00010001", "00010001", "DE", "DE"},
-                       {"00010000 ffff0001", "fffeffff", "fffeffff", "DE", "DE"},
-                       // the smallest number
-                       {"80000000 80000000", "00010000", "00010000", "00010000", "00010000"}});
-}
+TEST(EvalMul, AsWorkedByHand) { expect_as_worked("mul", worked::products); }
+TEST(EvalDiv, AsWorkedByHand) { expect_as_worked("div", worked::quotients); }
 
 TEST(EvalCosSin, AxesAndFamiliarAngles) {
   for (const std::string_view target : {"i386", "i8088"}) {
@@ -120,11 +78,13 @@ TEST(EvalXformVec, RotatesScalesAndMoves) {
 
 TEST(EvalXformVec, RoundsEveryProductOnItsOwn) {
   // Three times minus half a unit in the first row, plus half a unit in the others.
-  expect_in_all_forms("xformvec",
-                      {{"00008000 00008000 00008000 00000000 ffff8000 ffff8000 ffff8000 00000000 "
-                        "ffff8000 00000000 00000000 00000000 ffffffff ffffffff ffffffff",
-                        "00000000 00000003 00000001", "fffffffd 00000000 00000000",
-                        "fffffffd 00000003 00000001", "00000000 00000000 00000000"}});
+  const std::string_view line =
+      "00008000 00008000 00008000 00000000 ffff8000 ffff8000 ffff8000 00000000 "
+      "ffff8000 00000000 00000000 00000000 ffffffff ffffffff ffffffff";
+  expect_from_all("xformvec --target i386", {{line, "00000000 00000003 00000001"}});
+  expect_from_all("xformvec --target i386 --round off", {{line, "fffffffd 00000000 00000000"}});
+  expect_from_all("xformvec --target i8088", {{line, "fffffffd 00000003 00000001"}});
+  expect_from_all("xformvec --target i8088 --round off", {{line, "00000000 00000000 00000000"}});
 }
 
 // The identity with a translation, twice: by (1, 2, 3), then by (4, 5, 6).
