@@ -7,8 +7,8 @@
 #include "measure/stepping/stepping_times.hpp"
 #include "tests/measure/never.hpp"
 #include "tests/support/test.hpp"
+#include "tests/surfaces/strip.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
-#include "xsharp/raster/step_filler.hpp"
 
 namespace {
 
@@ -230,47 +230,17 @@ TEST(SteppingRun, EndsWhenStopped) {
       }).empty());
 }
 
-/// Records the light words that a filler draws with.
-class WordsOfLight final : public xsharp::SpanLoops {
- public:
-  explicit WordsOfLight(xsharp::StepWords& words) : words_(words) {}
-  void gouraud(std::span<std::uint8_t> /*out*/, std::uint16_t start,
-               std::uint16_t step) const override {
-    words_ = {start, step};
-  }
-  void gouraud_wide(std::span<std::uint8_t> /*out*/, std::uint32_t start,
-                    std::uint32_t step) const override {
-    words_ = {start, step};
-  }
-  void depth(std::span<std::uint8_t> /*out*/, std::span<std::int16_t> /*buffer*/,
-             std::uint8_t /*pixel*/, std::uint32_t /*start*/,
-             std::uint32_t /*step*/) const override {}
-  void texture(std::span<std::uint8_t> /*out*/, std::span<const std::uint8_t> /*bitmap*/,
-               std::uint32_t /*u*/, std::uint32_t /*du*/, std::uint32_t /*v*/,
-               std::uint32_t /*dv*/) const override {}
-
- private:
-  xsharp::StepWords& words_;
-};
-
-/// The words for a rectangle one row high, from the values at its left and right ends.
+/// The words for a rectangle, from the values at its left and right ends.
 template <class N>
 xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const measure::LineEnds& ends,
                               std::int32_t pixels) {
-  xsharp::Scene scene;
-  scene.objects.resize(1);
-  scene.objects[0].surface.kind = kind;
-  const double left = static_cast<double>(ends.from) / 65536;
-  const double right = static_cast<double>(ends.to) / 65536;
-  xsharp::Picture picture{.points = {{0, 0}, {pixels, 0}, {pixels, 1}, {0, 1}}, .polygons = {}};
-  picture.polygons.push_back({.object = 0, .first = 0, .points = 4});
-  picture.values = {{0, left}, {0, right}, {0, right}, {0, left}};
-  xsharp::StepWords words;
-  xsharp::StepFiller<N> filler(scene, std::make_unique<WordsOfLight>(words));
-  xsharp::Page<std::uint8_t> page(320, 1);
-  filler.begin(picture, 320, 1);
-  filler.fill(page, picture, picture.polygons[0], std::uint8_t{0});
-  return words;
+  xsharp::Surface surface;
+  surface.kind = kind;
+  const auto value = [](std::int64_t units) {
+    return xsharp::PointValues{0, static_cast<double>(units) / 65536};
+  };
+  const auto picture = surfaces::strip(pixels, value(ends.from), value(ends.to));
+  return surfaces::calls_of<N>(surfaces::scene_of(surface), picture, 320).at(0).one;
 }
 
 TEST(SteppedLine, IsWhatTheFillerDraws) {
