@@ -1,6 +1,6 @@
 /// \file
-/// GoogleTest, and what nearly every test uses of the standard library. CMakeLists.txt precompiles
-/// this header once for all tests.
+/// GoogleTest, and what nearly every test uses of the standard library. Where sources are
+/// compiled one by one, CMakeLists.txt precompiles this header.
 #pragma once
 
 #include <gtest/gtest.h>
