@@ -97,10 +97,10 @@ TEST(EvalInput, CountsTheWordsOfEachOperation) {
     command::expect_refused(fmt::format("eval {}", operation),
                             fmt::format("fixproof: line 1: {}\n", message), line);
   };
-  expect("div", "00018000", "div takes 2 words with single spaces between");
-  expect("cossin", "0000 0000", "cossin takes 1 word with single spaces between");
-  expect("xformvec", "00000000", "xformvec takes 15 words with single spaces between");
-  expect("concat", "00000000", "concat takes 24 words with single spaces between");
+  expect("div", "00018000", "div takes 2 words, separated by single spaces");
+  expect("cossin", "0000 0000", "cossin takes 1 word, separated by single spaces");
+  expect("xformvec", "00000000", "xformvec takes 15 words, separated by single spaces");
+  expect("concat", "00000000", "concat takes 24 words, separated by single spaces");
   expect("cossin", "00000000", "'00000000' has 8 hex digits instead of 4");
 }
 

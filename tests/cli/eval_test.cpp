@@ -137,7 +137,8 @@ TEST(EvalChapter52, HasOnlyRounded386Routines) {
   expect_from_all("mul --chapter 52", {{"ffffffff 00008000", "00000000"}});
   for (const std::string_view other : {"--target i8088", "--round off", "--div-round off"}) {
     command::expect_refused(fmt::format("eval div --chapter 52 {}", other),
-                            "--chapter 52 has only mul, div and concat, for the 386, rounded\n");
+                            "--chapter 52 has only mul, div and concat, for i386, rounded; use "
+                            "--chapter 54\n");
   }
 }
 

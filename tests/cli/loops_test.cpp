@@ -72,15 +72,15 @@ TEST(LoopCommands, TracesOfTwoPixels) {
 }
 
 TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
-  expect_refused("list depth --loop unrolled", "depth is for the 386, and never unrolled");
-  expect_refused("list depth --target i8088", "depth is for the 386, and never unrolled");
-  expect_refused("list texture --as-printed", "only depth is not as it was printed");
-  expect_refused("list gouraud-word --round on", "rounds nothing");
-  expect_refused("list gouraud-word --chapter 52", "rounds nothing");
+  expect_refused("list depth --loop unrolled", "depth needs --target i386");
+  expect_refused("list depth --target i8088", "depth needs --target i386");
+  expect_refused("list texture --as-printed", "only depth differs from its printed form");
+  expect_refused("list gouraud-word --round on", "is an inner loop");
+  expect_refused("list gouraud-word --chapter 52", "is an inner loop");
   expect_refused("list mul --loop dec-jnz", "--loop is for");
   expect_refused("list gouraud-byte --loop twice", "--loop");
-  expect_refused("prove texture --round on", "rounds nothing");
-  expect_refused("prove depth --target i8088", "the loop depth is for the 386 alone");
+  expect_refused("prove texture --round on", "is an inner loop");
+  expect_refused("prove depth --target i8088", "depth exists only for i386");
   expect_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
   expect_refused("eval gouraud-byte", "gouraud-byte");
 }

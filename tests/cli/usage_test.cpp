@@ -12,8 +12,8 @@ using command::expect_refused;
 
 TEST(Usage, NamesWhatIsMissingOrUnknown) {
   for (const auto& [arguments, part] : std::initializer_list<std::array<std::string_view, 2>>{
-           {"", "which command?"},
-           {"evaluate mul", "no such command: evaluate"},
+           {"", "no command given"},
+           {"evaluate mul", "unknown command: evaluate"},
            {"eval", "operation"},
            {"trace", "routine"},
            {"list", "routine"},
@@ -52,7 +52,7 @@ TEST(Usage, OperationsThatAreNoRoutines) {
       expect_refused(fmt::format("{}{}", command, name), name);
     }
     for (const std::string_view option : {"--target i386", "--round on", "--chapter 52"}) {
-      expect_refused(fmt::format("eval {} {}", name, option), "is no routine");
+      expect_refused(fmt::format("eval {} {}", name, option), "is not a routine");
     }
     expect_refused(fmt::format("eval {} --by model", name), "model does not answer");
   }
@@ -62,7 +62,7 @@ TEST(Usage, WhatTakesRoutinesNamesTheRoutines) {
   for (const std::string_view command : {"list ", "trace ", "dos ", "prove ", "mutate "}) {
     for (const std::string_view name : {"add", "sqrt"}) {
       expect_refused(fmt::format("{}{}", command, name),
-                     "there are mul, div, cossin, xformvec, concat\n");
+                     "choose one of mul, div, cossin, xformvec, concat\n");
     }
   }
 }

@@ -110,7 +110,7 @@ TEST(ReportCommand, KeepsASecondRunOutOfItsFolder) {
   const auto run =
       command::fixproof(std::string("report ") + cubes + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
-  expect_contains(run.err, "another run is writing there");
+  expect_contains(run.err, "another run writes to this folder");
 }
 
 TEST(ReportCommand, TellsScenesApartByTheirNames) {
