@@ -4,6 +4,7 @@ set -uo pipefail
 export LC_ALL=C
 
 fixproof=$(realpath "${1:?usage: ${0##*/} FIXPROOF SCENES}")
+# shellcheck disable=SC2034  # of those who source this
 scenes=$(realpath "${2:?usage: ${0##*/} FIXPROOF SCENES}")
 interrupted=$(dirname "$(realpath "${BASH_SOURCE[0]}")")/../cli/interrupted
 work=$(mktemp -d)
