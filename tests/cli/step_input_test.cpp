@@ -23,7 +23,8 @@ const std::string& first_answer() {
 }
 
 /// Puts `bad` after one valid line. Expects that answer, then an error with its line number.
-void expect_refused(const std::string& bad, std::string_view part, std::string_view cpu = "386") {
+void expect_step_refused(const std::string& bad, std::string_view part,
+                         std::string_view cpu = "386") {
   const auto run = command::fixproof(fmt::format("step --cpu {}", cpu),
                                      fmt::format("{}\n{}\n{}\n", good(), bad, good()));
   EXPECT_EQ(run.out, first_answer() + '\n') << bad;
@@ -58,44 +59,44 @@ TEST(StepInput, RegistersComeInAnyOrder) {
 }
 
 TEST(StepInput, RefusesALineWithoutItsParts) {
-  expect_refused("mov ax, bx", "'|'");
-  expect_refused(line(""), "no instruction");
-  expect_refused("mov ax, bx |", "ax is missing");
-  expect_refused(replaced(good(), " fl=0000", ""), "fl is missing");
+  expect_step_refused("mov ax, bx", "'|'");
+  expect_step_refused(line(""), "no instruction");
+  expect_step_refused("mov ax, bx |", "ax is missing");
+  expect_step_refused(replaced(good(), " fl=0000", ""), "fl is missing");
   for (const std::string_view name : {"bx", "cx", "dx", "si", "di", "bp", "sp"}) {
-    expect_refused(replaced(good(), fmt::format(" {}=0000", name), ""),
-                   fmt::format("{} is missing", name));
+    expect_step_refused(replaced(good(), fmt::format(" {}=0000", name), ""),
+                        fmt::format("{} is missing", name));
   }
 }
 
 TEST(StepInput, RefusesRegistersGivenTwice) {
-  expect_refused(good(" ax=0000"), "'ax' is given twice");
-  expect_refused(good(" eax=00000000"), "both ax and eax are given");
-  expect_refused(good(" fl=0000"), "'fl' is given twice");
+  expect_step_refused(good(" ax=0000"), "'ax' is given twice");
+  expect_step_refused(good(" eax=00000000"), "both ax and eax are given");
+  expect_step_refused(good(" fl=0000"), "'fl' is given twice");
 }
 
 TEST(StepInput, RefusesWhatIsNoRegister) {
-  expect_refused(good(" al=00"), "'al' is not a register of this processor");
-  expect_refused(good(" ip=0000"), "'ip' is not a register of this processor");
-  expect_refused(good(" AX=0000"), "'AX' is not a register of this processor");
-  expect_refused(good(" ax"), "'ax' is not a register as NAME=DIGITS");
-  expect_refused(good(" | "), "'|' is not a register as NAME=DIGITS");
+  expect_step_refused(good(" al=00"), "'al' is not a register of this processor");
+  expect_step_refused(good(" ip=0000"), "'ip' is not a register of this processor");
+  expect_step_refused(good(" AX=0000"), "'AX' is not a register of this processor");
+  expect_step_refused(good(" ax"), "'ax' is not a register as NAME=DIGITS");
+  expect_step_refused(good(" | "), "'|' is not a register as NAME=DIGITS");
 }
 
 TEST(StepInput, RefusesWideRegistersOnThe8088) {
-  expect_refused(replaced(good(), "ax=0000", "eax=00000000"), "ax is missing", "8088");
-  expect_refused(good(" eax=00000000"), "'eax' is not a register of this processor", "8088");
+  expect_step_refused(replaced(good(), "ax=0000", "eax=00000000"), "ax is missing", "8088");
+  expect_step_refused(good(" eax=00000000"), "'eax' is not a register of this processor", "8088");
 }
 
 TEST(StepInput, RefusesOtherDigits) {
-  expect_refused(replaced(good(), "ax=0000", "ax=000"), "3 hex digits instead of 4");
-  expect_refused(replaced(good(), "ax=0000", "ax=00000"), "5 hex digits instead of 4");
-  expect_refused(replaced(good(), "ax=0000", "eax=0000"), "4 hex digits instead of 8");
-  expect_refused(replaced(good(), "ax=0000", "ax="), "0 hex digits instead of 4");
-  expect_refused(replaced(good(), "ax=0000", "ax=00FF"), "lower-case hex");
-  expect_refused(replaced(good(), "ax=0000", "ax=0x00"), "lower-case hex");
-  expect_refused(replaced(good(), "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
-  expect_refused(good("\r "), "lower-case hex");
+  expect_step_refused(replaced(good(), "ax=0000", "ax=000"), "3 hex digits instead of 4");
+  expect_step_refused(replaced(good(), "ax=0000", "ax=00000"), "5 hex digits instead of 4");
+  expect_step_refused(replaced(good(), "ax=0000", "eax=0000"), "4 hex digits instead of 8");
+  expect_step_refused(replaced(good(), "ax=0000", "ax="), "0 hex digits instead of 4");
+  expect_step_refused(replaced(good(), "ax=0000", "ax=00FF"), "lower-case hex");
+  expect_step_refused(replaced(good(), "ax=0000", "ax=0x00"), "lower-case hex");
+  expect_step_refused(replaced(good(), "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
+  expect_step_refused(good("\r "), "lower-case hex");
 }
 
 TEST(StepInput, RefusesWhatIsNoInstruction) {
@@ -114,7 +115,7 @@ TEST(StepInput, RefusesWhatIsNoInstruction) {
            {"add eax, -2147483649", "does not fit the operand"},
            {"shl bx, 256", "does not fit the operand"},
            {"shl bx, -1", "does not fit the operand"}}) {
-    expect_refused(line(instruction), part);
+    expect_step_refused(line(instruction), part);
   }
   // The limits themselves fit.
   for (const std::string_view fits :
@@ -124,13 +125,13 @@ TEST(StepInput, RefusesWhatIsNoInstruction) {
 }
 
 TEST(StepInput, RefusesNoiseAndEndlessLines) {
-  expect_refused("\0\0\0"s, "'|'");
-  expect_refused(line("\0"s), "is no mnemonic");
-  expect_refused(std::string(4'000, 'a'), "'|'");
-  expect_refused(line(std::string(3'000, 'A')), "is no mnemonic");
-  expect_refused(line("mov ax, " + std::string(3'000, 'A')), "is no operand");
-  expect_refused(std::string(10'000'000, 'a'), "longer than 4096 characters");
-  expect_refused(line("\x1b[31mmov"), "is no mnemonic");
+  expect_step_refused("\0\0\0"s, "'|'");
+  expect_step_refused(line("\0"s), "is no mnemonic");
+  expect_step_refused(std::string(4'000, 'a'), "'|'");
+  expect_step_refused(line(std::string(3'000, 'A')), "is no mnemonic");
+  expect_step_refused(line("mov ax, " + std::string(3'000, 'A')), "is no operand");
+  expect_step_refused(std::string(10'000'000, 'a'), "longer than 4096 characters");
+  expect_step_refused(line("\x1b[31mmov"), "is no mnemonic");
 }
 
 TEST(StepInput, OutputThatCannotBeWritten) {
