@@ -108,7 +108,7 @@ TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
   trade::AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
   const auto names_them = [&report](double pixels) {
     report.drift_pixels = pixels;
-    return cli::sentences_of(report).find("corners that are clipped") != std::string::npos;
+    return cli::sentences_of(report).find("clipped corners") != std::string::npos;
   };
   EXPECT_FALSE(names_them(0.5));
   EXPECT_TRUE(names_them(0.75));

@@ -38,7 +38,7 @@ TEST(CheckCommand, WrongResults) {
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);
-  expect_contains(run.out, "The first 1 of 2 wrong results");
+  expect_contains(run.out, "first 1 of 2 wrong results");
 }
 
 TEST(CheckCommand, ResultsInAFile) {
@@ -54,7 +54,7 @@ TEST(CheckCommand, TooFewResults) {
   expect_contains(run.out, "half-up");
   const auto generated =
       command::fixproof("check div --rounding half-up --cases 5 --seed 3", "00000000\n");
-  expect_usage_error(generated, "ends after 1 result: there are 5 cases");
+  expect_usage_error(generated, "ends after 1 result, but there are 5 cases");
 }
 
 TEST(CheckCommand, TooManyResults) {
@@ -147,9 +147,12 @@ TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check mul --rounding floor /tmp", "/tmp, line 1: cannot be read: ");
   expect_refused("check mul --rounding floor --from /tmp", "/tmp, line 1: cannot be read: ");
   expect_refused("check mul --rounding floor --show -1", "whole number");
-  expect_refused("check mul --rounding floor --divide-by-zero zero", "--divide-by-zero is for div");
-  expect_refused("check div --rounding floor --negative-root zero", "--negative-root is for sqrt");
-  expect_refused("check sqrt --rounding floor --overflow wrap", "--overflow is for mul and div");
+  expect_refused("check mul --rounding floor --divide-by-zero zero",
+                 "--divide-by-zero applies only to div");
+  expect_refused("check div --rounding floor --negative-root zero",
+                 "--negative-root applies only to sqrt");
+  expect_refused("check sqrt --rounding floor --overflow wrap",
+                 "--overflow applies only to mul and div");
   expect_refused("gen", "operation");
   expect_refused("gen add", "unknown operation");
   expect_refused("gen mul --level 3", "whole number from 1 to 2");

@@ -77,6 +77,7 @@ TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
   expect_refused("list texture --as-printed", "only depth differs from its printed form");
   expect_refused("list gouraud-word --round on", "is an inner loop");
   expect_refused("list gouraud-word --chapter 52", "is an inner loop");
+  expect_refused("list gouraud-word --chapter 54", "is an inner loop");
   expect_refused("list mul --loop dec-jnz", "--loop is for");
   expect_refused("list gouraud-byte --loop twice", "--loop");
   expect_refused("prove texture --round on", "is an inner loop");
@@ -88,8 +89,8 @@ TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
 TEST(LoopCommands, CallsThatNoLoopTakesAreRefused) {
   expect_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
   expect_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
-  expect_refused("trace gouraud-byte 00000000 00000000 00000000", "not 0");
-  expect_refused("trace gouraud-byte 00000141 00000000 00000000", "not 141");
+  expect_refused("trace gouraud-byte 00000000 00000000 00000000", "gouraud-byte: 0 pixels");
+  expect_refused("trace gouraud-byte 00000141 00000000 00000000", "gouraud-byte: 141 pixels");
   expect_refused("trace gouraud-word 00000003 00000000 00000000", "an even number");
   expect_refused("trace gouraud-byte 1 00000000 00000000", "1");
   expect_refused("trace gouraud-byte 00000001 00000000 00000000 --mutant 1", "for routines");

@@ -51,7 +51,8 @@ TEST(Usage, OperationsThatAreNoRoutines) {
     for (const std::string_view command : {"list ", "trace "}) {
       expect_refused(fmt::format("{}{}", command, name), name);
     }
-    for (const std::string_view option : {"--target i386", "--round on", "--chapter 52"}) {
+    for (const std::string_view option :
+         {"--target i386", "--round on", "--chapter 52", "--chapter 54"}) {
       expect_refused(fmt::format("eval {} {}", name, option), "is not a routine");
     }
     expect_refused(fmt::format("eval {} --by model", name), "model does not answer");
