@@ -96,7 +96,7 @@ ReportStep measure_step(const std::string& name, Measurement<Result> measure, co
               fmt::print(stderr, "fixproof: {}\n", line);
             }
             if (measured.status != 0) return measured.status;
-            data.parts[name] = to_json(*measured.result);
+            data.parts[name] = *measured.result;
             support::replace_file(json, support::json_text(data.parts[name]));
             return 0;
           }};

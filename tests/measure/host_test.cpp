@@ -1,4 +1,6 @@
 // Tests that contenders are checked before timing and timed in turn.
+#include "measure/host/host.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <string_view>
 
 #include "measure/accuracy/accuracy_run.hpp"
-#include "measure/host/host_run.hpp"
 #include "tests/measure/never.hpp"
 
 struct CutNumber {
@@ -145,7 +146,7 @@ TEST(HostContenders, TheResultsOfAChainAreJudgedToo) {
       measure::product_contender<measure::PlainNumber, oracle::Rounding::half_up>(
           "idiom", "", measure::HostKind::plain);
   EXPECT_EQ(complaint(operation_of("mul"), contender), "");
-  contender.loop = std::make_unique<BrokenChain>();
+  contender.loop = std::make_shared<BrokenChain>();
   EXPECT_NE(complaint(operation_of("mul"), contender), "");
 }
 
