@@ -10,10 +10,12 @@
 
 namespace fixproof::trade {
 
+using Names = std::span<const std::string_view>;
+
 /// The kinds of operands of a routine in call order, such as `matrix`, `translation`, `vector`.
-std::span<const std::string_view> operand_names(cases::Operation operation);
+Names operand_names(cases::Operation operation);
 /// The kinds of results of a routine.
-std::span<const std::string_view> result_names(cases::Operation operation);
+Names result_names(cases::Operation operation);
 
 /// The index into operand_names() of word `index` of a call.
 std::size_t operand_place(cases::Operation operation, std::size_t index);
