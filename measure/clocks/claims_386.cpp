@@ -92,8 +92,8 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
       {}};
   for (const RecordedScene& scene : scenes) {
     for (const Cpu cpu : {Cpu::i386, Cpu::i486}) {
-      const Bounds more = surplus(clocks_a_frame(scene, i386_rounded, cpu),
-                                  clocks_a_frame(scene, i386_unrounded, cpu));
+      const Bounds more = surplus(clocks_per_frame(scene, i386_rounded, cpu),
+                                  clocks_per_frame(scene, i386_unrounded, cpu));
       const std::string where = fmt::format("{} on a {}", scene.name, name_of(cpu));
       add_figure(claim, where, more);
       if (cpu != Cpu::i386) continue;

@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "machine_code/machine_code.hpp"
 #include "parties/interpreter.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::measure {
 
@@ -25,20 +27,6 @@ struct Observer {
   }
 };
 
-using Call = x86::Ending(std::span<const x86::Instruction> code, std::span<const std::uint32_t> in,
-                         std::span<std::uint32_t> out, Observer& observer);
-
-template <x86::Routine routine>
-x86::Ending call(std::span<const x86::Instruction> code, std::span<const std::uint32_t> in,
-                 std::span<std::uint32_t> out, Observer& observer) {
-  return x86::call<routine, 16>(code, in, out, observer);
-}
-
-/// By operation, because operations begin with the routines.
-constexpr std::array<Call*, x86::routine_count> calls{
-    call<x86::Routine::mul>, call<x86::Routine::div>, call<x86::Routine::cossin>,
-    call<x86::Routine::xformvec>, call<x86::Routine::concat>};
-
 }  // namespace
 
 std::vector<bool> replay_calls(const cases::Variant& variant, std::span<const std::uint32_t> words,
@@ -52,11 +40,12 @@ std::vector<bool> replay_calls(const cases::Variant& variant, std::span<const st
   std::array<std::uint32_t, cases::max_words_out> results{};
   const auto out = std::span(results).first(cases::words_out(variant.operation));
   const std::size_t step = cases::words_in(variant.operation);
-  Call* const call_routine = calls.at(static_cast<std::size_t>(variant.operation));
   for (std::size_t i = 0; i + step <= words.size(); i += step) {
     const auto in = words.subspan(i, step);
     observer.counters = fresh;
-    const x86::Ending ending = call_routine(code, in, out, observer);
+    const auto ending = x86::with_routine(
+        machine_code::key_of(variant).routine,
+        [&]<x86::Routine routine> { return x86::call<routine, 16>(code, in, out, observer); });
     if (!visit({in, out, ending, observer.counters})) break;
   }
   return observer.executed;

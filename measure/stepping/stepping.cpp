@@ -39,14 +39,14 @@ Json json_of(const SteppingRow& row, const std::vector<SteppingTimes>& times) {
           {"along", list_of("pixel", SteppingStatistics::pixel_at, s.along)},
           {"last_of", list_of("pixels", SteppingStatistics::length, s.last_of)},
           {"wrong", share_of(s.wrong, s.drawn)},
-          {"max_error", s.max_error},
+          {"most_off", s.max_error},
           {"bands",
            {{"exact", s.bands.exact},
             {"drawn", s.bands.drawn},
             {"wrong", s.bands.wrong},
             {"widest", s.bands.widest}}},
           {"missed", share_of(s.missed, s.wanted)},
-          {"ns", nanoseconds_a_pixel(row.variant.value, row.variant.rule, times)}};
+          {"ns", nanoseconds_per_pixel(row.variant.value, row.variant.rule, times)}};
 }
 
 }  // namespace

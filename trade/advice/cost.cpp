@@ -77,7 +77,7 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
     // This draw does the one-time work, so the sample contains only the work of motion.
     player->draw(picture);
     for (std::uint64_t i = 0; i < ClockSample::apart; ++i) {
-      const bool counts = i < ClockSample::in_a_row;
+      const bool counts = i < ClockSample::consecutive;
       player::OperandLog log;
       {
         std::optional<player::Recording> recording;
@@ -90,7 +90,7 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
       if (counts) sum += measure::clocks_of(log, build, cpu);
     }
   }
-  constexpr double frames = ClockSample::places * ClockSample::in_a_row;
+  constexpr double frames = ClockSample::places * ClockSample::consecutive;
   return sum.per_frame(frames);
 }
 
@@ -112,9 +112,9 @@ double time_a_frame(const xsharp::Scene& scene, xsharp::Picture& picture) {
 
 }  // namespace
 
-std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                 x86model::Cpu cpu, const std::atomic<bool>& stop,
-                                 const std::function<void(std::uint64_t)>& counted) {
+std::vector<Cost> clocks_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                   x86model::Cpu cpu, const std::atomic<bool>& stop,
+                                   const std::function<void(std::uint64_t)>& counted) {
   const std::vector<Choice> measured = measured_choices(choices);
   std::vector<std::vector<double>> figures;
   for (const Choice& choice : measured) {
@@ -131,8 +131,8 @@ std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Cho
   return costs;
 }
 
-std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                      const std::atomic<bool>& stop) {
+std::vector<Cost> nanoseconds_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                        const std::atomic<bool>& stop) {
   const std::vector<Choice> measured = measured_choices(choices);
   std::vector<std::vector<double>> samples(measured.size());
   xsharp::Picture picture;

@@ -12,23 +12,31 @@ namespace {
 /// Maps an index into twelve row-major words: 0 for the matrix, 1 for the fourth column.
 std::size_t of_transform(std::size_t index) { return index % 4 == 3 ? 1 : 0; }
 
-}  // namespace
+struct CallNames {
+  std::vector<std::string_view> operands;
+  std::vector<std::string_view> results;
+};
 
-Names operand_names(cases::Operation operation) {
-  static const std::array<std::vector<std::string_view>, x86model::routine_count> names{{
-      {"first factor", "second factor"},
-      {"dividend", "divisor"},
-      {"angle"},
-      {"matrix", "translation", "vector"},
-      {"first matrix", "first translation", "second matrix", "second translation"},
-  }};
-  return names.at(static_cast<std::size_t>(operation));
+const CallNames& names_of(cases::Operation routine) {
+  // In the order of the operations, of which the routines are the first.
+  static const std::array<CallNames, x86model::routine_count> names{
+      {{{"first factor", "second factor"}, {"product"}},
+       {{"dividend", "divisor"}, {"quotient"}},
+       {{"angle"}, {"cosine", "sine"}},
+       {{"matrix", "translation", "vector"}, {"vector"}},
+       {{"first matrix", "first translation", "second matrix", "second translation"},
+        {"matrix", "translation"}}}};
+  return names.at(static_cast<std::size_t>(routine));
 }
 
-Names result_names(cases::Operation operation) {
-  static const std::array<std::vector<std::string_view>, x86model::routine_count> names{
-      {{"product"}, {"quotient"}, {"cosine", "sine"}, {"vector"}, {"matrix", "translation"}}};
-  return names.at(static_cast<std::size_t>(operation));
+}  // namespace
+
+std::span<const std::string_view> operand_names(cases::Operation routine) {
+  return names_of(routine).operands;
+}
+
+std::span<const std::string_view> result_names(cases::Operation routine) {
+  return names_of(routine).results;
 }
 
 std::size_t operand_place(cases::Operation operation, std::size_t index) {

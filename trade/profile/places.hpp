@@ -10,12 +10,10 @@
 
 namespace fixproof::trade {
 
-using Names = std::span<const std::string_view>;
-
 /// The kinds of operands of a routine in call order, such as `matrix`, `translation`, `vector`.
-Names operand_names(cases::Operation operation);
+std::span<const std::string_view> operand_names(cases::Operation routine);
 /// The kinds of results of a routine.
-Names result_names(cases::Operation operation);
+std::span<const std::string_view> result_names(cases::Operation routine);
 
 /// The index into operand_names() of word `index` of a call.
 std::size_t operand_place(cases::Operation operation, std::size_t index);

@@ -9,7 +9,8 @@ using support::Json;
 
 static void to_json(Json& json, const RoutineProfile& routine) {
   const cases::Operation operation = routine.variant.operation;
-  const auto ranges = [](Names names, const std::vector<ValueRange>& values) {
+  const auto ranges = [](std::span<const std::string_view> names,
+                         const std::vector<ValueRange>& values) {
     Json list = Json::array();
     for (std::size_t i = 0; i < names.size(); ++i) {
       Json& range = list.emplace_back(Json{{"name", names[i]}});
@@ -29,7 +30,7 @@ static void to_json(Json& json, const RoutineProfile& routine) {
   json = {{"operation", cases::name_of(operation)},
           {"calls", routine.calls},
           {"least_in_frame", routine.least_in_frame},
-          {"max_in_frame", routine.max_in_frame},
+          {"most_in_frame", routine.max_in_frame},
           {"faults", routine.faults},
           {"wrapped", routine.wrapped},
           {"instructions_executed", routine.instructions},
