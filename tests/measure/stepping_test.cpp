@@ -120,8 +120,8 @@ TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
   span.drawn = span.exact;
   measure::SteppingStatistics statistics;
   statistics.add_errors(three_pixels, span);
-  EXPECT_EQ(statistics.beyond().substr(0, 12), "pixel 1 of 3");
-  EXPECT_GT(statistics.part_of_bound(), 1);
+  EXPECT_EQ(statistics.beyond.substr(0, 12), "pixel 1 of 3");
+  EXPECT_GT(statistics.part_of_bound, 1);
 }
 
 // Exact values are floored: a third of a unit below level 11 is level 10.
@@ -138,14 +138,14 @@ TEST(SteppingStatistics, BandsAndWrongPixels) {
   span.drawn = {1, 1, 1, 2, 3};
   measure::SteppingStatistics statistics;
   statistics.add_picture(span, false);
-  EXPECT_EQ(statistics.drawn(), 5U);
-  EXPECT_EQ(statistics.wrong(), 1U);
-  EXPECT_EQ(statistics.max_error(), 1);
-  EXPECT_EQ(statistics.bands().exact, 3U);
-  EXPECT_EQ(statistics.bands().drawn, 3U);
-  EXPECT_EQ(statistics.bands().wrong, 2U) << "the first is too long, the second too short";
-  EXPECT_EQ(statistics.bands().widest, 1U);
-  EXPECT_EQ(statistics.missed(), 0U);
+  EXPECT_EQ(statistics.drawn, 5U);
+  EXPECT_EQ(statistics.wrong, 1U);
+  EXPECT_EQ(statistics.max_error, 1);
+  EXPECT_EQ(statistics.bands.exact, 3U);
+  EXPECT_EQ(statistics.bands.drawn, 3U);
+  EXPECT_EQ(statistics.bands.wrong, 2U) << "the first is too long, the second too short";
+  EXPECT_EQ(statistics.bands.widest, 1U);
+  EXPECT_EQ(statistics.missed, 0U);
 }
 
 TEST(SteppingStatistics, MissedTexels) {
@@ -154,11 +154,11 @@ TEST(SteppingStatistics, MissedTexels) {
   span.drawn = {5, 5, 7, 3 * 256 + 7};
   measure::SteppingStatistics statistics;
   statistics.add_picture(span, true);
-  EXPECT_EQ(statistics.wanted(), 4U);
-  EXPECT_EQ(statistics.missed(), 2U);
-  EXPECT_EQ(statistics.wrong(), 2U);
-  EXPECT_EQ(statistics.max_error(), 2) << "two rows";
-  EXPECT_EQ(statistics.bands().wrong, 2U);
+  EXPECT_EQ(statistics.wanted, 4U);
+  EXPECT_EQ(statistics.missed, 2U);
+  EXPECT_EQ(statistics.wrong, 2U);
+  EXPECT_EQ(statistics.max_error, 2) << "two rows";
+  EXPECT_EQ(statistics.bands.wrong, 2U);
 }
 
 TEST(SteppingRun, PlacesHaveTheirPixels) {
@@ -187,10 +187,10 @@ const measure::SteppingStatistics& of_rule(const std::vector<measure::SteppingRo
 TEST(SteppingRun, LinesTakeTheirBounds) {
   for (const measure::SteppingRow& row : measure::measure_stepping_rows(
            measure::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
-    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.value << ", " << row.variant.rule;
-    EXPECT_GT(row.statistics.part_of_bound(), 0.9);
-    EXPECT_EQ(row.statistics.spans(), 4 * 320U);
-    EXPECT_EQ(row.statistics.pixels(), 4 * 320 * 321 / 2U);
+    EXPECT_EQ(row.statistics.beyond, "") << row.variant.value << ", " << row.variant.rule;
+    EXPECT_GT(row.statistics.part_of_bound, 0.9);
+    EXPECT_EQ(row.statistics.spans, 4 * 320U);
+    EXPECT_EQ(row.statistics.pixels, 4 * 320 * 321 / 2U);
   }
 }
 
@@ -200,12 +200,12 @@ TEST(SteppingRun, LinearTextureBesideTrueOne) {
   const auto rows = measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never,
                                                    [](std::uint64_t) {});
   for (const measure::SteppingRow& row : rows)
-    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
-  EXPECT_GT(of_rule(rows, "never (affine)").all().error, 43);
-  EXPECT_LT(of_rule(rows, "never (affine)").all().error, 43.75 + 0.63);
-  for (const measure::ErrorAndBound& e : of_rule(rows, "every 16th").along())
+    EXPECT_EQ(row.statistics.beyond, "") << row.variant.rule;
+  EXPECT_GT(of_rule(rows, "never (affine)").all.error, 43);
+  EXPECT_LT(of_rule(rows, "never (affine)").all.error, 43.75 + 0.63);
+  for (const measure::ErrorAndBound& e : of_rule(rows, "every 16th").along)
     EXPECT_LT(e.error, 0.25);
-  EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.01);
+  EXPECT_LT(of_rule(rows, "every pixel").all.error, 0.01);
 }
 
 // Normals 60 degrees apart, s from -0.57735 to 0.57735. A straight line is off by at most 62 s^2 /
@@ -215,12 +215,12 @@ TEST(SteppingRun, PhongByParabola) {
   const auto rows =
       measure::measure_stepping_rows(measure::phong_variants(), 1, 4, never, [](std::uint64_t) {});
   for (const measure::SteppingRow& row : rows)
-    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
-  EXPECT_GT(of_rule(rows, "ends alone, linear").all().error, 62 * (1 - std::sqrt(0.75)) - 0.4);
-  EXPECT_LT(of_rule(rows, "ends alone, linear").all().error, 10.33 + 0.4);
-  EXPECT_GT(of_rule(rows, "quadratic").all().error, 1.5);
-  EXPECT_LT(of_rule(rows, "quadratic").all().error, 2.3 + 0.5);
-  EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.32);
+    EXPECT_EQ(row.statistics.beyond, "") << row.variant.rule;
+  EXPECT_GT(of_rule(rows, "ends alone, linear").all.error, 62 * (1 - std::sqrt(0.75)) - 0.4);
+  EXPECT_LT(of_rule(rows, "ends alone, linear").all.error, 10.33 + 0.4);
+  EXPECT_GT(of_rule(rows, "quadratic").all.error, 1.5);
+  EXPECT_LT(of_rule(rows, "quadratic").all.error, 2.3 + 0.5);
+  EXPECT_LT(of_rule(rows, "every pixel").all.error, 0.32);
 }
 
 TEST(SteppingRun, EndsWhenStopped) {
