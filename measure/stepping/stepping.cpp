@@ -21,7 +21,7 @@ Json to_json(const char* name, std::size_t value, const ErrorAndBound& e) {
 }
 
 Json to_json(const SteppingRow& row, const std::vector<SteppingTimes>& times) {
-  const auto ns = nanoseconds_a_pixel(row.variant.value, row.variant.rule, times);
+  const auto ns = nanoseconds_per_pixel(row.variant.value, row.variant.rule, times);
   const SteppingStatistics& s = row.statistics;
   Json along = Json::array();
   for (std::size_t i = 0; i < SteppingStatistics::places; ++i) {
