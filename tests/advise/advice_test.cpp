@@ -1,14 +1,11 @@
 // Tests which of the tried choices the advice takes.
 #include "trade/advice/advice.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <limits>
 
 #include "cli/advice_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {
@@ -84,7 +81,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
       .budget = 0.5,
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
   // Compares text because infinity becomes null only there.
-  const auto json = support::Json::parse(support::json_text(trade::to_json(report)));
+  const auto json = support::Json::parse(support::json_text(report));
   EXPECT_EQ(json.at("made").at("command"), "advise");
   EXPECT_EQ(json.at("made").at("processor"), measure::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
@@ -92,7 +89,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);
   EXPECT_EQ(json.at("variants").at(1).at("cost_spread"), 5);
   report.cpu = x86model::Cpu::i386;
-  EXPECT_TRUE(trade::to_json(report).at("made").at("processor").is_null());
+  EXPECT_TRUE(support::Json(report).at("made").at("processor").is_null());
 }
 
 TEST(Advice, IsNoneWhereNoneFits) {

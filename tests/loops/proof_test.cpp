@@ -1,13 +1,9 @@
 // Tests the proof of one turn of each loop for all register values, and that it rejects mutants.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <sstream>
-
 #include "proof/solver.hpp"
 #include "proof/span_cases.hpp"
 #include "proof/step_proof.hpp"
 #include "tests/loops/span.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/mutants.hpp"
 
 namespace {

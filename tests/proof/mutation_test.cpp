@@ -1,10 +1,9 @@
 // Runs level 1 against wrong programs: a sample of all mutants, swapped roundings, the other
 // processor's routine, a missing fault. `fixproof mutate` tries all mutants.
-#include <gtest/gtest.h>
-
 #include "parties/interpreter.hpp"
 #include "parties/parties.hpp"
 #include "proof/kill.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Judges captures written by hand, as they are and with one bit changed. What the model would do
 // with a defect is what the file has with that bit changed.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
+#include "tests/support/test.hpp"
 #include "tests/vectors/capture.hpp"
 
 namespace {

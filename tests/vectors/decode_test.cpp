@@ -3,10 +3,10 @@
 #include "singlestep/decode.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "machine_code/machine_code.hpp"
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/encoding.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/loop.hpp"

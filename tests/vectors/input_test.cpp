@@ -1,11 +1,11 @@
 // Tests that an invalid file gives one line that names the position, and exit status 2.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <filesystem>
 
 #include "support/file.hpp"
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
 namespace {
@@ -167,7 +167,7 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
 
 TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
-  const std::string spaces = command::repeated(1U << 20U, ' ');
+  const std::string spaces = std::string(1U << 20U, ' ');
   auto* const out = gzopen(path.c_str(), "wb9");
   ASSERT_EQ(gzwrite(out, spaces.data(), 1U << 20U), 1 << 20);
   ASSERT_EQ(gzclose(out), Z_OK);

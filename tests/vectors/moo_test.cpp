@@ -1,8 +1,8 @@
 // Reads the binary MOO format: the same cases as in JSON, and files that are damaged.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/file.hpp"
+#include "tests/support/test.hpp"
 #include "tests/vectors/capture.hpp"
 
 namespace {

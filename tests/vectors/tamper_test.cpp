@@ -1,8 +1,8 @@
 // Changes cases one bit at a time. Each change must be reported if that part is compared.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "tests/cli/bitwise.hpp"
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
 namespace {

@@ -1,14 +1,8 @@
 // Tests that shards add up to the whole, and that duplicate or missing parts are reported.
 #include "verify/merge.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "cases/plan.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
 

@@ -1,17 +1,13 @@
 // Tests that JSON reports are read back completely, resumed at any chunk, and rejected when
 // damaged.
-#include <gtest/gtest.h>
-
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 
 #include "cases/draw.hpp"
 #include "cases/plan.hpp"
 #include "support/file.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_file.hpp"
 #include "verify/report_json.hpp"
