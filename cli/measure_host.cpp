@@ -2,6 +2,7 @@
 
 #include "cli/measure_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -48,7 +49,7 @@ std::string text_of(const measure::HostResult& result) {
       "by the median. Operands come again\nand again: a processor may have learnt what branches. "
       "Errors in units of the last place of 16.16, of\n{} results or more, each held to the "
       "rounding that its maker states; correct is one within half a\nunit.\n{}",
-      made_by(result.seed), measure::compiler_flags(), measure::processor_name(),
+      made_by(result.seed), measure::compiler_flags(), parties::processor_name(),
       support::grouped(result.rounds), support::grouped(result.cases), missing_libraries());
   for (const measure::HostTable& table : result.tables) text += text_of(table);
   return text;

@@ -70,6 +70,7 @@ void answer_compiled(const cases::Variant& v, const Batch& batch) {
 class Model final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "model"; }
+  [[nodiscard]] std::string identity() const override { return "the listings, compiled"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
   void answer(const cases::Variant& v, const Batch& batch) const override {
     using enum x86::Routine;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 
 namespace fixproof::measure {
 
@@ -67,7 +68,7 @@ std::optional<HostResult> measure_host(const MeasureRequest& request, MeasurePro
 Json to_json(const HostResult& result) {
   Json json{{"made", made_by_json(result.seed, "measure --host")}};
   json["made"]["flags"] = compiler_flags();
-  json["made"]["processor"] = processor_name();
+  json["made"]["processor"] = parties::processor_name();
   json["libraries"] = {{"libfixmath", has_libfixmath()}, {"FreeType", has_freetype()}};
   json["rounds"] = result.rounds;
   json["operands"] = {{"arrays", Json::object()}, {"chains", Json::object()}};

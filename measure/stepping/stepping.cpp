@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 
 namespace fixproof::measure {
 
@@ -102,7 +103,7 @@ Json to_json(const SteppingResult& result) {
             {"pixels", Json::array()},
             {"times",
              {{"rounds", result.rounds},
-              {"processor", processor_name()},
+              {"processor", parties::processor_name()},
               {"flags", compiler_flags()},
               {"loops", Json::array()}}},
             {"claims", Json::array()}};

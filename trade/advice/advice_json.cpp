@@ -1,5 +1,6 @@
 
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "trade/advice/advice.hpp"
 
 namespace fixproof::trade {
@@ -39,7 +40,7 @@ Json to_json(const AdviceReport& report) {
   const Advice advice = advise(report.tried, report.budget);
   Json json;
   json["made"] = measure::made_by_json("advise");
-  json["made"]["processor"] = report.cpu ? Json() : Json(measure::processor_name());
+  json["made"]["processor"] = report.cpu ? Json() : Json(parties::processor_name());
   json["scene"] = report.scene;
   json["frames"] = report.frames;
   json["frames_per_second"] = advised_rate;
