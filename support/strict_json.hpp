@@ -19,7 +19,7 @@ class StrictJsonCheck final : public nlohmann::json_sax<nlohmann::json> {
  public:
   bool key(std::string& name) override {
     if (open_.back().insert(name).second) return true;
-    throw std::runtime_error("the key \"" + name + "\" stands twice in one object");
+    throw std::runtime_error("the key \"" + name + "\" occurs twice in one object");
   }
   bool start_object(std::size_t /*keys*/) override {
     open_.emplace_back();

@@ -119,7 +119,7 @@ std::string difference(const Report& a, const Report& b) {
   for (std::size_t i = 0; first.empty() && i < a.plan.rows().size(); ++i) {
     const cases::Row& of_a = a.plan.rows()[i];
     const cases::Row& of_b = b.plan.rows()[i];
-    if (of_a.variant != of_b.variant) first = fmt::format("another variant in row {}", i + 1);
+    if (of_a.variant != of_b.variant) first = fmt::format("row {} has another variant", i + 1);
     if (of_a.parties == of_b.parties) continue;
     first = fmt::format("row {} compares {}, not {}", i + 1, fmt::join(of_a.parties, " "),
                         fmt::join(of_b.parties, " "));

@@ -19,7 +19,7 @@ namespace {
 using Document = nlohmann::json;
 
 /// The maximum that `verify` accepts for --max-reports.
-constexpr std::uint64_t max_max_shown = 1000;
+constexpr std::uint64_t max_reports = 1000;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::runtime_error(reason); }
 
@@ -29,14 +29,14 @@ Integer integer_in(std::string_view text, int base, const char* what) {
   Integer value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (error != std::errc{} || end != text.data() + text.size()) {
-    refuse(fmt::format("'{}' is no {}", text, what));
+    refuse(fmt::format("'{}' is not a {}", text, what));
   }
   return value;
 }
 
 /// Reads an unsigned count. The library would convert -1 to the largest value.
 std::uint64_t count_in(const Document& json) {
-  if (!json.is_number_unsigned()) refuse(fmt::format("{} is no count", json.dump()));
+  if (!json.is_number_unsigned()) refuse(fmt::format("{} is not a count", json.dump()));
   return json.get<std::uint64_t>();
 }
 
@@ -45,7 +45,7 @@ template <class Value>
 bool is_second(const Document& json, const Value& first, const Value& second) {
   const bool is = json == Document(second);
   if (!is && json != Document(first)) {
-    refuse(fmt::format("{} where {} or {} is wanted", json.dump(), first, second));
+    refuse(fmt::format("{} must be {} or {}", json.dump(), first, second));
   }
   return is;
 }
@@ -67,7 +67,7 @@ void read_done(const Document& ranges, Report& report) {
     const std::uint64_t first = count_in(range.at(0));
     const std::uint64_t last = count_in(range.at(1));
     if (first < next || last < first || last >= places) {
-      refuse(fmt::format("the chunks done, {} to {}, do not fit", first, last));
+      refuse(fmt::format("the chunks {} to {} of \"done\" are not in the shard", first, last));
     }
     for (std::uint64_t place = first; place <= last; ++place) {
       report.done[report.shard.index - 1 + place * report.shard.count] = true;
@@ -79,7 +79,7 @@ void read_done(const Document& ranges, Report& report) {
 ChunkResult chunk_in(std::string_view line) {
   const auto first = line.find(' ');
   const auto second = line.rfind(' ');
-  if (first == second) refuse(fmt::format("'{}' is no chunk", line));
+  if (first == second) refuse(fmt::format("'{}' is not the result of a chunk", line));
   return {integer_in<std::uint64_t>(line.substr(0, first), 10, "count"),
           integer_in<std::uint64_t>(line.substr(first + 1, second - first - 1), 10, "count"),
           integer_in<std::uint64_t>(line.substr(second + 1), 16, "digest")};
@@ -225,7 +225,8 @@ void check_counts(const Report& report) {
 
 cases::Shard shard_in(const Document& json) {
   const cases::Shard shard{count_in(json.at(0)), count_in(json.at(1))};
-  if (shard.index < 1 || shard.index > shard.count) refuse("impossible shard");
+  if (shard.index < 1 || shard.index > shard.count)
+    refuse("the shard is not i of n with 1 <= i <= n");
   return shard;
 }
 
@@ -238,7 +239,8 @@ int level_in(const Document& json) {
 /// Refuses other files, other formats, and a text that its digest does not fit.
 void check_seal(const Document& json, std::string_view text) {
   const auto format = json.is_object() ? json.find("format") : json.end();
-  if (format == json.end() || *format != std::string(format_name)) refuse("no report of fixproof");
+  if (format == json.end() || *format != std::string(format_name))
+    refuse("not a report of fixproof");
   // The digest first: in a damaged report the version may be wrong too.
   const std::uint64_t version = count_in(json.at("version"));
   if (json.contains("digest") || version == format_version) {
@@ -270,11 +272,11 @@ Report report_in(const Document& json) {
   const auto streams = streams_by_row<Document>(plan);
   for (std::size_t i = 0; i < plan.rows().size(); ++i) {
     if (json.at("rows")[i].at("streams") != streams[i]) {
-      refuse("made by a fixproof that runs other cases");
+      refuse("made by a fixproof that runs other cases; run verify again");
     }
   }
   const std::uint64_t max_shown = count_in(json.at("max_reports"));
-  if (max_shown > max_max_shown) refuse(fmt::format("max_reports {} is too large", max_shown));
+  if (max_shown > max_reports) refuse(fmt::format("max_reports {} is too large", max_shown));
   Report report(std::move(plan), shard_in(json.at("shard")), max_shown);
   for (const Document& maker : json.at("made_by")) report.add(maker_in(maker, report.plan));
   read_done(json.at("done"), report);
@@ -304,7 +306,7 @@ Report from_json(std::string_view text) {
     if (to_json(report) != text) refuse("not as fixproof writes it: it has other keys or spaces");
     return report;
   } catch (const Document::parse_error&) {
-    refuse(text.empty() ? "empty" : "no JSON, or cut short, or followed by other text");
+    refuse(text.empty() ? "empty" : "not JSON, or cut short, or followed by other text");
   } catch (const Document::exception& error) {
     // The library's message begins with its own error number in brackets.
     const std::string_view message = error.what();

@@ -180,22 +180,22 @@ TEST(Reports, AContradictionIsFoundUnderARightDigest) {
     const std::string text = test::sealed(replaced(good, from, to));
     EXPECT_NE(reason(text).find(wanted), std::string::npos) << to << ": " << reason(text);
   };
-  refused("fixproof report", "another report", "no report of fixproof");
+  refused("fixproof report", "another report", "not a report of fixproof");
   refused(R"("level": 1)", R"("level": 2)", "other cases");
   refused(R"("level": 1)", R"("level": 4)", "no level 4");
-  refused(R"("level": 1)", R"("level": 1.9)", "1.9 is no count");
-  refused(R"("level": 1)", R"("level": 1.0)", "1.0 is no count");
-  refused(R"("level": 1)", R"("level": "one")", R"("one" is no count)");
-  refused(R"("level": 1)", R"("level": 2, "level": 1)", R"(the key "level" stands twice)");
+  refused(R"("level": 1)", R"("level": 1.9)", "1.9 is not a count");
+  refused(R"("level": 1)", R"("level": 1.0)", "1.0 is not a count");
+  refused(R"("level": 1)", R"("level": "one")", R"("one" is not a count)");
+  refused(R"("level": 1)", R"("level": 2, "level": 1)", R"(the key "level" occurs twice)");
   refused(R"("level": 1)", R"("level": 1, "note": 1)", "other keys");
   refused(R"("level": 1)", R"("level":  1)", "other keys or spaces");
-  refused(R"("version": 3)", R"("version": 3.5)", "3.5 is no count");
+  refused(R"("version": 3)", R"("version": 3.5)", "3.5 is not a count");
   refused(R"("version": 3)", R"("version": 4)", "fixproof 0.1.0 wrote");
   refused(R"("chapter": 54)", R"("chapter": 54.5)", "54.5");
-  refused(R"("seed": "5")", R"("seed": "five")", "'five' is no seed");
+  refused(R"("seed": "5")", R"("seed": "five")", "'five' is not a seed");
   refused(R"("mul")", R"("mull")", "mull");
   refused(R"("i386")", R"("i486")", "i486");
-  refused(R"("faults": 0)", R"("faults": -1)", "-1 is no count");
+  refused(R"("faults": 0)", R"("faults": -1)", "-1 is not a count");
   refused(R"("faults": 0)", R"("faults": 1)", "the counts of row 1");
   refused(R"("cases": )", R"("cases": 1)", "totals");
   refused(R"("mismatches": )", R"("mismatches": 1)", "totals");
@@ -349,7 +349,7 @@ TEST(Reports, DifferencesAreNamed) {
   rows = report.plan.rows();
   rows[2].variant.build.div_round = true;
   EXPECT_EQ(verify::difference(report, verify::Report(cases::Plan(1, 5, rows), cases::Shard{}, 3)),
-            "another variant in row 3");
+            "row 3 has another variant");
 }
 
 TEST(Reports, WithARowThatNobodyComparesAreNotRead) {
