@@ -11,6 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "proof/process.hpp"
+#include "support/build_info/build_info.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -22,7 +23,7 @@ namespace {
 void add_all(CLI::App& app, int& status) {
   app.name("fixproof");
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", std::string(program_version()));
+  app.set_version_flag("--version", std::string(support::program_version()));
   add_verify(app, status);
   add_merge(app, status);
   add_gen(app, status);
@@ -83,7 +84,5 @@ int run_command_line(std::vector<std::string> arguments) {
   }
   return status;
 }
-
-std::string_view program_version() { return FIXPROOF_VERSION; }
 
 }  // namespace fixproof::cli

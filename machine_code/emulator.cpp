@@ -144,6 +144,11 @@ void* hook_of(Function* function) {
 
 std::string Emulator::absence() { return {}; }
 
+std::string Emulator::version() {
+  const unsigned version = uc_version(nullptr, nullptr);
+  return fmt::format("{}.{}.{}", version >> 24, version >> 16 & 0xFF, version >> 8 & 0xFF);
+}
+
 Emulator::Emulator(std::span<const std::uint8_t> code) : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   auto& bytes = p.segment->bytes;

@@ -20,6 +20,8 @@ class Emulator : private boost::noncopyable {
  public:
   /// Returns why this build has no emulator; empty if it has one.
   static std::string absence();
+  /// Returns the version of the Unicorn library that runs here, for example `2.0.1`.
+  static std::string version();
 
   struct Calls {
     std::size_t count;

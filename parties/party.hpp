@@ -36,6 +36,9 @@ class Party : private boost::noncopyable {
 
   /// The party's command-line name, one lower-case word.
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Returns what answers under that name, such as the version of a library or the name of a
+  /// processor: two parties of one name may answer differently if their identities differ.
+  [[nodiscard]] virtual std::string identity() const = 0;
   /// Returns why this party cannot answer anything here, in a clause; empty if it can.
   [[nodiscard]] virtual std::string absence() const { return {}; }
   [[nodiscard]] virtual bool answers(const cases::Variant& variant) const = 0;

@@ -42,6 +42,7 @@ namespace {
 class Silicon final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "silicon"; }
+  [[nodiscard]] std::string identity() const override { return processor_name(); }
   [[nodiscard]] std::string absence() const override {
     const std::string reason = machine_code::machine_code_absence();
     return reason.empty() ? machine_code::Processor::absence() : reason;

@@ -34,6 +34,9 @@ namespace {
 class Unicorn final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "unicorn"; }
+  [[nodiscard]] std::string identity() const override {
+    return "Unicorn " + machine_code::Emulator::version();
+  }
   [[nodiscard]] std::string absence() const override {
     const std::string reason = machine_code::Emulator::absence();
     return reason.empty() ? machine_code::machine_code_absence() : reason;

@@ -1,13 +1,10 @@
 #include "verify/engine.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/noncopyable.hpp>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 
 #include "cases/plan.hpp"
@@ -20,26 +17,8 @@ namespace fixproof::verify {
 
 namespace {
 
-std::vector<std::vector<const parties::Party*>> parties_of(
-    const cases::Plan& plan, std::span<const parties::Party* const> parties) {
-  std::vector<std::vector<const parties::Party*>> rows;
-  for (const cases::Row& row : plan.rows()) {
-    auto& row_parties = rows.emplace_back();
-    for (const std::string& name : row.parties) {
-      const auto found =
-          std::find_if(parties.begin(), parties.end(),
-                       [&](const parties::Party* party) { return party->name() == name; });
-      if (found == parties.end()) {
-        throw std::invalid_argument(fmt::format("there is no party '{}'", name));
-      }
-      row_parties.push_back(*found);
-    }
-  }
-  return rows;
-}
-
 /// Finds the smallest failing case for each mismatch that does not have one yet.
-void explain(Report& report, const std::vector<std::vector<const parties::Party*>>& parties) {
+void explain(Report& report, const PartiesByRow& parties) {
   for (std::size_t row = 0; row < parties.size(); ++row) {
     const cases::Variant& variant = report.plan.rows()[row].variant;
     const auto answers_to = [&](std::span<const std::uint32_t> words) {
@@ -64,8 +43,7 @@ void explain(Report& report, const std::vector<std::vector<const parties::Party*
 /// Runs the remaining chunks of a report. Each thread takes the next one until none is left.
 class ChunkRun : private boost::noncopyable {
  public:
-  ChunkRun(Report& report, const std::vector<std::vector<const parties::Party*>>& parties,
-           const RunOptions& options)
+  ChunkRun(Report& report, const PartiesByRow& parties, const RunOptions& options)
       : report_(report), parties_(parties), options_(options) {
     for (std::uint64_t chunk = 0; chunk < report.done.size(); ++chunk) {
       if (report.shard.has(chunk) && !report.done[chunk]) left_.push_back(chunk);
@@ -117,10 +95,9 @@ class ChunkRun : private boost::noncopyable {
       const std::size_t next = next_++;
       if (next >= left_.size()) break;
       const std::uint64_t number = left_[next];
-      const Findings found = runner.run(number);
+      const ChunkFindings found = runner.run(number);
       const std::lock_guard lock(mutex_);
-      report_.findings[report_.plan.chunk(number).job->row].add(found, report_.max_shown);
-      report_.done[number] = true;
+      report_.add(number, found);
     }
   }
 
@@ -130,7 +107,7 @@ class ChunkRun : private boost::noncopyable {
   }
 
   Report& report_;
-  const std::vector<std::vector<const parties::Party*>>& parties_;
+  const PartiesByRow& parties_;
   const RunOptions& options_;
   std::vector<std::uint64_t> left_;
   std::atomic<std::size_t> next_ = 0;
@@ -144,7 +121,8 @@ class ChunkRun : private boost::noncopyable {
 
 void run(Report& report, std::span<const parties::Party* const> parties,
          const RunOptions& options) {
-  const auto by_row = parties_of(report.plan, parties);
+  const auto by_row = parties_by_row(report.plan, parties);
+  if (report.makers.empty() || !report.complete()) report.add(this_maker(report.plan, parties));
   const auto begin = std::chrono::steady_clock::now();
   const double before = report.seconds;
   const auto seconds = [&] {

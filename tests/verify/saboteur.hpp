@@ -28,6 +28,7 @@ class Saboteur final : public parties::Party {
       : name_(std::move(name)), honest_(honest), spoil_(std::move(spoil)) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] std::string identity() const override { return "a saboteur"; }
   [[nodiscard]] bool answers(const cases::Variant& variant) const override {
     return honest_.answers(variant);
   }
