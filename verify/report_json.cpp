@@ -243,9 +243,9 @@ Report report_in(const Json& json) {
       refuse("made by a fixproof that runs other cases");
     }
   }
-  const std::uint64_t max_shown = count_in(json.at("max_reports"));
-  if (max_shown > max_shown) refuse(fmt::format("max_reports {} is too large", max_shown));
-  Report report(std::move(plan), shard_in(json.at("shard")), max_shown);
+  const std::uint64_t shown = count_in(json.at("max_reports"));
+  if (shown > max_shown) refuse(fmt::format("max_reports {} is too large", shown));
+  Report report(std::move(plan), shard_in(json.at("shard")), shown);
   read_done(json.at("done"), report);
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
     report.findings[i] = findings_in(json.at("rows")[i]);
