@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/measure_text.hpp"
+#include "cli/print_error.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
@@ -63,7 +64,7 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
       support::replace_file(options.json, support::json_text(to_json(*measured.result)));
     }
   }
-  for (const std::string& line : measured.errors) fmt::print(stderr, "fixproof: {}\n", line);
+  for (const std::string& line : measured.errors) print_error(line);
   return measured.status;
 }
 

@@ -1,12 +1,11 @@
 #include "verify/merge.hpp"
 
-#include <fmt/format.h>
-
 #include <iostream>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/table.hpp"
 #include "support/file.hpp"
 #include "verify/report_file.hpp"
@@ -27,7 +26,7 @@ int run(const MergeOptions& options) {
   if (!options.report.empty()) support::replace_file(options.report, verify::to_json(sum));
   std::cout << table(sum) << std::flush;
   const std::string lacking = verify::missing(sum, parts);
-  if (!lacking.empty()) fmt::print(stderr, "fixproof: {}\n", lacking);
+  if (!lacking.empty()) print_error(lacking);
   // A mismatch counts even if parts are missing.
   if (sum.mismatches() > 0) return 1;
   return lacking.empty() ? 0 : 2;
