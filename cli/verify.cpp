@@ -4,12 +4,14 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <new>
 #include <thread>
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/selection.hpp"
 #include "cli/table.hpp"
@@ -151,13 +153,17 @@ int verify(const VerifyOptions& options) {
   }
   print_heading(options, report);
 
-  {
+  // Print and keep the findings even if a party fails or a file cannot be written.
+  std::string party_failure;
+  try {
     // Restore Ctrl-C before printing, because a write to a pipe may block on its reader.
     const support::Interrupt interrupt;
     run_rest(options, report);
+  } catch (const std::bad_alloc&) {
+    party_failure = "out of memory";
+  } catch (const std::exception& error) {
+    party_failure = error.what();
   }
-
-  // Print the findings even if a file cannot be written.
   std::string failure;
   for (const std::string& file : files) {
     try {
@@ -169,9 +175,11 @@ int verify(const VerifyOptions& options) {
   std::cout << table(report);
   if (!report.complete()) std::cout << resume_hint(options);
   std::cout.flush();
+  if (!party_failure.empty()) print_error(support::printable(party_failure));
   if (!failure.empty()) throw std::runtime_error(failure);
   // A mismatch counts even if the run is incomplete.
   if (report.mismatches() > 0) return 1;
+  if (!party_failure.empty()) return 2;
   return report.complete() ? 0 : support::interrupted_status;
 }
 
@@ -246,7 +254,8 @@ On two processors level 2 takes some minutes and level 3 a quarter of an hour.
 An option that selects a rule leaves out the rows that follow another rule. Naming a party
 that cannot run or cannot answer every row is an error, and nothing is compared.
 
-Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 interrupted.
+Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, or a party failed, 130 interrupted.
+The chunk in which a party fails is not counted; the rest is kept for --resume.
 
 Examples:
   fixproof verify                                   # every row, in seconds

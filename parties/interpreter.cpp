@@ -65,7 +65,7 @@ class Interpreter final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "interpreter"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     parties::answer(v, program_of(v).instructions(), batch);
   }
 };
@@ -76,7 +76,7 @@ class InterpreterOf final : public Party {
       : name_(std::move(name)), program_(program) {}
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     parties::answer(v, program_.instructions(), batch);
   }
 

@@ -71,7 +71,7 @@ class Model final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "model"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     using enum x86::Routine;
     switch (v.operation) {
       case cases::Operation::mul:

@@ -33,7 +33,7 @@ class Counting final : public parties::Party {
       : party_(party), batches_(batches), stop_(stop) {}
   [[nodiscard]] std::string_view name() const override { return party_.name(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return party_.answers(v); }
-  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
     if (batches_-- == 1) stop_ = true;
     party_.answer(v, batch);
   }
