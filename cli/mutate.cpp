@@ -112,8 +112,13 @@ std::string fate_of(const Trial& trial) {
       break;
   }
   if (j.proof.standing != proof::Standing::disproven) {
-    return fmt::format("GAP: survives level 1, not decided{}{}", j.failure.empty() ? "" : ": ",
-                       support::printable(j.failure));
+    std::string why = j.failure;
+    if (why.empty() && !j.proof.remarks.empty()) why = j.proof.remarks.front();
+    const char* word = j.proof.standing == proof::Standing::disputed    ? "DISPUTED"
+                       : j.proof.standing == proof::Standing::one_sided ? "one-sided"
+                                                                        : "not decided";
+    return fmt::format("GAP: survives level 1, {}{}{}", word, why.empty() ? "" : ": ",
+                       support::printable(why));
   }
   if (trial.loop) return "GAP: survives all spans, but its turn is disproven";
   return fmt::format("GAP: survives level 1, but fails at {}",
@@ -224,7 +229,10 @@ which it differs from the oracle or raises an unexpected error. The solver decid
 others are equivalent to the routine for all operands. Any that remain are gaps in the
 verification. Inner loops run spans of every length up to 320 pixels.
 
-Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 interrupted.
+A mutant that the solver does not decide is a gap too; with --solver both that is one on which
+z3 and cvc5 do not agree. `fixproof prove --help` says how solvers are tested.
+
+Exit status: 0 no gap, 1 a gap, 2 bad usage, or a solver is refused, 130 interrupted.
 
 Examples:
   fixproof mutate mul div
