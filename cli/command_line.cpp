@@ -47,8 +47,8 @@ void add_all(CLI::App& app, int& status) {
 /// @throws std::bad_alloc
 int run(std::vector<std::string> arguments) {
   CLI::App app{
-      "Bit-exact verification of 16.16 fixed-point arithmetic: a register-level model of the 8088\n"
-      "and 386 sequences of FIXED.ASM, a big-integer oracle and a production C++ type, compared."};
+      "Bit-exact verification of 16.16 fixed-point arithmetic. Compares a register-level model of\n"
+      "FIXED.ASM for the 8088 and the 386, a big-integer oracle and a C++ number type."};
   int status = 0;
   add_all(app, status);
   try {
@@ -56,12 +56,12 @@ int run(std::vector<std::string> arguments) {
     std::reverse(arguments.begin(), arguments.end());
     app.parse(std::move(arguments));
     if (app.get_subcommands().empty())
-      throw support::UsageError("which command? (see fixproof --help)");
+      throw support::UsageError("no command given (see fixproof --help)");
   } catch (const CLI::Success& help) {
     app.exit(help);
   } catch (const CLI::ExtrasError&) {
     const auto extra = app.remaining(true);
-    const char* what = app.get_subcommands().empty() ? "no such command" : "not expected";
+    const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
     print_error(
         fmt::format("{}: {} (see fixproof --help)", what, support::printable(extra.front())));
     return 2;

@@ -8,6 +8,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
@@ -83,12 +84,6 @@ xsharp::Scene unrestored(xsharp::Scene scene) {
   return scene;
 }
 
-void check_output(std::string_view option, const std::string& file, const xsharp::Scene& scene) {
-  if (file.empty()) return;
-  player::refuse_inputs(option, file, scene.files);
-  support::check_replaceable(file);
-}
-
 }  // namespace
 
 std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request) {
@@ -143,17 +138,18 @@ namespace {
 
 int run(const DriftOptions& options) {
   const xsharp::Scene scene = xsharp::read_scene(options.scene);
-  if (scene.objects.empty()) throw support::UsageError(scene.name + " has no objects");
+  require_objects(scene);
   if (options.request.object >= scene.objects.size()) {
-    throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}",
+    throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}; choose one of them",
                                           options.request.object, scene.name,
                                           scene.objects.size() - 1));
   }
-  check_output("--strip", options.strip, scene);
-  check_output("--json", options.json, scene);
+  player::check_output("--strip", options.strip, scene.files);
+  player::check_output("--json", options.json, scene.files);
   if (!options.strip.empty() && !options.json.empty() &&
       support::same_file(options.strip, options.json)) {
-    throw support::UsageError(fmt::format("--json {}: is the file of --strip", options.json));
+    throw support::UsageError(
+        fmt::format("--json {}: --strip writes this file; name another", options.json));
   }
 
   DriftFigures figures;
@@ -164,10 +160,9 @@ int run(const DriftOptions& options) {
   const std::uint64_t frames = figures.frames;
   std::cout << fmt::format(
       "{}: {} frames, {} at {} frames a second, {} at {}.\n"
-      "Worst of any object: skew of its axes, edges and volume too large or small, pixels from "
-      "where "
-      "a vertex should be;\nthen the first frame at which a vertex is 1 pixel off, an edge 2 % and "
-      "10 % wrong.\n\n",
+      "Largest errors of any object: skew of its axes, length of its edges, volume, and pixels "
+      "between a vertex\nand its exact place. Then the first frame at which a vertex is 1 pixel "
+      "off, an edge 2 % and 10 % wrong.\n\n",
       support::printable(scene.name), support::grouped(frames),
       support::duration(static_cast<double>(frames) / static_cast<double>(slow)), slow,
       support::duration(static_cast<double>(frames) / static_cast<double>(fast)), fast);
@@ -196,39 +191,41 @@ void add_drift(CLI::App& app, int& status) {
   auto options = std::make_shared<DriftOptions>();
   CLI::App* command =
       app.add_subcommand("drift", "measure how long turning objects keep their shape");
-  command->add_option("scene", options->scene, "a scene, such as scenes/twelve_cubes.json")
+  command->add_option("scene", options->scene, "scene file, such as scenes/twelve_cubes.json")
       ->required()
       ->check(not_empty());
   command
-      ->add_option("--minutes", options->request.minutes,
-                   "of animation at 60 frames a second; four times as many at 15")
+      ->add_option(
+          "--minutes", options->request.minutes,
+          "length of the animation at 60 frames a second; at 15 it lasts four times as long")
       ->transform(whole_number(1, 10'000))
       ->capture_default_str();
   command
-      ->add_option("--reortho", options->request.restore_every,
-                   "rotations between two restorings of orthogonality, in the rows that have any")
+      ->add_option(
+          "--reortho", options->request.restore_every,
+          "rotations between two restorations of orthogonality, in the rows named `restored`")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   auto* strip =
       command
           ->add_option(
               "--strip", options->strip,
-              "an SVG of one object after 0, 1, 5, 15 and 30 minutes under each arithmetic")
+              "write an SVG of one object after 0, 1, 5, 15 and 30 minutes in each arithmetic")
           ->check(not_empty());
   command
       ->add_option("--json", options->json,
-                   "a file for the same figures, and for their way through time, as JSON")
+                   "write the results, and how they change over time, to this file as JSON")
       ->check(not_empty());
-  command->add_option("--object", options->request.object, "of the strip, by its index")
+  command->add_option("--object", options->request.object, "index of the object that --strip draws")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str()
       ->needs(strip);
   command->footer(
-      R"(Each row removes one source of error: `offset` the unit of the published conversion (constants
-are rounded to nearest instead), `step` all rounding of sines and cosines, `products` the
-rounding of products. Divides play no part. `restored` makes all rows of a matrix orthogonal and
-of unit length again; `one row` replaces the last row with the cross product of the others
-(chapter 52).
+      R"(Each `without` row removes one source of error: `offset` is the unit by which the published
+conversion of constants is off, `step` the rounding of sines and cosines, `products` the rounding
+of products. No divide affects the drift. `restored` makes all rows of a matrix orthogonal and of
+unit length again; `one row` replaces the last row with the cross product of the others, as in
+chapter 52.
 
 Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
 

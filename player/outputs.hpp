@@ -26,9 +26,10 @@ struct OutputNames {
   std::string beside;     ///< written by BesideExact; listed here to detect name clashes
 };
 
-/// @throws UsageError if `file`, the output of `option`, is one of `inputs`
-void refuse_inputs(std::string_view option, const std::filesystem::path& file,
-                   const std::vector<std::filesystem::path>& inputs);
+/// Checks that `file`, the output of `option`, can be written. An empty name is no output.
+/// @throws UsageError if the file is one of `inputs`, std::runtime_error if it cannot be written
+void check_output(std::string_view option, const std::filesystem::path& file,
+                  const std::vector<std::filesystem::path>& inputs);
 
 /// Output files for frames. A file appears or changes only when it is complete.
 class Outputs {

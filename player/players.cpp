@@ -60,17 +60,17 @@ std::string name_of(const ArithmeticChoice& choice) {
 }
 
 support::UsageError no_arithmetic(const ArithmeticChoice& choice) {
-  return support::UsageError(fmt::format(
-      "no arithmetic {} {}: the targets of {} are i386, i8088{}", choice.by, choice.target,
-      choice.by, choice.by == "type" ? ", standard, saturating, trapping" : ""));
+  return support::UsageError(
+      fmt::format("{} has no target {}; choose one of i386, i8088{}", choice.by, choice.target,
+                  choice.by == "type" ? ", standard, saturating, trapping" : ""));
 }
 
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const ArithmeticChoice& choice, std::size_t threads) {
   if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene, threads);
   if (choice.by == "model" && threads > 1) {
-    throw support::UsageError(
-        fmt::format("--threads {}: the model draws on 1 thread, its calls are counted", threads));
+    throw support::UsageError(fmt::format(
+        "--threads {}: the model takes 1 thread, because its calls are counted", threads));
   }
   auto player = choice.by == "model"  ? make_model_player(scene, choice)
                 : choice.by == "type" ? make_type_player(scene, choice, threads)

@@ -6,8 +6,8 @@ namespace fixproof::proof {
 
 namespace {
 
-constexpr Verdict sat = Verdict::satisfiable;
-constexpr Verdict unsat = Verdict::unsatisfiable;
+constexpr Satisfiability sat = Satisfiability::satisfiable;
+constexpr Satisfiability unsat = Satisfiability::unsatisfiable;
 
 /// Two constants of 32 bits.
 std::string of_words(const std::string& claim) {

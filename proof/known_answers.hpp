@@ -11,7 +11,7 @@ namespace fixproof::proof {
 
 struct KnownAnswer {
   const char* subject;
-  Verdict verdict;
+  Satisfiability verdict;
   std::string script;
 };
 

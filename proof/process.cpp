@@ -32,7 +32,7 @@ File temporary_file() {
   File file(std::tmpfile(), std::fclose);
   if (!file) {
     throw std::runtime_error(
-        fmt::format("no temporary file: {}", std::generic_category().message(errno)));
+        fmt::format("cannot create a temporary file: {}", std::generic_category().message(errno)));
   }
   return file;
 }

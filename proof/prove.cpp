@@ -12,17 +12,17 @@
 
 namespace fixproof::proof {
 
-Standing standing_of(Verdict verdict) {
+Standing standing_of(Satisfiability verdict) {
   switch (verdict) {
-    case Verdict::unsatisfiable:
+    case Satisfiability::unsatisfiable:
       return Standing::proven;
-    case Verdict::satisfiable:
+    case Satisfiability::satisfiable:
       return Standing::disproven;
-    case Verdict::unknown:
+    case Satisfiability::unknown:
       return Standing::open;
-    case Verdict::one_sided:
+    case Satisfiability::one_sided:
       return Standing::one_sided;
-    case Verdict::disputed:
+    case Satisfiability::disputed:
       break;
   }
   return Standing::disputed;
@@ -35,7 +35,7 @@ namespace {
 /// @return the answer that decides about all
 SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds,
                      Proof& proof) {
-  SolverAnswer all{.verdict = Verdict::unsatisfiable};
+  SolverAnswer all{.verdict = Satisfiability::unsatisfiable};
   for (std::size_t i = 0; i < scripts.size(); ++i) {
     SolverAnswer answer = solver.ask(scripts[i], max_seconds);
     proof.seconds += answer.seconds;
@@ -43,9 +43,9 @@ SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solv
       proof.remarks.push_back(
           fmt::format("question {} of {}: {}", i + 1, scripts.size(), answer.remark));
     }
-    if (answer.verdict == Verdict::unsatisfiable) continue;
+    if (answer.verdict == Satisfiability::unsatisfiable) continue;
     all = std::move(answer);
-    if (all.verdict != Verdict::one_sided) break;
+    if (all.verdict != Satisfiability::one_sided) break;
   }
   return all;
 }
@@ -65,15 +65,6 @@ Proof prove(const x86model::LoopForm& form, const x86model::Program& program, co
   return prove_all(step_questions(form, program), solver, max_seconds);
 }
 
-std::vector<std::string> lost_carry_questions(bool mul_round) {
-  const auto program = [mul_round](bool repaired) {
-    return parties::program_of(
-        {.operation = cases::Operation::concat,
-         .build = {.target = cases::Target::i8088, .mul_round = mul_round, .repaired = repaired}});
-  };
-  return lost_carry_questions(program(false), program(true));
-}
-
 Proof prove_lost_carry(bool mul_round, const Solver& solver, int max_seconds) {
   return prove_all(lost_carry_questions(mul_round), solver, max_seconds);
 }
@@ -86,7 +77,7 @@ Proof prove(const cases::Variant& v, const x86model::Program& program, const Sol
     const auto scripts = questions(v, program.instructions(), arithmetic);
     proof.questions += scripts.size();
     const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof);
-    if (answer.verdict != Verdict::satisfiable) {
+    if (answer.verdict != Satisfiability::satisfiable) {
       proof.standing = standing_of(answer.verdict);
       return proof;
     }

@@ -12,7 +12,7 @@ namespace {
 std::vector<std::string> names_in(const std::string& name) {
   if (name == "both") return {"z3", "cvc5"};
   if (name == "z3" || name == "cvc5") return {name};
-  throw support::UsageError(fmt::format("unknown solver '{}'; there are z3, cvc5, both", name));
+  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5 or both", name));
 }
 
 /// Either decides each of these questions in a fraction of a second.
@@ -23,7 +23,7 @@ void expect_known_answers(const SolverProgram& solver) {
   for (const KnownAnswer& known : known_answers()) {
     std::string reply;
     try {
-      const Verdict verdict = solver.ask(known.script, seconds_for_known).verdict;
+      const Satisfiability verdict = solver.ask(known.script, seconds_for_known).verdict;
       if (verdict == known.verdict) continue;
       reply = fmt::format("{} says {}", solver.name(), name_of(verdict));
     } catch (const SolverError& error) {
@@ -34,13 +34,13 @@ void expect_known_answers(const SolverProgram& solver) {
   }
 }
 
-bool decides(const SolverAnswer& answer) { return answer.verdict != Verdict::unknown; }
+bool decides(const SolverAnswer& answer) { return answer.verdict != Satisfiability::unknown; }
 
 /// The common verdict of two solvers.
 SolverAnswer combined(const SolverAnswer& first, const SolverAnswer& second) {
   if (first.verdict == second.verdict) return first;
-  if (decides(first) && decides(second)) return {.verdict = Verdict::disputed};
-  return {.verdict = Verdict::one_sided};
+  if (decides(first) && decides(second)) return {.verdict = Satisfiability::disputed};
+  return {.verdict = Satisfiability::one_sided};
 }
 
 }  // namespace
@@ -77,7 +77,8 @@ SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
   }
   SolverAnswer answer = combined(answers.front(), answers.back());
   answer.seconds = seconds;
-  if (answer.verdict != Verdict::unsatisfiable && answer.verdict != Verdict::satisfiable) {
+  if (answer.verdict != Satisfiability::unsatisfiable &&
+      answer.verdict != Satisfiability::satisfiable) {
     answer.remark = remark;
   }
   return answer;

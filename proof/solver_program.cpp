@@ -20,14 +20,14 @@ namespace {
 using std::chrono::seconds;
 
 /// Time limit for `--version`.
-constexpr seconds patience_for_a_name{10};
+constexpr seconds version_limit{10};
 /// A solver enforces its time limit itself. If it does not, it is killed this much later.
 constexpr seconds grace{2};
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// The first line of its output, or of its error output.
-std::string remark(const Output& output) {
+std::string first_output_line(const Output& output) {
   return first_line(output.out.empty() ? output.err : output.out);
 }
 
@@ -51,11 +51,11 @@ Output output_for(const std::string& solver, int max_seconds, const std::string&
 
 }  // namespace
 
-std::string name_of(Verdict verdict) {
+std::string name_of(Satisfiability verdict) {
   switch (verdict) {
-    case Verdict::unsatisfiable:
+    case Satisfiability::unsatisfiable:
       return "unsat";
-    case Verdict::satisfiable:
+    case Satisfiability::satisfiable:
       return "sat";
     default:
       return "no answer";
@@ -65,15 +65,19 @@ std::string name_of(Verdict verdict) {
 SolverProgram::SolverProgram(const std::string& name) : name_(name) {
   Output output;
   try {
-    output = run_program({name, "--version"}, "", patience_for_a_name);
+    output = run_program({name, "--version"}, "", version_limit);
   } catch (const std::system_error& error) {
-    throw support::UsageError(fmt::format("{} cannot be run: {}; Debian's package {} has it", name,
+    throw support::UsageError(fmt::format("{} cannot be run: {}; install Debian's package {}", name,
                                           error.code().message(), name));
   }
-  if (!output.in_time) throw support::UsageError(fmt::format("{} --version comes to no end", name));
+  if (!output.in_time) {
+    throw support::UsageError(
+        fmt::format("{} --version does not end within {} s", name, version_limit.count()));
+  }
   if (output.status != 0 || output.out.empty()) {
     throw support::UsageError(fmt::format("{} --version fails with status {}: {}", name,
-                                          output.status, support::quoted(remark(output))));
+                                          output.status,
+                                          support::quoted(first_output_line(output))));
   }
   version_ = support::printable(first_line(output.out));
 }
@@ -84,7 +88,7 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) cons
   SolverAnswer answer;
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!output.in_time) return answer;
-  const std::string said = remark(output);
+  const std::string said = first_output_line(output);
   if (said == "unknown" || said == "timeout" || said == "cvc5 interrupted by timeout.") {
     return answer;
   }
@@ -93,7 +97,7 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) cons
         fmt::format("{} fails with status {}: {}", name_, output.status, support::quoted(said)));
   }
   if (said == "sat") {
-    answer.verdict = Verdict::satisfiable;
+    answer.verdict = Satisfiability::satisfiable;
     answer.model = output.out.substr(std::min(output.out.find('\n'), output.out.size()));
     const std::string fault = fault_of_model(script, answer.model);
     if (fault.empty()) return answer;
@@ -102,10 +106,10 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) cons
   }
   if (output.out != "unsat\n") {
     constexpr std::size_t most = 100;
-    throw SolverError(
-        fmt::format("{} says: {}", name_, support::quoted(output.out.substr(0, most))));
+    throw SolverError(fmt::format("{} gives an unknown answer: {}", name_,
+                                  support::quoted(output.out.substr(0, most))));
   }
-  answer.verdict = Verdict::unsatisfiable;
+  answer.verdict = Satisfiability::unsatisfiable;
   return answer;
 }
 

@@ -13,7 +13,7 @@ class SolverError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class Verdict {
+enum class Satisfiability {
   unsatisfiable,
   satisfiable,
   unknown,
@@ -22,14 +22,14 @@ enum class Verdict {
 };
 
 struct SolverAnswer {
-  Verdict verdict = Verdict::unknown;
+  Satisfiability verdict = Satisfiability::unknown;
   std::string model{};  ///< satisfies the question; empty unless satisfiable
   double seconds = 0;
   std::string remark{};  ///< what each of two solvers says, unless they agree
 };
 
 /// The word for a verdict of one solver.
-std::string name_of(Verdict verdict);
+std::string name_of(Satisfiability verdict);
 
 class SolverProgram {
  public:

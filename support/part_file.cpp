@@ -55,7 +55,8 @@ PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) break;
     if (errno != EEXIST) fail(path_, errno);
-    if (number == max_tries) fail(path_, "remove what unfinished runs have left, up to " + part_);
+    if (number == max_tries)
+      fail(path_, "remove the files that unfinished runs have left, up to " + part_);
   }
 }
 

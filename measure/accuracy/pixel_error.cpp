@@ -38,7 +38,7 @@ DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponen
   DistanceOctave o{.nearest = 1 << exponent};
   const auto first = static_cast<std::int32_t>(o.nearest * unit);
   double sum = 0;
-  std::uint64_t far_off = 0;
+  std::uint64_t half_pixel_errors = 0;
   for (std::uint64_t i = 0; i < cases && !stop; ++i) {
     cases::Draw draw(key, i);
     const auto z = first + static_cast<std::int32_t>(draw.below(static_cast<std::uint64_t>(first)));
@@ -47,10 +47,10 @@ DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponen
     const double error = std::fabs(error_of<N>(page, x - most, z));
     o.max = std::max(o.max, error);
     sum += error;
-    far_off += error >= 0.5 ? 1 : 0;
+    half_pixel_errors += error >= 0.5 ? 1 : 0;
   }
   o.mean = sum / static_cast<double>(cases);
-  o.half = static_cast<double>(far_off) / static_cast<double>(cases);
+  o.half = static_cast<double>(half_pixel_errors) / static_cast<double>(cases);
   return o;
 }
 

@@ -3,8 +3,10 @@
 #include <array>
 
 #include "cases/plan.hpp"
+#include "machine_code/machine_code.hpp"
 #include "parties/interpreter.hpp"
 #include "x86model/count_clocks.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::measure {
 
@@ -92,19 +94,8 @@ CallClocks no_calls(const cases::Variant& variant) {
 
 void add_calls(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
                const std::atomic<bool>& stop) {
-  using enum x86::Routine;
-  switch (clocks.variant.operation) {
-    case cases::Operation::mul:
-      return add<mul>(clocks, words, typical, stop);
-    case cases::Operation::div:
-      return add<div>(clocks, words, typical, stop);
-    case cases::Operation::cossin:
-      return add<cossin>(clocks, words, typical, stop);
-    case cases::Operation::xformvec:
-      return add<xformvec>(clocks, words, typical, stop);
-    default:
-      return add<concat>(clocks, words, typical, stop);
-  }
+  x86::with_routine(machine_code::key_of(clocks.variant).routine,
+                    [&]<x86::Routine routine> { add<routine>(clocks, words, typical, stop); });
 }
 
 void add_cases(CallClocks& clocks, std::uint64_t seed, std::uint64_t cases, bool typical,

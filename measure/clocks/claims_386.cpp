@@ -32,7 +32,8 @@ const std::vector<std::uint32_t>& logged(const player::OperandLog& log,
 }
 
 /// The mean clocks per call of one routine, over its operands in a scene.
-Bounds clocks_a_call(const RecordedScene& scene, cases::Operation operation, cases::Target target) {
+Bounds clocks_per_call(const RecordedScene& scene, cases::Operation operation,
+                       cases::Target target) {
   static const std::atomic<bool> never{false};
   const SceneOperands& operands = operands_of(scene, i386_rounded);
   CallClocks clocks = no_calls({.operation = operation, .build = {.target = target}});
@@ -61,8 +62,8 @@ Claim native_instructions(const std::vector<RecordedScene>& scenes) {
       add_figure(claim,
                  fmt::format("{}, {}", scene.name,
                              operation == cases::Operation::mul ? "FixedMul" : "FixedDiv"),
-                 ratio(clocks_a_call(scene, operation, cases::Target::i8088),
-                       clocks_a_call(scene, operation, cases::Target::i386)),
+                 ratio(clocks_per_call(scene, operation, cases::Target::i8088),
+                       clocks_per_call(scene, operation, cases::Target::i386)),
                  operation == cases::Operation::div ? Evidence::can_show : Evidence::decides);
     }
   }
@@ -89,8 +90,8 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
       {}};
   for (const RecordedScene& scene : scenes) {
     for (const Cpu cpu : {Cpu::i386, Cpu::i486}) {
-      const Bounds more = surplus(clocks_a_frame(scene, i386_rounded, cpu),
-                                  clocks_a_frame(scene, i386_unrounded, cpu));
+      const Bounds more = surplus(clocks_per_frame(scene, i386_rounded, cpu),
+                                  clocks_per_frame(scene, i386_unrounded, cpu));
       const std::string where = fmt::format("{} on a {}", scene.name, name_of(cpu));
       add_figure(claim, where, more);
       if (cpu != Cpu::i386) continue;

@@ -111,12 +111,12 @@ std::optional<Clocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu cpu)
   const auto code = x86::code_of(form);
   const x86::ClockCounter whole = count_call(code, form, pixels, cpu, most);
   const x86::ClockCounter half = count_call(code, form, pixels, cpu, most / 2);
-  const auto a_pixel = [](std::uint64_t of_whole, std::uint64_t of_half) {
+  const auto per_pixel = [](std::uint64_t of_whole, std::uint64_t of_half) {
     return static_cast<double>(of_whole - of_half) / (most - most / 2);
   };
-  return Clocks{
-      {a_pixel(whole.total().min, half.total().min), a_pixel(whole.total().max, half.total().max)},
-      a_pixel(whole.bus().clocks(), half.bus().clocks())};
+  return Clocks{{per_pixel(whole.total().min, half.total().min),
+                 per_pixel(whole.total().max, half.total().max)},
+                per_pixel(whole.bus().clocks(), half.bus().clocks())};
 }
 
 std::string name_of(const LoopForm& form, Pixels pixels) {

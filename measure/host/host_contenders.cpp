@@ -114,7 +114,7 @@ std::function<ExactResult(CaseWords, std::size_t)> exact_of(const std::string& o
     if (measured.name != operation) continue;
     return [exact = measured.exact](CaseWords in, std::size_t) { return exact(in).value(); };
   }
-  throw std::invalid_argument("no operation " + operation);
+  throw std::invalid_argument("unknown operation " + operation);
 }
 
 ExactResult exact_coordinate(CaseWords in, std::size_t result) {
@@ -155,7 +155,7 @@ std::string rounding_text(Rounding rounding) {
     case Rounding::truncate:
       return "toward zero";
   }
-  throw std::invalid_argument("no such rounding");
+  throw std::invalid_argument("unknown rounding");
 }
 
 std::vector<HostOperation> host_operations(std::uint64_t seed, std::size_t blocks) {

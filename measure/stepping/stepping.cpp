@@ -21,7 +21,7 @@ Json to_json(const char* name, std::size_t value, const ErrorAndBound& e) {
 }
 
 Json to_json(const SteppingRow& row, const std::vector<SteppingTimes>& times) {
-  const auto ns = nanoseconds_a_pixel(row.variant.value, row.variant.rule, times);
+  const auto ns = nanoseconds_per_pixel(row.variant.value, row.variant.rule, times);
   const SteppingStatistics& s = row.statistics;
   Json along = Json::array();
   for (std::size_t i = 0; i < SteppingStatistics::places; ++i) {
@@ -45,7 +45,7 @@ Json to_json(const SteppingRow& row, const std::vector<SteppingTimes>& times) {
           {"along", std::move(along)},
           {"last_of", std::move(last_of)},
           {"wrong", share_of(s.wrong(), s.drawn())},
-          {"max_error", s.max_error()},
+          {"most_off", s.max_error()},
           {"bands",
            {{"exact", s.bands().exact},
             {"drawn", s.bands().drawn},

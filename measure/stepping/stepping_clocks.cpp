@@ -50,7 +50,7 @@ Bounds clocks_of_gouraud_write(Cpu cpu) {
 }
 
 /// Compares minimum with minimum and maximum with maximum, because both have the same ranges.
-Bounds as_many_times(const Bounds& a, const Bounds& b) {
+Bounds paired_ratio(const Bounds& a, const Bounds& b) {
   const double least = a.min / b.min;
   const double most = a.max / b.max;
   return {std::min(least, most), std::max(least, most)};
@@ -150,15 +150,15 @@ std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups)
     const Bounds loop = clocks_by_count(Loop::texture, setup.cpu);
     add_figure(
         linear, on,
-        as_many_times({loop.min + 2 * setup.divide.min, loop.max + 2 * setup.divide.max}, loop));
+        paired_ratio({loop.min + 2 * setup.divide.min, loop.max + 2 * setup.divide.max}, loop));
     if (setup.cpu < Cpu::i386) continue;
     const Bounds drawn = clocks_by_count(Loop::depth_test, setup.cpu);
     add_figure(depth, on + ", the writing operation",
-               as_many_times(clocks_of_depth_write(setup.cpu), clocks_of_gouraud_write(setup.cpu)));
+               paired_ratio(clocks_of_depth_write(setup.cpu), clocks_of_gouraud_write(setup.cpu)));
     add_figure(depth, on + ", the whole pixel",
-               as_many_times(drawn, clocks_by_count(Loop::gouraud_byte, setup.cpu)));
+               paired_ratio(drawn, clocks_by_count(Loop::gouraud_byte, setup.cpu)));
     add_figure(order, on,
-               as_many_times(drawn, clocks_by_count(Loop::depth_test, setup.cpu, Pixels::hidden)));
+               paired_ratio(drawn, clocks_by_count(Loop::depth_test, setup.cpu, Pixels::hidden)));
   }
   return {depth, order, linear};
 }

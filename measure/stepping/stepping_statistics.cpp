@@ -73,7 +73,7 @@ void SteppingStatistics::add_picture(const SteppedSpan& span, bool texels) {
 
 void SteppingStatistics::add_bands(const SteppedSpan& span) {
   bands_.exact += runs_of(span.exact);
-  std::uint64_t wrong_in_a_row = 0;
+  std::uint64_t wrong_run = 0;
   for (std::size_t from = 0; from < span.drawn.size();) {
     const std::size_t to = end_of_run(span.drawn, from);
     ++bands_.drawn;
@@ -85,8 +85,8 @@ void SteppingStatistics::add_bands(const SteppedSpan& span) {
     from = to;
   }
   for (std::size_t k = 0; k < span.drawn.size(); ++k) {
-    wrong_in_a_row = span.drawn[k] == span.exact[k] ? 0 : wrong_in_a_row + 1;
-    bands_.widest = std::max(bands_.widest, wrong_in_a_row);
+    wrong_run = span.drawn[k] == span.exact[k] ? 0 : wrong_run + 1;
+    bands_.widest = std::max(bands_.widest, wrong_run);
   }
 }
 

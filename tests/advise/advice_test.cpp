@@ -62,7 +62,7 @@ TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
   EXPECT_EQ(all[*advice.take].cost.ranked, 204);
   EXPECT_EQ(all[*advice.runner_up].cost.ranked, 200);
   EXPECT_EQ(all[*advice.next_cheaper].cost.ranked, 150);
-  EXPECT_EQ(advice.as_cheap, 2U);
+  EXPECT_EQ(advice.equal_cost_count, 2U);
 }
 
 TEST(Advice, SaysWhatCostsTheSame) {
@@ -102,7 +102,7 @@ TEST(Advice, IsNoneWhereNoneFits) {
   EXPECT_FALSE(advice.take);
   EXPECT_FALSE(advice.runner_up);
   EXPECT_EQ(advice.nearest, 1U);
-  EXPECT_EQ(cli::sentences_of(report).rfind("None stays within 0.5 pixels.", 0), 0U);
+  EXPECT_EQ(cli::sentences_of(report).rfind("No choice stays within 0.5 pixels.", 0), 0U);
   EXPECT_NE(cli::sentences_of(report).find("0.750 pixels off"), std::string::npos);
 }
 

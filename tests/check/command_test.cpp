@@ -63,7 +63,7 @@ TEST(CheckCommand, TooFewResults) {
 
 TEST(CheckCommand, TooManyResults) {
   expect_usage_error(check_two("--rounding half-up", "0003c000\n00000000\n# end\n00000000\n"),
-                     "standard input, line 4: a result too many: there are 2 cases");
+                     "standard input, line 4: one result too many, there are 2 cases");
 }
 
 TEST(CheckCommand, NoResultsAtAll) {
@@ -87,7 +87,7 @@ TEST(CheckCommand, LinesThatAreNoCases) {
   const auto cases = folder.write("cases", "# comment\n00018000\n");
   const auto run =
       command::fixproof("check mul --rounding floor --from " + cases, "00000000\n00000000\n");
-  expect_usage_error(run, "cases, line 2: mul takes 2 words with single spaces between");
+  expect_usage_error(run, "cases, line 2: mul takes 2 words, separated by single spaces");
   const auto none = folder.write("none", "# nothing\n");
   expect_usage_error(command::fixproof("check mul --rounding floor --from " + none),
                      "there are no cases");
@@ -97,7 +97,7 @@ TEST(CheckCommand, LinesThatAreNoCases) {
 TEST(CheckCommand, BlankLineBetweenResults) {
   const std::string command = "check mul --cases 3 --rounding floor";
   expect_usage_error(command::fixproof(command, "00000000\n\n00000000\n00000000\n"),
-                     "standard input, line 2: blank; a result is");
+                     "standard input, line 2: a blank line is not a result; a result is");
   const auto at_the_end =
       command::fixproof(command + " --overflow any", "#\nDE\nDE\nDE\n\n \n# end\n");
   EXPECT_EQ(at_the_end.status, 1) << at_the_end.err;
@@ -108,9 +108,9 @@ TEST(CheckCommand, LineWithoutAnEnd) {
   const std::string long_line(1 << 20, '0');
   expect_usage_error(
       command::fixproof("check mul --cases 3 --rounding floor", "00000000\n" + long_line),
-      "standard input, line 2: longer than 4096 characters");
+      "standard input, line 2: the line is longer than 4096 characters");
   expect_usage_error(command::fixproof("eval mul", long_line),
-                     "line 1: longer than 4096 characters");
+                     "line 1: the line is longer than 4096 characters");
   EXPECT_EQ(
       command::run({"sh", "-c",
                     "head -c 100000000 /dev/zero | \"$0\" check mul --cases 3 --rounding floor",
@@ -142,7 +142,7 @@ TEST(CheckCommand, OptionsThatAreNone) {
   };
   refused("check", "operation");
   refused("check mul", "--rounding");
-  refused("check concat --rounding floor", "there are mul, div, sqrt");
+  refused("check concat --rounding floor", "choose mul, div or sqrt");
   refused("check add --rounding floor", "unknown operation");
   refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
   refused("check mul --rounding floor --overflow clamp",

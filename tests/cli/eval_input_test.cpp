@@ -142,10 +142,10 @@ TEST(EvalInput, CountsTheWordsOfEachOperation) {
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.status, 2);
   };
-  expect_message("div", "00018000", "div takes 2 words with single spaces between");
-  expect_message("cossin", "0000 0000", "cossin takes 1 word with single spaces between");
-  expect_message("xformvec", "00000000", "xformvec takes 15 words with single spaces between");
-  expect_message("concat", "00000000", "concat takes 24 words with single spaces between");
+  expect_message("div", "00018000", "div takes 2 words, separated by single spaces");
+  expect_message("cossin", "0000 0000", "cossin takes 1 word, separated by single spaces");
+  expect_message("xformvec", "00000000", "xformvec takes 15 words, separated by single spaces");
+  expect_message("concat", "00000000", "concat takes 24 words, separated by single spaces");
   expect_message("cossin", "00000000", "'00000000' has 8 hex digits instead of 4");
 }
 

@@ -202,7 +202,8 @@ TEST(EvalChapter52, HasOnlyRounded386Routines) {
   for (const std::string_view other : {"--target i8088", "--round off", "--div-round off"}) {
     const auto run = command::fixproof(fmt::format("eval div --chapter 52 {}", other), "");
     EXPECT_EQ(run.err,
-              "fixproof: --chapter 52 has only mul, div and concat, for the 386, rounded\n")
+              "fixproof: --chapter 52 has only mul, div and concat, for i386, rounded; use "
+              "--chapter 54\n")
         << other;
     EXPECT_EQ(run.status, 2) << other;
   }

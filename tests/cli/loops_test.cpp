@@ -88,15 +88,15 @@ void expect_loop_refused(std::string_view arguments, std::string_view part) {
 }
 
 TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
-  expect_loop_refused("list depth --loop unrolled", "depth is for the 386, and never unrolled");
-  expect_loop_refused("list depth --target i8088", "depth is for the 386, and never unrolled");
-  expect_loop_refused("list texture --as-printed", "only depth is not as it was printed");
-  expect_loop_refused("list gouraud-word --round on", "rounds nothing");
-  expect_loop_refused("list gouraud-word --chapter 52", "rounds nothing");
+  expect_loop_refused("list depth --loop unrolled", "depth needs --target i386");
+  expect_loop_refused("list depth --target i8088", "depth needs --target i386");
+  expect_loop_refused("list texture --as-printed", "only depth differs from its printed form");
+  expect_loop_refused("list gouraud-word --round on", "is an inner loop");
+  expect_loop_refused("list gouraud-word --chapter 52", "is an inner loop");
   expect_loop_refused("list mul --loop dec-jnz", "--loop is for");
   expect_loop_refused("list gouraud-byte --loop twice", "--loop");
-  expect_loop_refused("prove texture --round on", "rounds nothing");
-  expect_loop_refused("prove depth --target i8088", "the loop depth is for the 386 alone");
+  expect_loop_refused("prove texture --round on", "is an inner loop");
+  expect_loop_refused("prove depth --target i8088", "depth exists only for i386");
   expect_loop_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
   expect_loop_refused("eval gouraud-byte", "gouraud-byte");
 }

@@ -83,16 +83,16 @@ TEST(StepInput, RefusesRegistersGivenTwice) {
 }
 
 TEST(StepInput, RefusesWhatIsNoRegister) {
-  expect_refused(good(" al=00"), "'al' is no register");
-  expect_refused(good(" ip=0000"), "'ip' is no register");
-  expect_refused(good(" AX=0000"), "'AX' is no register");
-  expect_refused(good(" ax"), "'ax' is not NAME=DIGITS");
-  expect_refused(good(" | "), "'|' is not NAME=DIGITS");
+  expect_refused(good(" al=00"), "'al' is not a register of this processor");
+  expect_refused(good(" ip=0000"), "'ip' is not a register of this processor");
+  expect_refused(good(" AX=0000"), "'AX' is not a register of this processor");
+  expect_refused(good(" ax"), "'ax' is not a register as NAME=DIGITS");
+  expect_refused(good(" | "), "'|' is not a register as NAME=DIGITS");
 }
 
 TEST(StepInput, RefusesWideRegistersOnThe8088) {
   expect_refused(replaced(good(), "ax=0000", "eax=00000000"), "ax is missing", "8088");
-  expect_refused(good(" eax=00000000"), "'eax' is no register", "8088");
+  expect_refused(good(" eax=00000000"), "'eax' is not a register of this processor", "8088");
 }
 
 TEST(StepInput, RefusesOtherDigits) {

@@ -112,20 +112,21 @@ TEST(Trace, SaysWhatAMutantDoesNotKeep) {
   const std::string mul = "mul 00018000 00028000";
   // The caller's BP is popped into SI. Both registers are lost, although the result is right.
   EXPECT_EQ(end_of_mutant(mul, 50, "7 pop bp -> pop si"),
-            trace(mul).back() + "\nbreaks down: does not keep si, bp");
+            trace(mul).back() + "\ndoes not preserve si, bp");
   // The caller's DI is popped into BP, which is restored later.
   const std::string on_8088 = mul + " --target i8088";
   EXPECT_EQ(end_of_mutant(on_8088, 277, "46 pop di -> pop bp"),
-            trace(on_8088).back() + "\nbreaks down: does not keep di");
+            trace(on_8088).back() + "\ndoes not preserve di");
   // Writes to the transform instead of reading it.
   std::string point = "xformvec";
   for (int i = 0; i < 15; ++i) point += " 00010000";
   EXPECT_NE(end_of_mutant(point, 44, "7 mov eax, [si] -> mov [si], eax")
-                .find("\nbreaks down: does not keep operand 1"),
+                .find("\ndoes not preserve operand 1"),
             std::string::npos);
   // A mutant that only rounds down instead of up preserves all registers.
-  EXPECT_EQ(end_of_mutant(mul, 27, "4 add eax, 0x8000 -> sub eax, 0x8000").find("breaks down"),
-            std::string::npos);
+  EXPECT_EQ(
+      end_of_mutant(mul, 27, "4 add eax, 0x8000 -> sub eax, 0x8000").find("does not preserve"),
+      std::string::npos);
 }
 
 TEST(Trace, CountsAndChecksItsWords) {

@@ -17,9 +17,9 @@ void expect_usage_error(std::string_view arguments, std::string_view part) {
   command::expect_usage_error(run, part);
 }
 
-TEST(Usage, NoCommand) { expect_usage_error("", "which command?"); }
+TEST(Usage, NoCommand) { expect_usage_error("", "no command given"); }
 
-TEST(Usage, UnknownCommand) { expect_usage_error("evaluate mul", "no such command: evaluate"); }
+TEST(Usage, UnknownCommand) { expect_usage_error("evaluate mul", "unknown command: evaluate"); }
 
 TEST(Usage, MissingOperation) {
   expect_usage_error("eval", "operation");
@@ -40,7 +40,7 @@ TEST(Usage, OperationsThatAreNoRoutines) {
       expect_usage_error(std::string(command) + std::string(name), name);
     }
     for (const std::string_view option : {"--target i386", "--round on", "--chapter 52"}) {
-      expect_usage_error(fmt::format("eval {} {}", name, option), "is no routine");
+      expect_usage_error(fmt::format("eval {} {}", name, option), "is not a routine");
     }
     expect_usage_error(fmt::format("eval {} --by model", name), "model does not answer");
   }
@@ -50,7 +50,7 @@ TEST(Usage, WhatTakesRoutinesNamesTheRoutines) {
   for (const std::string_view command : {"list ", "trace ", "dos ", "prove ", "mutate "}) {
     for (const std::string_view name : {"add", "sqrt"}) {
       expect_usage_error(std::string(command) + std::string(name),
-                         "there are mul, div, cossin, xformvec, concat\n");
+                         "choose one of mul, div, cossin, xformvec, concat\n");
     }
   }
 }

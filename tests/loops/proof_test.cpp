@@ -15,7 +15,7 @@
 namespace {
 
 using namespace loops_test;
-using fixproof::proof::Verdict;
+using fixproof::proof::Satisfiability;
 using x86::Counting;
 using x86::Loop;
 using x86::LoopForm;
@@ -101,9 +101,9 @@ TEST(LoopProof, TheDepthsCommentHoldsForShldAlone) {
   LoopForm printed = corrected;
   printed.as_printed = true;
   EXPECT_EQ(z3().ask(fixproof::proof::depth_comment_question(corrected), 60).verdict,
-            Verdict::unsatisfiable);
+            Satisfiability::unsatisfiable);
   EXPECT_EQ(z3().ask(fixproof::proof::depth_comment_question(printed), 60).verdict,
-            Verdict::satisfiable);
+            Satisfiability::satisfiable);
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ class AbsenceDeathTest : public testing::Test {
 
 TEST_F(AbsenceDeathTest, OfTheProcessorEndsWithStatus2AndTheReason) {
   const char* reason =
-      "^fixproof: party 'silicon' is absent: the system gives no 16-bit segment: modify_ldt: "
+      "^fixproof: party 'silicon' is not available: the system does not provide 16-bit segments: "
+      "modify_ldt: "
       "Operation not permitted\n$";
   EXPECT_EXIT(verify_without_segments("--against", "silicon"), testing::ExitedWithCode(2), reason);
   EXPECT_EXIT(verify_without_segments("--by", "silicon"), testing::ExitedWithCode(2), reason);

@@ -154,7 +154,7 @@ TEST_F(Dos, WritesNothingToATerminal) {
   const auto run =
       command::run({"script", "-qec", std::string(FIXPROOF_COMMAND) + " dos mul", "/dev/null"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.out.find("nothing for a terminal"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("does not write a program to a terminal"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find('\xE8'), std::string::npos);
 }
 

@@ -330,9 +330,9 @@ TEST(SteppingTimes, AddUpToAPixel) {
   const std::vector<measure::SteppingTimes> times{{"texture 8.8", "pixel", {1, 1, 0}},
                                                   {"an exact place", "pixel", {4, 4, 0}},
                                                   {"slope, start and words", "value", {16, 16, 0}}};
-  EXPECT_NEAR(measure::nanoseconds_a_pixel("texture, perspective", "every 8th", times).value(),
+  EXPECT_NEAR(measure::nanoseconds_per_pixel("texture, perspective", "every 8th", times).value(),
               1 + 4.0 / 8 + 3 * 16.0 / 160, 1e-12);
-  EXPECT_FALSE(measure::nanoseconds_a_pixel("intensity 8.8", "8088", times));
+  EXPECT_FALSE(measure::nanoseconds_per_pixel("intensity 8.8", "8088", times));
 }
 
 // A value's divide and multiply, divided by the ten pixels of the span.
@@ -356,11 +356,11 @@ TEST(SteppingClocks, ClaimsAreJudged) {
   // Two MOVs to memory of 2 clocks and INC 2, against STOSB 4. Then 42 clocks per pixel against 19.
   EXPECT_EQ(claims[0].figures[0].measured.min, 6.0 / 4);
   EXPECT_EQ(claims[0].figures[0].measured.max, 6.0 / 4);
-  EXPECT_EQ(claims[0].figures[0].verdict, measure::Verdict::does_not_hold);
+  EXPECT_EQ(claims[0].figures[0].verdict, measure::ClaimVerdict::does_not_hold);
   EXPECT_NEAR(claims[0].figures[1].measured.min, 42.0 / 19, 1e-9);
-  EXPECT_EQ(measure::verdict_on(claims[0]), measure::Verdict::in_part);
+  EXPECT_EQ(measure::verdict_on(claims[0]), measure::ClaimVerdict::in_part);
   for (const std::size_t i : {1U, 2U}) ASSERT_EQ(claims[i].figures.size(), 1U) << claims[i].text;
-  EXPECT_EQ(measure::verdict_on(claims[2]), measure::Verdict::holds);
+  EXPECT_EQ(measure::verdict_on(claims[2]), measure::ClaimVerdict::holds);
   EXPECT_GT(claims[2].figures[0].measured.min, 400.0 / 30);
 }
 

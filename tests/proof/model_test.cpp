@@ -132,7 +132,7 @@ TEST(Model, NamesWhatIsWrong) {
 TEST(Solvers, AnswerTheTestQuestions) {
   std::size_t satisfiable = 0;
   for (const proof::KnownAnswer& known : proof::known_answers()) {
-    if (known.verdict == proof::Verdict::satisfiable) ++satisfiable;
+    if (known.verdict == proof::Satisfiability::satisfiable) ++satisfiable;
   }
   EXPECT_EQ(2 * satisfiable, proof::known_answers().size());
   EXPECT_GE(satisfiable, 8U);

@@ -59,7 +59,7 @@ TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
     if (!parties::has_program(v) || v.build.chapter_52 || !cases::rounds(v)) continue;
     const auto all = proof::mutants_of(v);
     for (std::size_t i = 5; i < all.size(); i += 97) {
-      const proof::Judgement judgement = proof::judge(v, all[i].program, seed, solver, 60);
+      const proof::MutantResult judgement = proof::judge(v, all[i].program, seed, solver, 60);
       EXPECT_NE(judgement.fate, proof::Fate::gap) << all[i].change;
       if (judgement.fate == proof::Fate::killed) ++killed;
     }

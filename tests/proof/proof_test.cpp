@@ -51,8 +51,8 @@ std::vector<cases::Variant> routines() {
 
 TEST(Proof, LemmasHoldAndTakeNothingImpossibleForGranted) {
   for (const proof::Lemma& lemma : proof::lemmas()) {
-    EXPECT_EQ(z3().ask(lemma.smt, 60).verdict, proof::Verdict::unsatisfiable) << lemma.name;
-    EXPECT_EQ(z3().ask(assumptions(lemma.smt), 60).verdict, proof::Verdict::satisfiable)
+    EXPECT_EQ(z3().ask(lemma.smt, 60).verdict, proof::Satisfiability::unsatisfiable) << lemma.name;
+    EXPECT_EQ(z3().ask(assumptions(lemma.smt), 60).verdict, proof::Satisfiability::satisfiable)
         << lemma.name;
   }
 }

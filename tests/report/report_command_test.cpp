@@ -115,7 +115,7 @@ TEST(ReportCommand, KeepsASecondRunOutOfItsFolder) {
   const auto run =
       command::fixproof(std::string("report ") + cubes + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find("another run is writing there"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("another run writes to this folder"), std::string::npos) << run.err;
 }
 
 TEST(ReportCommand, TellsScenesApartByTheirNames) {

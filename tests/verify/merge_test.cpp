@@ -69,7 +69,7 @@ TEST(Merging, PartsOfAnotherVerificationAreRefused) {
     verify::merged(parts);
     FAIL() << "merged";
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "b is not of the verification of a: seed 9, not 1");
+    EXPECT_STREQ(error.what(), "b belongs to another verification than a: seed 9, not 1");
   }
 }
 

@@ -128,7 +128,7 @@ TEST(Selection, TheRepairedConcatIsChosenByOneWord) {
   const auto chosen = [](bool repaired, bool as_printed, bool chapter_54) {
     cli::Selection selection;
     selection.operations = {"concat"};
-    selection.chapter_given = chapter_54;
+    if (chapter_54) selection.variant.chapter_52 = false;
     selection.variant.targets = {cases::Target::i8088};
     selection.variant.repaired = repaired;
     selection.variant.as_printed = as_printed;

@@ -176,7 +176,7 @@ TEST(Reports, DifferencesAreNamed) {
   rows = report.plan.rows();
   rows[2].variant.build.div_round = true;
   EXPECT_EQ(verify::difference(report, verify::Report(cases::Plan(1, 5, rows), cases::Shard{}, 3)),
-            "another variant in row 3");
+            "row 3 has another variant");
 }
 
 TEST(Reports, WithARowThatNobodyComparesAreNotRead) {

@@ -80,8 +80,9 @@ TEST(Table, CountsMismatchesBeyondTheCap) {
   const std::string text = cli::table(report);
   EXPECT_EQ(count(text, "replay: "), 1U);
   EXPECT_EQ(count(text, "10 cases shrink to it"), 1U);
-  EXPECT_EQ(count(text, support::grouped(report.mismatches() - 10) + " mismatches more, not shown"),
-            1U);
+  EXPECT_EQ(
+      count(text, support::grouped(report.mismatches() - 10) + " more mismatches are not shown"),
+      1U);
   EXPECT_EQ(count(text, support::grouped(report.mismatches()) + " cases DIFFER, in 1 row."), 1U);
 }
 

@@ -8,11 +8,11 @@ namespace fixproof::trade {
 namespace {
 
 /// The first of `places` and all others that cost the same.
-std::vector<std::size_t> as_cheap_as_the_first(std::span<const Tried> tried,
+std::vector<std::size_t> choices_of_equal_cost(std::span<const Tried> tried,
                                                const std::vector<std::size_t>& places) {
   std::vector<std::size_t> same;
   for (const std::size_t i : places) {
-    if (costs_the_same(tried[places.front()].cost, tried[i].cost)) same.push_back(i);
+    if (has_equal_cost(tried[places.front()].cost, tried[i].cost)) same.push_back(i);
   }
   return same;
 }
@@ -25,7 +25,7 @@ std::size_t nearest_of(std::span<const Tried> tried, const std::vector<std::size
 
 }  // namespace
 
-bool costs_the_same(const Cost& a, const Cost& b) {
+bool has_equal_cost(const Cost& a, const Cost& b) {
   return std::abs(a.ranked - b.ranked) <= std::min(a.spread, b.spread);
 }
 
@@ -44,15 +44,15 @@ Advice advise(std::span<const Tried> tried, double budget) {
     if (tried[i].error.pixels <= budget) fit.push_back(i);
   }
   if (fit.empty()) return advice;
-  const auto as_cheap = as_cheap_as_the_first(tried, fit);
-  advice.as_cheap = as_cheap.size() - 1;
-  advice.take = nearest_of(tried, as_cheap);
+  const auto equal_cost = choices_of_equal_cost(tried, fit);
+  advice.equal_cost_count = equal_cost.size() - 1;
+  advice.take = nearest_of(tried, equal_cost);
   std::erase(fit, *advice.take);
-  if (!fit.empty()) advice.runner_up = nearest_of(tried, as_cheap_as_the_first(tried, fit));
+  if (!fit.empty()) advice.runner_up = nearest_of(tried, choices_of_equal_cost(tried, fit));
   const Cost& taken = tried[*advice.take].cost;
   for (std::size_t i = 0; i < *advice.take; ++i) {
     const bool fits = tried[i].error.pixels <= budget;
-    if (!fits && !costs_the_same(tried[i].cost, taken)) advice.next_cheaper = i;
+    if (!fits && !has_equal_cost(tried[i].cost, taken)) advice.next_cheaper = i;
   }
   return advice;
 }

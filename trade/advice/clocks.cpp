@@ -77,7 +77,7 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
     // This draw does the one-time work, so the sample contains only the work of motion.
     player->draw(picture);
     for (std::uint64_t i = 0; i < ClockSample::apart; ++i) {
-      const bool counts = i < ClockSample::in_a_row;
+      const bool counts = i < ClockSample::consecutive;
       player::OperandLog log;
       {
         std::optional<player::Recording> recording;
@@ -90,7 +90,7 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
       if (counts) sum += measure::clocks_of(log, build, cpu);
     }
   }
-  constexpr double frames = ClockSample::places * ClockSample::in_a_row;
+  constexpr double frames = ClockSample::places * ClockSample::consecutive;
   return sum.per_frame(frames);
 }
 
@@ -131,9 +131,9 @@ class ClockMemory {
 
 }  // namespace
 
-std::vector<Cost> clocks_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                 x86model::Cpu cpu, const std::atomic<bool>& stop,
-                                 const std::function<void(std::uint64_t)>& counted) {
+std::vector<Cost> clocks_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                   x86model::Cpu cpu, const std::atomic<bool>& stop,
+                                   const std::function<void(std::uint64_t)>& counted) {
   ClockMemory memory(scene, cpu);
   std::vector<Cost> costs;
   for (const Choice& choice : choices) {

@@ -90,8 +90,8 @@ class RoundTimes {
 
 }  // namespace
 
-std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                      const std::atomic<bool>& stop) {
+std::vector<Cost> nanoseconds_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                        const std::atomic<bool>& stop) {
   RoundTimes rounds(scene, timed_for(choices));
   for (std::uint64_t round = 0; round < TimeSample::rounds; ++round) {
     if (!rounds.add_round(stop)) return {};

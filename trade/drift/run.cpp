@@ -142,7 +142,7 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
 
   const auto turn = xsharp::turn_to_view(scene.camera);
   std::vector<DriftResult> results(cases.size());
-  const std::uint64_t of_a_point = frames_a_point(frames);
+  const std::uint64_t point_frames = frames_a_point(frames);
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     if (stop) {
       frames = frame;
@@ -158,7 +158,7 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
         note(results[i],
              distortion(seen(runs[i]->placement(object), scene.camera, turn), should_be,
                         scene.objects[object].mesh, scene),
-             frame, frame / of_a_point);
+             frame, frame / point_frames);
       }
     }
     frame_done(frame + 1);

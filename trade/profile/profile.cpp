@@ -11,6 +11,7 @@
 #include "trade/profile/wraps.hpp"
 #include "x86model/call.hpp"
 #include "x86model/forms.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::trade {
 
@@ -43,19 +44,8 @@ void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
 }
 
 void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
-  using enum x86model::Routine;
-  switch (profile.variant.operation) {
-    case cases::Operation::mul:
-      return run_again<mul>(profile, in);
-    case cases::Operation::div:
-      return run_again<div>(profile, in);
-    case cases::Operation::cossin:
-      return run_again<cossin>(profile, in);
-    case cases::Operation::xformvec:
-      return run_again<xformvec>(profile, in);
-    default:
-      return run_again<concat>(profile, in);
-  }
+  x86model::with_routine(machine_code::key_of(profile.variant).routine,
+                         [&]<x86model::Routine routine> { run_again<routine>(profile, in); });
 }
 
 std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
