@@ -1,12 +1,11 @@
 #include "verify/merge.hpp"
 
-#include <fmt/format.h>
-
 #include <iostream>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/table.hpp"
 #include "support/file.hpp"
 #include "verify/report_file.hpp"
@@ -28,7 +27,7 @@ int run(const MergeOptions& options) {
   if (!options.report.empty()) support::replace_file(options.report, verify::to_json(sum));
   std::cout << table(sum) << std::flush;
   const std::string missing = verify::missing(sum, parts);
-  if (!missing.empty()) fmt::print(stderr, "fixproof: {}\n", missing);
+  if (!missing.empty()) print_error(missing);
   // A mismatch counts even if parts are missing.
   if (sum.mismatches() > 0) return 1;
   return missing.empty() ? 0 : 2;

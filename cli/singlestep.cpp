@@ -7,6 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "cli/print_error.hpp"
 #include "singlestep/judge.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -78,7 +79,7 @@ int judge_files(const std::vector<std::string>& files, x86model::Target cpu) {
       if (counts.run() == 0) throw support::UsageError(path + ": none of its cases can be run");
     } catch (const std::runtime_error& error) {
       std::cout << std::flush;
-      fmt::print(stderr, "fixproof: {}\n", support::printable(error.what()));
+      print_error(support::printable(error.what()));
       bad = true;
     }
     differs = differs || counts.differing > 0;

@@ -3,12 +3,14 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <thread>
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/selection.hpp"
 #include "cli/table.hpp"
@@ -175,13 +177,17 @@ int verify(const VerifyOptions& options) {
   }
   print_heading(options, report);
 
-  {
+  // Print and keep the findings even if a party fails or a file cannot be written.
+  std::string party_failure;
+  try {
     // Restore Ctrl-C before printing, because a write to a pipe may block on its reader.
     const support::Interrupt interrupt;
     run_remaining(options, report);
+  } catch (const std::bad_alloc&) {
+    party_failure = "out of memory";
+  } catch (const std::exception& error) {
+    party_failure = error.what();
   }
-
-  // Print the findings even if a file cannot be written.
   std::string failure;
   for (const std::string& file : files) {
     try {
@@ -193,9 +199,11 @@ int verify(const VerifyOptions& options) {
   std::cout << table(report);
   if (!report.complete()) std::cout << resume_hint(options);
   std::cout.flush();
+  if (!party_failure.empty()) print_error(support::printable(party_failure));
   if (!failure.empty()) throw std::runtime_error(failure);
   // A mismatch counts even if the run is incomplete.
   if (report.mismatches() > 0) return 1;
+  if (!party_failure.empty()) return 2;
   return report.complete() ? 0 : support::interrupted_status;
 }
 
@@ -277,7 +285,8 @@ name a party that cannot run or does not answer every selected row.
 A state or report names the builds and parties that made it and has a digest of all answers of
 each chunk. --resume runs a few finished chunks again and compares the digests.
 
-Exit status: 0 all answers are equal, 1 a mismatch, 2 bad usage or input, 130 interrupted.
+Exit status: 0 all answers are equal, 1 a mismatch, 2 bad usage or input, or a party failed,
+130 interrupted. The chunk in which a party fails is not counted; the rest is kept for --resume.
 
 Examples:
   fixproof verify                                   # every row, in seconds

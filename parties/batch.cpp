@@ -152,7 +152,7 @@ class BatchParty final : public Party {
            (v.operation == mul || v.operation == div || v.operation == sqrt || v.operation == sin ||
             v.operation == cos || v.operation == xformvec);
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     with_number(v, [&]<class Number>(std::type_identity<Number> /*type*/) {
       if (v.operation == cases::Operation::xformvec) {
         answer_transforms<Number>(path_, batch);

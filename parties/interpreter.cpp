@@ -59,7 +59,7 @@ class Interpreter final : public Party {
   [[nodiscard]] std::string_view name() const override { return "interpreter"; }
   [[nodiscard]] std::string identity() const override { return "the listings, step by step"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     parties::answer(v, program_of(v).instructions(), batch);
   }
 };
@@ -71,7 +71,7 @@ class InterpreterOf final : public Party {
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] std::string identity() const override { return "one program, step by step"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     parties::answer(v, program_.instructions(), batch);
   }
 

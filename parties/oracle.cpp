@@ -90,7 +90,7 @@ class Oracle final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return v.operation != cases::Operation::cossin || v.fraction_bits == 16;
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     const int bits = v.fraction_bits;
     const Rounding rounding = multiply_rule(v);
     each_case(v, batch, [&](std::span<const Word> in, std::span<Word> out) {
@@ -140,7 +140,7 @@ class FastOracle final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return v.operation != cases::Operation::cossin;
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     // Each operation has its own loop, because the loop dominates the time of a sweep.
     const int bits = v.fraction_bits;
     const Rounding rounding = multiply_rule(v);

@@ -109,7 +109,7 @@ class Type final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return v.operation != cases::Operation::cossin || v.fraction_bits == 16;
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     with_number(
         v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
   }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "cases/plan.hpp"
 #include "parties/answer.hpp"
@@ -29,13 +30,16 @@ void explain(Report& report, const PartiesByRow& parties) {
     };
     for (Mismatch& mismatch : report.findings[row].shown) {
       if (!mismatch.smallest.empty()) continue;
-      mismatch.smallest = shrink(mismatch.words, cases::operand_bits(variant),
-                                 [&](auto words) { return !parties::agree(answers_to(words)); });
-      const auto answers = answers_to(mismatch.smallest);
+      // If a party fails, the mismatch stays as it is, to be explained by a later run.
+      Mismatch explained = mismatch;
+      explained.smallest = shrink(mismatch.words, cases::operand_bits(variant),
+                                  [&](auto words) { return !parties::agree(answers_to(words)); });
+      const auto answers = answers_to(explained.smallest);
       for (std::size_t i = 0; i < answers.size(); ++i) {
-        mismatch.said.emplace_back(parties[row][i]->name(),
-                                   answers[i].text(2 * variant.fraction_bits));
+        explained.said.emplace_back(parties[row][i]->name(),
+                                    answers[i].text(2 * variant.fraction_bits));
       }
+      mismatch = std::move(explained);
     }
   }
 }
@@ -129,12 +133,17 @@ void run(Report& report, std::span<const parties::Party* const> parties,
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     return before + passed.count();
   };
-  ChunkRun(report, by_row, options).run([&](Report state) {
-    if (!options.observe) return;
-    state.seconds = seconds();
-    options.observe(state);
-  });
-  explain(report, by_row);
+  try {
+    ChunkRun(report, by_row, options).run([&](Report state) {
+      if (!options.observe) return;
+      state.seconds = seconds();
+      options.observe(state);
+    });
+    explain(report, by_row);
+  } catch (...) {
+    report.seconds = seconds();
+    throw;
+  }
   report.seconds = seconds();
 }
 

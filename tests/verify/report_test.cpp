@@ -34,7 +34,7 @@ class Counting final : public parties::Party {
   [[nodiscard]] std::string_view name() const override { return party_.name(); }
   [[nodiscard]] std::string identity() const override { return party_.identity(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return party_.answers(v); }
-  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
     if (batches_-- == 1) stop_ = true;
     party_.answer(v, batch);
   }

@@ -32,7 +32,7 @@ class Saboteur final : public parties::Party {
   [[nodiscard]] bool answers(const cases::Variant& variant) const override {
     return honest_.answers(variant);
   }
-  void answer(const cases::Variant& variant, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& variant, const parties::Batch& batch) const override {
     honest_.answer(variant, batch);
     const std::size_t in = cases::words_in(variant.operation);
     const std::size_t out = cases::words_out(variant.operation);
