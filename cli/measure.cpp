@@ -9,6 +9,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/measure_text.hpp"
+#include "cli/print_error.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
@@ -64,7 +65,7 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
       support::replace_file(options.json, support::json_text(*measured.result));
     }
   }
-  for (const std::string& line : measured.errors) fmt::print(stderr, "fixproof: {}\n", line);
+  for (const std::string& line : measured.errors) print_error(line);
   return measured.status;
 }
 

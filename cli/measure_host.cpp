@@ -2,6 +2,7 @@
 
 #include "cli/measure_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -53,7 +54,7 @@ std::string text_of(const measure::HostResult& result) {
       "learnt them. Errors are in units of the last place\nof 16.16, of at least {} results, each "
       "checked against the rounding that its author documents. A result\nwithin half a unit is "
       "correct.\n{}",
-      made_by(result.seed), measure::compiler_flags(), measure::processor_name(),
+      made_by(result.seed), measure::compiler_flags(), parties::processor_name(),
       support::grouped(result.rounds), support::grouped(result.cases), missing_libraries());
   for (const measure::HostTable& table : result.tables) text += text_of(table);
   return text;

@@ -2,6 +2,7 @@
 
 #include "cli/measure_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "support/plain_text.hpp"
 #include "xsharp/raster/span_loops.hpp"
 
@@ -81,7 +82,7 @@ std::string times_text(const measure::SteppingResult& result) {
       "\nNanoseconds on {}, {}: the loops in C++ over spans of {} pixels, and the\nsetup of a "
       "value; "
       "minimum and median of {} rounds.\n\n{:<26}{:>9}{:>9}{:>9}\n\n",
-      measure::processor_name(), measure::compiler_flags(), xsharp::longest_span, result.rounds, "",
+      parties::processor_name(), measure::compiler_flags(), xsharp::longest_span, result.rounds, "",
       "ns", "median", "spread");
   for (const measure::SteppingTimes& t : result.times) {
     text += fmt::format("{:<26}{}  a {}\n", t.what, columns_of(t.times), t.of);

@@ -7,10 +7,10 @@
 #include <atomic>
 #include <iostream>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "cli/print_error.hpp"
 #include "singlestep/judge.hpp"
 #include "support/plain_text.hpp"
 #include "support/thread_pool.hpp"
@@ -85,7 +85,7 @@ Result judge_file(const std::string& path, x86model::Cpu cpu) {
     singlestep::read_cases(path, cpu,
                            [&](const singlestep::Case& c) { count(c, cpu, file, result); });
   } catch (const std::runtime_error& error) {
-    result.error = fmt::format("fixproof: {}\n", support::printable(error.what()));
+    result.error = support::printable(error.what());
   }
   const Counts& counts = result.counts;
   if (counts.differing > max_shown) {
@@ -107,7 +107,7 @@ class Results {
     for (; printed_ < results_.size() && results_[printed_].done; ++printed_) {
       Result& next = results_[printed_];
       std::cout << next.out << std::flush;
-      fmt::print(stderr, "{}", next.error);
+      if (!next.error.empty()) print_error(next.error);
       total_ += next.counts;
       bad_ = bad_ || !next.error.empty();
       next.out.clear();
@@ -118,7 +118,7 @@ class Results {
   int finish() {
     if (results_.size() > 1) std::cout << "total: " << summary(total_) << '\n' << std::flush;
     if (!bad_ && total_.run() == 0) {
-      fmt::print(stderr, "fixproof: none of the cases can be run\n");
+      print_error("none of the cases can be run");
       bad_ = true;
     }
     if (total_.differing > 0) return 1;

@@ -14,6 +14,7 @@
 #include "singlestep/shown.hpp"
 #include "singlestep/step_clocks.hpp"
 #include "singlestep/step_machine.hpp"
+#include "support/error_text.hpp"
 #include "support/hex.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -176,8 +177,8 @@ int run(x86::Target cpu, std::optional<x86::Cpu> timed) {
     answer(line, cpu, timed, output, unmodelled);
   });
   if (unmodelled > 0) {
-    fmt::print(stderr, "fixproof step: {} line{} unmodelled\n", unmodelled,
-               unmodelled > 1 ? "s" : "");
+    support::write_error(fmt::format("fixproof step: {} line{} unmodelled\n", unmodelled,
+                                     unmodelled > 1 ? "s" : ""));
   }
   return 0;
 }

@@ -9,6 +9,7 @@
 
 #include "cli/drift.hpp"
 #include "cli/measure.hpp"
+#include "cli/print_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/render.hpp"
 #include "cli/scene_options.hpp"
@@ -92,9 +93,7 @@ ReportStep measure_step(const std::string& name, Measurement<Result> measure, co
   return {name, command_line(arguments), {json}, [=](ReportData& data) {
             measure::MeasureProgress progress(support::Interrupt::flag());
             const Measured<Result> measured = run_measurement(measure, request, progress);
-            for (const std::string& line : measured.errors) {
-              fmt::print(stderr, "fixproof: {}\n", line);
-            }
+            for (const std::string& line : measured.errors) print_error(line);
             if (measured.status != 0) return measured.status;
             data.parts[name] = *measured.result;
             support::replace_file(json, support::json_text(data.parts[name]));

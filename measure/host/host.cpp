@@ -6,6 +6,7 @@
 
 #include "measure/accuracy/accuracy_run.hpp"
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 
 namespace fixproof::measure {
 
@@ -130,7 +131,7 @@ std::optional<HostResult> measure_host(const MeasureRequest& request, MeasurePro
 void to_json(Json& json, const HostResult& result) {
   Json made = made_by_json("measure --host", result.seed);
   made["flags"] = compiler_flags();
-  made["processor"] = processor_name();
+  made["processor"] = parties::processor_name();
   json = {{"made", std::move(made)},
           {"libraries", {{"libfixmath", has_libfixmath()}, {"FreeType", has_freetype()}}},
           {"rounds", result.rounds},

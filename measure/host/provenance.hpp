@@ -1,5 +1,5 @@
 /// @file
-/// Describes the program and the machine that made a measurement.
+/// Describes what made a measurement.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,8 @@
 
 namespace fixproof::measure {
 
-/// The compiler of this program, for example `g++ 12.2.0`.
-std::string compiler_name();
-
 /// The optimization options, for example `-O3 -DNDEBUG`; empty if unknown.
 std::string compiler_flags();
-
-/// The processor name from the operating system; `unknown` if it has none.
-std::string processor_name();
 
 /// The current time in UTC, as ISO 8601.
 std::string date_now();

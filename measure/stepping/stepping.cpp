@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 
 namespace fixproof::measure {
 
@@ -104,7 +105,7 @@ void to_json(Json& json, const SteppingResult& result) {
           {"pixels", result.pixels},
           {"times",
            {{"rounds", result.rounds},
-            {"processor", processor_name()},
+            {"processor", parties::processor_name()},
             {"flags", compiler_flags()},
             {"loops", result.times}}},
           {"claims", result.claims}};

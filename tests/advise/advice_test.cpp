@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "cli/advice_text.hpp"
-#include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "tests/support/test.hpp"
 
 namespace fixproof {
@@ -83,7 +83,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
   // Compares text because infinity becomes null only there.
   const auto json = support::Json::parse(support::json_text(report));
   EXPECT_EQ(json.at("made").at("command"), "advise");
-  EXPECT_EQ(json.at("made").at("processor"), measure::processor_name());
+  EXPECT_EQ(json.at("made").at("processor"), parties::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
   EXPECT_TRUE(json.at("variants").at(0).at("worst_pixels").is_null());
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);

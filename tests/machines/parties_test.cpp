@@ -113,6 +113,14 @@ TEST_P(MachineParty, AgreesWithTheModelOnEveryProgram) {
   EXPECT_EQ(variants, 25);
 }
 
+TEST_P(MachineParty, SaysWhichMachineItIs) {
+  const std::string identity = parties::party_named(GetParam().name).identity();
+  if (identity != parties::processor_name()) {
+    EXPECT_EQ(identity.find("Unicorn 2."), 0U) << identity;
+  }
+  EXPECT_EQ(identity == parties::processor_name(), std::string(GetParam().name) == "silicon");
+}
+
 TEST_P(MachineParty, HasNothingToSayOfTheRest) {
   const parties::Party& machine = find(GetParam().name);
   EXPECT_FALSE(machine.answers({.operation = cases::Operation::mul, .fraction_bits = 8}));

@@ -82,7 +82,7 @@ void to_json(support::Json& json, const AdviceReport& report) {
                         {"within_budget", error.pixels <= report.budget}});
   }
   Json made = measure::made_by_json("advise");
-  made["processor"] = report.cpu ? Json() : Json(measure::processor_name());
+  made["processor"] = report.cpu ? Json() : Json(parties::processor_name());
   const Advice advice = advise(report.tried, report.budget);
   json = {{"made", std::move(made)},
           {"scene", report.scene},
