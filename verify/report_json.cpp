@@ -22,7 +22,7 @@ constexpr std::string_view format_name = "fixproof report";
 constexpr int format_version = 2;
 
 /// The maximum that `verify` accepts for --max-reports.
-constexpr std::uint64_t max_shown = 1000;
+constexpr std::uint64_t max_reports = 1000;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::runtime_error(reason); }
 
@@ -244,7 +244,7 @@ Report report_in(const Json& json) {
     }
   }
   const std::uint64_t max_shown = count_in(json.at("max_reports"));
-  if (max_shown > max_shown) refuse(fmt::format("max_reports {} is too large", max_shown));
+  if (max_shown > max_reports) refuse(fmt::format("max_reports {} is too large", max_shown));
   Report report(std::move(plan), shard_in(json.at("shard")), max_shown);
   read_done(json.at("done"), report);
   for (std::size_t i = 0; i < report.findings.size(); ++i) {

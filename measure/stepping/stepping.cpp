@@ -45,7 +45,7 @@ Json to_json(const SteppingRow& row, const std::vector<SteppingTimes>& times) {
           {"along", std::move(along)},
           {"last_of", std::move(last_of)},
           {"wrong", share_of(s.wrong(), s.drawn())},
-          {"max_error", s.max_error()},
+          {"most_off", s.max_error()},
           {"bands",
            {{"exact", s.bands().exact},
             {"drawn", s.bands().drawn},

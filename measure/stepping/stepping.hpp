@@ -43,7 +43,7 @@ const char* name_of(Drawn drawn);
 ///               0 ... 1, larger only if `beyond` names a pixel; last: {max, bound} of last pixels;
 ///               along: a list of {pixel, max, bound} of the longest spans; last_of: a list of
 ///               {pixels, max, bound}, of the last pixel of spans of that length; wrong: the share
-///               of pixels that differ from the exact picture; max_error: by how much at most;
+///               of pixels that differ from the exact picture; most_off: by how much at most;
 ///               bands: {exact, drawn, wrong, widest}; missed: the share of the different values of
 ///               exact spans that are never drawn; ns: nanoseconds per pixel on this processor,
 ///               including its share of the setup of a span of 160 pixels, or null}

@@ -32,7 +32,7 @@ Json to_json(const RoutineProfile& routine) {
   json["operation"] = cases::name_of(operation);
   json["calls"] = routine.calls;
   json["least_in_frame"] = routine.least_in_frame;
-  json["max_in_frame"] = routine.max_in_frame;
+  json["most_in_frame"] = routine.max_in_frame;
   json["faults"] = routine.faults;
   json["wrapped"] = routine.wrapped;
   json["instructions_executed"] = routine.instructions;
