@@ -5,15 +5,16 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "cli/advice_text.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/surface_options.hpp"
 #include "player/outputs.hpp"
-#include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/advice/advice.hpp"
@@ -109,9 +110,10 @@ int advise_on(const AdviseOptions& options) {
   options.surfaces.apply(scene);
   if (options.repaired) scene.arithmetic.repaired = true;
   if (scene.objects.empty()) throw support::UsageError(scene.name + " has no objects");
+  std::optional<support::OutputFile> json;
   if (!options.json.empty()) {
     player::refuse_inputs("--json", options.json, scene.files);
-    support::check_replaceable(options.json);
+    json.emplace(options.json);
   }
 
   trade::AdviceReport report{
@@ -152,8 +154,7 @@ int advise_on(const AdviseOptions& options) {
     if (frames < wanted) return stopped(frames, wanted, options);
   }
   std::cout << sentences_of(report);
-  if (!options.json.empty())
-    support::replace_file(options.json, support::json_text(trade::to_json(report)));
+  if (json) json->replace(support::json_text(trade::to_json(report)));
   return advice.take ? 0 : 1;
 }
 

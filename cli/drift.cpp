@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -12,6 +13,7 @@
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/advice/choice.hpp"
@@ -83,12 +85,6 @@ xsharp::Scene unrestored(xsharp::Scene scene) {
   return scene;
 }
 
-void check_output(std::string_view option, const std::string& file, const xsharp::Scene& scene) {
-  if (file.empty()) return;
-  player::refuse_inputs(option, file, scene.files);
-  support::check_replaceable(file);
-}
-
 }  // namespace
 
 std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request) {
@@ -149,11 +145,19 @@ int run(const DriftOptions& options) {
                                           options.request.object, scene.name,
                                           scene.objects.size() - 1));
   }
-  check_output("--strip", options.strip, scene);
-  check_output("--json", options.json, scene);
   if (!options.strip.empty() && !options.json.empty() &&
       support::same_file(options.strip, options.json)) {
     throw support::UsageError(fmt::format("--json {}: is the file of --strip", options.json));
+  }
+  std::optional<support::OutputFile> strip;
+  std::optional<support::OutputFile> json;
+  if (!options.strip.empty()) {
+    player::refuse_inputs("--strip", options.strip, scene.files);
+    strip.emplace(options.strip);
+  }
+  if (!options.json.empty()) {
+    player::refuse_inputs("--json", options.json, scene.files);
+    json.emplace(options.json);
   }
 
   DriftFigures figures;
@@ -179,11 +183,9 @@ int run(const DriftOptions& options) {
         options.strip.empty() && options.json.empty() ? "" : "; no file is written");
     return support::interrupted_status;
   }
-  if (!options.json.empty()) {
-    support::replace_file(options.json, support::json_text(to_json(figures)));
-  }
-  if (!options.strip.empty()) {
-    support::replace_file(options.strip, drift_strip(scene, options.request));
+  if (json) json->replace(support::json_text(to_json(figures)));
+  if (strip) {
+    strip->replace(drift_strip(scene, options.request));
     std::cout << fmt::format("\n{}: {}\n", options.strip,
                              support::printable(scene.objects[options.request.object].name));
   }

@@ -4,14 +4,15 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/measure_text.hpp"
 #include "player/outputs.hpp"
-#include "support/file.hpp"
 #include "support/interrupt.hpp"
 #include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
@@ -28,9 +29,8 @@ struct MeasureOptions {
   measure::MeasureRequest request;
 };
 
-/// Reads the scenes and checks, before the long measurement, that the JSON file can be written.
-/// @throws xsharp::SceneError, UsageError if the JSON file is an input, std::runtime_error if it
-///         cannot be written
+/// Reads the scenes.
+/// @throws xsharp::SceneError, UsageError if the JSON file is an input
 measure::MeasureRequest read_request(const MeasureOptions& options) {
   measure::MeasureRequest request = options.request;
   for (const std::string& file : options.scenes) {
@@ -39,13 +39,14 @@ measure::MeasureRequest read_request(const MeasureOptions& options) {
       player::refuse_inputs("--json", options.json, request.scenes.back().files);
     }
   }
-  if (!options.json.empty()) support::check_replaceable(options.json);
   return request;
 }
 
 template <class Result>
 int run(const MeasureOptions& options, Measurement<Result> measure) {
   const measure::MeasureRequest request = read_request(options);
+  std::optional<support::OutputFile> json;
+  if (!options.json.empty()) json.emplace(options.json);
   measure::MeasureProgress progress(support::Interrupt::flag());
   Measured<Result> measured;
   {
@@ -59,9 +60,7 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
   }
   if (measured.result) {
     std::cout << text_of(*measured.result);
-    if (!options.json.empty()) {
-      support::replace_file(options.json, support::json_text(to_json(*measured.result)));
-    }
+    if (json) json->replace(support::json_text(to_json(*measured.result)));
   }
   for (const std::string& line : measured.errors) fmt::print(stderr, "fixproof: {}\n", line);
   return measured.status;

@@ -15,9 +15,9 @@
 #include "player/canvas.hpp"
 #include "player/outputs.hpp"
 #include "player/players.hpp"
-#include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -34,9 +34,10 @@ struct ProfileOptions {
 int run_profile(const ProfileOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
+  std::optional<support::OutputFile> json;
   if (!options.json.empty()) {
     player::refuse_inputs("--json", options.json, scene.files);
-    support::check_replaceable(options.json);
+    json.emplace(options.json);
   }
   const std::uint64_t frames = options.frames.value_or(
       std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
@@ -73,8 +74,7 @@ int run_profile(const ProfileOptions& options) {
                              options.json.empty() ? "" : "; no JSON is written");
     return support::interrupted_status;
   }
-  if (!options.json.empty())
-    support::replace_file(options.json, support::json_text(trade::to_json(profile, scene.name)));
+  if (json) json->replace(support::json_text(trade::to_json(profile, scene.name)));
   return 0;
 }
 

@@ -8,6 +8,8 @@
 
 #include "player/dump.hpp"
 #include "support/file.hpp"
+#include "support/file_lock.hpp"
+#include "support/place.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::player {
@@ -20,9 +22,9 @@ using Use = std::pair<std::string, fs::path>;
 
 /// Tells whether `file` can be the name of a frame in `folder`.
 bool is_frame_of(const fs::path& folder, const fs::path& file) {
-  const fs::path real = support::behind_links(file);
-  return support::same_file(folder, real.parent_path()) &&
-         real.filename().string().starts_with("frame_") && real.extension() == ".png";
+  const auto place = support::find_place(file);
+  return place && support::same_file(folder, place->folder_path()) &&
+         place->name().starts_with("frame_") && place->name().ends_with(".png");
 }
 
 [[noreturn]] void refuse_use(std::string_view option, const fs::path& file, std::string_view use) {
@@ -66,7 +68,6 @@ void refuse_inputs(std::string_view option, const fs::path& file,
 Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
                  double frames_per_second)
     : folder_(names.folder) {
-  refuse_clashes(names, inputs);
   if (!folder_.empty()) {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -74,14 +75,20 @@ Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
       throw support::UsageError(fmt::format("--out {}: cannot be made a folder: {}", folder_,
                                             error ? error.message() : "a file has that name"));
     }
+  }
+  // Names are compared by the folders they lie in, which exist now.
+  refuse_clashes(names, inputs);
+  if (!folder_.empty()) {
+    lock_ = std::make_unique<support::FolderLock>("--out", folder_);
+    support::remove_leftovers(folder_);
     support::check_replaceable(frame_file(0));
   }
   if (!names.animation.empty()) {
     animation_ = std::make_unique<xsharp::AnimationPng>(names.animation,
                                                         xsharp::frame_time(frames_per_second));
   }
-  if (!names.dump.empty()) dump_ = std::make_unique<support::PartFile>(names.dump);
-  if (!names.digests.empty()) digests_ = std::make_unique<support::PartFile>(names.digests);
+  if (!names.dump.empty()) dump_ = std::make_unique<support::OutputFile>(names.dump);
+  if (!names.digests.empty()) digests_ = std::make_unique<support::OutputFile>(names.digests);
 }
 
 void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {

@@ -12,6 +12,7 @@
 #include "measure/host/provenance.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
+#include "support/file_lock.hpp"
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
@@ -60,7 +61,7 @@ void check_outputs(const ReportRequest& request, const std::vector<xsharp::Scene
 
 void make_folder(const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder + "/data", error);
+  std::filesystem::create_directories(folder, error);
   if (error) {
     throw support::UsageError(
         fmt::format("--out {}: cannot make this folder: {}", folder, error.message()));
@@ -97,6 +98,8 @@ int make_report(const ReportRequest& request) {
   const std::vector<xsharp::Scene> scenes = read_scenes(request.scenes);
   make_folder(request.folder);
   const support::FolderLock lock("--out", request.folder);
+  make_folder(request.folder + "/data");
+  for (const char* part : {"", "/data"}) support::remove_leftovers(request.folder + part);
   const std::vector<ReportStep> steps = report_steps(request, scenes);
   check_outputs(request, scenes, steps);
 
