@@ -206,6 +206,11 @@ void read_cases(const std::string& path, x86model::Target cpu,
   try {
     const std::string text = gunzip(support::read_file(path));
     if (text.empty()) throw support::UsageError("empty");
+    // The library would take one for the end. A binary MOO has many.
+    const std::size_t zero = text.starts_with("MOO ") ? std::string::npos : text.find('\0');
+    if (zero != std::string::npos) {
+      throw support::UsageError(fmt::format("no JSON: a zero byte, at byte {}", zero + 1));
+    }
     if (text.starts_with("MOO "))
       throw support::UsageError("binary MOO; moo2json.py makes JSON of it");
     // The array is empty because the sink discards every case.

@@ -62,6 +62,8 @@ class DuplicateKeyCheck final : public nlohmann::json_sax<Json> {
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text) {
+  // The library would take one for the end.
+  if (text.find('\0') != std::string_view::npos) throw SceneError("not JSON: a zero byte");
   DuplicateKeyCheck twice;
   Json::sax_parse(text, &twice, Json::input_format_t::json, true, true);
   try {
