@@ -19,7 +19,8 @@
 namespace {
 
 enum Function { opening, closing, flushing, renaming, unlinking, functions };
-constexpr std::array<const char*, functions> names{"openat", "close", "fsync", "renameat", "unlinkat"};
+constexpr std::array<const char*, functions> names{"openat", "close", "fsync", "renameat",
+                                                   "unlinkat"};
 
 std::array<std::atomic<int>, functions> counts{};
 
