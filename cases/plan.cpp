@@ -109,7 +109,8 @@ std::vector<Share> streams_of(Operation operation, int level) {
 
 Plan::Plan(int level, std::uint64_t seed, std::vector<Row> rows)
     : level_(level), seed_(seed), rows_(std::move(rows)) {
-  if (level < 1 || level > 3) throw std::invalid_argument(fmt::format("no level {}", level));
+  if (level < 1 || level > 3)
+    throw std::invalid_argument(fmt::format("there is no level {}; choose 1, 2 or 3", level));
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (!rows_[row].compared()) continue;
     const Variant& variant = rows_[row].variant;
@@ -167,7 +168,7 @@ Shard parse_shard(const std::string& text) {
       return shard;
     }
   }
-  throw support::UsageError(fmt::format("--shard {}: i/n is wanted, 1 <= i <= n", text));
+  throw support::UsageError(fmt::format("--shard {}: give i/n with 1 <= i <= n", text));
 }
 
 }  // namespace fixproof::cases

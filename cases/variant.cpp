@@ -32,7 +32,7 @@ Operation named(std::string_view name, std::string_view kind,
     if (other == name) return operation;
     all += fmt::format("{}{}", all.empty() ? "" : ", ", other);
   }
-  throw std::invalid_argument(fmt::format("unknown {} '{}'; there are {}", kind, name, all));
+  throw std::invalid_argument(fmt::format("unknown {} '{}'; choose one of {}", kind, name, all));
 }
 
 }  // namespace

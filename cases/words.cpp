@@ -36,7 +36,7 @@ void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_
     const auto space = line.find(' ');
     const bool last = i + 1 == words.size();
     if (last != (space == std::string_view::npos)) {
-      throw support::UsageError(fmt::format("{} takes {} word{} with single spaces between",
+      throw support::UsageError(fmt::format("{} takes {} word{}, separated by single spaces",
                                             name_of(v.operation), words.size(),
                                             words.size() > 1 ? "s" : ""));
     }

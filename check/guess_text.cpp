@@ -88,12 +88,12 @@ std::string line_of(std::string_view subject, const BestRules& best,
                     const std::vector<std::string_view>& names, std::string_view what,
                     const Rules& shown_under) {
   const std::string label = fmt::format("  {:<16} ", subject);
-  if (best.first.cases == 0) return fmt::format("{}cannot be told: no {}\n", label, what);
+  if (best.first.cases == 0) return fmt::format("{}unknown: there are no {}\n", label, what);
   const std::uint64_t exceptions = best.first.exceptions.count();
   if (exceptions == 0) {
     std::string text = fmt::format("{}{} on all {} {}\n", label, joined(names, " or "),
                                    support::grouped(best.first.cases), what);
-    if (names.size() > 1) text += "                   (which of these, no case tells)\n";
+    if (names.size() > 1) text += "                   (no case distinguishes these)\n";
     return text;
   }
   // A rule that most cases break is not a guess.

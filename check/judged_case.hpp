@@ -24,16 +24,16 @@ struct JudgedCase {
 class FirstCases {
  public:
   FirstCases() = default;
-  explicit FirstCases(std::size_t most) : most_(most) {}
+  explicit FirstCases(std::size_t max_shown) : max_shown_(max_shown) {}
 
   void add(const JudgedCase& one) {
-    if (count_++ < most_) shown_.push_back(one);
+    if (count_++ < max_shown_) shown_.push_back(one);
   }
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] const std::vector<JudgedCase>& shown() const { return shown_; }
 
  private:
-  std::size_t most_ = 3;
+  std::size_t max_shown_ = 3;
   std::uint64_t count_ = 0;
   std::vector<JudgedCase> shown_;
 };

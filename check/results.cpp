@@ -35,7 +35,7 @@ std::optional<Said> Results::next() {
     } while (support::is_blank_or_comment(text_));
     if (blank != 0) {
       line_ = blank;
-      throw support::UsageError(fmt::format("blank; {}", result_format));
+      throw support::UsageError(fmt::format("a blank line is not a result; {}", result_format));
     }
     return parse_result(text_);
   } catch (const support::UsageError& error) {

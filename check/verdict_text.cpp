@@ -52,8 +52,8 @@ std::string wrong_cases(const Judge& judge) {
   std::string text = "\n";
   for (const JudgedCase& one : wrong.shown()) text += text_of(one, judge.rules()) + '\n';
   if (wrong.shown().size() < wrong.count()) {
-    text += fmt::format("The first {} of {} wrong results (--show N).\n", wrong.shown().size(),
-                        support::grouped(wrong.count()));
+    text += fmt::format("These are the first {} of {} wrong results; --show N shows more.\n",
+                        wrong.shown().size(), support::grouped(wrong.count()));
   }
   return text;
 }
@@ -81,7 +81,7 @@ std::string text_of(const JudgedCase& one, const Rules& rules) {
 std::string verdict_text(const Judge& judge) {
   std::string text = table_of(judge);
   if (judge.not_judged() > 0) {
-    text += fmt::format("{} cases were not judged: any result is accepted of them.\n",
+    text += fmt::format("{} cases accept any result and are not judged.\n",
                         support::grouped(judge.not_judged()));
   }
   return text + wrong_cases(judge) + '\n' + guess_text(judge);

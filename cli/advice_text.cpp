@@ -53,44 +53,47 @@ std::string sentences_of(const trade::AdviceReport& report) {
   const auto at = [&](std::size_t i) { return report.tried.at(i); };
   if (!advice.take) {
     const trade::Tried nearest = at(advice.nearest);
-    return fmt::format("None stays within {} pixels. The nearest is {}: {:.3f} pixels off, {}.\n",
-                       report.budget, name_of(nearest.choice), nearest.error.pixels,
-                       cost_text(report, nearest.cost));
+    return fmt::format(
+        "No choice stays within {} pixels. The nearest is {}: {:.3f} pixels off, {}.\n",
+        report.budget, name_of(nearest.choice), nearest.error.pixels,
+        cost_text(report, nearest.cost));
   }
   const trade::Tried take = at(*advice.take);
   std::string text = fmt::format("Take {}: {}, at most {:.3f} pixels off.\n", name_of(take.choice),
                                  cost_text(report, take.cost), take.error.pixels);
-  if (advice.as_cheap > 0 && take.cost.spread > 0) {
+  if (advice.equal_cost_count > 0 && take.cost.spread > 0) {
     text += fmt::format(
-        "Within the spread of the times, {} {} within the budget {} the same; this one is the most "
-        "exact.\n",
-        advice.as_cheap, advice.as_cheap == 1 ? "other" : "others",
-        advice.as_cheap == 1 ? "costs" : "cost");
+        "{} other {} within the budget {} the same, given the spread of the times; this one is the "
+        "most accurate.\n",
+        advice.equal_cost_count, advice.equal_cost_count == 1 ? "choice" : "choices",
+        advice.equal_cost_count == 1 ? "costs" : "cost");
   }
   if (report.drift_pixels) {
     text += fmt::format(
-        "Its motion alone, as drift measures it over all these frames, is at most {:.3f} pixels "
-        "off{}.\n",
+        "Over all these frames, drift measures an error of its motion of at most {:.3f} "
+        "pixels{}.\n",
         *report.drift_pixels,
         // Only clipped corners can be farther off than the budget.
-        *report.drift_pixels > report.budget ? ", corners that are clipped among them" : "");
+        *report.drift_pixels > report.budget ? ", which includes clipped corners" : "");
   }
   if (advice.runner_up) {
     const trade::Tried next = at(*advice.runner_up);
     const bool same =
-        next.cost.ranked <= take.cost.ranked || trade::costs_the_same(next.cost, take.cost);
-    text += fmt::format("Runner-up: {}, {}, at most {:.3f} pixels off.\n", name_of(next.choice),
-                        same ? "which costs the same"
-                             : percent_text(next.cost.ranked / take.cost.ranked - 1) + " dearer",
-                        next.error.pixels);
+        next.cost.ranked <= take.cost.ranked || trade::has_equal_cost(next.cost, take.cost);
+    text += fmt::format(
+        "Runner-up: {}, {}, at most {:.3f} pixels off.\n", name_of(next.choice),
+        same ? "which costs the same"
+             : percent_text(next.cost.ranked / take.cost.ranked - 1) + " more expensive",
+        next.error.pixels);
   } else {
-    text += "No other stays within the budget.\n";
+    text += "No other choice stays within the budget.\n";
   }
-  if (!advice.next_cheaper) return text + "Nothing that was tried is cheaper.\n";
+  if (!advice.next_cheaper) return text + "No choice is cheaper.\n";
   const trade::Tried cheaper = at(*advice.next_cheaper);
   text += fmt::format(
-      "The next cheaper, {}, saves {} and costs accuracy: {:.3f} pixels off at worst, over the "
-      "budget after {}.\n",
+      "The next cheaper choice, {}, saves {}, but is up to {:.3f} pixels off and exceeds the "
+      "budget "
+      "after {}.\n",
       name_of(cheaper.choice), percent_text(1 - cheaper.cost.ranked / take.cost.ranked),
       cheaper.error.pixels, after(cheaper.error.over.value_or(0)));
   return text;

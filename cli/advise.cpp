@@ -3,13 +3,13 @@
 #include <charconv>
 #include <cstdint>
 #include <iostream>
-#include <map>
 #include <memory>
-#include <optional>
 
 #include "cli/advice_text.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/scene_options.hpp"
 #include "cli/surface_options.hpp"
 #include "player/outputs.hpp"
 #include "support/frame_progress.hpp"
@@ -47,7 +47,7 @@ double pixels_of(std::string_view text) {
   if (error != std::errc{} || end != number.data() + number.size() ||
       !(pixels > 0 && pixels <= max_pixels)) {
     throw support::UsageError(
-        fmt::format("--budget {}: want pixels above 0, to {:.0f}, as 0.5 or 0.5px",
+        fmt::format("--budget {}: give pixels above 0 and up to {:.0f}, as in 0.5 or 0.5px",
                     support::quoted(text), max_pixels));
   }
   return pixels;
@@ -68,8 +68,8 @@ double drift_of(const xsharp::Scene& scene, const trade::Choice& choice, std::ui
 std::string heading(const trade::AdviceReport& report) {
   std::string text = fmt::format(
       "{}: {} frames, {} at {} frames a second; budget {} pixels.\n"
-      "Pixels: the worst of any corner, from where it is in double worked out from scratch, before "
-      "it is\nrounded to a whole pixel.\n",
+      "Pixels: the largest distance of any corner from its exact place, which double computes from "
+      "scratch,\nbefore corners are rounded to whole pixels.\n",
       support::printable(report.scene), support::grouped(report.frames),
       support::duration(static_cast<double>(report.frames) /
                         static_cast<double>(trade::advised_rate)),
@@ -77,29 +77,31 @@ std::string heading(const trade::AdviceReport& report) {
   if (report.cpu) {
     text += fmt::format(
         "Least and most: clocks of the listings alone on the {}, mean of {} frames of the first "
-        "minute.\nFrom scratch, made in double, is counted as a CosSin and a rotation for each "
-        "axis that "
-        "turns.\n",
-        x86model::name_of(*report.cpu), trade::ClockSample::in_a_row * trade::ClockSample::places);
+        "minute.\nDouble computes orientations from scratch; each counts as a CosSin and a "
+        "rotation "
+        "per turning axis.\n",
+        x86model::name_of(*report.cpu),
+        trade::ClockSample::consecutive * trade::ClockSample::places);
     if (report.cpu == x86model::Cpu::i8088) {
       text +=
-          "They are the larger of two times: Intel's table, and the bus at 4 clocks for each byte "
+          "Clocks are the larger of two times: Intel's table, and the bus at 4 clocks for each "
+          "byte "
           "of code and data.\n";
     }
   } else {
     text += fmt::format(
-        "Least and most: nanoseconds a frame by the type on this processor, least and "
-        "median of {} rounds over the\nfirst minute; medians nearer than the spread from round to "
-        "round count as the same, and the more exact\nis taken first.\n",
+        "Least and most: nanoseconds per frame of the type on this processor, minimum and "
+        "median of {} rounds over\nthe first minute. Medians that differ by less than their spread "
+        "count as equal; the more accurate choice\ncomes first.\n",
         trade::TimeSample::rounds);
   }
-  if (report.repaired) text += "The 8088 code has ConcatXforms repaired.\n";
+  if (report.repaired) text += "The 8088 code has the repaired ConcatXforms.\n";
   return text + '\n';
 }
 
 int stopped(std::uint64_t frames, std::uint64_t wanted, const AdviseOptions& options) {
-  std::cout << fmt::format("STOPPED after {} of {} frames: no advice{}\n", support::grouped(frames),
-                           support::grouped(wanted),
+  std::cout << fmt::format("STOPPED after {} of {} frames: no advice is given{}\n",
+                           support::grouped(frames), support::grouped(wanted),
                            options.json.empty() ? "" : "; no JSON is written");
   return support::interrupted_status;
 }
@@ -109,12 +111,8 @@ int advise_on(const AdviseOptions& options) {
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   options.surfaces.apply(scene);
   if (options.repaired) scene.arithmetic.repaired = true;
-  if (scene.objects.empty()) throw support::UsageError(scene.name + " has no objects");
-  std::optional<support::OutputFile> json;
-  if (!options.json.empty()) {
-    player::refuse_inputs("--json", options.json, scene.files);
-    json.emplace(options.json);
-  }
+  require_objects(scene);
+  const auto json = player::open_output("--json", options.json, scene.files);
 
   trade::AdviceReport report{
       .scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};
@@ -128,10 +126,10 @@ int advise_on(const AdviseOptions& options) {
   std::vector<trade::Cost> costs;
   if (report.cpu) {
     support::FrameProgress progress(choices.size(), "choices");
-    costs = trade::clocks_a_frame(scene, choices, *report.cpu, stop,
-                                  [&](std::uint64_t done) { progress.show(done); });
+    costs = trade::clocks_per_frame(scene, choices, *report.cpu, stop,
+                                    [&](std::uint64_t done) { progress.show(done); });
   } else {
-    costs = trade::nanoseconds_a_frame(scene, choices, stop);
+    costs = trade::nanoseconds_per_frame(scene, choices, stop);
   }
   if (costs.size() < choices.size()) return stopped(0, wanted, options);
   std::vector<trade::ScreenError> errors;
@@ -154,7 +152,7 @@ int advise_on(const AdviseOptions& options) {
     if (frames < wanted) return stopped(frames, wanted, options);
   }
   std::cout << sentences_of(report);
-  if (json) json->replace(support::json_text(trade::to_json(report)));
+  if (json) json->replace(support::json_text(report));
   return advice.take ? 0 : 1;
 }
 
@@ -164,40 +162,39 @@ void add_advise(CLI::App& app, int& status) {
   auto options = std::make_shared<AdviseOptions>();
   CLI::App* command =
       app.add_subcommand("advise", "find the cheapest way to draw a scene accurately enough");
-  command->add_option("scene", options->scene, "a scene, such as scenes/twelve_cubes.json")
+  command->add_option("scene", options->scene, "scene file, such as scenes/twelve_cubes.json")
       ->required()
       ->check(not_empty());
   options->surfaces.add_to(*command);
   command
       ->add_option("--budget", options->budget,
-                   "how far a corner may be from where it should be, in pixels, as 0.5px")
+                   "largest allowed error of a corner in pixels, as in 0.5px")
       ->required()
       ->check(not_empty());
-  command->add_option("--minutes", options->minutes, "how long, at 60 frames a second")
+  command
+      ->add_option("--minutes", options->minutes, "length of the animation at 60 frames a second")
       ->transform(whole_number(1, 10'000))
       ->capture_default_str();
-  static const std::map<std::string, x86model::Cpu> cpus{{"8088", x86model::Cpu::i8088},
-                                                         {"286", x86model::Cpu::i286},
-                                                         {"386", x86model::Cpu::i386},
-                                                         {"486", x86model::Cpu::i486}};
   command
       ->add_option_function<std::string>(
-          "--cpu", [options](const std::string& name) { options->cpu = cpus.at(name); },
-          "whose clocks count: 8088, 286, 386 or 486 (386)")
-      ->check(CLI::IsMember({"8088", "286", "386", "486"}));
-  command->add_flag("--host", options->host, "count nanoseconds of this processor instead")
+          "--cpu", [options](const std::string& name) { options->cpu = cpu_names.at(name); },
+          "processor whose clocks are the cost: 8088, 286, 386 or 486; by default 386")
+      ->check(CLI::IsMember(&cpu_names));
+  command
+      ->add_flag("--host", options->host,
+                 "measure the cost in nanoseconds on this processor instead")
       ->excludes(command->get_option("--cpu"));
-  command->add_flag(
-      "--repaired", options->repaired,
-      "8088 code has the ConcatXforms that keeps its carry: see docs/findings.md, 18");
-  command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
+  command->add_flag("--repaired", options->repaired,
+                    "use the 8088 ConcatXforms that keeps its carry; see docs/findings.md, 18");
+  command->add_option("--json", options->json, "write the results to this file as JSON")
+      ->check(not_empty());
   command->footer(
       R"(Tries the routines of both processors with multiplies and divides rounded or not. Orientations
 are computed from scratch, or by appending rotations and restoring orthogonality never or after
-every 600, 60, 10 or 1 rotations. Among choices of equal cost advise takes the most accurate
-one. With --host, costs are equal if the times differ by less than their interquartile range
-from round to round. The cost includes stepping along surfaces; the budget applies to corners
-only. For the error that stepping adds at the pixels see render --beside.
+every 600, 60, 10 or 1 rotations. Among choices of equal cost, advise takes the most accurate.
+With --host, costs are equal if the medians differ by less than the interquartile range of the
+rounds. The cost includes stepping along surfaces; the budget applies to corners only.
+render --beside shows the error that stepping adds at the pixels.
 
 Exit status: 0 a choice stays within the budget, 1 none does, 2 bad usage or an invalid scene,
 130 interrupted.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 #include <string>
 
 #include "support/plain_text.hpp"
@@ -15,7 +16,7 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
             const char* end = text.data() + text.size();
             const auto [read, error] = std::from_chars(text.data(), end, value);
             if (error != std::errc{} || read != end || value < first || value > last) {
-              return fmt::format("{} is no whole number from {} to {}",
+              return fmt::format("{} is not a whole number from {} to {}",
                                  fixproof::support::quoted(text), first, last);
             }
             text = std::to_string(value);
@@ -24,8 +25,14 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
           "", "whole number"};
 }
 
+void add_seed(CLI::App& command, std::uint64_t& seed) {
+  command.add_option("--seed", seed, "seed of the random cases")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+}
+
 CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "an empty text" : ""; }, ""};
+  return {[](const std::string& text) { return text.empty() ? "the value is empty" : ""; }, ""};
 }
 
 }  // namespace fixproof::cli

@@ -11,6 +11,9 @@ namespace fixproof::cli {
 /// text: CLI11 itself reads -1 as the largest unsigned number and 010 as octal.
 CLI::Validator whole_number(std::uint64_t first, std::uint64_t last);
 
+/// Adds --seed, with the current value of `seed` as default. `seed` must outlive the command.
+void add_seed(CLI::App& command, std::uint64_t& seed);
+
 /// Rejects an empty value, which a script may pass by way of an unset variable.
 CLI::Validator not_empty();
 

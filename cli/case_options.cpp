@@ -1,7 +1,6 @@
 #include "cli/case_options.hpp"
 
 #include <cstdint>
-#include <limits>
 
 #include "cli/arguments.hpp"
 
@@ -10,16 +9,15 @@ namespace fixproof::cli {
 void add_case_options(CLI::App& command, check::CaseOptions& options) {
   command
       .add_option("--level", options.level,
-                  "of verify, 1: a million cases or so; 2: sixty times that")
+                  "level of verify: 1 has about a million cases, 2 sixty times as many")
       ->transform(whole_number(1, 2))
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "of the random cases")
-      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
-  command.add_option("--shard", options.shard, "i/n: only the i-th of n parts")
+  add_seed(command, options.seed);
+  command.add_option("--shard", options.shard, "i/n: select only the i-th of n parts")
       ->check(not_empty())
       ->capture_default_str();
-  command.add_option("--cases", options.cases, "only so many, evenly spread over all")
+  command
+      .add_option("--cases", options.cases, "select only this many cases, evenly spread over all")
       ->transform(whole_number(1, std::uint64_t{1} << 32U));
 }
 

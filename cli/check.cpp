@@ -46,7 +46,8 @@ Rule rule_named(std::string_view option, std::string_view name, std::span<const 
   if (any && name == "any") return *any;
   if (any) all += "any, ";
   all.resize(all.size() - 2);
-  throw support::UsageError(fmt::format("{} {}: there are {}", option, support::quoted(name), all));
+  throw support::UsageError(
+      fmt::format("{} {}: choose one of {}", option, support::quoted(name), all));
 }
 
 check::Rules rules_of(const CheckOptions& options) {
@@ -54,7 +55,7 @@ check::Rules rules_of(const CheckOptions& options) {
   rules.operation = cases::operation_named(options.operation);
   if (rules.operation != cases::Operation::mul && rules.operation != cases::Operation::div &&
       rules.operation != cases::Operation::sqrt) {
-    throw support::UsageError(fmt::format("check {}: there are mul, div, sqrt", options.operation));
+    throw support::UsageError(fmt::format("check {}: choose mul, div or sqrt", options.operation));
   }
   rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
   rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
@@ -96,10 +97,10 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
     const auto said = results.next();
     if (support::Interrupt::flag()) return;
     if (!said) {
-      throw support::UsageError(
-          fmt::format("{} ends after {} result{}: there are {} cases", results.name(),
-                      support::grouped(judge.cases()), judge.cases() == 1 ? "" : "s",
-                      cases.count() ? support::grouped(*cases.count()) : "more"));
+      throw support::UsageError(fmt::format(
+          "{} ends after {} result{}, but there are {} cases; give check the options of gen",
+          results.name(), support::grouped(judge.cases()), judge.cases() == 1 ? "" : "s",
+          cases.count() ? support::grouped(*cases.count()) : "more"));
     }
     ++one.number;
     one.origin = cases.origin();
@@ -108,17 +109,18 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
     if (cases.count() && judge.cases() % 4096 == 0) progress.show(judge.cases());
   }
   if (!support::Interrupt::flag() && results.next()) {
-    throw support::UsageError(fmt::format("{}, line {}: a result too many: there are {} cases",
-                                          results.name(), results.line(),
-                                          support::grouped(judge.cases())));
+    throw support::UsageError(fmt::format(
+        "{}, line {}: one result too many, there are {} cases; give check the options of gen",
+        results.name(), results.line(), support::grouped(judge.cases())));
   }
 }
 
 /// Rejects options that have no effect on the operation, because they are probably mistakes.
 void refuse_idle_options(const CLI::App& command, cases::Operation operation) {
-  const auto refuse = [&command](const char* option, bool has_a_say, std::string_view of) {
-    if (has_a_say || command.count(option) == 0) return;
-    throw support::UsageError(fmt::format("{} is for {}", option, of));
+  const auto refuse = [&command](const char* option, bool applies, std::string_view operations) {
+    if (applies || command.count(option) == 0) return;
+    throw support::UsageError(
+        fmt::format("{} applies only to {}; leave it out", option, operations));
   };
   refuse("--overflow", operation != cases::Operation::sqrt, "mul and div");
   refuse("--divide-by-zero", operation == cases::Operation::div, "div");
@@ -136,7 +138,8 @@ int check(const CheckOptions& options) {
   std::ifstream file;
   if (!options.results.empty()) {
     if (!options.from.empty() && support::same_file(options.from, options.results)) {
-      throw support::UsageError(fmt::format("--from {}: is the file of the results", options.from));
+      throw support::UsageError(fmt::format(
+          "--from {}: this is also the file of results; name the file of cases", options.from));
     }
     file.open(options.results);
     if (!file) {
@@ -165,39 +168,43 @@ int check(const CheckOptions& options) {
     return judge.wrong().count() > 0 ? 1 : support::interrupted_status;
   }
   if (!failure.empty()) throw support::UsageError(failure);
-  if (judge.cases() == 0) throw support::UsageError("there are no cases: nothing has been judged");
+  if (judge.cases() == 0)
+    throw support::UsageError(
+        "nothing was judged, because there are no cases; check --from, --shard and --cases");
   return judge.wrong().count() > 0 ? 1 : 0;
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
   command.add_option("operation", options.operation, "mul, div or sqrt")->required();
-  command.add_option("results", options.results, "a file of results; by default standard input")
+  command.add_option("results", options.results, "file of results; by default standard input")
       ->check(not_empty());
   command
       .add_option("--rounding", options.rounding,
-                  "half-up, half-away, half-even, floor or toward-zero")
+                  "expected rounding: half-up, half-away, half-even, floor or toward-zero")
       ->required();
   command
-      .add_option("--overflow", options.overflow,
-                  "wrap, saturate, symmetric, maximum, minimum, de or any")
+      .add_option(
+          "--overflow", options.overflow,
+          "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de or any")
       ->capture_default_str();
   command
-      .add_option("--divide-by-zero", options.divide_by_zero,
-                  "of div: de, saturate, symmetric, maximum, minimum, zero or any")
+      .add_option(
+          "--divide-by-zero", options.divide_by_zero,
+          "expected result of div by 0: de, saturate, symmetric, maximum, minimum, zero or any")
       ->capture_default_str();
   command
       .add_option("--negative-root", options.negative_root,
-                  "of sqrt: de, maximum, minimum, zero, mirror or any")
+                  "expected result of sqrt below 0: de, maximum, minimum, zero, mirror or any")
       ->capture_default_str();
   auto* from = command
                    .add_option("--from", options.from,
-                               "a file of cases; by default those of fixproof gen are made again")
+                               "file of cases; by default check makes the cases of gen")
                    ->check(not_empty());
   add_case_options(command, options.cases);
   for (const char* of_gen : {"--level", "--seed", "--shard", "--cases"}) {
     from->excludes(command.get_option(of_gen));
   }
-  command.add_option("--show", options.shown, "wrong results shown")
+  command.add_option("--show", options.shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str();
 }
@@ -207,28 +214,30 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
 void add_check(CLI::App& app, int& status) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
-      "check",
-      "judge another program's answers to the cases of gen, and say what rules it follows");
+      "check", "judge another program's results, and find the rules that it follows");
   add_check_options(*command, *options);
   command->footer(
       R"(The judged program reads the lines of `fixproof gen`, skips those that start with #, and writes
 one result per line: 8 lower-case hex digits (no 0x), or DE for a divide error. Give check the
-same --level, --seed, --shard and --cases as gen, so that it makes the same cases. With --from
+same --level, --seed, --shard and --cases as gen, so that both have the same cases. With --from
 it reads your own cases.
 
---overflow is the rule for a result that does not fit a word or does not exist:
+--overflow, --divide-by-zero and --negative-root say what to expect if the result does not fit a
+word or does not exist:
   wrap        modulo 2^32
   saturate    7fffffff, or 80000000 if negative
   symmetric   7fffffff, or 80000001 if negative
   maximum     always 7fffffff
   minimum     always 80000000
   mirror      -sqrt(-x)
-  any         accepts and counts every result
-A square root has no ties, so the three half-... rules are the same (to nearest), and so are
-floor and toward-zero, except under mirror, where floor rounds away from zero. Under a rule that
-depends on the sign, 0 / 0 may also be 0.
+  zero        0
+  de          DE, a divide error
+  any         every result is accepted and counted
+A square root has no ties, so the three half-... rules are the same. So are floor and
+toward-zero, except under mirror, where floor rounds away from zero. Under saturate and
+symmetric, 0 / 0 may also be 0.
 
-Exit status: 0 all right, 1 a wrong result, 2 bad usage or input, 130 interrupted.
+Exit status: 0 all results are right, 1 a wrong result, 2 bad usage or input, 130 interrupted.
 
 Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up

@@ -46,8 +46,8 @@ void add_all(CLI::App& app, int& status) {
 
 int run_command_line(std::vector<std::string> arguments) {
   CLI::App app{
-      "Bit-exact verification of 16.16 fixed-point arithmetic: a register-level model of the 8088\n"
-      "and 386 sequences of FIXED.ASM, a big-integer oracle and a production C++ type, compared."};
+      "Bit-exact verification of 16.16 fixed-point arithmetic. Compares a register-level model of\n"
+      "FIXED.ASM for the 8088 and the 386, a big-integer oracle and a C++ number type."};
   int status = 0;
   add_all(app, status);
   try {
@@ -55,12 +55,12 @@ int run_command_line(std::vector<std::string> arguments) {
     std::reverse(arguments.begin(), arguments.end());
     app.parse(std::move(arguments));
     if (app.get_subcommands().empty())
-      throw support::UsageError("which command? (see fixproof --help)");
+      throw support::UsageError("no command given (see fixproof --help)");
   } catch (const CLI::Success& help) {
     app.exit(help);
   } catch (const CLI::ExtrasError&) {
     const auto extra = app.remaining(true);
-    const char* what = app.get_subcommands().empty() ? "no such command" : "not expected";
+    const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
     fmt::print(stderr, "fixproof: {}: {} (see fixproof --help)\n", what,
                support::printable(extra.front()));
     return 2;

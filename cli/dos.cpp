@@ -23,16 +23,19 @@ struct DosOptions {
 void write(const DosOptions& options) {
   const machine_code::ProgramKey key = options.program.choose();
   if (const std::string absence = machine_code::machine_code_absence(); !absence.empty()) {
-    throw support::UsageError(fmt::format("no program for DOS: {}", absence));
+    throw support::UsageError(
+        fmt::format("dos has no programs: {}; install NASM and build again", absence));
   }
   if (key.build.shl_as_printed) throw support::UsageError(no_printed_shift);
   const auto bytes = machine_code::dos_command(key);
   if (bytes.empty())
-    throw support::UsageError(fmt::format("no program for DOS: {}", machine_code::name_of(key)));
+    throw support::UsageError(
+        fmt::format("there is no DOS program of {}", machine_code::name_of(key)));
   const std::string contents(bytes.begin(), bytes.end());
   if (!options.file.empty()) return support::replace_file(options.file, contents);
   if (isatty(STDOUT_FILENO) != 0) {
-    throw support::UsageError("a program is nothing for a terminal: give -o FILE.COM, or redirect");
+    throw support::UsageError(
+        "dos does not write a program to a terminal: give -o FILE.COM, or redirect the output");
   }
   std::cout.write(contents.data(), static_cast<std::streamsize>(contents.size()));
 }
@@ -43,7 +46,7 @@ void add_dos(CLI::App& app, int& status) {
   auto options = std::make_shared<DosOptions>();
   CLI::App* command = app.add_subcommand("dos", "write a DOS program that calls a routine");
   options->program.add_to(*command);
-  command->add_option("-o,--output", options->file, "the file; by default standard output")
+  command->add_option("-o,--output", options->file, "output file; by default standard output")
       ->check(not_empty());
   command->footer(
       R"(Writes a .COM file that runs on any DOS. It reads lines of operands and writes one line of

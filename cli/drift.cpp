@@ -9,6 +9,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
@@ -17,7 +18,6 @@
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/advice/choice.hpp"
-#include "trade/drift/drift_json.hpp"
 #include "trade/drift/strip.hpp"
 #include "xsharp/files/scene_json.hpp"
 
@@ -66,16 +66,14 @@ std::string first(const std::optional<std::uint64_t>& frame) {
   return frame ? support::grouped(*frame) : "never";
 }
 
-void print(const std::vector<trade::DriftCase>& cases,
-           const std::vector<trade::DriftResult>& results) {
+void print(const std::vector<trade::DriftResult>& results) {
   std::cout << fmt::format("{:<34}{:>10}{:>11}{:>11}{:>10}  {:>9}{:>9}{:>9}\n", "", "skew", "edges",
                            "volume", "pixels", "1 pixel", "2 %", "10 %");
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const trade::DriftResult& r = results[i];
+  for (const trade::DriftResult& r : results) {
     std::cout << fmt::format("{:<34}{:>10}{:>11}{:>11}{:>10}  {:>9}{:>9}{:>9}\n",
-                             trade::name_of(cases[i]), percent(r.worst.skew),
-                             percent(r.worst.length), percent(r.worst.volume),
-                             pixels(r.worst.pixels), first(r.pixel), first(r.some), first(r.much));
+                             trade::name_of(r.of), percent(r.worst.skew), percent(r.worst.length),
+                             percent(r.worst.volume), pixels(r.worst.pixels), first(r.pixel),
+                             first(r.some), first(r.much));
   }
 }
 
@@ -119,48 +117,35 @@ std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request)
   return trade::drift_strip(rows, request.object, frames, labels);
 }
 
-DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request) {
-  DriftFigures figures;
-  figures.scene = scene.name;
-  figures.frames = figures.wanted = request.minutes * 60 * fast;
-  figures.cases = drift_cases(request.restore_every);
-  support::FrameProgress progress(figures.wanted);
-  figures.results =
-      trade::run_drift(unrestored(scene), figures.cases, figures.frames, support::Interrupt::flag(),
-                       [&](std::uint64_t done) { progress.show(done); });
+trade::DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request) {
+  const std::uint64_t frames = request.minutes * 60 * fast;
+  trade::DriftFigures figures{scene.name, fast, frames, frames, {}};
+  support::FrameProgress progress(frames);
+  figures.results = trade::run_drift(unrestored(scene), drift_cases(request.restore_every),
+                                     figures.frames, support::Interrupt::flag(),
+                                     [&](std::uint64_t done) { progress.show(done); });
   return figures;
-}
-
-support::Json to_json(const DriftFigures& figures) {
-  return trade::drift_json(figures.scene, figures.frames, fast, figures.cases, figures.results);
 }
 
 namespace {
 
 int run(const DriftOptions& options) {
   const xsharp::Scene scene = xsharp::read_scene(options.scene);
-  if (scene.objects.empty()) throw support::UsageError(scene.name + " has no objects");
+  require_objects(scene);
   if (options.request.object >= scene.objects.size()) {
-    throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}",
+    throw support::UsageError(fmt::format("--object {}: {} has objects 0 to {}; choose one of them",
                                           options.request.object, scene.name,
                                           scene.objects.size() - 1));
   }
   if (!options.strip.empty() && !options.json.empty() &&
       support::same_file(options.strip, options.json)) {
-    throw support::UsageError(fmt::format("--json {}: is the file of --strip", options.json));
+    throw support::UsageError(
+        fmt::format("--json {}: --strip writes this file; name another", options.json));
   }
-  std::optional<support::OutputFile> strip;
-  std::optional<support::OutputFile> json;
-  if (!options.strip.empty()) {
-    player::refuse_inputs("--strip", options.strip, scene.files);
-    strip.emplace(options.strip);
-  }
-  if (!options.json.empty()) {
-    player::refuse_inputs("--json", options.json, scene.files);
-    json.emplace(options.json);
-  }
+  const auto strip = player::open_output("--strip", options.strip, scene.files);
+  const auto json = player::open_output("--json", options.json, scene.files);
 
-  DriftFigures figures;
+  trade::DriftFigures figures;
   {
     const support::Interrupt interrupt;
     figures = measure_drift(scene, options.request);
@@ -168,14 +153,13 @@ int run(const DriftOptions& options) {
   const std::uint64_t frames = figures.frames;
   std::cout << fmt::format(
       "{}: {} frames, {} at {} frames a second, {} at {}.\n"
-      "Worst of any object: skew of its axes, edges and volume too large or small, pixels from "
-      "where "
-      "a vertex should be;\nthen the first frame at which a vertex is 1 pixel off, an edge 2 % and "
-      "10 % wrong.\n\n",
+      "Largest errors of any object: skew of its axes, length of its edges, volume, and pixels "
+      "between a vertex\nand its exact place. Then the first frame at which a vertex is 1 pixel "
+      "off, an edge 2 % and 10 % wrong.\n\n",
       support::printable(scene.name), support::grouped(frames),
       support::duration(static_cast<double>(frames) / static_cast<double>(slow)), slow,
       support::duration(static_cast<double>(frames) / static_cast<double>(fast)), fast);
-  print(figures.cases, figures.results);
+  print(figures.results);
   if (!figures.complete()) {
     std::cout << fmt::format(
         "\nSTOPPED after {} of {} frames{}\n", support::grouped(frames),
@@ -183,7 +167,7 @@ int run(const DriftOptions& options) {
         options.strip.empty() && options.json.empty() ? "" : "; no file is written");
     return support::interrupted_status;
   }
-  if (json) json->replace(support::json_text(to_json(figures)));
+  if (json) json->replace(support::json_text(figures));
   if (strip) {
     strip->replace(drift_strip(scene, options.request));
     std::cout << fmt::format("\n{}: {}\n", options.strip,
@@ -198,39 +182,41 @@ void add_drift(CLI::App& app, int& status) {
   auto options = std::make_shared<DriftOptions>();
   CLI::App* command =
       app.add_subcommand("drift", "measure how long turning objects keep their shape");
-  command->add_option("scene", options->scene, "a scene, such as scenes/twelve_cubes.json")
+  command->add_option("scene", options->scene, "scene file, such as scenes/twelve_cubes.json")
       ->required()
       ->check(not_empty());
   command
-      ->add_option("--minutes", options->request.minutes,
-                   "of animation at 60 frames a second; four times as many at 15")
+      ->add_option(
+          "--minutes", options->request.minutes,
+          "length of the animation at 60 frames a second; at 15 it lasts four times as long")
       ->transform(whole_number(1, 10'000))
       ->capture_default_str();
   command
-      ->add_option("--reortho", options->request.restore_every,
-                   "rotations between two restorings of orthogonality, in the rows that have any")
+      ->add_option(
+          "--reortho", options->request.restore_every,
+          "rotations between two restorations of orthogonality, in the rows named `restored`")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   auto* strip =
       command
           ->add_option(
               "--strip", options->strip,
-              "an SVG of one object after 0, 1, 5, 15 and 30 minutes under each arithmetic")
+              "write an SVG of one object after 0, 1, 5, 15 and 30 minutes in each arithmetic")
           ->check(not_empty());
   command
       ->add_option("--json", options->json,
-                   "a file for the same figures, and for their way through time, as JSON")
+                   "write the results, and how they change over time, to this file as JSON")
       ->check(not_empty());
-  command->add_option("--object", options->request.object, "of the strip, by its index")
+  command->add_option("--object", options->request.object, "index of the object that --strip draws")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str()
       ->needs(strip);
   command->footer(
-      R"(Each row removes one source of error: `offset` the unit of the published conversion (constants
-are rounded to nearest instead), `step` all rounding of sines and cosines, `products` the
-rounding of products. Divides play no part. `restored` makes all rows of a matrix orthogonal and
-of unit length again; `one row` replaces the last row with the cross product of the others
-(chapter 52).
+      R"(Each `without` row removes one source of error: `offset` is the unit by which the published
+conversion of constants is off, `step` the rounding of sines and cosines, `products` the rounding
+of products. No divide affects the drift. `restored` makes all rows of a matrix orthogonal and of
+unit length again; `one row` replaces the last row with the cross product of the others, as in
+chapter 52.
 
 Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
 

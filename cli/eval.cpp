@@ -29,7 +29,8 @@ void append_answer(std::string& output, parties::Ending ending,
     output += "DE";
     return;
   }
-  if (ending != parties::Ending::value) throw support::UsageError("the party gave no answer");
+  if (ending != parties::Ending::value)
+    throw support::UsageError("the party gave no answer; choose another with --by");
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) output += ' ';
     support::append_hex(output, words[i], 8);
@@ -47,7 +48,8 @@ cases::Variant chosen(const EvalOptions& options) {
   if (v.repaired) throw support::UsageError(only_repaired);
   if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
     throw support::UsageError(fmt::format(
-        "{} is no routine: it has neither target, rounding nor chapter", options.operation));
+        "{} is not a routine: it has no target, rounding or chapter; leave these options out",
+        options.operation));
   }
   return {.operation = operation, .build = {.target = cases::Target::standard}};
 }
@@ -61,7 +63,8 @@ int run(const EvalOptions& options) {
   const parties::Party& party = parties::party_named(by);
   if (!party.answers(variant)) {
     throw support::UsageError(
-        fmt::format("{} does not answer this variant of {}", by, options.operation));
+        fmt::format("{} does not answer this variant of {}; choose another party with --by", by,
+                    options.operation));
   }
   std::array<std::uint32_t, cases::max_words_in> in{};
   std::array<std::uint32_t, cases::max_words_out> out{};
@@ -81,7 +84,7 @@ int run(const EvalOptions& options) {
 void add_eval(CLI::App& app, int& status) {
   auto options = std::make_shared<EvalOptions>();
   CLI::App* command =
-      app.add_subcommand("eval", "answer one case a line, read from standard input");
+      app.add_subcommand("eval", "compute the result of each line of operands on standard input");
   command
       ->add_option("operation", options->operation,
                    "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal or binary64")
@@ -89,8 +92,8 @@ void add_eval(CLI::App& app, int& status) {
   command
       ->add_option(
           "--by", options->by,
-          "model, interpreter, oracle, fast, type, silicon or unicorn; by default model, or "
-          "type for what is no routine")
+          "party that answers: model, interpreter, oracle, fast, type, silicon or unicorn; by "
+          "default model for routines, type for other operations")
       ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(
@@ -99,7 +102,7 @@ void add_eval(CLI::App& app, int& status) {
   cossin     an angle in tenths, 4 digits    -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words
-  the others one word                        -> one word; sin and cos take radians
+  others     one word                        -> one word; sin and cos take radians
 Blank lines and lines that start with # are skipped.
 
 Examples:

@@ -61,12 +61,13 @@ class LineOutput {
 };
 
 int generate(const GenOptions& options) {
-  constexpr std::size_t enough = 1U << 16U;
+  constexpr std::size_t flush_size = 1U << 16U;
   const cases::Operation operation = cases::operation_named(options.operation);
   check::GeneratedCases cases(operation, options.cases);
   const std::uint64_t all = *cases.count();
   if (all == 0)
-    throw support::UsageError(fmt::format("--shard {}: has no cases", options.cases.shard));
+    throw support::UsageError(
+        fmt::format("--shard {}: this part has no cases; use fewer parts", options.cases.shard));
   LineOutput output(options.file);
   const cases::Variant variant{.operation = operation,
                                .build = {.target = cases::Target::standard}};
@@ -89,7 +90,7 @@ int generate(const GenOptions& options) {
     }
     pending += '\n';
     ++done;
-    if (pending.size() < enough) continue;
+    if (pending.size() < flush_size) continue;
     if (!output.write(pending)) return 0;
     pending.clear();
     if (!options.file.empty()) progress.show(done);
@@ -108,13 +109,13 @@ int generate(const GenOptions& options) {
 void add_gen(CLI::App& app, int& status) {
   auto options = std::make_shared<GenOptions>();
   CLI::App* command =
-      app.add_subcommand("gen", "write the cases of a verification, for another program to answer");
+      app.add_subcommand("gen", "write the cases of a verification as input for another program");
   command
       ->add_option("operation", options->operation,
                    "mul, div, sqrt, sin, cos, cossin, xformvec, concat, decimal or binary64")
       ->required();
   add_case_options(*command, options->cases);
-  command->add_option("-o,--output", options->file, "the file; by default standard output")
+  command->add_option("-o,--output", options->file, "output file; by default standard output")
       ->check(not_empty());
   command->footer(
       R"(Writes one case per line in the format that `fixproof eval` reads: operands as 8 lower-case hex
@@ -127,7 +128,7 @@ Exit status: 0 done, 2 bad usage, 130 interrupted.
 Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 --shard 1/4 -o cases.txt
-  fixproof gen sqrt --cases 1000          # a thousand, evenly spread)");
+  fixproof gen sqrt --cases 1000          # a thousand cases, evenly spread)");
   command->callback([options, &status] { status = generate(*options); });
 }
 

@@ -22,7 +22,7 @@ void write(std::ostream& out, std::string& pending) {
 
 void answer_lines(std::istream& in, std::ostream& out,
                   const std::function<void(std::string_view, std::string&)>& answer) {
-  constexpr std::size_t enough = 1U << 16U;
+  constexpr std::size_t flush_size = 1U << 16U;
   std::string line;
   std::string pending;
   for (std::uint64_t number = 1;; ++number) {
@@ -35,7 +35,7 @@ void answer_lines(std::istream& in, std::ostream& out,
       throw support::UsageError(fmt::format("line {}: {}", number, error.what()));
     }
     pending += '\n';
-    if (pending.size() > enough || in.rdbuf()->in_avail() <= 0) write(out, pending);
+    if (pending.size() > flush_size || in.rdbuf()->in_avail() <= 0) write(out, pending);
   }
   write(out, pending);
 }

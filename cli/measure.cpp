@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -29,24 +29,26 @@ struct MeasureOptions {
   measure::MeasureRequest request;
 };
 
-/// Reads the scenes.
-/// @throws xsharp::SceneError, UsageError if the JSON file is an input
-measure::MeasureRequest read_request(const MeasureOptions& options) {
+/// Reads the scenes and locks the JSON file, if one is named.
+/// @throws xsharp::SceneError, UsageError if the JSON file is an input, std::runtime_error if it
+///         cannot be written
+measure::MeasureRequest read_request(const MeasureOptions& options,
+                                     std::unique_ptr<support::OutputFile>& json) {
   measure::MeasureRequest request = options.request;
+  std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
     request.scenes.push_back(xsharp::read_scene(file));
-    if (!options.json.empty()) {
-      player::refuse_inputs("--json", options.json, request.scenes.back().files);
-    }
+    const auto& files = request.scenes.back().files;
+    inputs.insert(inputs.end(), files.begin(), files.end());
   }
+  json = player::open_output("--json", options.json, inputs);
   return request;
 }
 
 template <class Result>
 int run(const MeasureOptions& options, Measurement<Result> measure) {
-  const measure::MeasureRequest request = read_request(options);
-  std::optional<support::OutputFile> json;
-  if (!options.json.empty()) json.emplace(options.json);
+  std::unique_ptr<support::OutputFile> json;
+  const measure::MeasureRequest request = read_request(options, json);
   measure::MeasureProgress progress(support::Interrupt::flag());
   Measured<Result> measured;
   {
@@ -60,7 +62,7 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
   }
   if (measured.result) {
     std::cout << text_of(*measured.result);
-    if (json) json->replace(support::json_text(to_json(*measured.result)));
+    if (json) json->replace(support::json_text(*measured.result));
   }
   for (const std::string& line : measured.errors) fmt::print(stderr, "fixproof: {}\n", line);
   return measured.status;
@@ -71,61 +73,60 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
 std::vector<std::string> broken_bounds(const measure::SteppingResult& result) {
   std::vector<std::string> lines;
   for (const measure::SteppingRow& row : result.rows) {
-    if (row.statistics.beyond().empty()) continue;
+    if (row.statistics.beyond.empty()) continue;
     lines.push_back(
-        fmt::format("{}, {}: {}", row.variant.value, row.variant.rule, row.statistics.beyond()));
+        fmt::format("{}, {}: {}", row.variant.value, row.variant.rule, row.statistics.beyond));
   }
   return lines;
 }
 
 void add_measure(CLI::App& app, int& status) {
   auto options = std::make_shared<MeasureOptions>();
-  CLI::App* command = app.add_subcommand("measure", "measure what the arithmetic costs");
-  CLI::Option_group* what = command->add_option_group("what", "one of these");
-  CLI::Option* accuracy =
-      what->add_flag("--accuracy", options->accuracy,
-                     "errors of every operation under every variant, in units of the last place");
-  CLI::Option* clocks = what->add_flag(
-      "--clocks", options->clocks,
-      "clocks of every routine, and a pixel of every inner loop, on 8088, 286, 386, 486");
+  CLI::App* command =
+      app.add_subcommand("measure", "measure errors, clocks and times of the arithmetic");
+  CLI::Option_group* what = command->add_option_group("what", "one of these options is required");
+  CLI::Option* accuracy = what->add_flag(
+      "--accuracy", options->accuracy,
+      "measure the errors of every operation in every variant, in units of the last place");
+  CLI::Option* clocks = what->add_flag("--clocks", options->clocks,
+                                       "count the clocks of every routine, and per pixel of every "
+                                       "inner loop, on 8088, 286, 386, 486");
   CLI::Option* host = what->add_flag(
       "--host", options->host,
-      "nanoseconds on this processor, beside float, double and libraries, and their errors");
+      "time this processor, beside float, double and third-party libraries, with their errors");
   CLI::Option* stepping = what->add_flag(
       "--stepping", options->stepping,
-      "errors of values stepped across spans, with derived bounds; what is drawn wrong of them; "
-      "clocks and nanoseconds of the loops");
+      "measure the errors of values stepped across spans, with derived bounds, the wrong pixels, "
+      "and clocks and nanoseconds of the loops");
   what->require_option(1);
   command
       ->add_option("scene", options->scenes,
-                   "scenes whose operands are recorded, such as scenes/twelve_cubes.json")
+                   "scene files whose operands are recorded, such as scenes/twelve_cubes.json")
       ->check(not_empty())
       ->excludes(host)
       ->excludes(stepping);
   command
       ->add_option("--cases", options->request.cases,
-                   "random operands of one kind; spans of one length")
+                   "number of random operands of each kind, or of spans of each length")
       ->transform(whole_number(1, 100'000'000));
-  command->add_option("--seed", options->request.seed, "of the random operands")
-      ->transform(whole_number(0, ~std::uint64_t{0}))
-      ->capture_default_str();
+  add_seed(*command, options->request.seed);
   command
       ->add_option("--rounds", options->request.rounds,
-                   "of --host, each of about 0.07 s, and --stepping")
+                   "number of timed rounds of --host (about 0.07 s each) and --stepping")
       ->transform(whole_number(1, 100'000))
       ->capture_default_str()
       ->excludes(accuracy)
       ->excludes(clocks);
-  command->add_option("--json", options->json, "a file for the same figures, as JSON")
+  command->add_option("--json", options->json, "write the results to this file as JSON")
       ->check(not_empty());
   command->footer(
-      R"(--accuracy compares results with exact integers, by default for 500,000 operands of one kind.
+      R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind.
 --clocks counts clocks by Intel's tables and tests the chapters' claims about speed.
---host times this processor, by default with 100,000 results of each, and takes no scene.
+--host times this processor, by default with 100,000 results of each kind, and takes no scene.
 --stepping steps spans of 1 to 320 pixels, by default 200 of each length, and takes no scene.
 
-Exit status: 0 done, 1 a number timed by --host breaks its own rule or a stepped value exceeds
-its derived bound, 2 bad usage or an invalid scene, 130 interrupted.
+Exit status: 0 done, 1 an implementation timed by --host breaks its own rounding rule or a stepped
+value exceeds its derived bound, 2 bad usage or an invalid scene, 130 interrupted.
 
 Examples:
   fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json

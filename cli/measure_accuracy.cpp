@@ -36,8 +36,8 @@ std::string text_of(const measure::AccuracyRow& row) {
 
 std::string pixels_text(const measure::AccuracyResult& result) {
   std::string text = fmt::format(
-      "\nPixels that a point of the page is off, by its distance: x over z, times {}, on a page "
-      "that\nreaches {} to each side. The largest error of {} points of each octave.\n\n"
+      "\nError in pixels of a projected point (x / z, times {}) by its distance, on a page that "
+      "reaches\n{} to each side. Each number is the largest error of {} points of an octave.\n\n"
       "{:>15}",
       result.page.constant, result.page.half_width, support::grouped(result.points), "distance");
   const auto& variants = result.pixels;
@@ -60,14 +60,14 @@ std::string pixels_text(const measure::AccuracyResult& result) {
 std::string text_of(const measure::AccuracyResult& result) {
   std::string text =
       made_by(result.seed) +
-      "\n\nErrors in units of the last place, each a result less the exact one. Correct is a "
-      "result within\nhalf a unit of it: a word than which none is nearer. Left out are cases "
-      "whose exact result does\nnot fit, or that have none; #DE cases whose result would fit. "
-      "The mean is the bias, and +- its\nstandard error where cases are random: a mean of two "
-      "or three times that may be chance. The\nhistogram goes from -span to span, its tallest "
-      "column the fullest.\n" +
+      "\n\nErrors are results minus exact results, in units of the last place. A result is correct "
+      "if no\nother word is nearer to the exact result. Left out are cases whose exact result does "
+      "not fit a word\nor does not exist. #DE counts divide errors where the result would fit. The "
+      "mean is the bias, +- its\nstandard error for random cases; a mean of two or three standard "
+      "errors may be chance. Each\nhistogram goes from -span to span, scaled to its largest "
+      "count.\n" +
       missing_libraries();
-  if (result.scenes.empty()) text += "Without a SCENE there are no operands of a scene.\n";
+  if (result.scenes.empty()) text += "Name a SCENE to add the operands of a scene.\n";
   text += fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6}\n", "",
                       "cases", "left out", "#DE", "max", "mean", "+-", "rms", "correct", "span");
   std::string heading;

@@ -36,8 +36,8 @@ std::string text_of(const measure::CallClocks& row) {
 std::string text_of(const std::vector<measure::FrameOn8088>& frames) {
   const auto whole = [](double x) { return support::grouped(static_cast<std::uint64_t>(x)); };
   std::string text = fmt::format(
-      "\nA frame on an 8088: the clocks of the listings by Intel's table, bytes and clocks of the "
-      "bus, and\nwhich of the two limits.\n\n{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
+      "\nA frame on an 8088: clocks of the listings by Intel's table, bytes and clocks of the bus, "
+      "and which\nof the two is the limit.\n\n{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n",
       "scene", "rounding", "table", "code", "data", "bus", "limit");
   for (const measure::FrameOn8088& f : frames) {
     text += fmt::format("{:<22}{:<10}{:>12}{:>10}{:>10}{:>12}  {}\n", support::printable(f.scene),
@@ -85,8 +85,8 @@ std::string text_of(const measure::LoopClaim& claim) {
 
 std::string means_text(const std::vector<std::string>& scenes) {
   if (scenes.empty()) {
-    return "Means are over the cases of level 1: without a SCENE there are no operands of a "
-           "scene,\nand no claim is judged.\n";
+    return "Means are over the cases of level 1. Name a SCENE to measure its operands and to judge "
+           "the claims.\n";
   }
   std::vector<std::string> names;
   for (const std::string& scene : scenes) names.push_back(support::printable(scene));
@@ -99,13 +99,14 @@ std::string means_text(const std::vector<std::string>& scenes) {
 std::string text_of(const measure::ClockResult& result) {
   std::string text =
       made_by(result.seed) + "\n\n" + means_text(result.scenes) +
-      "Least and most are those seen in these and in cases of level 1. Two numbers: "
-      "Intel's tables give\na range. The caller's PUSHes and CALL are not counted; calls "
-      "that end in #DE are left out.\n"
+      "Least and most also include the cases of level 1. Two numbers mean that Intel's tables give "
+      "a "
+      "range.\nThe caller's PUSHes and CALL are not counted, and calls that end in #DE are left "
+      "out.\n"
       "Bus: the mean clocks that an 8088 needs for the bytes of code and data, 4 for each. "
-      "Its bus fetches while\nit executes, so a call takes at least the larger of the two means. "
-      "The column limit names it. Code that\nis fetched and discarded at a jump is not "
-      "counted. Only an 8088 has bus time here: others have wider buses.\n\n";
+      "Its bus fetches while\nit executes, so a call takes at least the larger of the two means, "
+      "which the column limit names. Code\nthat is fetched and discarded at a jump is not "
+      "counted. Other processors have wider buses, whose time is\nnot counted.\n\n";
   text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>22}  {:>30}\n", "", "", "", "",
                       "instructions", "clocks");
   text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}  {:>9}  {}\n",
@@ -115,14 +116,16 @@ std::string text_of(const measure::ClockResult& result) {
   if (!result.scenes.empty()) text += text_of(result.frames);
   if (!result.claims.empty()) {
     text +=
-        "\nWhat is published, and what the listings alone show. \"About\" allows a "
-        "fifth less and a quarter more;\nopen: the ranges of Intel's tables leave both "
-        "possible, or the listings cannot decide.\n";
+        "\nPublished claims, and the clocks of the listings alone. \"About\" allows a fifth less "
+        "and a "
+        "quarter more.\nA claim is open if the ranges of Intel's tables allow both answers, or if "
+        "the "
+        "listings cannot decide.\n";
     for (const measure::Claim& claim : result.claims) text += text_of(claim);
     text += not_judged_text();
   }
   text +=
-      "\nInner loops: clocks a pixel of a long span, by Intel's tables, and on the bus of an "
+      "\nInner loops: clocks per pixel of a long span, by Intel's tables and on the bus of an "
       "8088.\n"
       "An 8088 takes at least the larger of the two.\n\n" +
       fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",

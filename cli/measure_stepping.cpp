@@ -28,28 +28,29 @@ std::string rows_text(const std::vector<measure::SteppingRow>& rows, Columns col
 std::string error_columns(const measure::SteppingRow& row) {
   const measure::SteppingStatistics& s = row.statistics;
   std::string text =
-      fmt::format("{:>7}{:>10}{:>10}{:>8.3f}", name_of(row.variant.drawn),
-                  figure_text(s.all().error), figure_text(s.all().bound), s.part_of_bound());
+      fmt::format("{:>7}{:>10}{:>10}{:>8.3f}", name_of(row.variant.drawn), figure_text(s.all.error),
+                  figure_text(s.all.bound), s.part_of_bound);
   for (const std::size_t i : {4U, 8U, 12U, 16U}) {
-    text += fmt::format("{:>10}", figure_text(s.along().at(i).error));
+    text += fmt::format("{:>10}", figure_text(s.along.at(i).error));
   }
-  return text + fmt::format("{:>10}", figure_text(s.along().back().bound));
+  return text + fmt::format("{:>10}", figure_text(s.along.back().bound));
 }
 
 std::string picture_columns(const measure::SteppingRow& row) {
   const measure::SteppingStatistics& s = row.statistics;
   return fmt::format("{:>10}{:>9}{:>12}{:>10}{:>8}{:>10}",
-                     percent_text(measure::share_of(s.wrong(), s.drawn())), s.max_error(),
-                     support::grouped(s.bands().drawn),
-                     percent_text(measure::share_of(s.bands().wrong, s.bands().drawn)),
-                     s.bands().widest, percent_text(measure::share_of(s.missed(), s.wanted())));
+                     percent_text(measure::share_of(s.wrong, s.drawn)), s.max_error,
+                     support::grouped(s.bands.drawn),
+                     percent_text(measure::share_of(s.bands.wrong, s.bands.drawn)), s.bands.widest,
+                     percent_text(measure::share_of(s.missed, s.wanted)));
 }
 
 std::string setups_text(const std::vector<measure::SetupClocks>& setups) {
   std::string text = fmt::format(
-      "\nClocks by Intel's tables; for an 8088, bus time where that is larger. Every value "
-      "that a span steps takes a FixedDiv for its slope and a FixedMul\nfor its start, rounded; "
-      "means of random spans.\n\n{:<18}{:>12}{:>14}\n",
+      "\nClocks of the setup by Intel's tables, or bus time of an 8088 if larger. Each stepped "
+      "value "
+      "takes a\nFixedDiv for its slope and a FixedMul for its start, both rounded. Means of random "
+      "spans.\n\n{:<18}{:>12}{:>14}\n",
       "", "divide", "multiply");
   for (const measure::SetupClocks& s : setups) {
     text += fmt::format("{:<18}{:>12}{:>14}\n", x86model::name_of(s.cpu), clocks_text(s.divide),
@@ -60,8 +61,9 @@ std::string setups_text(const std::vector<measure::SetupClocks>& setups) {
 
 std::string pixels_text(const std::vector<measure::PixelCost>& pixels) {
   std::string text = fmt::format(
-      "\nA pixel of the document's loops, counted by DEC and JNZ; and of spans of so many pixels, "
-      "with its\nshare of what they begin with.\n\n{:<18}{:<6}{:>12}",
+      "\nClocks per pixel of the document's loops, counted by DEC and JNZ. The columns with a "
+      "length "
+      "include\na pixel's share of the setup of a span of that length.\n\n{:<18}{:<6}{:>12}",
       "", "", "pixel");
   for (const std::uint32_t length : measure::costed_lengths) text += fmt::format("{:>14}", length);
   text += '\n';
@@ -76,8 +78,9 @@ std::string pixels_text(const std::vector<measure::PixelCost>& pixels) {
 
 std::string times_text(const measure::SteppingResult& result) {
   std::string text = fmt::format(
-      "\nNanoseconds on {}, {}: the loops in C++ over spans of {} pixels, and what a\nvalue of a "
-      "span begins with; the least and the median of {} rounds.\n\n{:<26}{:>9}{:>9}{:>9}\n\n",
+      "\nNanoseconds on {}, {}: the loops in C++ over spans of {} pixels, and the\nsetup of a "
+      "value; "
+      "minimum and median of {} rounds.\n\n{:<26}{:>9}{:>9}{:>9}\n\n",
       measure::processor_name(), measure::compiler_flags(), xsharp::longest_span, result.rounds, "",
       "ns", "median", "spread");
   for (const measure::SteppingTimes& t : result.times) {
@@ -91,26 +94,30 @@ std::string times_text(const measure::SteppingResult& result) {
 std::string text_of(const measure::SteppingResult& result) {
   std::string text = fmt::format(
       "{}\n\n"
-      "Values stepped across {} span{} of each length from 1 to {} pixels, set against the exact "
-      "ones.\nErrors are of values before they are cut to what is drawn, in that unit: the largest "
-      "of all beside\nthe largest that one can be, as derived, the largest part of its own bound "
-      "that any takes; then\nalong spans of {} pixels, with the bound at the last.\n",
+      "Values stepped across {} span{} of each length from 1 to {} pixels, compared with exact "
+      "values.\nErrors are of values before truncation, in the unit that is drawn. max: the "
+      "largest "
+      "error; bound: its\nderived bound; of it: the largest error as a part of its own bound. Then "
+      "the errors along spans of\n{} pixels, and the bound at the last pixel.\n",
       made_by(result.seed), support::grouped(result.spans), result.spans == 1 ? "" : "s",
       xsharp::longest_span, xsharp::longest_span);
   text += fmt::format("\n{:<24}{:>7}{:>10}{:>10}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "unit",
                       "max", "bound", "of it", "at 1/4", "at 1/2", "at 3/4", "last", "bound") +
           rows_text(result.rows, error_columns);
   text +=
-      "\nOf the spans whose ends are random, half of all: wrong pixels are not those of the "
-      "exact picture,\nwhich is cut as well; by most how many units. Bands are runs of "
-      "equal pixels; wrong those that the\nexact picture does not have from end to end; "
-      "the widest stretch of wrong pixels. Missed are values\n(texels) of the exact span "
-      "that its span never draws.\n";
+      "\nPixels of the spans with random ends, half of all spans. wrong: pixels that differ from "
+      "the "
+      "exact\npicture, which is truncated as well; by most: by how many units at most. bands: runs "
+      "of "
+      "equal pixels;\nwrong: bands that the exact picture does not have from end to end; widest: "
+      "the "
+      "longest run of wrong\npixels. missed: values or texels of the exact span that are never "
+      "drawn.\n";
   text += fmt::format("\n{:<24}{:>10}{:>9}{:>12}{:>10}{:>8}{:>10}\n", "", "wrong", "by most",
                       "bands", "wrong", "widest", "missed") +
           rows_text(result.rows, picture_columns);
   text += setups_text(result.setups) + pixels_text(result.pixels) + times_text(result) +
-          "\nWhat the document says, by these clocks.\n";
+          "\nThe document's claims, judged by these clocks.\n";
   for (const measure::Claim& claim : result.claims) text += text_of(claim);
   return text;
 }

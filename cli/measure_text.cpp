@@ -29,8 +29,8 @@ std::string missing_libraries() {
   for (const auto& [built_in, library] : {std::pair{measure::has_libfixmath(), "libfixmath"},
                                           std::pair{measure::has_freetype(), "FreeType"}}) {
     if (built_in) continue;
-    text +=
-        fmt::format("{} was not found when this program was built, and is left out.\n", library);
+    text += fmt::format("{} is left out, because it was not found when this program was built.\n",
+                        library);
   }
   return text;
 }

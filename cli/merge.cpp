@@ -29,25 +29,27 @@ int run(const MergeOptions& options) {
   const verify::Report sum = verify::merged(parts);
   if (report) report->replace(verify::to_json(sum));
   std::cout << table(sum) << std::flush;
-  const std::string lacking = verify::missing(sum, parts);
-  if (!lacking.empty()) fmt::print(stderr, "fixproof: {}\n", lacking);
+  const std::string missing = verify::missing(sum, parts);
+  if (!missing.empty()) fmt::print(stderr, "fixproof: {}\n", missing);
   // A mismatch counts even if parts are missing.
   if (sum.mismatches() > 0) return 1;
-  return lacking.empty() ? 0 : 2;
+  return missing.empty() ? 0 : 2;
 }
 
 }  // namespace
 
 void add_merge(CLI::App& app, int& status) {
   auto options = std::make_shared<MergeOptions>();
-  CLI::App* command = app.add_subcommand("merge", "add the reports of shards of one verification");
-  command->add_option("reports", options->files, "files written by verify --report")->required();
-  command->add_option("--report", options->report, "write the sum to this file, as verify does")
+  CLI::App* command =
+      app.add_subcommand("merge", "add up the reports of the shards of one verification");
+  command->add_option("reports", options->files, "files that verify --report has written")
+      ->required();
+  command->add_option("--report", options->report, "write the sum to this file as JSON")
       ->check(not_empty());
   command->footer(
       R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
-a chunk. If chunks are missing, merge shows the table of the others, names the missing shards
-and exits with status 2 (1 if there are mismatches). `verify --resume SUM` runs the rest.
+a chunk. If chunks are missing, merge prints the table of the others, names the missing shards
+and exits with status 2, or 1 if there are mismatches. `verify --resume SUM` runs the rest.
 
 Example:
   fixproof verify --shard 1/2 --report a.json     # on one machine

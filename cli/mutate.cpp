@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
+#include "support/thread_pool.hpp"
 
 namespace fixproof::cli {
 
@@ -39,7 +39,7 @@ struct Trial {
   std::optional<x86model::LoopForm> loop{};  ///< if set, replaces `variant`
   std::size_t number = 0;                    ///< position among the mutants of its variant, from 1
   x86model::Mutant mutant;
-  proof::Judgement judgement{};
+  proof::MutantResult result{};
   bool done = false;
 };
 
@@ -72,8 +72,7 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options,
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::size_t done = 0;
-  std::exception_ptr failure;
-  const auto work = [&] {
+  support::ThreadPool(options.threads).run([&](std::size_t /*worker*/) {
     try {
       for (std::size_t i = next++; i < trials.size() && !support::Interrupt::flag(); i = next++) {
         Trial& trial = trials[i];
@@ -81,28 +80,22 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options,
           return proof::judge(subject, trial.mutant.program, options.seed, solver,
                               options.solver.seconds);
         };
-        trial.judgement = trial.loop ? judged(*trial.loop) : judged(trial.variant);
+        trial.result = trial.loop ? judged(*trial.loop) : judged(trial.variant);
         const std::lock_guard lock(mutex);
         trial.done = true;
         progress.show(++done);
       }
     } catch (const proof::Stopped&) {
-      // An interrupt stopped the solver. This trial has no verdict, and every thread ends.
+      // An interrupt stopped the solver. This trial has no result, and every worker ends.
     } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
       next = trials.size();
+      throw;
     }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
+  });
 }
 
 std::string fate_of(const Trial& trial) {
-  const proof::Judgement& j = trial.judgement;
+  const proof::MutantResult& j = trial.result;
   switch (j.fate) {
     case proof::Fate::killed:
       return fmt::format("killed by case {}", support::grouped(j.cases));
@@ -112,10 +105,10 @@ std::string fate_of(const Trial& trial) {
       break;
   }
   if (j.proof.standing != proof::Standing::disproven) {
-    return fmt::format("GAP: survives level 1, not decided{}{}", j.failure.empty() ? "" : ": ",
-                       support::printable(j.failure));
+    return fmt::format("GAP: survives level 1, the solver does not decide it{}{}",
+                       j.failure.empty() ? "" : ": ", support::printable(j.failure));
   }
-  if (trial.loop) return "GAP: survives all spans, but its turn is disproven";
+  if (trial.loop) return "GAP: survives all spans, but the proof of one iteration fails";
   return fmt::format("GAP: survives level 1, but fails at {}",
                      cases::hex_words(j.proof.counterexample, cases::operand_bits(trial.variant)));
 }
@@ -127,7 +120,7 @@ struct Score {
   std::size_t gaps = 0;
   std::uint64_t slowest = 0;
 
-  void add(const proof::Judgement& j) {
+  void add(const proof::MutantResult& j) {
     ++mutants;
     ++(j.fate == proof::Fate::killed       ? killed
        : j.fate == proof::Fate::equivalent ? equivalent
@@ -155,9 +148,9 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
         ++left;
         continue;
       }
-      score.add(trial.judgement);
-      all.add(trial.judgement);
-      if (verbose || trial.judgement.fate == proof::Fate::gap) {
+      score.add(trial.result);
+      all.add(trial.result);
+      if (verbose || trial.result.fate == proof::Fate::gap) {
         notable += fmt::format("{}, mutant {}: {}: {}\n", name, trial.number, trial.mutant.change,
                                fate_of(trial));
       }
@@ -203,36 +196,28 @@ int run(const MutateOptions& options) {
 
 void add_mutate(CLI::App& app, int& status) {
   auto options = std::make_shared<MutateOptions>();
-  CLI::App* command =
-      app.add_subcommand("mutate", "measure what level 1 would catch, by planting mistakes");
-  command->add_option("operations", options->selection.operations,
-                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
-                      "gouraud-word, depth, texture; none: all");
-  options->selection.variant.add_to(*command);
-  command->add_option("--seed", options->seed, "of the random cases")
-      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  CLI::App* command = app.add_subcommand(
+      "mutate", "change instructions one at a time, and test that level 1 detects it");
+  add_programs_to(*command, options->selection);
+  add_seed(*command, options->seed);
   options->solver.add_to(*command);
   command
-      ->add_option("--threads", options->threads, "of the run; by default one for each processor")
+      ->add_option("--threads", options->threads, "number of threads; by default one per processor")
       ->transform(whole_number(1, 1024));
-  command->add_flag("--verbose", options->verbose, "say of every mutant what became of it");
+  command->add_flag("--verbose", options->verbose, "print the result of every mutant");
   command->footer(
       R"(Changes every instruction of every routine and inner loop in every way that
 x86model/mutants.hpp lists, one at a time. A mutant is killed by the first case of level 1 on
-which it differs from the oracle or raises an unexpected error. The solver decides which of the
-others are equivalent to the routine for all operands. Any that remain are gaps in the
-verification. Inner loops run spans of every length up to 320 pixels.
+which it differs from the oracle or raises an unexpected error. The solver proves which of the
+others are equivalent to the routine for all operands. The rest are gaps in the verification.
+Inner loops run spans of every length up to 320 pixels.
 
 Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 interrupted.
 
 Examples:
   fixproof mutate mul div
   fixproof mutate div --target i8088 --round on --verbose)");
-  command->callback([command, options, &status] {
-    options->selection.chapter_given = command->count("--chapter") > 0;
-    status = run(*options);
-  });
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace fixproof::cli

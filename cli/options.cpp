@@ -10,7 +10,6 @@ namespace fixproof::cli {
 
 namespace {
 
-const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
 using Targets = std::map<std::string, std::vector<cases::Target>>;
 const Targets targets_of_programs{{"i386", {cases::Target::i386}},
                                   {"i8088", {cases::Target::i8088}}};
@@ -21,45 +20,44 @@ const Targets targets_of_rows{{"i386", {cases::Target::i386}},
 
 }  // namespace
 
+void add_rounding_options(CLI::App& command, std::optional<bool>& mul_round,
+                          std::optional<bool>& div_round) {
+  const auto on_off = [&command](const char* name, const char* what, auto set) {
+    return command
+        .add_option_function<std::string>(
+            name, [set](const std::string& text) { set(text == "on"); }, what)
+        ->check(CLI::IsMember({"on", "off"}));
+  };
+  // Contradictory options exclude each other, because neither is the more likely intent.
+  on_off("--round", "both roundings: on or off", [&](bool on) { mul_round = div_round = on; })
+      ->excludes(on_off("--mul-round", "rounding of multiplies: on or off",
+                        [&](bool on) { mul_round = on; }))
+      ->excludes(on_off("--div-round", "rounding of divides: on or off",
+                        [&](bool on) { div_round = on; }));
+}
+
 void VariantOptions::add_to(CLI::App& command, bool of_rows) {
   const auto named = [](const auto& names) { return CLI::IsMember(&names); };
   command
       .add_option_function<std::string>(
           "--target", [this](const std::string& t) { targets = targets_of_rows.at(t); },
-          of_rows ? "whose rules: i386, i8088, both of these, or standard (those of the type)"
-                  : "which half of the listing: i386 or i8088")
+          of_rows ? "rules of i386, of i8088, of both, or standard, those of fixed::q16_16"
+                  : "half of the listing: i386 or i8088")
       ->check(named(of_rows ? targets_of_rows : targets_of_programs));
-  // Contradictory options exclude each other, because neither is the more likely intent.
-  auto* both =
-      command
-          .add_option_function<std::string>(
-              "--round", [this](const std::string& r) { mul_round = div_round = on_off.at(r); },
-              "both roundings: on or off")
-          ->check(named(on_off));
-  command
-      .add_option_function<std::string>(
-          "--mul-round", [this](const std::string& r) { mul_round = on_off.at(r); },
-          "rounding of multiplies: on or off")
-      ->check(named(on_off))
-      ->excludes(both);
-  command
-      .add_option_function<std::string>(
-          "--div-round", [this](const std::string& r) { div_round = on_off.at(r); },
-          "rounding of divides: on or off")
-      ->check(named(on_off))
-      ->excludes(both);
+  add_rounding_options(command, mul_round, div_round);
   auto* printed =
       command.add_flag("--as-printed", as_printed,
-                       "take roundings from the printed switches (docs/findings.md, 1); "
-                       "list and trace take CosSin's shift by two as well (8)");
+                       "round as the printed switches say (docs/findings.md, 1); list and trace "
+                       "also use the printed shift by two in CosSin (docs/findings.md, 8)");
   auto* chapter = command
                       .add_option_function<std::string>(
                           "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
-                          "which printing: 54, or 52 (386 only, always rounded)")
+                          "chapter that prints the listing: 54, or 52 (386 only, always rounded)")
                       ->check(CLI::IsMember({"52", "54"}));
   command
       .add_flag("--repaired", repaired,
-                "the 8088 concat with the carry that its listing loses: see docs/findings.md, 18")
+                "use the 8088 concat that keeps the carry that its listing loses; see "
+                "docs/findings.md, 18")
       ->excludes(printed)
       ->excludes(chapter);
 }
@@ -67,10 +65,11 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
 cases::Build VariantOptions::build_for(cases::Target target) const {
   const bool multiply = mul_round.value_or(true);
   // Chapter 52 has no switches. Its multiply and its divide always round.
-  cases::Build build = as_printed
-                           ? cases::printed_build(target, multiply, div_round.value_or(chapter_52))
-                           : cases::Build{target, multiply, div_round.value_or(true)};
-  build.chapter_52 = chapter_52;
+  cases::Build build =
+      as_printed
+          ? cases::printed_build(target, multiply, div_round.value_or(chapter_52.value_or(false)))
+          : cases::Build{target, multiply, div_round.value_or(true)};
+  build.chapter_52 = chapter_52.value_or(false);
   build.repaired = repaired;
   return build;
 }
@@ -85,9 +84,10 @@ cases::Variant VariantOptions::choose(cases::Operation operation) const {
   const bool in_chapter_52 = operation == cases::Operation::mul ||
                              operation == cases::Operation::div ||
                              operation == cases::Operation::concat;
-  if (chapter_52 && (!in_chapter_52 || build.target != cases::Target::i386 || !build.mul_round ||
-                     !build.div_round)) {
-    throw support::UsageError("--chapter 52 has only mul, div and concat, for the 386, rounded");
+  if (build.chapter_52 && (!in_chapter_52 || build.target != cases::Target::i386 ||
+                           !build.mul_round || !build.div_round)) {
+    throw support::UsageError(
+        "--chapter 52 has only mul, div and concat, for i386, rounded; use --chapter 54");
   }
   if (repaired && !cases::can_be_repaired(operation, build.target)) {
     throw support::UsageError(only_repaired);

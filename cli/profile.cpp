@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "cli/arguments.hpp"
@@ -27,20 +25,14 @@ namespace {
 struct ProfileOptions {
   SceneOptions scene;
   SurfaceOptions surfaces;
-  std::optional<std::uint64_t> frames;
   std::string json;
 };
 
 int run_profile(const ProfileOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
-  std::optional<support::OutputFile> json;
-  if (!options.json.empty()) {
-    player::refuse_inputs("--json", options.json, scene.files);
-    json.emplace(options.json);
-  }
-  const std::uint64_t frames = options.frames.value_or(
-      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  const auto json = player::open_output("--json", options.json, scene.files);
+  const std::uint64_t frames = options.scene.frame_count(scene);
   std::unique_ptr<xsharp::Player> player;
   trade::Profiler profiler(scene, scene.arithmetic);
   const auto canvas = player::canvas_of_surfaces(scene);
@@ -74,7 +66,7 @@ int run_profile(const ProfileOptions& options) {
                              options.json.empty() ? "" : "; no JSON is written");
     return support::interrupted_status;
   }
-  if (json) json->replace(support::json_text(trade::to_json(profile, scene.name)));
+  if (json) json->replace(support::json_text(profile));
   return 0;
 }
 
@@ -82,21 +74,20 @@ int run_profile(const ProfileOptions& options) {
 
 void add_profile(CLI::App& app, int& status) {
   auto options = std::make_shared<ProfileOptions>();
-  CLI::App* command =
-      app.add_subcommand("profile", "record what a scene asks of the arithmetic while it runs");
+  CLI::App* command = app.add_subcommand(
+      "profile", "record the calls, ranges and margins of the arithmetic in a scene");
   options->scene.add_to(*command);
   // The profile records instructions, which only the listings have.
   command->remove_option(command->get_option("--arith"));
   options->scene.by = "model";
   command->get_option("--target")->description("rules of i386 or i8088");
   options->surfaces.add_to(*command);
-  command->add_option("--frames", options->frames, "how many; by default ten seconds")
-      ->transform(whole_number(1, 100'000'000));
-  command->add_option("--json", options->json, "the same as JSON")->check(not_empty());
+  command->add_option("--json", options->json, "write the profile to this file as JSON")
+      ->check(not_empty());
   command->footer(
       R"(Runs the scene on the register-level model. For each routine it reports the number of calls, the
-ranges of operands and results, how near they came to overflow, to a divide error and to the
-near plane, and which instructions the scene never executed.
+ranges of operands and results, their distance from overflow, a divide error and the near plane,
+and the instructions that the scene never executes.
 
 Exit status: 0 done, 2 bad usage or an invalid scene, 130 interrupted.
 

@@ -35,7 +35,8 @@ std::string calls_text(const trade::SceneProfile& profile) {
                         support::grouped(r.instructions));
   }
   return text +
-         "Least, mean and most: calls in a frame; the first one has what is looked up once.\n";
+         "Least, mean and most: calls in a frame; the first frame includes the lookups made "
+         "once.\n";
 }
 
 std::string range_row(cases::Operation operation, std::string_view name,
@@ -69,7 +70,7 @@ std::string ranges_text(const trade::SceneProfile& profile) {
 std::string wrapped_text(const trade::SceneProfile& profile) {
   std::uint64_t wrapped = 0;
   for (const trade::RoutineProfile& r : profile.routines) wrapped += r.wrapped;
-  if (wrapped == 0) return "Overflow: no result left 16.16";
+  if (wrapped == 0) return "Overflow: every result fits 16.16";
   return fmt::format("Overflow: {} calls had a result outside 16.16", support::grouped(wrapped));
 }
 
@@ -107,13 +108,14 @@ std::string closeness_text(const trade::SceneProfile& profile) {
   }
   const trade::ViewProfile& view = profile.view;
   if (view.nearest) {
-    text += fmt::format("Near plane, z = -1: the nearest vertex not clipped is at z = {}.\n",
-                        in_units(*view.nearest));
+    text +=
+        fmt::format("Near plane, z = -1: the nearest vertex that is not clipped is at z = {}.\n",
+                    in_units(*view.nearest));
   }
   text += fmt::format("Faces with a corner clipped: {} of {}.\n",
                       support::grouped(view.clipped_faces), support::grouped(view.faces));
   if (view.out_of_reach > 0) {
-    text += fmt::format("Left out {} times: an object too far away for 16.16.\n",
+    text += fmt::format("Objects too far away for 16.16: left out {} times.\n",
                         support::grouped(view.out_of_reach));
   }
   return text;
@@ -134,7 +136,7 @@ std::string unexecuted_text(const trade::RoutineProfile& r) {
                      fmt::join(never, "; "));
 }
 
-std::string needless_text(const trade::SceneProfile& profile) {
+std::string unused_text(const trade::SceneProfile& profile) {
   const trade::FormUse forms = forms_of(profile);
   const int bits = max_bits(profile);
   std::string text = "Never needed by this scene:\n";
@@ -144,7 +146,7 @@ std::string needless_text(const trade::SceneProfile& profile) {
                         forms.never.size() + forms.executed.size(), fmt::join(forms.never, "; "));
   }
   if (bits < word_bits) {
-    text += fmt::format("  {} of {} bits: {} before the point would do, the sign among them\n",
+    text += fmt::format("  {} of {} bits: {} before the point suffice, including the sign\n",
                         word_bits - bits, word_bits, std::max(1, bits - 16));
   }
   return text;
@@ -154,7 +156,7 @@ std::string needless_text(const trade::SceneProfile& profile) {
 
 std::string text_of(const trade::SceneProfile& profile) {
   return calls_text(profile) + '\n' + ranges_text(profile) + '\n' + closeness_text(profile) + '\n' +
-         needless_text(profile);
+         unused_text(profile);
 }
 
 }  // namespace fixproof::cli

@@ -16,6 +16,7 @@
 #include "parties/interpreter.hpp"
 #include "proof/kill.hpp"
 #include "proof/lemmas.hpp"
+#include "proof/lost_carry.hpp"
 #include "proof/process.hpp"
 #include "proof/step_proof.hpp"
 #include "support/file.hpp"
@@ -104,7 +105,7 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
   std::filesystem::create_directories(directory, error);
   if (error) {
     throw support::UsageError(
-        fmt::format("--write {}: cannot be made a folder: {}", directory, error.message()));
+        fmt::format("--write {}: cannot create this folder: {}", directory, error.message()));
   }
   const support::FolderLock lock("--write", directory);
   std::size_t written = 0;
@@ -118,8 +119,9 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
   const auto write_all = [&](const std::string& name, const std::vector<std::string>& scripts) {
     for (std::size_t i = 0; i < scripts.size(); ++i) {
       write(fmt::format("{} {}", name, i + 1),
-            fmt::format("; question {} of {}: {} does what it should if all are unsatisfiable\n{}",
-                        i + 1, scripts.size(), name, scripts[i]));
+            fmt::format(
+                "; question {} of {}: {} meets its specification if all are unsatisfiable\n{}",
+                i + 1, scripts.size(), name, scripts[i]));
     }
   };
   for (const cases::Variant& v : programs.routines) {
@@ -131,17 +133,17 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
   for (const x86model::LoopForm& form : programs.loops) {
     write_all(machine_code::name_of(form), proof::step_questions(form, sound_program(form)));
   }
-  std::cout << fmt::format("{} scripts written to {}; each is to be unsatisfiable\n", written,
-                           directory);
+  std::cout << fmt::format("{} scripts written to {}; the proof holds if each is unsatisfiable\n",
+                           written, directory);
 }
 
 void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,
                  Tally& tally) {
   const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
   const proof::Standing standing =
-      answer.verdict == proof::Verdict::unsatisfiable ? proof::Standing::proven
-      : answer.verdict == proof::Verdict::satisfiable ? proof::Standing::disproven
-                                                      : proof::Standing::open;
+      answer.verdict == proof::Satisfiability::unsatisfiable ? proof::Standing::proven
+      : answer.verdict == proof::Satisfiability::satisfiable ? proof::Standing::disproven
+                                                             : proof::Standing::open;
   print_line(fmt::format("lemma {}", lemma.name), word_for(standing), answer.seconds);
   tally.add(standing, answer.seconds);
 }
@@ -182,7 +184,7 @@ void prove_routine(const cases::Variant& v, const ProveOptions& options,
 Tally prove_all(const Programs& programs, const ProveOptions& options) {
   const support::Interrupt interrupt;
   const proof::Solver solver(options.solver.name);
-  std::cout << fmt::format("{}, at most {} s a question\n\n", solver.version(),
+  std::cout << fmt::format("{}, at most {} s per question\n\n", solver.version(),
                            options.solver.seconds)
             << std::flush;
   Tally tally;
@@ -211,7 +213,7 @@ int summarize(const Tally& tally, std::size_t goals) {
                            tally.disproven, tally.open, support::duration(tally.seconds));
   const std::size_t left = goals - tally.answered();
   if (left > 0) {
-    std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} have no answer.\n", left, goals);
+    std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} goals have no answer.\n", left, goals);
   }
   // A counterexample counts even if goals remain.
   if (tally.disproven > 0) return 1;
@@ -222,11 +224,12 @@ int summarize(const Tally& tally, std::size_t goals) {
 int run(const ProveOptions& options) {
   const Programs programs = chosen_programs(options.selection);
   if (options.mutant != 0 && !options.directory.empty()) {
-    throw support::UsageError("--mutant excludes --write");
+    throw support::UsageError("--mutant excludes --write; leave one out");
   }
   if (options.mutant != 0 && (programs.routines.size() != 1 || !programs.loops.empty())) {
     throw support::UsageError(
-        "--mutant needs one routine, --target and --round (and --chapter 54)");
+        "--mutant needs a single variant: name one routine, --target and --round (and --chapter "
+        "54)");
   }
   if (!options.directory.empty()) {
     write_scripts(options, programs);
@@ -242,24 +245,21 @@ int run(const ProveOptions& options) {
 void add_prove(CLI::App& app, int& status) {
   auto options = std::make_shared<ProveOptions>();
   CLI::App* command = app.add_subcommand(
-      "prove", "prove the routines, and a turn of each inner loop, for all operands");
-  command->add_option("operations", options->selection.operations,
-                      "mul, div, cossin, xformvec, concat, and the inner loops gouraud-byte, "
-                      "gouraud-word, depth, texture; none: all");
-  options->selection.variant.add_to(*command);
+      "prove", "prove the routines, and one iteration of each inner loop, for all operands");
+  add_programs_to(*command, options->selection);
   options->solver.add_to(*command);
   command
       ->add_option("--write", options->directory,
-                   "ask nothing: write the questions into this folder, for any solver")
+                   "write the questions as SMT-LIB files to this folder, without running a solver")
       ->check(not_empty());
   command
       ->add_option("--mutant", options->mutant,
-                   "of one routine: with that mistake in it, see mutate")
+                   "use this mutant of the routine; see fixproof mutate")
       ->transform(whole_number(1, 100'000));
   command->footer(
       R"(Runs each routine symbolically along all its paths and proves that it returns the specified
 result, raises the divide error exactly where specified, reads no undefined flag, stays in its
-memory and preserves the registers that it must. Products and quotients stay abstract; lemmas
+memory and preserves the caller's registers. Products and quotients stay abstract; lemmas
 about integers justify this. For the repaired 8088 concat it also proves where the printed
 routine differs. docs/proofs.md says what is proven and what is not.
 
@@ -270,10 +270,7 @@ Examples:
   fixproof prove div --target i8088 --solver cvc5
   fixproof prove div --target i8088 --round on --mutant 3
   fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2)");
-  command->callback([command, options, &status] {
-    options->selection.chapter_given = command->count("--chapter") > 0;
-    status = run(*options);
-  });
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace fixproof::cli

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
@@ -39,7 +38,6 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   SurfaceOptions surfaces;
-  std::optional<std::uint64_t> frames;
   std::uint64_t threads = 1;
   std::string size;
   std::vector<std::uint64_t> switched_spots;
@@ -52,7 +50,7 @@ constexpr std::uint64_t max_threads = 256;
 
 void set_size(xsharp::Scene& scene, const std::string& size) {
   const auto refuse = [&size] {
-    throw support::UsageError(fmt::format("--size {}: want WIDTHxHEIGHT, from {}x1 to {}x{}", size,
+    throw support::UsageError(fmt::format("--size {}: give WIDTHxHEIGHT, from {}x1 to {}x{}", size,
                                           xsharp::narrowest, xsharp::longest_side,
                                           xsharp::longest_side));
   };
@@ -80,9 +78,9 @@ void set_size(xsharp::Scene& scene, const std::string& size) {
 void switch_spots(xsharp::Scene& scene, const std::vector<std::uint64_t>& spots) {
   for (const std::uint64_t spot : spots) {
     if (spot >= scene.lights.spots.size()) {
-      throw support::UsageError(fmt::format("--switch-spot {}: {} has {} spots, counted from 0",
-                                            spot, support::printable(scene.name),
-                                            scene.lights.spots.size()));
+      throw support::UsageError(
+          fmt::format("--switch-spot {}: {} has {} spotlights, counted from 0", spot,
+                      support::printable(scene.name), scene.lights.spots.size()));
     }
     scene.lights.spots[spot].on = !scene.lights.spots[spot].on;
   }
@@ -94,8 +92,8 @@ class ClockMeter {
   ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops) : has_loops_(has_loops) {
     if (choice.by != "model") return;
     build_ = player::build_of(choice).value();
-    if (build_.target == cases::Target::i8088) totals_.push_back({x86model::Cpu::i8088});
-    totals_.push_back({x86model::Cpu::i386});
+    if (build_.target == cases::Target::i8088) totals_.push_back({x86model::Cpu::i8088, {}});
+    totals_.push_back({x86model::Cpu::i386, {}});
   }
 
   /// Selects every tenth frame, because counting takes longer than drawing.
@@ -104,12 +102,7 @@ class ClockMeter {
   }
 
   void count(const player::OperandLog& log) {
-    for (Total& total : totals_) {
-      const measure::FrameClocks clocks = measure::clocks_of(log, build_, total.cpu);
-      total.least += clocks.table.min;
-      total.most += clocks.table.max;
-      total.bus += clocks.bus.clocks();
-    }
+    for (auto& [cpu, sum] : totals_) sum += measure::clocks_of(log, build_, cpu);
     ++counted_;
   }
 
@@ -117,17 +110,17 @@ class ClockMeter {
   [[nodiscard]] std::string text() const {
     std::string text;
     if (counted_ == 0) return text;
-    for (const Total& total : totals_) {
-      const std::uint64_t least = total.least / counted_;
-      const std::uint64_t most = total.most / counted_;
+    for (const auto& [cpu, sum] : totals_) {
+      const std::uint64_t least = sum.table.min / counted_;
+      const std::uint64_t most = sum.table.max / counted_;
       text += text.empty() ? "Listings alone: " : ", ";
       text += least == most
                   ? support::grouped(least)
                   : fmt::format("{} to {}", support::grouped(least), support::grouped(most));
-      text += fmt::format(" clocks a frame on the {}", x86model::name_of(total.cpu));
-      if (total.cpu == x86model::Cpu::i8088) {
-        text +=
-            fmt::format(" by its table and {} by its bus", support::grouped(total.bus / counted_));
+      text += fmt::format(" clocks a frame on the {}", x86model::name_of(cpu));
+      if (cpu == x86model::Cpu::i8088) {
+        text += fmt::format(" by its table and {} by its bus",
+                            support::grouped(sum.bus.clocks() / counted_));
       }
     }
     return text.empty() ? text
@@ -137,17 +130,11 @@ class ClockMeter {
   }
 
  private:
-  struct Total {
-    x86model::Cpu cpu{};
-    std::uint64_t least = 0;
-    std::uint64_t most = 0;
-    std::uint64_t bus = 0;
-  };
   static constexpr std::uint64_t every = 10;
 
   cases::Build build_{};
   bool has_loops_;
-  std::vector<Total> totals_;
+  std::vector<std::pair<x86model::Cpu, measure::FrameClocks>> totals_;
   std::uint64_t counted_ = 0;
 };
 
@@ -159,8 +146,7 @@ int render(const RenderOptions& options) {
   const auto threads = static_cast<std::size_t>(options.threads);
   if (options.show) return player::show_scene(scene, options.true_color, threads);
 
-  const std::uint64_t frames = options.frames.value_or(
-      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
+  const std::uint64_t frames = options.scene.frame_count(scene);
   DrawnFrames drawn;
   {
     const support::Interrupt interrupt;
@@ -179,14 +165,15 @@ int render(const RenderOptions& options) {
   std::cout << drawn.clocks;
   if (!drawn.differences.empty()) std::cout << "Beside exact: " << drawn.differences << '\n';
   if (drawn.tally.out_of_reach > 0) {
-    std::cout << fmt::format("Left out {} times: an object too far away for 16.16\n",
+    std::cout << fmt::format("Objects too far away for 16.16: left out {} times\n",
                              support::grouped(drawn.tally.out_of_reach));
   }
   if (!drawn.older_frame.empty()) {
-    std::cout << fmt::format("{} and what follows it are an earlier run's\n", drawn.older_frame);
+    std::cout << fmt::format("{} and the frames after it are from an earlier run\n",
+                             drawn.older_frame);
   }
   if (drawn.frames == frames) return 0;
-  std::cout << fmt::format("STOPPED after {} of {} frames; what is written is complete\n",
+  std::cout << fmt::format("STOPPED after {} of {} frames; the written files are complete\n",
                            support::grouped(drawn.frames), support::grouped(frames));
   return support::interrupted_status;
 }
@@ -239,52 +226,53 @@ DrawnFrames draw_frames(const xsharp::Scene& scene, std::uint64_t frames,
 
 void add_render(CLI::App& app, int& status) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "draw a scene");
+  CLI::App* command = app.add_subcommand("render", "draw a scene to images or a window");
   options->scene.add_to(*command);
   options->surfaces.add_to(*command);
-  command->add_option("--frames", options->frames, "how many; by default ten seconds")
-      ->transform(whole_number(1, 100'000'000));
   command
       ->add_option("--threads", options->threads,
-                   "that move, prepare and draw objects; pictures are the same on any number, and "
-                   "small ones no quicker; the model has 1")
+                   "number of threads; small pictures are no faster with more, pictures are the "
+                   "same with any number, and the model takes 1")
       ->transform(whole_number(1, max_threads))
       ->capture_default_str();
-  command->add_option("--size", options->size, "of the picture, as 640x480")->check(not_empty());
+  command->add_option("--size", options->size, "size of the picture, as in 640x480")
+      ->check(not_empty());
   command
       ->add_option("--switch-spot", options->switched_spots,
-                   "switches a spot, counted from 0: on if the scene has it off, else off")
+                   "switch this spotlight, counted from 0, on if the scene has it off, else off")
       ->allow_extra_args(false)
       ->transform(whole_number(0, xsharp::max_spots - 1));
   CLI::Option* true_color = command->add_flag("--true-color", options->true_color,
-                                              "24 bits a pixel instead of the palette");
-  command->add_option("--out", options->outputs.folder, "a folder for a PNG of every frame")
+                                              "draw 24 bits per pixel instead of the palette");
+  command->add_option("--out", options->outputs.folder, "write a PNG of every frame to this folder")
       ->check(not_empty());
   command
-      ->add_option("--animate", options->outputs.animation, "an animated PNG, as browsers play it")
+      ->add_option("--animate", options->outputs.animation,
+                   "write an animated PNG, which browsers play")
       ->check(not_empty());
   command
       ->add_option("--dump", options->outputs.dump,
-                   "transforms, vertices and faces as lines of JSON")
+                   "write transforms, vertices and faces as lines of JSON")
       ->check(not_empty());
   command
       ->add_option("--digests", options->outputs.digests,
-                   "a line for every picture that differs from the one before: the first 16 hex "
-                   "digits of the SHA-256 of its palette indices, row by row")
+                   "write a line for every picture that differs from the one before: the first 16 "
+                   "hex digits of the SHA-256 of its palette indices, row by row")
       ->check(not_empty())
       ->excludes(true_color);
   command
       ->add_option("--beside", options->outputs.beside,
-                   "a PNG of the last frame: as stepped, exact, and where they differ")
+                   "write a PNG of the last frame: as stepped, exact, and where they differ")
       ->check(not_empty());
-  CLI::Option* show = command->add_flag("--show", options->show, "in a window, until it is closed");
+  CLI::Option* show =
+      command->add_flag("--show", options->show, "draw in a window until it is closed");
   for (const char* written :
        {"--frames", "--out", "--animate", "--dump", "--digests", "--beside"}) {
     show->excludes(command->get_option(written));
   }
   command->footer(
-      R"(Keys in the window: space pauses, s or the right arrow steps one frame, 1 (or a) switches the
-ambient light, 2, 3 and 4 the spotlights, r the rounding; q or Escape quits.
+      R"(Keys in the window: space pauses, s or the right arrow steps one frame, 1 or a switches the
+ambient light, 2, 3 and 4 switch the spotlights, r switches the rounding, q or Escape quits.
 
 Exit status: 0 all frames are drawn, 2 bad usage or an invalid scene, 130 interrupted.
 

@@ -26,27 +26,26 @@ void add_report(CLI::App& app, int& status) {
   auto options = std::make_shared<ReportRequest>();
   options->folder = "out";
   CLI::App* command =
-      app.add_subcommand("report", "measure everything and write a page for a browser");
+      app.add_subcommand("report", "measure everything and write a page of charts for a browser");
   command
-      ->add_option("scene", options->scenes,
-                   "scenes to measure and draw; the drift is that of the first. By default the "
-                   "scenes in ./scenes")
+      ->add_option(
+          "scene", options->scenes,
+          "scene files to measure and draw; drift measures the first; by default six of the "
+          "scenes in ./scenes")
       ->check(not_empty());
-  command->add_option("--out", options->folder, "the folder for report.html and its data")
+  command->add_option("--out", options->folder, "folder for report.html and its data")
       ->check(not_empty())
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "of the random operands")
-      ->transform(whole_number(0, ~std::uint64_t{0}))
-      ->capture_default_str();
+  add_seed(*command, options->seed);
   command->add_flag("--quick", options->quick,
-                    "a trial in seconds, with too few cases to conclude from");
+                    "make a trial page in seconds, with too few cases to draw conclusions");
   command->footer(
       R"(Does what `verify`, `measure`, `drift` and `render` do. Writes report.html, which needs no
 other file and no network, report.json with all figures, and a JSON file or picture for
 each step in the subfolder `data`.
 
 Exit status: 0 the page is written, 1 the page is written and shows that parties differ,
-2 bad usage, a scene that cannot be read, or a measurement that breaks its own rule,
+2 bad usage, an invalid scene, or a measured value that breaks its own rule or bound,
 130 interrupted.
 
 Examples:
@@ -55,7 +54,8 @@ Examples:
   command->callback([options, &status] {
     if (options->scenes.empty()) options->scenes = default_scenes();
     if (options->scenes.empty()) {
-      throw support::UsageError("report: name a scene, because there are none in ./scenes");
+      throw support::UsageError(
+          "report: ./scenes has none of the default scenes; name a scene file");
     }
     status = make_report(*options);
   });

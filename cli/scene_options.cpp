@@ -1,48 +1,53 @@
 #include "cli/scene_options.hpp"
 
+#include <algorithm>
 #include <limits>
-#include <map>
 
 #include "cli/arguments.hpp"
+#include "cli/options.hpp"
 #include "player/players.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
 
+void require_objects(const xsharp::Scene& scene) {
+  if (!scene.objects.empty()) return;
+  throw support::UsageError(scene.name + " has no objects: add one to \"objects\"");
+}
+
 void SceneOptions::add_to(CLI::App& command) {
-  command.add_option("scene", file, "a scene, such as scenes/twelve_cubes.json")
+  command.add_option("scene", file, "scene file, such as scenes/twelve_cubes.json")
       ->required()
       ->check(not_empty());
-  command.add_option("--arith", by, "what computes: type, model or double")
+  command.add_option("--frames", frames, "number of frames; by default ten seconds")
+      ->transform(whole_number(1, 100'000'000));
+  command.add_option("--arith", by, "arithmetic: type, model or double")
       ->check(CLI::IsMember({"type", "model", "double"}));
   command
       .add_option("--target", target,
-                  "rules of i386 or i8088; for the type also standard, saturating, trapping")
+                  "rules of i386 or i8088; the type also has standard, saturating and trapping")
       ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
-  const auto on_off = [&command](const char* name, const char* what, auto set) {
-    return command
-        .add_option_function<std::string>(
-            name, [set](const std::string& text) { set(text == "on"); }, what)
-        ->check(CLI::IsMember({"on", "off"}));
-  };
-  on_off("--round", "both roundings: on or off", [this](bool on) { mul_round = div_round = on; })
-      ->excludes(on_off("--mul-round", "rounding of multiplies: on or off",
-                        [this](bool on) { mul_round = on; }))
-      ->excludes(on_off("--div-round", "rounding of divides: on or off",
-                        [this](bool on) { div_round = on; }));
+  add_rounding_options(command, mul_round, div_round);
   command.add_flag("--repaired", repaired,
-                   "the 8088 ConcatXforms with the carry that it loses: see docs/findings.md, 18");
+                   "use the 8088 ConcatXforms that keeps the carry that its listing loses; see "
+                   "docs/findings.md, 18");
   command
-      .add_option("--reortho", restore_every,
-                  "restore orthogonality after every so many rotations of an object; 0: never")
+      .add_option(
+          "--reortho", restore_every,
+          "rotations of an object between two restorations of orthogonality; 0: never restore")
       ->transform(whole_number(0, std::numeric_limits<std::int32_t>::max()));
   command
       .add_option("--reortho-rows", restore_rows,
-                  "which rows --reortho restores: all, or one as the cross product of the others")
+                  "rows that --reortho restores: all, or one, as the cross product of the others")
       ->check(CLI::IsMember({"all", "one"}));
   command.add_flag("--from-scratch", from_scratch,
-                   "work every orientation out anew instead of appending rotations");
+                   "compute every orientation from scratch instead of appending rotations");
+}
+
+std::uint64_t SceneOptions::frame_count(const xsharp::Scene& scene) const {
+  return frames.value_or(
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(10 * scene.frames_per_second)));
 }
 
 xsharp::Scene SceneOptions::read() const { return applied_to(xsharp::read_scene(file)); }
@@ -54,12 +59,14 @@ xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
   if (by == "model" && !target && !xsharp::is_listing(choice))
     choice = {"model", "i386", true, true};
   if (choice.by == "double" && (target || mul_round || div_round)) {
-    throw support::UsageError("double has no --target and no roundings");
+    throw support::UsageError(
+        "--arith double has no --target and no roundings; leave these options out");
   }
   if (target) choice.target = *target;
   if (choice.by != "double" && !xsharp::is_listing(choice)) {
     if (mul_round || div_round) {
-      throw support::UsageError("--target " + choice.target + " has no roundings to choose");
+      throw support::UsageError("--target " + choice.target +
+                                " always rounds; leave out the rounding options");
     }
     choice.mul_round = choice.div_round = true;
   }
@@ -67,7 +74,7 @@ xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
   if (repaired) {
     if (!xsharp::can_be_repaired(choice)) {
       throw support::UsageError(
-          "--repaired is for --target i8088: no other ConcatXforms loses a carry");
+          "--repaired is for --target i8088: only its ConcatXforms loses a carry");
     }
     choice.repaired = true;
   }
@@ -82,10 +89,11 @@ xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
   if (from_scratch && !restore_every) scene.restore_every = 0;
   if (restore_every && !from_scratch) scene.from_scratch = false;
   if (scene.from_scratch && scene.restore_every > 0) {
-    throw support::UsageError("--from-scratch leaves --reortho nothing to restore");
+    throw support::UsageError(
+        "--from-scratch leaves --reortho nothing to restore; give --reortho 0 or leave one out");
   }
   if (restore_rows && scene.restore_every == 0) {
-    throw support::UsageError("--reortho-rows: nothing is restored, say --reortho and how often");
+    throw support::UsageError("--reortho-rows has no effect without restoring; add --reortho N");
   }
   return scene;
 }

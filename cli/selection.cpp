@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "machine_code/programs.hpp"
+#include "machine_code/machine_code.hpp"
 #include "parties/answer.hpp"
 #include "parties/parties.hpp"
 #include "support/usage_error.hpp"
@@ -44,8 +44,7 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
           std::find(operations.begin(), operations.end(), v.operation) != operations.end()) &&
          (options.targets.empty() || std::find(options.targets.begin(), options.targets.end(),
                                                v.build.target) != options.targets.end()) &&
-         (!selection.chapter_given ||
-          (options.chapter_52 == v.build.chapter_52 && !v.build.repaired)) &&
+         (!options.chapter_52 || (options.chapter_52 == v.build.chapter_52 && !v.build.repaired)) &&
          (!options.repaired || v.build.repaired) && !(options.as_printed && v.build.repaired) &&
          rounding_fits(options, v);
 }
@@ -67,8 +66,8 @@ std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
     if (std::find(chosen.begin(), chosen.end(), party) == chosen.end()) chosen.push_back(party);
   }
   if (chosen.size() < 2) {
-    throw support::UsageError(
-        fmt::format("'{}' alone cannot be compared: give --against another", names.front()));
+    throw support::UsageError(fmt::format(
+        "'{}' alone cannot be compared; give another party to --against", names.front()));
   }
   return chosen;
 }
@@ -91,8 +90,17 @@ std::vector<cases::Variant> chosen_routines(const Selection& selection) {
     return !parties::has_program(v) ||
            (v.operation == cases::Operation::cossin && !v.build.mul_round);
   });
-  if (variants.empty()) throw support::UsageError("no routine has these operations and options");
+  if (variants.empty())
+    throw support::UsageError(
+        "no routine matches these operations and options; leave some options out");
   return variants;
+}
+
+void add_programs_to(CLI::App& command, Selection& selection) {
+  command.add_option("operations", selection.operations,
+                     "mul, div, cossin, xformvec, concat, or the inner loops gouraud-byte, "
+                     "gouraud-word, depth, texture; by default all");
+  selection.variant.add_to(command);
 }
 
 Programs chosen_programs(const Selection& selection) {
@@ -106,29 +114,30 @@ Programs chosen_programs(const Selection& selection) {
   const VariantOptions& options = selection.variant;
   check_repaired(selection);
   const bool rounds = options.mul_round || options.div_round || options.as_printed ||
-                      options.repaired || selection.chapter_given;
+                      options.repaired || options.chapter_52;
   if (rounds && !loops.empty()) {
-    throw support::UsageError(fmt::format("{} rounds nothing, and is of no chapter",
-                                          machine_code::name_of_loop(loops[0])));
+    throw support::UsageError(fmt::format(
+        "{} is an inner loop: it has no rounding, chapter or repair; leave these options out",
+        machine_code::name_of_loop(loops[0])));
   }
   Programs chosen;
   if (selection.operations.empty() || !routines.operations.empty()) {
     chosen.routines = chosen_routines(routines);
   }
   const auto asked = [&](const x86model::LoopForm& form) {
-    const auto target =
-        form.target == x86model::Target::i386 ? cases::Target::i386 : cases::Target::i8088;
-    const auto is_among = [](const auto& all, const auto& one) {
-      return std::find(all.begin(), all.end(), one) != all.end();
+    const auto is_target = [&](cases::Target target) {
+      return machine_code::model_target(target) == form.target;
     };
-    if (!options.targets.empty() && !is_among(options.targets, target)) return false;
-    return selection.operations.empty() ? !rounds : is_among(loops, form.loop);
+    if (!options.targets.empty() && std::ranges::none_of(options.targets, is_target)) return false;
+    return selection.operations.empty() ? !rounds
+                                        : std::ranges::find(loops, form.loop) != loops.end();
   };
   for (const x86model::LoopForm& form : x86model::all_loop_forms()) {
     if (asked(form)) chosen.loops.push_back(form);
   }
   if (chosen.routines.empty() && chosen.loops.empty()) {
-    throw support::UsageError("the loop depth is for the 386 alone");  // the others run on both
+    throw support::UsageError(
+        "depth exists only for i386; leave out --target i8088");  // the others run on both
   }
   return chosen;
 }
@@ -138,7 +147,7 @@ namespace {
 /// Rejects a row that cannot be compared as requested. Skipping it would suggest that it is equal.
 [[noreturn]] void refuse(const cases::Row& row, std::string_view reason) {
   throw support::UsageError(
-      fmt::format("{}: {}; choose rows (--target, the operations) or other parties",
+      fmt::format("{}: {}; select other operations, another --target or other parties",
                   cases::name_of(row.variant), reason));
 }
 
@@ -166,12 +175,14 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
   }
   if (rows.empty()) {
     throw support::UsageError(
-        fmt::format("level {} has no row for these operations and options", selection.level));
+        fmt::format("level {} has no row for these operations and options; leave some options out",
+                    selection.level));
   }
   if (!selection.by.empty()) refuse_without(selection.by, rows);
   for (const std::string& party : selection.against) refuse_without(party, rows);
   for (const cases::Row& row : rows) {
-    if (!row.compared()) refuse(row, "nothing to compare, fewer than two of the parties answer");
+    if (!row.compared())
+      refuse(row, "fewer than two of the parties answer, so there is nothing to compare");
   }
   return rows;
 }

@@ -17,7 +17,6 @@ namespace fixproof::cli {
 struct Selection {
   std::vector<std::string> operations;  ///< all if empty
   VariantOptions variant;
-  bool chapter_given = false;
   bool half_width = false;
   int level = 1;
   std::string by;                    ///< the judged party; the model if empty
@@ -40,6 +39,8 @@ struct Programs {
   std::vector<cases::Variant> routines;   ///< see chosen_routines(); empty if only loops are named
   std::vector<x86model::LoopForm> loops;  ///< every form that exists for the target
 };
+/// Adds the options that chosen_programs() reads. `selection` must outlive the command.
+void add_programs_to(CLI::App& command, Selection& selection);
 /// Selects routines and inner loops by name. Without names it selects all routines and loops, but
 /// no loops if a rounding, a chapter, --as-printed or --repaired is given.
 /// @throws as chosen_routines(); UsageError if one of these options is given for a named loop

@@ -75,7 +75,7 @@ int judge_files(const std::vector<std::string>& files, x86model::Target cpu) {
         std::cout << fmt::format("{}: {} more\n", file, counts.differing - max_shown);
       }
       std::cout << fmt::format("{}: {}\n", file, summary(counts)) << std::flush;
-      if (counts.run() == 0) throw support::UsageError(path + ": not one case could be run");
+      if (counts.run() == 0) throw support::UsageError(path + ": none of its cases can be run");
     } catch (const std::runtime_error& error) {
       std::cout << std::flush;
       fmt::print(stderr, "fixproof: {}\n", support::printable(error.what()));

@@ -15,10 +15,10 @@ struct SolverOptions {
 
   /// Adds the options to a command, which must not outlive this object.
   void add_to(CLI::App& command) {
-    command.add_option("--solver", name, "z3 or cvc5, from the PATH")
+    command.add_option("--solver", name, "solver on the PATH: z3 or cvc5")
         ->check(not_empty())
         ->capture_default_str();
-    command.add_option("--timeout", seconds, "seconds that one question may take")
+    command.add_option("--timeout", seconds, "time limit per question in seconds")
         ->transform(whole_number(1, 86'400))
         ->capture_default_str();
   }

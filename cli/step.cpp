@@ -9,6 +9,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/lines.hpp"
+#include "cli/options.hpp"
 #include "cli/singlestep.hpp"
 #include "singlestep/shown.hpp"
 #include "singlestep/step_clocks.hpp"
@@ -46,11 +47,13 @@ Fields split_fields(std::string_view text) {
     text.remove_prefix(field.size());
     const auto equals = field.find('=');
     if (equals == std::string_view::npos) {
-      throw support::UsageError(fmt::format("{} is not NAME=DIGITS", support::quoted(field)));
+      throw support::UsageError(
+          fmt::format("{} is not a register as NAME=DIGITS", support::quoted(field)));
     }
     const std::string_view name = field.substr(0, equals);
     if (!fields.emplace(name, field.substr(equals + 1)).second) {
-      throw support::UsageError(fmt::format("{} is given twice", support::quoted(name)));
+      throw support::UsageError(
+          fmt::format("{} is given twice; remove one", support::quoted(name)));
     }
   }
 }
@@ -70,22 +73,25 @@ State parse_state(std::string_view text, x86::Target cpu) {
     const std::string_view wide = x86::name_of(singlestep::shown_registers[i], x86::Size::dword);
     auto digits = take(fields, narrow);
     if (cpu == x86::Target::i386 && fields.contains(wide)) {
-      if (digits) throw support::UsageError(fmt::format("both {} and {} are given", narrow, wide));
+      if (digits)
+        throw support::UsageError(
+            fmt::format("both {} and {} are given; remove one", narrow, wide));
       digits = take(fields, wide);
       state.wide[i] = true;
     }
-    if (!digits) throw support::UsageError(fmt::format("{} is missing", narrow));
+    if (!digits)
+      throw support::UsageError(fmt::format("{} is missing: give all eight registers", narrow));
     state.machine.registers.write(singlestep::shown_registers[i], x86::Size::dword,
                                   support::parse_hex(*digits, state.wide[i] ? 8 : 4));
   }
   const auto fl = take(fields, "fl");
-  if (!fl) throw support::UsageError("fl is missing");
+  if (!fl) throw support::UsageError("fl is missing: give the flags as fl=DIGITS");
   const std::uint32_t value = support::parse_hex(*fl, 4);
   state.machine.flags = {static_cast<std::uint16_t>(value & x86::arithmetic_flags), 0};
   state.other_flags = value & ~std::uint32_t{x86::arithmetic_flags};
   if (!fields.empty()) {
-    throw support::UsageError(
-        fmt::format("{} is no register", support::quoted(fields.begin()->first)));
+    throw support::UsageError(fmt::format("{} is not a register of this processor",
+                                          support::quoted(fields.begin()->first)));
   }
   return state;
 }
@@ -133,7 +139,7 @@ void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> time
             std::string& output, std::uint64_t& unmodelled) {
   const auto bar = line.find('|');
   if (bar == std::string_view::npos)
-    throw support::UsageError("no '|' between instruction and registers");
+    throw support::UsageError("the '|' between instruction and registers is missing");
   std::optional<x86::Instruction> instruction;
   try {
     instruction = x86::parse(line.substr(0, bar));
@@ -182,36 +188,32 @@ void add_step(CLI::App& app, int& status) {
   static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
                                                              {"386", x86::Target::i386}};
   auto cpu = std::make_shared<std::string>("386");
-  static const std::map<std::string, x86::Cpu> timed_processors{{"8088", x86::Cpu::i8088},
-                                                                {"286", x86::Cpu::i286},
-                                                                {"386", x86::Cpu::i386},
-                                                                {"486", x86::Cpu::i486}};
   auto timed = std::make_shared<std::string>();
   auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
-      app.add_subcommand("step", "execute one instruction a line, or judge the model by files");
-  command->add_option("--cpu", *cpu, "8088 or 386")
+  CLI::App* command = app.add_subcommand(
+      "step", "execute one instruction per line, or judge the model by captured states");
+  command->add_option("--cpu", *cpu, "processor: 8088 or 386")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();
   CLI::Option* clocks =
       command
           ->add_option("--clocks", *timed,
-                       "append what the instruction takes on an 8088, 286, 386 or 486")
-          ->check(CLI::IsMember(&timed_processors));
+                       "append the clocks of the instruction on an 8088, 286, 386 or 486")
+          ->check(CLI::IsMember(&cpu_names));
   command
       ->add_option("--singlestep", *files,
-                   "judge cases of these files in place of lines: JSON, plain or gzip")
+                   "judge the cases of these JSON files, plain or gzip, instead of reading lines")
       ->check(not_empty())
       ->excludes(clocks);
   command->footer(
       R"(A line is an instruction and all registers. The answer is the state after it, then the flags that
-it leaves undefined. DE is a divide error; unmodelled means that no routine uses the instruction
-or that it reads memory. With --cpu 386 a register may be given as eax= with 8 digits and is
-then printed so. Jumps are not taken; LOOP counts.
+it leaves undefined. DE is a divide error. unmodelled means that no routine uses the instruction
+or that it reads memory. With --cpu 386 a register may be given with 8 digits, as in eax=; it is
+then printed with 8. Jumps are not taken; LOOP decrements its counter.
 
 --clocks appends clocks=N to every state, clocks=MIN-MAX if Intel's tables give a range, and
-clocks=- if that processor does not have the instruction. The clocks are those of a jump not
-taken, except for JMP, whose time depends on its target.
+clocks=- if that processor does not have the instruction. A jump has the clocks of a jump not
+taken, except JMP, whose time depends on its target.
 
 Example:
   echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe fl=0001' |
@@ -234,7 +236,7 @@ Example:
       return;
     }
     std::optional<x86::Cpu> timed_cpu;
-    if (!timed->empty()) timed_cpu = timed_processors.at(*timed);
+    if (!timed->empty()) timed_cpu = cpu_names.at(*timed);
     status = run(target, timed_cpu);
   });
 }

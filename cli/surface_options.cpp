@@ -39,17 +39,17 @@ bool has_surface(const xsharp::Scene& scene, SurfaceKind kind) {
 }  // namespace
 
 void SurfaceOptions::add_to(CLI::App& command) {
-  add_word(command, "--surface", xsharp::surface_words, "what fills every object",
+  add_word(command, "--surface", xsharp::surface_words, "surface of every object",
            [this](std::size_t i) { kind = static_cast<SurfaceKind>(i); });
-  add_word(command, "--phong", xsharp::phong_words, "at which pixels Phong's light is exact",
+  add_word(command, "--phong", xsharp::phong_words, "pixels at which Phong's light is exact",
            [this](std::size_t i) { phong = static_cast<xsharp::PhongForm>(i); });
   add_word(command, "--texture-every", xsharp::exact_words,
-           "pixels between exact places in a bitmap",
+           "pixels between two exact places in a texture",
            [this](std::size_t i) { exact_every = xsharp::exact_choices.at(i); });
-  add_word(command, "--depth-buffer", xsharp::depth_buffer_words, "whether pixels have a depth",
+  add_word(command, "--depth-buffer", xsharp::depth_buffer_words, "whether to use a depth buffer",
            [this](std::size_t i) { depth_buffer = static_cast<xsharp::DepthBuffering>(i); });
   add_word(command, "--depth-measure", xsharp::depth_measure_words,
-           "what a depth buffer compares: near over -z, or z itself as published",
+           "depth that the buffer compares: near / -z, or z, as published",
            [this](std::size_t i) { depth_measure = static_cast<xsharp::DepthMeasure>(i); });
 }
 
@@ -69,15 +69,15 @@ void SurfaceOptions::apply(xsharp::Scene& scene) const {
   if (depth_measure) scene.depth_measure = *depth_measure;
   if (phong && !has_surface(scene, SurfaceKind::phong)) {
     throw support::UsageError(
-        "--phong: no object of the scene is Phong-shaded, say --surface phong");
+        "--phong: no object of the scene is Phong-shaded; add --surface phong");
   }
   if (exact_every && !has_surface(scene, SurfaceKind::texture)) {
     throw support::UsageError(
-        "--texture-every: no object of the scene has a texture, say --surface texture");
+        "--texture-every: no object of the scene has a texture; add --surface texture");
   }
   if (depth_measure && scene.depth_buffer == xsharp::DepthBuffering::off) {
     throw support::UsageError(
-        "--depth-measure: the scene has no depth buffer, say --depth-buffer on");
+        "--depth-measure: the scene has no depth buffer; add --depth-buffer on");
   }
   try {
     xsharp::validate(scene);

@@ -93,7 +93,8 @@ std::string mismatch_lines(const cases::Row& row, const verify::Findings& found)
     text += fmt::format("; replay: {}\n", verify::replay(row, words));
   }
   if (found.mismatches > found.shown.size()) {
-    text += fmt::format("{}: {} mismatches more, not shown\n", cases::name_of(row.variant),
+    text += fmt::format("{}: {} more mismatches are not shown; see --max-reports\n",
+                        cases::name_of(row.variant),
                         support::grouped(found.mismatches - found.shown.size()));
   }
   return text;
@@ -129,7 +130,7 @@ std::string verdict(const verify::Report& report) {
     text += fmt::format("{} cases DIFFER, in {} {}.", support::grouped(report.mismatches()), rows,
                         rows == 1 ? "row" : "rows");
   } else if (report.cases() == 0) {
-    text += "nothing has been compared.";
+    text += "nothing was compared.";
   } else {
     text += report.complete() ? "all parties agree on every case." : "so far all parties agree.";
   }

@@ -19,6 +19,7 @@
 #include "x86model/call.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/text.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::cli {
 
@@ -68,7 +69,7 @@ std::string_view reason(x86::Outcome outcome) {
     case x86::Outcome::step_limit:
       return "does not end";
     default:
-      return "reaches for memory that is not there";
+      return "accesses memory outside its segment";
   }
 }
 
@@ -107,7 +108,8 @@ void trace(const Traced& traced) {
   const x86::Ending ending = x86::run(code, machine, [&](std::size_t at, const auto& after) {
     if (stopped) return;
     if (!has_every_form && !x86::is_modelled(code[at], traced.key.target)) {
-      print_end(at, code[at], before.flags, "is not modelled: an 8088 has no such instruction");
+      print_end(at, code[at], before.flags,
+                "is not modelled: an 8088 does not have this instruction");
       stopped = true;
       return;
     }
@@ -131,12 +133,13 @@ void trace(const Traced& traced) {
   for (const std::uint32_t word : given) fmt::print(std::cout, " {:08x} ({})", word, decimal(word));
   fmt::print(std::cout, "\n");
   const std::string lost = parties::not_kept<routine>(entered, machine, traced.in);
-  if (!lost.empty()) fmt::print(std::cout, "breaks down: does not keep {}\n", lost);
+  if (!lost.empty()) fmt::print(std::cout, "does not preserve {}\n", lost);
 }
 
 int run(const TraceOptions& options) {
   if (const auto loop = options.program.choose_loop()) {
-    if (options.mutant != 0) throw support::UsageError("--mutant is for routines");
+    if (options.mutant != 0)
+      throw support::UsageError("--mutant is for routines; leave it out for an inner loop");
     trace_loop(*loop, options.words);
     return 0;
   }
@@ -153,9 +156,10 @@ int run(const TraceOptions& options) {
     traced.in.push_back(support::parse_hex(word, digits));
   traced.program = x86::assemble(x86::listing(key.routine, key.target), key.build);
   if (options.mutant != 0) {
-    if (options.program.as_scanned) throw support::UsageError("--mutant excludes --as-scanned");
+    if (options.program.as_scanned)
+      throw support::UsageError("--mutant excludes --as-scanned; leave one out");
     if (key.build.shl_as_printed)
-      throw support::UsageError("--mutant excludes cossin --as-printed");
+      throw support::UsageError("--mutant excludes cossin --as-printed; leave one out");
     const cases::Variant v =
         options.program.variant.choose(cases::operation_named(options.program.operation));
     const x86::Mutant mutant = proof::mutant_of(v, options.mutant);
@@ -163,24 +167,7 @@ int run(const TraceOptions& options) {
     traced.program = mutant.program;
     traced.mistake = mutant.change;
   }
-  using enum x86::Routine;
-  switch (key.routine) {
-    case mul:
-      trace<mul>(traced);
-      break;
-    case div:
-      trace<div>(traced);
-      break;
-    case cossin:
-      trace<cossin>(traced);
-      break;
-    case xformvec:
-      trace<xformvec>(traced);
-      break;
-    case concat:
-      trace<concat>(traced);
-      break;
-  }
+  x86::with_routine(key.routine, [&]<x86::Routine routine> { trace<routine>(traced); });
   return 0;
 }
 
@@ -191,17 +178,19 @@ void add_trace(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "trace", "show what each instruction of a routine or an inner loop changes");
   options->program.add_to(*command, true);
-  command->add_option("words", options->words, "operands, as for eval");
-  command->add_option("--mutant", options->mutant, "with that mistake in it, see fixproof mutate")
+  command->add_option("words", options->words, "operands in hex, as for eval");
+  command
+      ->add_option("--mutant", options->mutant,
+                   "use this mutant of the routine; see fixproof mutate")
       ->transform(whole_number(1, 100'000));
   command->footer(
       R"(Flags are 0, 1, or ? where Intel leaves them undefined. [0054] is the word at that address.
-With --mutant registers start with random contents, and a last line lists the registers of a C
-caller that are lost.
+With --mutant, registers start with random contents, and a last line lists the registers of a C
+caller that the routine does not preserve.
 
-The words of an inner loop are the number of pixels (1 to 140, hexadecimal), then its value and
-step (EDX, EBP), and for texture also row and step. The row is at 2800; the depth buffer starts
-as 0, the colour is ff, and a texel is the sum of its row and column.
+The words of an inner loop are the number of pixels (1 to 140, hexadecimal), its value and its
+step (EDX, EBP); texture also takes a row and a row step. Pixels are drawn at address 2800. The
+depth buffer is all 0, the colour is ff, and a texel is the sum of its row and column.
 
 Examples:
   fixproof trace mul 00018000 00028000

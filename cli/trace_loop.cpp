@@ -51,10 +51,9 @@ x86::LoopCall loop_call(const x86::LoopForm& form, const std::vector<std::string
   if (form.loop != x86::Loop::depth_test) call.place = traced_row;
   const bool pairs = x86::pixels_per_iteration(form.loop) == 2;
   if (call.pixels < 1 || call.pixels > x86::loops::max_pixels || (pairs && call.pixels % 2 != 0)) {
-    throw support::UsageError(fmt::format(
-        "{}: {} pixels are wanted, not {:x}", machine_code::name_of_loop(form.loop),
-        pairs ? "2, 4 to 140 (hexadecimal, an even number of)" : "1 to 140 (hexadecimal)",
-        call.pixels));
+    throw support::UsageError(fmt::format("{}: {:x} pixels; give {} (hexadecimal)",
+                                          machine_code::name_of_loop(form.loop), call.pixels,
+                                          pairs ? "an even number from 2 to 140" : "1 to 140"));
   }
   return call;
 }

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -43,7 +42,7 @@ struct VerifyOptions {
 
 int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows) {
   if (options.selection.operations.size() != 1)
-    throw support::UsageError("--case needs one operation");
+    throw support::UsageError("--case needs exactly one operation");
   int status = 0;
   for (const cases::Row& row : rows) {
     std::vector<std::uint32_t> words(cases::words_in(row.variant.operation));
@@ -73,8 +72,8 @@ verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows)
     differs = fmt::format("shard {}/{}, not {}", kept.shard.index, kept.shard.count, options.shard);
   }
   if (!differs.empty()) {
-    throw support::UsageError(
-        fmt::format("{} is of another verification: {}", options.resume, differs));
+    throw support::UsageError(fmt::format(
+        "--resume {}: this file belongs to another verification: {}", options.resume, differs));
   }
   return kept;
 }
@@ -88,9 +87,8 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
                            counted(report.plan.rows().size(), "row"),
                            support::grouped(report.plan.cases()));
   if (options.selection.level == 3) {
-    std::cout
-        << "Nothing is sampled: all pairs of 8.8 words, all 16.16 words, all angles. Without\n"
-           "--against, fast stands for oracle; levels 1 and 2 compare the two.\n";
+    std::cout << "Level 3 tries all pairs of 8.8 words, all 16.16 words and all angles. Without\n"
+                 "--against, fast replaces oracle; levels 1 and 2 compare the two.\n";
   }
   if (report.shard.count > 1) {
     std::cout << fmt::format("Shard {}: {} of {} chunks\n", options.shard,
@@ -121,7 +119,7 @@ struct VerifyFiles {
   std::optional<support::OutputFile> report;  ///< none if it is the same
 };
 
-void run_rest(const VerifyOptions& options, VerifyFiles& files, verify::Report& report) {
+void run_remaining(const VerifyOptions& options, VerifyFiles& files, verify::Report& report) {
   const auto parties = chosen_parties(options.selection);
   Progress progress;
   auto kept = std::chrono::steady_clock::now();
@@ -143,12 +141,13 @@ void run_rest(const VerifyOptions& options, VerifyFiles& files, verify::Report& 
 
 std::string resume_hint(const VerifyOptions& options) {
   if (!options.resume.empty()) {
-    return fmt::format("Stopped. The same command goes on from {}.\n", options.resume);
+    return fmt::format("Stopped. The same command continues from {}.\n", options.resume);
   }
   if (!options.report.empty()) {
-    return fmt::format("Stopped. The same command with --resume {} goes on.\n", options.report);
+    return fmt::format("Stopped. The same command with --resume {} continues the run.\n",
+                       options.report);
   }
-  return "Stopped. Nothing is kept: with --resume FILE a run can be stopped and go on.\n";
+  return "Stopped. The results are lost; with --resume FILE a stopped run can continue.\n";
 }
 
 int verify(const VerifyOptions& options) {
@@ -164,7 +163,7 @@ int verify(const VerifyOptions& options) {
   {
     // Restore Ctrl-C before printing, because a write to a pipe may block on its reader.
     const support::Interrupt interrupt;
-    run_rest(options, files, report);
+    run_remaining(options, files, report);
   }
 
   // Print the findings even if a file cannot be written.
@@ -188,44 +187,45 @@ int verify(const VerifyOptions& options) {
 
 void add_options(CLI::App& command, VerifyOptions& options) {
   Selection& selection = options.selection;
-  command.add_option("operations", selection.operations,
-                     "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64 (all)");
+  command.add_option(
+      "operations", selection.operations,
+      "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; by default all");
   command
-      .add_option("--level", selection.level, "1: seconds; 2: minutes; 3: everything, see below")
+      .add_option("--level", selection.level,
+                  "1 takes seconds, 2 minutes; 3 is exhaustive, see below")
       ->transform(whole_number(1, 3))
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "of the random cases")
-      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  add_seed(command, options.seed);
   selection.variant.add_to(command, true);
   command
       .add_option_function<std::string>(
           "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
-          "full: 16.16; half: 8.8, without cossin; the routines run on 8-bit registers")
+          "full: 16.16; half: 8.8, where the routines run on 8-bit registers and cossin is left "
+          "out")
       ->check(CLI::IsMember({"full", "half"}));
-  command
-      .add_option("--by", selection.by,
-                  "the party that is judged, of those named below; by default model")
+  command.add_option("--by", selection.by, "the judged party; by default model")
       ->check(not_empty());
   command
       .add_option("--against", selection.against,
-                  "the parties it is judged against; by default oracle,fast,type")
+                  "the parties to compare it with; by default oracle,fast,type")
       ->delimiter(',')
       ->check(not_empty());
-  command.add_option("--threads", options.threads, "of the run; by default one for each processor")
+  command
+      .add_option("--threads", options.threads, "number of threads; by default one per processor")
       ->transform(whole_number(1, 1024))
       ->capture_default_str();
   auto* shard = command.add_option("--shard", options.shard, "i/n: run only the i-th of n parts");
   auto* resume = command
                      .add_option("--resume", options.resume,
-                                 "keep the state in this file; if it is there, go on from it")
+                                 "save the state to this file, and continue from it if it exists")
                      ->check(not_empty());
-  auto* report = command.add_option("--report", options.report, "write what was found as JSON")
-                     ->check(not_empty());
-  command.add_option("--max-reports", options.max_reports, "mismatches shown for each row")
+  auto* report =
+      command.add_option("--report", options.report, "write the results to this file as JSON")
+          ->check(not_empty());
+  command.add_option("--max-reports", options.max_reports, "number of mismatches to show per row")
       ->transform(whole_number(0, 1000))
       ->capture_default_str();
-  command.add_option("--case", options.words, "compare only this case: its words in hex")
+  command.add_option("--case", options.words, "compare only this case, given as words in hex")
       ->check(not_empty())
       ->excludes(shard)
       ->excludes(resume)
@@ -237,7 +237,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
 void add_verify(CLI::App& app, int& status) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command =
-      app.add_subcommand("verify", "compare the parties with one another, case by case");
+      app.add_subcommand("verify", "compare the answers of the parties, case by case");
   add_options(*command, *options);
   command->footer(
       R"(Parties:
@@ -254,10 +254,10 @@ void add_verify(CLI::App& app, int& status) {
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
 On two processors level 2 takes some minutes and level 3 a quarter of an hour.
-An option that selects a rule leaves out the rows that follow another rule. Naming a party
-that cannot run or cannot answer every row is an error, and nothing is compared.
+An option that selects a rule leaves out the rows that follow another rule. It is an error to
+name a party that cannot run or does not answer every selected row.
 
-Exit status: 0 all equal, 1 a mismatch, 2 bad usage or input, 130 interrupted.
+Exit status: 0 all answers are equal, 1 a mismatch, 2 bad usage or input, 130 interrupted.
 
 Examples:
   fixproof verify                                   # every row, in seconds
@@ -268,9 +268,9 @@ Examples:
   fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge
   fixproof verify div --case '00010000 00000003'    # every party's answer to one case)");
   command->callback([command, options, &status] {
-    options->selection.chapter_given = command->count("--chapter") > 0;
     if (options->selection.level == 3 && command->count("--width") > 0) {
-      throw support::UsageError("--width: level 3 has its own widths");
+      throw support::UsageError(
+          "--width: level 3 sets the width of each operation; leave --width out");
     }
     status = verify(*options);
   });

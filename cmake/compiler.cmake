@@ -18,10 +18,18 @@ if(FIXPROOF_SANITIZE)
   add_compile_options(-O1 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+elseif(FIXPROOF_TOOLS)
+  include(${CMAKE_CURRENT_LIST_DIR}/hardening.cmake)
 endif()
 
-# fixproof_target(NAME): the strict warnings, and includes written from the repository root.
+# fixproof_target(NAME): the strict warnings, the hardening, and includes written from the repository root.
 function(fixproof_target name)
   target_link_libraries(${name} PRIVATE fixproof_compile_options)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  set(optimised "$<CONFIG:Release,RelWithDebInfo,MinSizeRel>")
+  target_compile_options(${name} PRIVATE "$<${optimised}:${fixproof_hardening}>")
+  get_target_property(type ${name} TYPE)
+  if(type STREQUAL "EXECUTABLE")
+    target_link_options(${name} PRIVATE "$<${optimised}:${fixproof_hardening_link}>")
+  endif()
 endfunction()

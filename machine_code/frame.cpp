@@ -2,6 +2,7 @@
 
 #include "cases/draw.hpp"
 #include "x86model/call.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::machine_code {
 
@@ -22,19 +23,7 @@ constexpr Frame frame{
 }  // namespace
 
 Frame frame_of(Routine routine) {
-  switch (routine) {
-    case Routine::mul:
-      return frame<Routine::mul>;
-    case Routine::div:
-      return frame<Routine::div>;
-    case Routine::cossin:
-      return frame<Routine::cossin>;
-    case Routine::xformvec:
-      return frame<Routine::xformvec>;
-    case Routine::concat:
-      break;
-  }
-  return frame<Routine::concat>;
+  return x86model::with_routine(routine, []<Routine one> { return frame<one>; });
 }
 
 void scramble(SegmentMachine& m, const Frame& frame, std::uint64_t call) {

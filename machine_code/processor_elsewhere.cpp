@@ -10,7 +10,7 @@ namespace fixproof::machine_code {
 struct Processor::Parts {};
 struct Processor::Calls::Saved {};
 
-std::string Processor::absence() { return "it needs Linux on an x86-64 processor"; }
+std::string Processor::absence() { return "this party needs Linux on an x86-64 processor"; }
 
 // Callers check absence() first.
 Processor::Processor(std::size_t /*data_bytes*/) { throw std::logic_error(absence()); }

@@ -160,7 +160,7 @@ std::string Processor::absence() {
       Processor trial;
       return "";
     } catch (const std::system_error& error) {
-      return fmt::format("the system gives no 16-bit segment: {}", error.what());
+      return fmt::format("the system does not provide 16-bit segments: {}", error.what());
     }
   }();
   return reason;

@@ -8,6 +8,7 @@
 #include "parties/outcome.hpp"
 #include "parties/parties.hpp"
 #include "x86model/call.hpp"
+#include "x86model/with_routine.hpp"
 
 namespace fixproof::parties {
 
@@ -45,20 +46,12 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
 }
 
 void answer(const cases::Variant& v, std::span<const x86::Instruction> code, const Batch& batch) {
-  using enum x86::Routine;
-  const bool half = v.fraction_bits == 8;
-  switch (machine_code::key_of(v).routine) {
-    case mul:
-      return half ? answer_all<mul, 8>(code, batch) : answer_all<mul, 16>(code, batch);
-    case div:
-      return half ? answer_all<div, 8>(code, batch) : answer_all<div, 16>(code, batch);
-    case cossin:
-      return answer_all<cossin, 16>(code, batch);
-    case xformvec:
-      return answer_all<xformvec, 16>(code, batch);
-    case concat:
-      return answer_all<concat, 16>(code, batch);
-  }
+  x86::with_routine(machine_code::key_of(v).routine, [&]<x86::Routine routine> {
+    if constexpr (routine == x86::Routine::mul || routine == x86::Routine::div) {
+      if (v.fraction_bits == 8) return answer_all<routine, 8>(code, batch);
+    }
+    answer_all<routine, 16>(code, batch);
+  });
 }
 
 class Interpreter final : public Party {

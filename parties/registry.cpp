@@ -30,12 +30,12 @@ const Party& party_named(std::string_view name) {
     if (party->name() == name) {
       const std::string absence = party->absence();
       if (absence.empty()) return *party;
-      throw std::invalid_argument(fmt::format("party '{}' is absent: {}", name, absence));
+      throw std::invalid_argument(fmt::format("party '{}' is not available: {}", name, absence));
     }
     known += known.empty() ? "" : ", ";
     known += party->name();
   }
-  throw std::invalid_argument(fmt::format("unknown party '{}'; there are {}", name, known));
+  throw std::invalid_argument(fmt::format("unknown party '{}'; choose one of {}", name, known));
 }
 
 }  // namespace fixproof::parties

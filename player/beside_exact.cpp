@@ -51,9 +51,9 @@ BesideExact::BesideExact(const xsharp::Scene& scene, const std::string& file)
       stepped_(scene.width, scene.height),
       exact_(scene.width, scene.height) {
   if (!stepper_)
-    throw support::UsageError("--beside: nothing of the scene is interpolated, say --surface");
+    throw support::UsageError("--beside: the scene has no interpolated surface; add --surface");
   if (scene.arithmetic.by == "double") {
-    throw support::UsageError("--beside: double is what others are compared with");
+    throw support::UsageError("--beside compares with double; choose another --arith");
   }
 }
 
@@ -65,7 +65,7 @@ void BesideExact::show(const xsharp::Picture& picture) {
   for (std::size_t i = 0; i < exact.size(); ++i) {
     const int apart = std::abs(stepped_.pixels()[i] - exact[i]);
     differing_ += apart == 0 ? 0 : 1;
-    most_ = std::max(most_, apart);
+    max_difference_ = std::max(max_difference_, apart);
   }
 }
 
@@ -77,7 +77,7 @@ std::string BesideExact::differences() const {
   if (pictures_ == 0) return "";
   return fmt::format("{} of {} pixels differ, indices of the palette by {} at most",
                      support::grouped(differing_),
-                     support::grouped(pictures_ * exact_.pixels().size()), most_);
+                     support::grouped(pictures_ * exact_.pixels().size()), max_difference_);
 }
 
 std::string BesideExact::png() const {

@@ -41,7 +41,7 @@ class BesideExact {
   xsharp::Page<std::uint8_t> exact_;
   std::uint64_t pictures_ = 0;
   std::uint64_t differing_ = 0;
-  int most_ = 0;
+  int max_difference_ = 0;
 };
 
 }  // namespace fixproof::player

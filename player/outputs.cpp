@@ -29,7 +29,14 @@ bool is_frame_of(const fs::path& folder, const fs::path& file) {
 
 [[noreturn]] void refuse_use(std::string_view option, const fs::path& file, std::string_view use) {
   throw support::UsageError(
-      fmt::format("{} {}: is a file of {}, name another", option, file.string(), use));
+      fmt::format("{} {}: this is a file of {}; name another", option, file.string(), use));
+}
+
+void refuse_inputs(std::string_view option, const fs::path& file,
+                   const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    if (support::same_file(file, input)) refuse_use(option, file, "the scene");
+  }
 }
 
 void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& inputs) {
@@ -50,19 +57,25 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
   for (const fs::path& input : inputs) others.emplace_back("the scene", input);
   for (const auto& [other, file] : others) {
     if (is_frame_of(names.folder, file)) {
-      throw support::UsageError(fmt::format("--out {}: a frame could replace {}, a file of {}",
-                                            names.folder, file.string(), other));
+      throw support::UsageError(
+          fmt::format("--out {}: a frame could replace {}, a file of {}; name another folder",
+                      names.folder, file.string(), other));
     }
   }
 }
 
 }  // namespace
 
-void refuse_inputs(std::string_view option, const fs::path& file,
-                   const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
-    if (support::same_file(file, input)) refuse_use(option, file, "the scene");
-  }
+std::unique_ptr<support::OutputFile> open_output(std::string_view option, const fs::path& file,
+                                                 const std::vector<fs::path>& inputs) {
+  if (file.empty()) return nullptr;
+  refuse_inputs(option, file, inputs);
+  return std::make_unique<support::OutputFile>(file.string());
+}
+
+void check_output(std::string_view option, const fs::path& file,
+                  const std::vector<fs::path>& inputs) {
+  open_output(option, file, inputs);
 }
 
 Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
@@ -72,7 +85,7 @@ Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error || !fs::is_directory(folder_)) {
-      throw support::UsageError(fmt::format("--out {}: cannot be made a folder: {}", folder_,
+      throw support::UsageError(fmt::format("--out {}: cannot create this folder: {}", folder_,
                                             error ? error.message() : "a file has that name"));
     }
   }

@@ -27,9 +27,16 @@ struct OutputNames {
   std::string beside;     ///< written by BesideExact; listed here to detect name clashes
 };
 
-/// @throws UsageError if `file`, the output of `option`, is one of `inputs`
-void refuse_inputs(std::string_view option, const std::filesystem::path& file,
-                   const std::vector<std::filesystem::path>& inputs);
+/// Locks `file`, the output of `option`, until it is written. An empty name is no output: null.
+/// @throws UsageError if the file is one of `inputs`, std::runtime_error if it cannot be written or
+/// another run is writing it
+std::unique_ptr<support::OutputFile> open_output(std::string_view option,
+                                                 const std::filesystem::path& file,
+                                                 const std::vector<std::filesystem::path>& inputs);
+
+/// Does the same, but releases the lock. Only for files in a folder that the run has locked.
+void check_output(std::string_view option, const std::filesystem::path& file,
+                  const std::vector<std::filesystem::path>& inputs);
 
 /// Output files for frames, locked against another run. A file appears or changes only when it is
 /// complete.

@@ -12,25 +12,6 @@ namespace fixproof::player {
 
 using xsharp::ArithmeticChoice;
 
-std::vector<ArithmeticChoice> all_arithmetics() {
-  std::vector<ArithmeticChoice> all;
-  for (const char* by : {"type", "model"}) {
-    for (const char* target : {"i386", "i8088"}) {
-      for (const bool mul : {true, false}) {
-        for (const bool div : {true, false}) all.push_back({by, target, mul, div});
-      }
-    }
-    for (const bool mul : {true, false}) {
-      for (const bool div : {true, false}) all.push_back({by, "i8088", mul, div, true});
-    }
-  }
-  for (const char* target : {"standard", "saturating", "trapping"}) {
-    all.push_back({"type", target, true, true});
-  }
-  all.push_back({"double", "", true, true});
-  return all;
-}
-
 std::optional<cases::Build> build_of(const ArithmeticChoice& choice) {
   if (choice.by == "double") return std::nullopt;
   for (const auto target : {cases::Target::i386, cases::Target::i8088, cases::Target::standard}) {
@@ -60,17 +41,17 @@ std::string name_of(const ArithmeticChoice& choice) {
 }
 
 support::UsageError no_arithmetic(const ArithmeticChoice& choice) {
-  return support::UsageError(fmt::format(
-      "no arithmetic {} {}: the targets of {} are i386, i8088{}", choice.by, choice.target,
-      choice.by, choice.by == "type" ? ", standard, saturating, trapping" : ""));
+  return support::UsageError(
+      fmt::format("{} has no target {}; choose one of i386, i8088{}", choice.by, choice.target,
+                  choice.by == "type" ? ", standard, saturating, trapping" : ""));
 }
 
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const ArithmeticChoice& choice, std::size_t threads) {
   if (choice.by == "double") return std::make_unique<xsharp::Animation<double>>(scene, threads);
   if (choice.by == "model" && threads > 1) {
-    throw support::UsageError(
-        fmt::format("--threads {}: the model draws on 1 thread, its calls are counted", threads));
+    throw support::UsageError(fmt::format(
+        "--threads {}: the model takes 1 thread, because its calls are counted", threads));
   }
   auto player = choice.by == "model"  ? make_model_player(scene, choice)
                 : choice.by == "type" ? make_type_player(scene, choice, threads)

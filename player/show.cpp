@@ -123,7 +123,8 @@ class Show {
 }  // namespace
 
 int show_scene(const xsharp::Scene& scene, bool true_color, std::size_t threads) {
-  if (!xsharp::window_available()) throw support::UsageError("--show: built without SDL2");
+  if (!xsharp::window_available())
+    throw support::UsageError("--show needs SDL2; install it and build again, or use --animate");
   const support::Interrupt interrupt;
   Show(scene, true_color, threads).play();
   return support::Interrupt::flag() ? support::interrupted_status : 0;

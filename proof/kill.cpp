@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "cases/plan.hpp"
 #include "parties/answer.hpp"
@@ -62,21 +61,21 @@ class Duel {
   std::array<parties::Ending, most> ends_{}, ends_wanted_{};
 };
 
+/// @param killed_by the number of the case that killed the program; nothing if it survived
 template <class Subject>
-void try_to_prove(Judgement& judgement, const Subject& subject, const x86::Program& program,
-                  const Solver& solver, int max_seconds) {
+MutantResult result_of(std::optional<std::uint64_t> killed_by, const Subject& subject,
+                       const x86::Program& program, const Solver& solver, int max_seconds) {
+  if (killed_by) return {.fate = Fate::killed, .cases = *killed_by};
+  MutantResult result;
   try {
-    judgement.proof = prove(subject, program, solver, max_seconds);
+    result.proof = prove(subject, program, solver, max_seconds);
   } catch (const Stopped&) {
     throw;
   } catch (const std::exception& error) {
-    judgement.failure = error.what();
+    result.failure = error.what();
   }
-  if (judgement.proof.standing == Standing::proven) judgement.fate = Fate::equivalent;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (result.proof.standing == Standing::proven) result.fate = Fate::equivalent;
+  return result;
 }
 
 }  // namespace
@@ -93,8 +92,8 @@ std::vector<x86::Mutant> mutants_of(const cases::Variant& v) {
 x86::Mutant mutant_of(const cases::Variant& v, std::size_t number) {
   const auto all = mutants_of(v);
   if (number < 1 || number > all.size()) {
-    throw support::UsageError(
-        fmt::format("--mutant {}: {} has mutants 1 to {}", number, cases::name_of(v), all.size()));
+    throw support::UsageError(fmt::format("--mutant {}: {} has mutants 1 to {}; choose one of them",
+                                          number, cases::name_of(v), all.size()));
   }
   return all[number - 1];
 }
@@ -121,34 +120,16 @@ std::optional<std::uint64_t> cases_to_kill(const cases::Variant& v, const partie
   return std::nullopt;
 }
 
-Judgement judge(const cases::Variant& v, const x86::Program& program, std::uint64_t seed,
-                const Solver& solver, int max_seconds) {
-  const auto begin = std::chrono::steady_clock::now();
-  Judgement judgement;
-  if (const auto cases = cases_to_kill(v, *parties::make_interpreter_of("mutant", program), seed)) {
-    judgement.fate = Fate::killed;
-    judgement.cases = *cases;
-  } else if (has_same_terms(v, program.instructions())) {
-    judgement.fate = Fate::equivalent;
-  } else {
-    try_to_prove(judgement, v, program, solver, max_seconds);
-  }
-  judgement.seconds = seconds_since(begin);
-  return judgement;
+MutantResult judge(const cases::Variant& v, const x86::Program& program, std::uint64_t seed,
+                   const Solver& solver, int max_seconds) {
+  const auto killed_by = cases_to_kill(v, *parties::make_interpreter_of("mutant", program), seed);
+  if (!killed_by && has_same_terms(v, program.instructions())) return {.fate = Fate::equivalent};
+  return result_of(killed_by, v, program, solver, max_seconds);
 }
 
-Judgement judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
-                const Solver& solver, int max_seconds) {
-  const auto begin = std::chrono::steady_clock::now();
-  Judgement judgement;
-  if (const auto spans = spans_to_kill(form, program, seed)) {
-    judgement.fate = Fate::killed;
-    judgement.cases = *spans;
-  } else {
-    try_to_prove(judgement, form, program, solver, max_seconds);
-  }
-  judgement.seconds = seconds_since(begin);
-  return judgement;
+MutantResult judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
+                   const Solver& solver, int max_seconds) {
+  return result_of(spans_to_kill(form, program, seed), form, program, solver, max_seconds);
 }
 
 }  // namespace fixproof::proof

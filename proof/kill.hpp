@@ -19,12 +19,11 @@ enum class Fate {
   gap,         ///< level 1 does not detect it, and no proof shows that it is harmless
 };
 
-struct Judgement {
+struct MutantResult {
   Fate fate = Fate::gap;
-  std::uint64_t cases = 0;  ///< cases of level 1 run, including the one that killed it
-  double seconds = 0;
-  Proof proof;          ///< the attempt for a mutant that level 1 did not kill
-  std::string failure;  ///< why the solver failed; empty if it did not
+  std::uint64_t cases = 0;  ///< cases of level 1 up to the one that killed it; 0 if it survived
+  Proof proof;              ///< the attempt for a mutant that level 1 did not kill
+  std::string failure;      ///< why the solver failed; empty if it did not
 };
 
 /// Returns the mutants of a variant's routine. The FixedMul inside an 8088 transform is excluded
@@ -44,11 +43,11 @@ std::optional<std::uint64_t> cases_to_kill(const cases::Variant& variant,
 /// survives. If the solver fails, the result is a gap and `failure` holds the reason.
 /// @param max_seconds time limit per question to the solver
 /// @throws Stopped
-Judgement judge(const cases::Variant& variant, const x86model::Program& program, std::uint64_t seed,
-                const Solver& solver, int max_seconds);
+MutantResult judge(const cases::Variant& variant, const x86model::Program& program,
+                   std::uint64_t seed, const Solver& solver, int max_seconds);
 
 /// The same for an inner loop, with the spans of spans_to_kill().
-Judgement judge(const x86model::LoopForm& form, const x86model::Program& program,
-                std::uint64_t seed, const Solver& solver, int max_seconds);
+MutantResult judge(const x86model::LoopForm& form, const x86model::Program& program,
+                   std::uint64_t seed, const Solver& solver, int max_seconds);
 
 }  // namespace fixproof::proof

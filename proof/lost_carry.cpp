@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "parties/interpreter.hpp"
+#include "proof/specification.hpp"
 #include "x86model/symbolic/call.hpp"
 #include "x86model/symbolic/smt.hpp"
 
@@ -31,17 +33,10 @@ std::string sum_of_products(int row) {
   return text + ")";
 }
 
-/// Adds the fractions and the whole parts separately, without a carry between them.
-constexpr const char* in_parts =
-    R"((define-fun in-parts ((s (_ BitVec 32)) (t (_ BitVec 32))) (_ BitVec 32)
-  (concat (bvadd ((_ extract 31 16) s) ((_ extract 31 16) t))
-          (bvadd ((_ extract 15 0) s) ((_ extract 15 0) t))))
-)";
-
 /// {0} is the sum, {1} the translation, {2} the printed result and {3} the repaired result.
 constexpr const char* fourth_column =
     R"((define-fun sum () (_ BitVec 32) {0})
-(assert (not (and (= {2} (in-parts sum {1})) (= {3} (bvadd sum {1})))))
+(assert (not (and (= {2} (sum-in-parts sum {1})) (= {3} (bvadd sum {1})))))
 )";
 
 /// For any two words, not only those of a transform.
@@ -50,15 +45,24 @@ constexpr const char* difference = R"((declare-const s (_ BitVec 32))
 (define-fun low-words () (_ BitVec 17)
   (bvadd (concat #b0 ((_ extract 15 0) s)) (concat #b0 ((_ extract 15 0) t))))
 (define-fun carry () Bool (= ((_ extract 16 16) low-words) #b1))
-(assert (not (and (= (distinct (in-parts s t) (bvadd s t)) carry)
-                  (= (bvadd s t) (bvadd (in-parts s t) (ite carry (_ bv65536 32) (_ bv0 32)))))))
+(assert (not (and (= (distinct (sum-in-parts s t) (bvadd s t)) carry)
+                  (= (bvadd s t) (bvadd (sum-in-parts s t) (ite carry (_ bv65536 32) (_ bv0 32)))))))
 (check-sat)
 )";
 
 }  // namespace
 
-std::vector<std::string> lost_carry_questions(const x86model::Program& printed,
-                                              const x86model::Program& repaired) {
+std::vector<std::string> lost_carry_questions(bool mul_round) {
+  const auto program = [mul_round](bool repaired) {
+    return parties::program_of(
+        {.operation = cases::Operation::concat,
+         .build = {.target = cases::Target::i8088, .mul_round = mul_round, .repaired = repaired}});
+  };
+  return lost_carry_between(program(false), program(true));
+}
+
+std::vector<std::string> lost_carry_between(const x86model::Program& printed,
+                                            const x86model::Program& repaired) {
   sym::Terms terms;
   const sym::State start = sym::enter(terms, Routine::concat);
   const auto lossy = results_of(terms, start, printed);
@@ -69,7 +73,7 @@ std::vector<std::string> lost_carry_questions(const x86model::Program& printed,
     roots.push_back(terms.variable(sym::operand_name(Routine::concat, i), 32));
   }
   const std::string logic =
-      fmt::format("(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}", in_parts);
+      fmt::format("(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}", sum_in_parts);
   const std::string before = fmt::format(
       "{}"
       "(declare-fun fixedmul ((_ BitVec 32) (_ BitVec 32)) (_ BitVec 32))\n{}{}",

@@ -18,7 +18,10 @@ namespace fixproof::proof {
 /// when and by how much the two sums differ. Products are values of an uninterpreted function, as
 /// in questions().
 /// @throws std::logic_error if a program has several paths or does not return
-std::vector<std::string> lost_carry_questions(const x86model::Program& printed,
-                                              const x86model::Program& repaired);
+std::vector<std::string> lost_carry_questions(bool mul_round);
+
+/// The same for any two programs in place of the printed and the repaired one.
+std::vector<std::string> lost_carry_between(const x86model::Program& printed,
+                                            const x86model::Program& repaired);
 
 }  // namespace fixproof::proof

@@ -39,8 +39,8 @@ File temporary_file() {
   if (descriptor >= 0) ::unlink(name.c_str());
   File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+"), std::fclose);
   if (!file) {
-    throw std::runtime_error(
-        fmt::format("no temporary file {}: {}", name, std::generic_category().message(errno)));
+    throw std::runtime_error(fmt::format("cannot create the temporary file {}: {}", name,
+                                         std::generic_category().message(errno)));
   }
   return file;
 }

@@ -13,11 +13,11 @@ namespace {
 
 SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds,
                      double& seconds) {
-  SolverAnswer answer{.verdict = Verdict::unsatisfiable};
+  SolverAnswer answer{.verdict = Satisfiability::unsatisfiable};
   for (const std::string& script : scripts) {
     answer = solver.ask(script, max_seconds);
     seconds += answer.seconds;
-    if (answer.verdict != Verdict::unsatisfiable) break;
+    if (answer.verdict != Satisfiability::unsatisfiable) break;
   }
   return answer;
 }
@@ -27,8 +27,8 @@ Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, i
   Proof proof;
   proof.questions = scripts.size();
   const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof.seconds);
-  if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
-  if (answer.verdict == Verdict::satisfiable) proof.standing = Standing::disproven;
+  if (answer.verdict == Satisfiability::unsatisfiable) proof.standing = Standing::proven;
+  if (answer.verdict == Satisfiability::satisfiable) proof.standing = Standing::disproven;
   return proof;
 }
 
@@ -37,15 +37,6 @@ Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, i
 Proof prove(const x86model::LoopForm& form, const x86model::Program& program, const Solver& solver,
             int max_seconds) {
   return prove_all(step_questions(form, program), solver, max_seconds);
-}
-
-std::vector<std::string> lost_carry_questions(bool mul_round) {
-  const auto program = [mul_round](bool repaired) {
-    return parties::program_of(
-        {.operation = cases::Operation::concat,
-         .build = {.target = cases::Target::i8088, .mul_round = mul_round, .repaired = repaired}});
-  };
-  return lost_carry_questions(program(false), program(true));
 }
 
 Proof prove_lost_carry(bool mul_round, const Solver& solver, int max_seconds) {
@@ -60,8 +51,8 @@ Proof prove(const cases::Variant& v, const x86model::Program& program, const Sol
     const auto scripts = questions(v, program.instructions(), arithmetic);
     proof.questions += scripts.size();
     const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof.seconds);
-    if (answer.verdict == Verdict::unsatisfiable) proof.standing = Standing::proven;
-    if (answer.verdict != Verdict::satisfiable) return proof;
+    if (answer.verdict == Satisfiability::unsatisfiable) proof.standing = Standing::proven;
+    if (answer.verdict != Satisfiability::satisfiable) return proof;
     const auto operands = operands_in(v, answer.text);
     proof.given = parties::ask(*party, v, operands);
     proof.wanted = parties::ask(parties::party_named("oracle"), v, operands);

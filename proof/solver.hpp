@@ -6,10 +6,10 @@
 
 namespace fixproof::proof {
 
-enum class Verdict { unsatisfiable, satisfiable, unknown };
+enum class Satisfiability { unsatisfiable, satisfiable, unknown };
 
 struct SolverAnswer {
-  Verdict verdict = Verdict::unknown;
+  Satisfiability verdict = Satisfiability::unknown;
   std::string text{};  ///< its whole output, including the model if satisfiable
   double seconds = 0;
 };

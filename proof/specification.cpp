@@ -137,12 +137,6 @@ std::string sum(const cases::Variant& v,
   return text + (translation.empty() ? ")" : " " + translation + ")");
 }
 
-/// Adds the fractions and the whole parts separately, without a carry between them.
-constexpr const char* sum_in_parts =
-    R"((define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
-  (concat (bvadd (high x) (high y)) (bvadd (low x) (low y))))
-)";
-
 std::vector<std::string> transformed_point(const cases::Variant& v) {
   std::vector<std::string> words;
   for (int row = 0; row < 3; ++row) {

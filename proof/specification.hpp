@@ -32,6 +32,14 @@ struct Specification {
   std::vector<std::string> products{};
 };
 
+/// Defines sum-in-parts, which adds the fractions and the whole parts of two words separately,
+/// without a carry between them.
+inline constexpr const char* sum_in_parts =
+    R"((define-fun sum-in-parts ((x (_ BitVec 32)) (y (_ BitVec 32))) (_ BitVec 32)
+  (concat (bvadd ((_ extract 31 16) x) ((_ extract 31 16) y))
+          (bvadd ((_ extract 15 0) x) ((_ extract 15 0) y))))
+)";
+
 /// Returns the specification of a routine under the rules of FIXED.ASM, at full width.
 Specification specification(const cases::Variant& variant);
 

@@ -88,7 +88,8 @@ class Decoder {
   using Result = std::variant<x86::Instruction, Skip>;
 
   std::uint8_t next() {
-    if (position_ == bytes_.size()) throw support::UsageError("bytes end inside the instruction");
+    if (position_ == bytes_.size())
+      throw support::UsageError("bytes end before the instruction does");
     return bytes_[position_++];
   }
   ModRm modrm() {

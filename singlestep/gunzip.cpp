@@ -34,7 +34,7 @@ std::string gunzip(std::string contents) {
     const int status = inflate(&stream, Z_NO_FLUSH);
     const bool no_output = stream.next_out == buffer.data();
     text.append(buffer.data(), stream.next_out);
-    if (text.size() > max_size) throw support::UsageError("decompressed, more than 256 MiB");
+    if (text.size() > max_size) throw support::UsageError("more than 256 MiB when decompressed");
     if (status == Z_STREAM_END) {
       if (stream.avail_in == 0) return text;
       inflateReset(&stream);  // Starts the next member. inflate() reports anything else.

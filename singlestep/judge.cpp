@@ -123,7 +123,7 @@ std::variant<Differences, Skip> judge(const Case& c, x86::Target cpu) {
   // F4h may also be the last byte of an immediate.
   if (length != c.bytes.size() && length != length_of(c, cpu)) {
     throw support::UsageError(
-        fmt::format("bytes are {}, the instruction has {}", c.bytes.size(), length));
+        fmt::format("there are {} bytes, but the instruction has {}", c.bytes.size(), length));
   }
   StepMachine m = machine_of(c.initial);
   const x86::Outcome outcome = x86::execute_any(instruction, m);

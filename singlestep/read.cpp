@@ -67,7 +67,7 @@ void read_registers(const Json& json, x86model::Target cpu, std::string_view pat
   for (const auto& [name, value] : json.items()) {
     const auto place = place_named(name, cpu);
     if (!place) {
-      throw support::UsageError(fmt::format("{}: {} is no register of the {}", path,
+      throw support::UsageError(fmt::format("{}: {} is not a register of the {}", path,
                                             fixproof::support::quoted(name),
                                             cpu == x86model::Target::i386 ? "386" : "8088"));
     }
@@ -149,7 +149,8 @@ class Sink {
       throw support::UsageError(fmt::format("case {} is too long", cases_));
     if (event == Json::parse_event_t::key) return is_judged(depth, parsed);
     if (depth == 0 && event != Json::parse_event_t::array_end) {
-      if (event != Json::parse_event_t::array_start) throw support::UsageError("no array of cases");
+      if (event != Json::parse_event_t::array_start)
+        throw support::UsageError("not an array of cases");
     }
     if (depth != 1) return true;
     switch (event) {
@@ -158,7 +159,7 @@ class Sink {
         return false;
       case Json::parse_event_t::array_start:
       case Json::parse_event_t::value:
-        throw support::UsageError(fmt::format("case {} is no object", cases_));
+        throw support::UsageError(fmt::format("case {} is not an object", cases_));
       default:
         return true;
     }
@@ -212,16 +213,16 @@ void read_cases(const std::string& path, x86model::Target cpu,
       throw support::UsageError(fmt::format("no JSON: a zero byte, at byte {}", zero + 1));
     }
     if (text.starts_with("MOO "))
-      throw support::UsageError("binary MOO; moo2json.py makes JSON of it");
+      throw support::UsageError("a binary MOO file; convert it to JSON with moo2json.py");
     // The array is empty because the sink discards every case.
     const Json rest = Json::parse(text, std::ref(sink));
-    if (!rest.empty() || sink.cases() == 0) throw support::UsageError("no cases");
+    if (!rest.empty() || sink.cases() == 0) throw support::UsageError("the array has no cases");
   } catch (const Json::parse_error& error) {
-    throw support::UsageError(fmt::format("{}: no JSON, or cut short, at byte {}, after {} cases",
+    throw support::UsageError(fmt::format("{}: not JSON, or cut short, at byte {}, after {} cases",
                                           path, error.byte, sink.cases()));
   } catch (const Json::out_of_range&) {
     throw support::UsageError(
-        fmt::format("{}: a number too large for any field, after {} cases", path, sink.cases()));
+        fmt::format("{}: a number is too large for any field, after {} cases", path, sink.cases()));
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}: {}", path, error.what()));
   }

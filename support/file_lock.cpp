@@ -38,7 +38,7 @@ FileLock::FileLock(const Place& place)
     if (!file_.is_open()) refuse(errno);
     if (::flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK) {
-        place.refuse("another run is writing it; wait for it, or name another file");
+        place.refuse("another run writes this file; wait for it, or name another");
       }
       // A file system without locks. Leaves unfinished files, because a live run may write them.
       return;

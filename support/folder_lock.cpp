@@ -19,13 +19,13 @@ FolderLock::FolderLock(const std::string& option, const std::string& folder) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
   folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder_.is_open()) {
-    throw UsageError(fmt::format("{} {}: cannot be opened: {}", option, folder,
+    throw UsageError(fmt::format("{} {}: cannot open this folder: {}", option, folder,
                                  std::generic_category().message(errno)));
   }
   // On a file system without locks the folder stays unlocked.
   if (::flock(folder_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw UsageError(
-        fmt::format("{} {}: another run is writing there; wait for it, or name another folder",
+        fmt::format("{} {}: another run writes to this folder; wait for it, or name another folder",
                     option, folder));
   }
 }

@@ -12,7 +12,7 @@ namespace {
 /// Returns the length in bytes of a character at the beginning of `text` that controls a terminal
 /// or changes the text direction, else 0. These are C0, DEL, C1 (U+0080 to U+009F) and the marks of
 /// the bidirectional algorithm.
-std::size_t steering(std::string_view text) {
+std::size_t control_length(std::string_view text) {
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (byte(0) < ' ' || byte(0) == 0x7f) return 1;
   if (text.size() >= 2 && byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
@@ -45,7 +45,7 @@ std::string duration(double seconds) {
 std::string printable(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t bytes = steering(std::string_view(text).substr(i));
+    const std::size_t bytes = control_length(std::string_view(text).substr(i));
     result += bytes > 0 ? '?' : text[i];
     i += std::max<std::size_t>(bytes, 1);
   }

@@ -25,7 +25,7 @@ bool read_line(std::istream& in, std::string& line) {
   line.assign(buffer.data(), length);
   if (line.ends_with('\r') && !in.eof()) line.pop_back();
   if (in.fail() || line.size() > longest_line) {
-    throw UsageError(fmt::format("longer than {} characters", longest_line));
+    throw UsageError(fmt::format("the line is longer than {} characters", longest_line));
   }
   return true;
 }

@@ -30,7 +30,7 @@ std::vector<std::vector<const parties::Party*>> parties_of(
           std::find_if(parties.begin(), parties.end(),
                        [&](const parties::Party* party) { return party->name() == name; });
       if (found == parties.end()) {
-        throw std::invalid_argument(fmt::format("no party '{}'", name));
+        throw std::invalid_argument(fmt::format("there is no party '{}'", name));
       }
       row_parties.push_back(*found);
     }

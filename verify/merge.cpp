@@ -26,9 +26,8 @@ void add(Report& sum, const NamedReport& part, std::span<const NamedReport> befo
                        [&](const NamedReport& earlier) { return earlier.report.done[chunk]; });
       throw std::runtime_error(
           other->name == part.name
-              ? fmt::format("{} is given twice", part.name)
-              : fmt::format("{} and {} both hold chunk {}: it would be counted "
-                            "twice",
+              ? fmt::format("{} is given twice; name it once", part.name)
+              : fmt::format("{} and {} both have chunk {}, which would count twice; leave one out",
                             other->name, part.name, chunk));
     }
     sum.done[chunk] = true;
@@ -47,8 +46,8 @@ Report merged(std::span<const NamedReport> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string differs = difference(parts[i].report, first);
     if (!differs.empty()) {
-      throw std::runtime_error(fmt::format("{} is not of the verification of {}: {}", parts[i].name,
-                                           parts.front().name, differs));
+      throw std::runtime_error(fmt::format("{} belongs to another verification than {}: {}",
+                                           parts[i].name, parts.front().name, differs));
     }
     add(sum, parts[i], parts.first(i));
   }
@@ -60,7 +59,7 @@ std::string missing(const Report& sum, std::span<const NamedReport> parts) {
   std::uint64_t shards = 1;
   for (const NamedReport& part : parts) shards = std::max(shards, part.report.shard.count);
   std::vector<std::string> names;
-  std::size_t lacking = 0;
+  std::size_t missing_shards = 0;
   // Shards beyond the number of chunks are empty.
   for (std::uint64_t i = 1; i <= std::min<std::uint64_t>(shards, sum.done.size()); ++i) {
     std::uint64_t all = 0;
@@ -70,14 +69,15 @@ std::string missing(const Report& sum, std::span<const NamedReport> parts) {
       if (!sum.done[chunk]) ++left;
     }
     if (left == 0) continue;
-    if (++lacking > max_named) continue;
+    if (++missing_shards > max_named) continue;
     names.push_back(left == all
                         ? fmt::format("shard {}/{}", i, shards)
                         : fmt::format("{} of {} chunks of shard {}/{}", support::grouped(left),
                                       support::grouped(all), i, shards));
   }
   std::string text = fmt::format("missing: {}", fmt::join(names, ", "));
-  if (lacking > max_named) text += fmt::format(" and {} shards more", lacking - max_named);
+  if (missing_shards > max_named)
+    text += fmt::format(" and {} more shards", missing_shards - max_named);
   return text;
 }
 

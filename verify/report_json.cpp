@@ -32,14 +32,14 @@ Integer integer_in(std::string_view text, int base, const char* what) {
   Integer value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (error != std::errc{} || end != text.data() + text.size()) {
-    refuse(fmt::format("'{}' is no {}", text, what));
+    refuse(fmt::format("'{}' is not a {}", text, what));
   }
   return value;
 }
 
 /// Reads an unsigned count. The library would convert -1 to the largest value.
 std::uint64_t count_in(const Json& json) {
-  if (!json.is_number_unsigned()) refuse(fmt::format("{} is no count", json.dump()));
+  if (!json.is_number_unsigned()) refuse(fmt::format("{} is not a count", json.dump()));
   return json.get<std::uint64_t>();
 }
 
@@ -48,7 +48,7 @@ template <class Value>
 bool is_second(const Json& json, const Value& first, const Value& second) {
   const auto value = json.get<Value>();
   if (value != first && value != second) {
-    refuse(fmt::format("{} where {} or {} is wanted", json.dump(), first, second));
+    refuse(fmt::format("{} must be {} or {}", json.dump(), first, second));
   }
   return value == second;
 }
@@ -129,7 +129,7 @@ void read_done(const Json& ranges, Report& report) {
     const std::uint64_t first = count_in(range.at(0));
     const std::uint64_t last = count_in(range.at(1));
     if (first < next || last < first || last >= places) {
-      refuse(fmt::format("the chunks done, {} to {}, do not fit", first, last));
+      refuse(fmt::format("the chunks {} to {} of \"done\" are not in the shard", first, last));
     }
     for (std::uint64_t place = first; place <= last; ++place) {
       report.done[report.shard.index - 1 + place * report.shard.count] = true;
@@ -223,15 +223,19 @@ void check_counts(const Report& report) {
 
 cases::Shard shard_in(const Json& json) {
   const cases::Shard shard{count_in(json.at(0)), count_in(json.at(1))};
-  if (shard.index < 1 || shard.index > shard.count) refuse("impossible shard");
+  if (shard.index < 1 || shard.index > shard.count)
+    refuse("the shard is not i of n with 1 <= i <= n");
   return shard;
 }
 
 Report report_in(const Json& json) {
   const auto format = json.is_object() ? json.find("format") : json.end();
-  if (format == json.end() || *format != std::string(format_name)) refuse("no report of fixproof");
+  if (format == json.end() || *format != std::string(format_name))
+    refuse("not a report of fixproof");
   if (const int version = json.at("version").get<int>(); version != format_version) {
-    refuse(fmt::format("a report of version {}; this is version {}", version, format_version));
+    refuse(fmt::format(
+        "the report has version {}, but this fixproof reads version {}; run verify again", version,
+        format_version));
   }
   std::vector<cases::Row> rows;
   for (const Json& row : json.at("rows")) rows.push_back(row_in(row));
@@ -240,7 +244,7 @@ Report report_in(const Json& json) {
                    std::move(rows));
   for (std::size_t i = 0; i < plan.rows().size(); ++i) {
     if (json.at("rows")[i].at("streams") != streams_of(plan, i)) {
-      refuse("made by a fixproof that runs other cases");
+      refuse("made by a fixproof that runs other cases; run verify again");
     }
   }
   const std::uint64_t max_shown = count_in(json.at("max_reports"));
@@ -289,7 +293,7 @@ Report from_json(std::string_view text) {
   try {
     return report_in(Json::parse(text));
   } catch (const Json::parse_error&) {
-    refuse(text.empty() ? "empty" : "no JSON, or cut short");
+    refuse(text.empty() ? "empty" : "not JSON, or cut short");
   } catch (const Json::exception& error) {
     // The library's message begins with its own error number in brackets.
     const std::string_view message = error.what();
@@ -310,7 +314,7 @@ std::string difference(const Report& a, const Report& b) {
   for (std::size_t i = 0; first.empty() && i < a.plan.rows().size(); ++i) {
     const cases::Row& of_a = a.plan.rows()[i];
     const cases::Row& of_b = b.plan.rows()[i];
-    if (of_a.variant != of_b.variant) first = fmt::format("another variant in row {}", i + 1);
+    if (of_a.variant != of_b.variant) first = fmt::format("row {} has another variant", i + 1);
     if (of_a.parties == of_b.parties) continue;
     first = fmt::format("row {} compares {}, not {}", i + 1, fmt::join(of_a.parties, " "),
                         fmt::join(of_b.parties, " "));

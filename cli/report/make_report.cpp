@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "cli/command_line.hpp"
+#include "cli/scene_options.hpp"
 #include "measure/host/provenance.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
@@ -34,13 +35,12 @@ std::vector<xsharp::Scene> read_scenes(const std::vector<std::string>& files) {
     scenes.push_back(xsharp::read_scene(file));
     for (std::size_t i = 0; i + 1 < scenes.size(); ++i) {
       if (scenes[i].name != scenes.back().name) continue;
-      throw support::UsageError(fmt::format("{} and {} are both named {}: rename one of them",
-                                            files[i], file, scenes[i].name));
+      throw support::UsageError(
+          fmt::format("{} and {} are both named {}; change the \"name\" of one of them", files[i],
+                      file, scenes[i].name));
     }
   }
-  if (scenes.front().objects.empty()) {
-    throw support::UsageError(scenes.front().name + " has no objects");
-  }
+  require_objects(scenes.front());
   return scenes;
 }
 
@@ -53,10 +53,11 @@ void check_outputs(const ReportRequest& request, const std::vector<xsharp::Scene
   for (const ReportStep& step : steps) {
     files.insert(files.end(), step.files.begin(), step.files.end());
   }
-  for (const std::string& file : files) {
-    for (const xsharp::Scene& scene : scenes) player::refuse_inputs("--out", file, scene.files);
-    support::check_replaceable(file);
+  std::vector<std::filesystem::path> inputs;
+  for (const xsharp::Scene& scene : scenes) {
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }
+  for (const std::string& file : files) player::check_output("--out", file, inputs);
 }
 
 void make_folder(const std::string& folder) {
@@ -64,7 +65,7 @@ void make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) {
     throw support::UsageError(
-        fmt::format("--out {}: cannot make this folder: {}", folder, error.message()));
+        fmt::format("--out {}: cannot create this folder: {}", folder, error.message()));
   }
 }
 
@@ -124,7 +125,7 @@ int make_report(const ReportRequest& request) {
   }
   write_page(request, scenes, commands, data);
   std::cout << fmt::format(
-      "{0}/report.html is the page; {0}/report.json and the files in {0}/data have its figures\n",
+      "Wrote the page {0}/report.html, and its figures to {0}/report.json and {0}/data\n",
       support::printable(request.folder));
   return verify_status;
 }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 
 #include "support/json.hpp"
+#include "support/sha256.hpp"
 
 namespace fixproof::cli {
 
@@ -20,13 +22,26 @@ void put(std::string& page, std::string_view place, std::string_view contents) {
   page.replace(at, place.size(), contents);
 }
 
-std::string script(std::string_view code) {
+/// An inline script or style, and the source expression that lets a Content-Security-Policy run it.
+struct Inline {
+  std::string element;
+  std::string hash;
+};
+
+Inline inline_element(std::string_view name, std::string_view text) {
+  const std::string content = fmt::format("\n{}\n", text);
+  const support::Sha256 digest = support::sha256(std::as_bytes(std::span(content)));
+  return {fmt::format("<{0}>{1}</{0}>", name, content),
+          fmt::format("'sha256-{}'", base64(std::string(digest.begin(), digest.end())))};
+}
+
+Inline script(std::string_view code) {
   for (const std::string_view end : {"</script", "<!--"}) {
     if (code.find(end) != std::string_view::npos) {
       throw std::logic_error(fmt::format("a script of the page contains {}", end));
     }
   }
-  return fmt::format("<script>\n{}\n</script>", code);
+  return inline_element("script", code);
 }
 
 std::string figure_of(const PagePicture& picture) {
@@ -114,7 +129,13 @@ std::string assemble_page(const PageParts& parts, const support::Json& report,
   }
   std::string page(parts.page);
   // The project's own parts come first, so that put() finds no marker in scene texts or libraries.
-  put(page, "<!--style-->", fmt::format("<style>\n{}</style>", parts.style));
+  const Inline style = inline_element("style", parts.style);
+  const Inline charts = script(parts.charts);
+  const Inline d3 = script(parts.d3);
+  const Inline plot = script(parts.plot);
+  put(page, "<!--script-hashes-->", fmt::format("{} {} {}", d3.hash, plot.hash, charts.hash));
+  put(page, "<!--style-hash-->", style.hash);
+  put(page, "<!--style-->", style.element);
   put(page, "<!--pictures-->", shown);
   put(page, "<!--beside-->",
       beside.empty() ? "<p>None of these scenes has stepped surfaces.</p>" : beside);
@@ -122,8 +143,8 @@ std::string assemble_page(const PageParts& parts, const support::Json& report,
   put(page, "<!--data-->",
       fmt::format("<script type=\"application/json\" id=\"data\">{}</script>",
                   script_json(report)));
-  put(page, "<!--charts-->", script(parts.charts));
-  put(page, "<!--libraries-->", script(parts.d3) + '\n' + script(parts.plot));
+  put(page, "<!--charts-->", charts.element);
+  put(page, "<!--libraries-->", d3.element + '\n' + plot.element);
   return page;
 }
 

@@ -27,7 +27,8 @@ std::string script_json(const support::Json& json);
 /// Encodes bytes in base64 (RFC 4648).
 std::string base64(std::string_view bytes);
 
-/// Fills the markers of the page.
+/// Fills the markers of the page. Its content policy allows the scripts and the style by their
+/// SHA-256 only.
 /// @param strip an SVG, or empty
 /// @throws std::logic_error if a script contains its own end tag, or if a marker does not occur
 ///         exactly once

@@ -7,8 +7,8 @@
 namespace fixproof::cli {
 
 struct PageParts {
-  /// HTML with the markers <!--style-->, <!--libraries-->, <!--pictures-->, <!--beside-->,
-  /// <!--strip-->, <!--data--> and <!--charts-->
+  /// HTML with the markers <!--script-hashes-->, <!--style-hash-->, <!--style-->, <!--libraries-->,
+  /// <!--pictures-->, <!--beside-->, <!--strip-->, <!--data--> and <!--charts-->
   std::string_view page;
   std::string_view style;
   std::string_view d3;

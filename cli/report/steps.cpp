@@ -96,7 +96,7 @@ ReportStep measure_step(const std::string& name, Measurement<Result> measure, co
               fmt::print(stderr, "fixproof: {}\n", line);
             }
             if (measured.status != 0) return measured.status;
-            data.parts[name] = to_json(*measured.result);
+            data.parts[name] = *measured.result;
             support::replace_file(json, support::json_text(data.parts[name]));
             return 0;
           }};
@@ -114,9 +114,9 @@ ReportStep drift_step(const ReportRequest& request, const xsharp::Scene& scene,
   }
   append(arguments, {"--json", json, "--strip", svg});
   return {"drift", command_line(arguments), {json, svg}, [=, &scene](ReportData& data) {
-            const DriftFigures figures = measure_drift(scene, drift);
+            const trade::DriftFigures figures = measure_drift(scene, drift);
             if (!figures.complete()) return support::interrupted_status;
-            data.parts["drift"] = to_json(figures);
+            data.parts["drift"] = figures;
             support::replace_file(json, support::json_text(data.parts["drift"]));
             data.strip = drift_strip(scene, drift);
             support::replace_file(svg, data.strip);

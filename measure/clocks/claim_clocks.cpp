@@ -12,11 +12,11 @@ const SceneOperands& operands_of(const RecordedScene& scene, const cases::Build&
   for (const SceneOperands& operands : scene.builds) {
     if (operands.build == build) return operands;
   }
-  throw std::out_of_range("a build that is not recorded");
+  throw std::out_of_range("the build is not recorded");
 }
 
-Bounds clocks_a_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
-                      Fetching fetching) {
+Bounds clocks_per_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
+                        Fetching fetching) {
   const SceneOperands& operands = operands_of(scene, build);
   const FrameClocks clocks = clocks_of(operands.log, operands.build, cpu);
   const auto frames = static_cast<double>(operands.frames);

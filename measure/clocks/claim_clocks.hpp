@@ -37,8 +37,8 @@ enum class Fetching {
 const SceneOperands& operands_of(const RecordedScene& scene, const cases::Build& build);
 
 /// Clocks of the listings per frame of a scene. `fetching` matters on the 8088 alone.
-Bounds clocks_a_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
-                      Fetching fetching = Fetching::meanwhile);
+Bounds clocks_per_frame(const RecordedScene& scene, const cases::Build& build, x86model::Cpu cpu,
+                        Fetching fetching = Fetching::meanwhile);
 
 Bounds ratio(const Bounds& a, const Bounds& b);
 

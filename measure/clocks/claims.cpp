@@ -39,8 +39,8 @@ Claim switch_to_8088(const std::vector<RecordedScene>& scenes) {
   for (const RecordedScene& scene : scenes) {
     for (const Cpu cpu : {Cpu::i386, Cpu::i486}) {
       add_figure(claim, fmt::format("{} on a {}", scene.name, name_of(cpu)),
-                 ratio(clocks_a_frame(scene, i8088_printed, cpu),
-                       clocks_a_frame(scene, i386_printed, cpu)),
+                 ratio(clocks_per_frame(scene, i8088_printed, cpu),
+                       clocks_per_frame(scene, i386_printed, cpu)),
                  cpu == Cpu::i486 ? Evidence::decides : Evidence::neither);
     }
   }
@@ -61,7 +61,7 @@ Claim machines(const std::vector<RecordedScene>& scenes, std::string text, std::
   Claim claim{std::move(text), place, std::move(means), "times", about(times), {}};
   for (const RecordedScene& scene : scenes) {
     const auto time = [&](const Machine& m, Fetching fetching) {
-      return seconds(clocks_a_frame(scene, m.build, m.cpu, fetching), m.megahertz);
+      return seconds(clocks_per_frame(scene, m.build, m.cpu, fetching), m.megahertz);
     };
     const Bounds fast_time = time(fast, Fetching::meanwhile);
     const bool fetches = slow.cpu == Cpu::i8088;
@@ -75,8 +75,8 @@ Claim machines(const std::vector<RecordedScene>& scenes, std::string text, std::
 }
 
 /// A necessary condition: the clocks of the listings alone must fit into the frame.
-Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string text, double wanted,
-                      const Machine& m) {
+Claim claim_of_frame_rate(const std::vector<RecordedScene>& scenes, std::string text, double wanted,
+                          const Machine& m) {
   Claim claim{
       std::move(text),
       opening,
@@ -90,7 +90,7 @@ Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string text
   for (const RecordedScene& scene : scenes) {
     if (scene.name != ball_scene) continue;
     add_figure(claim, scene.name,
-               ratio({1, 1}, seconds(clocks_a_frame(scene, m.build, m.cpu), m.megahertz)),
+               ratio({1, 1}, seconds(clocks_per_frame(scene, m.build, m.cpu), m.megahertz)),
                Evidence::can_refute);
   }
   return claim;
@@ -98,48 +98,49 @@ Claim frames_a_second(const std::vector<RecordedScene>& scenes, std::string text
 
 }  // namespace
 
-Verdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence) {
+ClaimVerdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence) {
   const bool shows = evidence == Evidence::decides || evidence == Evidence::can_show;
   const bool refutes = evidence == Evidence::decides || evidence == Evidence::can_refute;
   const bool inside = allowed.min <= measured.min && measured.max <= allowed.max;
   const bool outside = measured.max < allowed.min || allowed.max < measured.min;
-  if (inside && shows) return Verdict::holds;
-  if (inside && refutes) return Verdict::not_refuted;
-  if (outside && refutes) return Verdict::does_not_hold;
-  return Verdict::open;
+  if (inside && shows) return ClaimVerdict::holds;
+  if (inside && refutes) return ClaimVerdict::not_refuted;
+  if (outside && refutes) return ClaimVerdict::does_not_hold;
+  return ClaimVerdict::open;
 }
 
-Verdict verdict_on(const Claim& claim) {
-  Verdict all = Verdict::open;
+ClaimVerdict verdict_on(const Claim& claim) {
+  ClaimVerdict all = ClaimVerdict::open;
   for (const ClaimFigure& f : claim.figures) {
-    if (f.verdict == Verdict::open || f.verdict == all) continue;
-    if (all != Verdict::open) return Verdict::in_part;
+    if (f.verdict == ClaimVerdict::open || f.verdict == all) continue;
+    if (all != ClaimVerdict::open) return ClaimVerdict::in_part;
     all = f.verdict;
   }
   return all;
 }
 
-std::string name_of(Verdict verdict) {
+std::string name_of(ClaimVerdict verdict) {
   static constexpr std::array names{"holds", "does not hold", "not refuted", "open",
                                     "holds in part"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-support::Json to_json(const Bounds& bounds) { return {{"min", bounds.min}, {"max", bounds.max}}; }
+void to_json(support::Json& json, const Bounds& bounds) {
+  json = {{"min", bounds.min}, {"max", bounds.max}};
+}
 
-support::Json to_json(const Claim& claim) {
-  support::Json figures = support::Json::array();
-  for (const ClaimFigure& f : claim.figures) {
-    figures.push_back(
-        {{"where", f.where}, {"measured", to_json(f.measured)}, {"verdict", name_of(f.verdict)}});
-  }
-  return {{"claim", claim.text},
+static void to_json(support::Json& json, const ClaimFigure& f) {
+  json = {{"where", f.where}, {"measured", f.measured}, {"verdict", name_of(f.verdict)}};
+}
+
+void to_json(support::Json& json, const Claim& claim) {
+  json = {{"claim", claim.text},
           {"place", claim.place},
           {"means", claim.means},
           {"unit", claim.unit},
           {"verdict", name_of(verdict_on(claim))},
-          {"allowed", to_json(claim.allowed)},
-          {"figures", std::move(figures)}};
+          {"allowed", claim.allowed},
+          {"figures", claim.figures}};
 }
 
 std::vector<cases::Build> recorded_builds() {
@@ -165,11 +166,13 @@ std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes) {
   add(machines(scenes, "With its 8088 instructions that makes a hundred.",
                "8088 listings on the PC over 386 listings on the 486, seconds a frame; 80 to 125",
                100, pc_8088, native_486));
-  add(frames_a_second(scenes,
-                      "A 486 at 33 MHz animates the shaded ball 60 times a second, with cycles to "
-                      "spare.",
-                      60, native_486));
-  add(frames_a_second(scenes, "An AT at 8 MHz animates it about 6 times a second.", 6, at_8088));
+  add(claim_of_frame_rate(
+      scenes,
+      "A 486 at 33 MHz animates the shaded ball 60 times a second, with cycles to "
+      "spare.",
+      60, native_486));
+  add(claim_of_frame_rate(scenes, "An AT at 8 MHz animates it about 6 times a second.", 6,
+                          at_8088));
   add(machines(scenes, "An 8 MHz AT is about 10 times slower than a 486 at 33 MHz.",
                "8088 listings on a 286 at 8 MHz over 386 listings on a 486, as printed, seconds a "
                "frame; 8 to 12.5.\nPublished as 6 and 60 frames a second of whole animations, of "

@@ -14,7 +14,7 @@
 
 namespace fixproof::measure {
 
-enum class Verdict { holds, does_not_hold, not_refuted, open, in_part };
+enum class ClaimVerdict { holds, does_not_hold, not_refuted, open, in_part };
 
 /// How a measurement of the listings relates to a claim.
 enum class Evidence {
@@ -27,12 +27,12 @@ enum class Evidence {
 /// `holds` if all of `measured` is allowed, `does_not_hold` if none of it is. `not_refuted` if it
 /// is allowed but not sufficient. `open` if the tables' ranges or the evidence leave the claim
 /// undecided.
-Verdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence);
+ClaimVerdict judge(const Bounds& measured, const Bounds& allowed, Evidence evidence);
 
 struct ClaimFigure {
   std::string where;  ///< scene, code and processor
   Bounds measured;
-  Verdict verdict{};
+  ClaimVerdict verdict{};
 };
 
 struct Claim {
@@ -67,14 +67,14 @@ std::span<const NotJudged> not_judged();
 std::vector<Claim> judge_claims(const std::vector<RecordedScene>& scenes);
 
 /// The common verdict of the figures that are not open; `in_part` if they disagree.
-Verdict verdict_on(const Claim& claim);
+ClaimVerdict verdict_on(const Claim& claim);
 
-std::string name_of(Verdict verdict);
+std::string name_of(ClaimVerdict verdict);
 
-support::Json to_json(const Bounds& bounds);
+void to_json(support::Json& json, const Bounds& bounds);
 
 /// {claim, place, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured:
 /// {min, max}, verdict}}. Infinite bounds become null, because JSON has no number for them.
-support::Json to_json(const Claim& claim);
+void to_json(support::Json& json, const Claim& claim);
 
 }  // namespace fixproof::measure

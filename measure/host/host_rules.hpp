@@ -75,20 +75,20 @@ HostJudgement coordinate_rounded(const HostCase& c) {
 /// Half the spacing of F at `x`: the largest error of one rounding to nearest. fma() makes the
 /// residuals compared with it exact.
 template <std::floating_point F>
-double half_a_step(double x) {
+double half_step(double x) {
   return x == 0 ? 0 : std::ldexp(0.5, std::ilogb(x) + 1 - std::numeric_limits<F>::digits);
 }
 
 template <std::floating_point F>
 HostJudgement product_in(const HostCase& c) {
   const double r = c.result * 0x1p16;
-  return judged(std::fabs(std::fma(c.operands[0], c.operands[1], -r)) <= half_a_step<F>(r));
+  return judged(std::fabs(std::fma(c.operands[0], c.operands[1], -r)) <= half_step<F>(r));
 }
 
 template <std::floating_point F>
 HostJudgement quotient_in(const HostCase& c) {
   const double residual = std::fma(c.result, c.operands[1], -c.operands[0] * 0x1p16);
-  return judged(std::fabs(residual) <= half_a_step<F>(c.result) * std::fabs(c.operands[1]));
+  return judged(std::fabs(residual) <= half_step<F>(c.result) * std::fabs(c.operands[1]));
 }
 
 /// The error of r^2 is 2 r times the error of r.
@@ -96,7 +96,7 @@ template <std::floating_point F>
 HostJudgement root_in(const HostCase& c) {
   const double r = c.result;
   const double residual = std::fma(r, r, -c.operands[0] * 0x1p16);
-  return judged(r >= 0 && std::fabs(residual) <= 2 * r * half_a_step<F>(r));
+  return judged(r >= 0 && std::fabs(residual) <= 2 * r * half_step<F>(r));
 }
 
 /// Judges double itself in higher precision.

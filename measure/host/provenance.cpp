@@ -38,14 +38,11 @@ std::string date_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-support::Json made_by_json(std::uint64_t seed, const std::string& command) {
-  return {
-      {"command", command}, {"seed", seed}, {"compiler", compiler_name()}, {"date", date_now()}};
-}
-
-support::Json made_by_json(const std::string& command) {
-  support::Json made = made_by_json(0, command);
-  made.erase("seed");
+support::Json made_by_json(const std::string& command, std::optional<std::uint64_t> seed) {
+  support::Json made{{"command", command}};
+  if (seed) made["seed"] = *seed;
+  made["compiler"] = compiler_name();
+  made["date"] = date_now();
   return made;
 }
 

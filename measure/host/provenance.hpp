@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "support/json.hpp"
@@ -21,10 +22,7 @@ std::string processor_name();
 /// The current time in UTC, as ISO 8601.
 std::string date_now();
 
-/// {command, seed, compiler, date}
-support::Json made_by_json(std::uint64_t seed, const std::string& command);
-
-/// The same without a seed.
-support::Json made_by_json(const std::string& command);
+/// {command, seed, compiler, date}, or without a seed.
+support::Json made_by_json(const std::string& command, std::optional<std::uint64_t> seed = {});
 
 }  // namespace fixproof::measure

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <initializer_list>
 #include <stdexcept>
 
@@ -50,7 +49,7 @@ Bounds clocks_of_gouraud_write(Cpu cpu) {
 }
 
 /// Compares minimum with minimum and maximum with maximum, because both have the same ranges.
-Bounds as_many_times(const Bounds& a, const Bounds& b) {
+Bounds paired_ratio(const Bounds& a, const Bounds& b) {
   const double least = a.min / b.min;
   const double most = a.max / b.max;
   return {std::min(least, most), std::max(least, most)};
@@ -73,7 +72,6 @@ constexpr std::array costed_loops{
 }  // namespace
 
 std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
-  static const std::atomic<bool> never{false};
   constexpr std::uint64_t spans = 500;
   std::vector<std::uint32_t> divides;
   std::vector<std::uint32_t> multiplies;
@@ -91,8 +89,8 @@ std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
     CallClocks divide = no_calls({.operation = cases::Operation::div, .build = {.target = target}});
     CallClocks multiply =
         no_calls({.operation = cases::Operation::mul, .build = {.target = target}});
-    add_calls(divide, divides, true, never);
-    add_calls(multiply, multiplies, true, never);
+    add_calls(divide, divides, true);
+    add_calls(multiply, multiplies, true);
     for (std::size_t i = 0; i < divide.processors.size(); ++i) {
       const Cpu cpu = divide.processors[i].cpu;
       if ((target == cases::Target::i8088) != (cpu < Cpu::i386)) continue;
@@ -150,15 +148,15 @@ std::vector<Claim> judge_stepping_claims(const std::vector<SetupClocks>& setups)
     const Bounds loop = clocks_by_count(Loop::texture, setup.cpu);
     add_figure(
         linear, on,
-        as_many_times({loop.min + 2 * setup.divide.min, loop.max + 2 * setup.divide.max}, loop));
+        paired_ratio({loop.min + 2 * setup.divide.min, loop.max + 2 * setup.divide.max}, loop));
     if (setup.cpu < Cpu::i386) continue;
     const Bounds drawn = clocks_by_count(Loop::depth_test, setup.cpu);
     add_figure(depth, on + ", the writing operation",
-               as_many_times(clocks_of_depth_write(setup.cpu), clocks_of_gouraud_write(setup.cpu)));
+               paired_ratio(clocks_of_depth_write(setup.cpu), clocks_of_gouraud_write(setup.cpu)));
     add_figure(depth, on + ", the whole pixel",
-               as_many_times(drawn, clocks_by_count(Loop::gouraud_byte, setup.cpu)));
+               paired_ratio(drawn, clocks_by_count(Loop::gouraud_byte, setup.cpu)));
     add_figure(order, on,
-               as_many_times(drawn, clocks_by_count(Loop::depth_test, setup.cpu, Pixels::hidden)));
+               paired_ratio(drawn, clocks_by_count(Loop::depth_test, setup.cpu, Pixels::hidden)));
   }
   return {depth, order, linear};
 }

@@ -125,7 +125,7 @@ class PhongLight {
 
   [[nodiscard]] double rounding() const { return rule_ == LineRule::cut ? 1 : 0.5; }
   /// The part of s per pixel.
-  [[nodiscard]] double curve_a_pixel() const {
+  [[nodiscard]] double curve_per_pixel() const {
     return 2 * std::tan(ends_.angle / 2) * one_raw / static_cast<double>(place_.units) * 1.001;
   }
 
@@ -157,7 +157,7 @@ void straight(std::size_t every, const PhongLight<N>& light, const PhongEnds& en
   light.row().in_lines(
       place.pixels, every, [&](const xsharp::Stretch& stretch, const xsharp::Step<N>& line) {
         const auto [from, to, count] = stretch;
-        const double h = light.curve_a_pixel() * static_cast<double>(to - from);
+        const double h = light.curve_per_pixel() * static_cast<double>(to - from);
         xsharp::StepWords words = xsharp::words_of(line, 0);
         for (std::size_t k = from; k < from + count; ++k, words.start += words.step) {
           const double chord = k == from || k == to ? 0 : light_levels * h * h / 8;
@@ -168,8 +168,8 @@ void straight(std::size_t every, const PhongLight<N>& light, const PhongEnds& en
       });
 }
 
-/// The rounding loss of n / d in units of 2^-24, if d takes more than one divide. Doubles n like
-/// fine_ratio().
+/// The rounding error of fine_ratio() with the numerator n, in units of 2^-24. `rounding` is the
+/// error of its divides together, in units of their quotient.
 double fine_loss(std::int64_t n, double rounding) {
   unsigned doublings = 0;
   for (; doublings < 8 && std::abs(n) < 8191 * std::int64_t{65536}; ++doublings) n *= 2;
@@ -188,7 +188,7 @@ void parabola(const PhongLight<N>& light, const PhongEnds& ends, const SpanPlace
   const double s = light.rounding();
   const double step_loss = fine_loss(4 * to_middle - to_end, s);
   const double bend_loss = last == 0 ? 0 : fine_loss(2 * (to_end - 2 * to_middle), s + s / last);
-  const double half = light.curve_a_pixel() * last / 2;
+  const double half = light.curve_per_pixel() * last / 2;
   const double curve = light_levels * half * half * half / (3 * std::numbers::sqrt3);
   const double through = 1.25 * light.bound_to(place.pixels - 1) + curve;
   xsharp::Parabola p = light.row().parabola(0, place.pixels);

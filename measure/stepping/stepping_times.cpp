@@ -9,7 +9,6 @@
 
 #include "cases/draw.hpp"
 #include "fixed/fixed.hpp"
-#include "measure/host/host_run.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"
@@ -121,7 +120,8 @@ class TimedRow {
   static std::uint32_t raw(N value) { return static_cast<std::uint32_t>(value.raw()); }
 
   [[noreturn]] static void wrong(const char* what, std::size_t k) {
-    throw WrongContender(fmt::format("{} is wrong at {}", what, k));
+    throw WrongContender(
+        fmt::format("the timed loop of {} gives a wrong value at index {}", what, k));
   }
   template <class Exact>
   void expect(const char* what, const Exact& exact) const {
@@ -194,8 +194,8 @@ constexpr std::array recipes{
 
 }  // namespace
 
-std::optional<double> nanoseconds_a_pixel(const std::string& value, const std::string& rule,
-                                          const std::vector<SteppingTimes>& times) {
+std::optional<double> nanoseconds_per_pixel(const std::string& value, const std::string& rule,
+                                            const std::vector<SteppingTimes>& times) {
   const auto least = [&](std::string_view what) {
     double ns = 0;
     for (const SteppingTimes& t : times) {

@@ -31,7 +31,7 @@ std::vector<SteppingTimes> time_stepping(std::uint64_t seed, std::uint64_t round
 
 /// Nanoseconds per pixel of a stepping variant, including its share of the setup of a span of 160
 /// pixels: the sum of the minimum times of its parts. Empty if its arithmetic was not timed.
-std::optional<double> nanoseconds_a_pixel(const std::string& value, const std::string& rule,
-                                          const std::vector<SteppingTimes>& times);
+std::optional<double> nanoseconds_per_pixel(const std::string& value, const std::string& rule,
+                                            const std::vector<SteppingTimes>& times);
 
 }  // namespace fixproof::measure

@@ -1,14 +1,11 @@
 // Tests which of the tried choices the advice takes.
 #include "trade/advice/advice.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <limits>
 
 #include "cli/advice_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {
@@ -62,7 +59,7 @@ TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
   EXPECT_EQ(all[*advice.take].cost.ranked, 204);
   EXPECT_EQ(all[*advice.runner_up].cost.ranked, 200);
   EXPECT_EQ(all[*advice.next_cheaper].cost.ranked, 150);
-  EXPECT_EQ(advice.as_cheap, 2U);
+  EXPECT_EQ(advice.equal_cost_count, 2U);
 }
 
 TEST(Advice, SaysWhatCostsTheSame) {
@@ -84,7 +81,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
       .budget = 0.5,
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
   // Compares text because infinity becomes null only there.
-  const auto json = support::Json::parse(support::json_text(trade::to_json(report)));
+  const auto json = support::Json::parse(support::json_text(report));
   EXPECT_EQ(json.at("made").at("command"), "advise");
   EXPECT_EQ(json.at("made").at("processor"), measure::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
@@ -92,7 +89,7 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);
   EXPECT_EQ(json.at("variants").at(1).at("cost_spread"), 5);
   report.cpu = x86model::Cpu::i386;
-  EXPECT_TRUE(trade::to_json(report).at("made").at("processor").is_null());
+  EXPECT_TRUE(support::Json(report).at("made").at("processor").is_null());
 }
 
 TEST(Advice, IsNoneWhereNoneFits) {
@@ -102,7 +99,7 @@ TEST(Advice, IsNoneWhereNoneFits) {
   EXPECT_FALSE(advice.take);
   EXPECT_FALSE(advice.runner_up);
   EXPECT_EQ(advice.nearest, 1U);
-  EXPECT_EQ(cli::sentences_of(report).rfind("None stays within 0.5 pixels.", 0), 0U);
+  EXPECT_EQ(cli::sentences_of(report).rfind("No choice stays within 0.5 pixels.", 0), 0U);
   EXPECT_NE(cli::sentences_of(report).find("0.750 pixels off"), std::string::npos);
 }
 
@@ -111,7 +108,7 @@ TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
   trade::AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
   const auto names_them = [&report](double pixels) {
     report.drift_pixels = pixels;
-    return cli::sentences_of(report).find("corners that are clipped") != std::string::npos;
+    return cli::sentences_of(report).find("clipped corners") != std::string::npos;
   };
   EXPECT_FALSE(names_them(0.5));
   EXPECT_TRUE(names_them(0.75));

@@ -1,10 +1,9 @@
 // Tests the cost of frames against hand sums of single multiplies.
 #include "trade/advice/cost.hpp"
 
-#include <gtest/gtest.h>
-
 #include "measure/clocks/frame_clocks.hpp"
 #include "parties/interpreter.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/count_clocks.hpp"
 #include "xsharp/shapes.hpp"
 
@@ -27,7 +26,7 @@ xsharp::Scene turning_cube(std::int32_t axes) {
 double clocks(const xsharp::Scene& scene, const trade::Turning& turning) {
   const std::atomic<bool> stop = false;
   const trade::Choice choice{.turning = turning};
-  return trade::clocks_a_frame(scene, std::vector{choice}, cpu, stop).at(0).ranked;
+  return trade::clocks_per_frame(scene, std::vector{choice}, cpu, stop).at(0).ranked;
 }
 
 x86model::Range of_a_multiply() {
@@ -104,7 +103,7 @@ TEST(FrameClocks, OfAn8088HaveABus) {
   const std::vector choices{
       trade::Choice{.build = {.target = cases::Target::i8088}, .turning = {}}};
   const auto on = [&](x86model::Cpu processor) {
-    return trade::clocks_a_frame(turning_cube(1), choices, processor, stop).at(0);
+    return trade::clocks_per_frame(turning_cube(1), choices, processor, stop).at(0);
   };
   EXPECT_EQ(on(x86model::Cpu::i386).bus, std::nullopt);
   const trade::Cost cost = on(x86model::Cpu::i8088);
@@ -123,14 +122,14 @@ TEST(FrameClocks, HalfOfTheFramesCostHalf) {
 
 TEST(FrameClocks, StopWhenAsked) {
   const std::atomic<bool> stop = true;
-  EXPECT_TRUE(trade::clocks_a_frame(turning_cube(1), trade::choices_on(cpu), cpu, stop).empty());
-  EXPECT_TRUE(trade::nanoseconds_a_frame(turning_cube(1), trade::choices_on({}), stop).empty());
+  EXPECT_TRUE(trade::clocks_per_frame(turning_cube(1), trade::choices_on(cpu), cpu, stop).empty());
+  EXPECT_TRUE(trade::nanoseconds_per_frame(turning_cube(1), trade::choices_on({}), stop).empty());
 }
 
 TEST(Nanoseconds, AreOfEveryChoice) {
   const std::atomic<bool> stop = false;
   const std::vector<trade::Choice> choices{{}, {.build = {.target = cases::Target::i8088}}};
-  const auto costs = trade::nanoseconds_a_frame(turning_cube(1), choices, stop);
+  const auto costs = trade::nanoseconds_per_frame(turning_cube(1), choices, stop);
   ASSERT_EQ(costs.size(), 2U);
   for (const trade::Cost& cost : costs) {
     EXPECT_GT(cost.least, 0);
@@ -144,7 +143,7 @@ TEST(Nanoseconds, OfRestoringLieBetween) {
   const std::atomic<bool> stop = false;
   const std::vector<trade::Choice> choices{
       {}, {.turning = {false, 600}}, {.turning = {false, 10}}, {.turning = {false, 1}}};
-  const auto costs = trade::nanoseconds_a_frame(turning_cube(2), choices, stop);
+  const auto costs = trade::nanoseconds_per_frame(turning_cube(2), choices, stop);
   ASSERT_EQ(costs.size(), 4U);
   for (std::size_t i = 1; i < costs.size(); ++i) {
     EXPECT_LT(costs[i - 1].ranked, costs[i].ranked) << i;

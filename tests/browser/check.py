@@ -37,7 +37,18 @@ def browser(width=1280, height=900):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     service = webdriver.chrome.service.Service(shutil.which("chromedriver"))
-    return webdriver.Chrome(service=service, options=options)
+    driver = webdriver.Chrome(service=service, options=options)
+    # In every page, before its own scripts; the policy of the page does not apply to it.
+    driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """
+        window.violations = [];
+        document.addEventListener("securitypolicyviolation", (event) => violations.push(
+          `${event.effectiveDirective} blocks ${event.blockedURI} at ${event.sourceFile}:${event.lineNumber}`));"""})
+    return driver
+
+
+def violations(driver):
+    """What the page's Content-Security-Policy has blocked since the page was opened."""
+    return driver.execute_script("return window.violations")
 
 
 def size(driver, width, height, mobile=False):
@@ -267,6 +278,35 @@ def phone(driver):
     picture(driver, "phone")
 
 
+def policy(driver):
+    """The page's Content-Security-Policy blocks every script and style that is not the page's own."""
+    run = "document.documentElement.dataset.injected = 'yes'"
+    injected = {
+        "a script": (f"<script>{run}</script>", "script-src-elem"),
+        "an event handler": (f'<svg onload="{run}"></svg>', "script-src-attr"),
+        "a style": ("<style>h1 { opacity: 0.5 }</style>", "style-src-elem"),
+        "a style attribute": ('<p id="styled" style="opacity: 0.5">styled</p>', "style-src-attr"),
+        "a picture from elsewhere": ('<img src="elsewhere.png" alt="">', "img-src")}
+    page = (FOLDER / "report.html").read_text()
+    for name, (html, directive) in injected.items():
+        file = FOLDER / "injected.html"
+        file.write_text(page.replace("<main>", f"{html}<main>", 1))
+        open_page(driver, file)
+        blocked = violations(driver)
+        expect([b.split()[0] for b in blocked] == [directive], f"{name}: {blocked}, not one of {directive}")
+        ran, opacity, styled = driver.execute_script("""
+            const opacity = (selector) => getComputedStyle(document.querySelector(selector) ?? document.body).opacity;
+            return [document.documentElement.dataset.injected ?? "no", opacity("h1"), opacity("#styled")]""")
+        expect_equal([ran, opacity, styled], ["no", "1", "1"], f"{name}: it ran, opacities")
+    open_page(driver)
+    driver.execute_script("""
+        const script = document.createElement("script");
+        script.textContent = arguments[0];
+        document.body.append(script);""", run)
+    expect_equal(driver.execute_script("return document.documentElement.dataset.injected ?? 'no'"), "no",
+                 "whether a script that a script adds ran")
+
+
 def luminance(colour):
     r, g, b = [int(float(c)) for c in colour[colour.index("(") + 1:-1].split(",")[:3]]
     return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255
@@ -313,10 +353,12 @@ def readme(driver):
 
 
 CASES = {"quiet": quiet, "complete": complete, "hover": hover, "keyboard": keyboard, "choices": choices,
-         "phone": phone, "dark": dark, "print": print_, "readme": readme}
+         "phone": phone, "policy": policy, "dark": dark, "print": print_, "readme": readme}
 driver = browser()
 try:
     CASES[CASE](driver)
+    if CASE != "policy":
+        expect_equal(violations(driver), [], "what the page's policy blocks of the page itself")
 finally:
     driver.quit()
 print(f"{CASE}: holds")

@@ -1,19 +1,10 @@
 // Tests that subjects with one planted defect each are recognised: by the kinds of their wrong
 // cases, and by the guessed rule.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <string>
-#include <string_view>
-
 #include "check/cases.hpp"
 #include "check/guess_text.hpp"
 #include "check/judge.hpp"
 #include "check/verdict_text.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -153,7 +144,7 @@ TEST(CheckSabotage, AnyOverflowIsNotJudgedAndSaysSo) {
   });
   expect_wrong(judge, {});
   EXPECT_EQ(judge.not_judged(), judge.tally(CaseKind::overflow, false).cases);
-  EXPECT_NE(fixproof::check::verdict_text(judge).find("were not judged"), std::string::npos);
+  EXPECT_NE(fixproof::check::verdict_text(judge).find("are not judged"), std::string::npos);
 }
 
 TEST(CheckSabotage, AQuotientOfZero) {
@@ -207,8 +198,8 @@ TEST(CheckGuess, SaysWhatCannotBeTold) {
   judge.add({1, "here", {3, 0x8000}, 2U});
   judge.add({2, "here", {1, 0x7fff}, 0U});
   expect_guess(judge, "half-up, half-away or half-even on all 2 cases in range");
-  expect_guess(judge, "which of these, no case tells");
-  expect_guess(judge, "overflow         cannot be told: no cases that overflow");
+  expect_guess(judge, "no case distinguishes these");
+  expect_guess(judge, "overflow         unknown: there are no cases that overflow");
 }
 
 TEST(CheckGuess, TheLargestErrorIsOfTheExactResult) {
@@ -227,7 +218,7 @@ TEST(CheckVerdict, NamesTheFirstWrongCases) {
   const std::string text = fixproof::check::verdict_text(judge);
   EXPECT_NE(text.find("case 1 (product_ties): ffffffff 00008000 (-0.00002 0.5): 00000000 expected, "
                       "ffffffff said; exact -1 + 1/2 ulp, tie\n"
-                      "The first 1 of 2 wrong results (--show N).\n"),
+                      "These are the first 1 of 2 wrong results; --show N shows more.\n"),
             std::string::npos)
       << text;
 }

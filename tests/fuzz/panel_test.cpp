@@ -1,14 +1,10 @@
 // Tests what the panel finds about a party with a planted defect.
 #include "fuzz/panel.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-
 #include "fuzz/finding.hpp"
 #include "fuzz/type_rules.hpp"
 #include "fuzz/word_target.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 
 namespace {
@@ -52,20 +48,20 @@ TEST(Panel, HasNothingToSayWhereAllAgree) {
   // #DE is an answer.
   EXPECT_FALSE(fuzz::disagreement(tested, std::array<std::uint32_t, 2>{1, 0xFFFF}));
   for (const auto target : {fuzz::WordTarget::divide, fuzz::WordTarget::multiply}) {
-    EXPECT_FALSE(fuzz::disagreement(fuzz::seats_of(target),
+    EXPECT_FALSE(fuzz::disagreement(fuzz::parties_by_variant(target),
                                     std::array<std::uint32_t, 2>{0x80000000, 0xFFFFFFFF}));
   }
 }
 
 TEST(Panel, HearsEveryVariantAtBothWidths) {
-  const auto& seats = fuzz::seats_of(fuzz::WordTarget::divide);
+  const auto& by_variant = fuzz::parties_by_variant(fuzz::WordTarget::divide);
   // Two processors, rounded or not; chapter 52; the standard rules. All but chapter 52 also in 8.8.
-  EXPECT_EQ(seats.size(), 11U);
-  EXPECT_EQ(std::count_if(seats.begin(), seats.end(),
+  EXPECT_EQ(by_variant.size(), 11U);
+  EXPECT_EQ(std::count_if(by_variant.begin(), by_variant.end(),
                           [](const auto& tested) { return tested.variant.fraction_bits == 8; }),
             5);
-  for (const auto& tested : seats) EXPECT_EQ(tested.parties.front()->name(), "oracle");
-  const auto& all = fuzz::seats_of(fuzz::WordTarget::agreement);
+  for (const auto& tested : by_variant) EXPECT_EQ(tested.parties.front()->name(), "oracle");
+  const auto& all = fuzz::parties_by_variant(fuzz::WordTarget::agreement);
   // The first byte of each input in fuzz/regressions/agreement depends on this number: the five
   // routines and their 8.8 forms, chapter 52, the repaired ConcatXforms, the standard rules.
   EXPECT_EQ(all.size(), 8U + 8U + 4U + 4U + 4U + 3U + 2U + 2U + 2U + 7U);

@@ -1,19 +1,15 @@
 // Tests the proof of one turn of each loop for all register values, and that it rejects mutants.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <sstream>
-
 #include "proof/solver.hpp"
 #include "proof/span_cases.hpp"
 #include "proof/step_proof.hpp"
 #include "tests/loops/span.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/mutants.hpp"
 
 namespace {
 
 using namespace loops_test;
-using fixproof::proof::Verdict;
+using fixproof::proof::Satisfiability;
 using x86::Counting;
 using x86::Loop;
 using x86::LoopForm;
@@ -98,9 +94,9 @@ TEST(LoopProof, TheDepthsCommentHoldsForShldAlone) {
   LoopForm printed = corrected;
   printed.as_printed = true;
   EXPECT_EQ(z3().ask(fixproof::proof::depth_comment_question(corrected), 60).verdict,
-            Verdict::unsatisfiable);
+            Satisfiability::unsatisfiable);
   EXPECT_EQ(z3().ask(fixproof::proof::depth_comment_question(printed), 60).verdict,
-            Verdict::satisfiable);
+            Satisfiability::satisfiable);
 }
 
 }  // namespace

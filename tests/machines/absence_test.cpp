@@ -1,13 +1,11 @@
 // Tests that an unavailable party reports so and does not count as agreeing.
-#include <gtest/gtest.h>
-
 #include <csignal>
-#include <cstdlib>
 
 #include "machine_code/emulator.hpp"
 #include "machine_code/machine_code.hpp"
 #include "machine_code/processor.hpp"
 #include "parties/answer.hpp"
+#include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
 #if defined(__linux__) && defined(__x86_64__)
@@ -80,7 +78,8 @@ class AbsenceDeathTest : public testing::Test {
 
 TEST_F(AbsenceDeathTest, OfTheProcessorEndsWithStatus2AndTheReason) {
   const char* reason =
-      "^fixproof: party 'silicon' is absent: the system gives no 16-bit segment: modify_ldt: "
+      "^fixproof: party 'silicon' is not available: the system does not provide 16-bit segments: "
+      "modify_ldt: "
       "Operation not permitted\n$";
   EXPECT_EXIT(verify_without_segments("--against", "silicon"), testing::ExitedWithCode(2), reason);
   EXPECT_EXIT(verify_without_segments("--by", "silicon"), testing::ExitedWithCode(2), reason);

@@ -1,16 +1,12 @@
 // Tests the parties that run machine code: they agree with the model, they detect one wrong byte,
 // and faults in several threads do not interfere.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <thread>
-#include <vector>
 
 #include "cases/streams.hpp"
 #include "machine_code/machine_code.hpp"
 #include "parties/answer.hpp"
 #include "parties/machines.hpp"
+#include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
 namespace {

@@ -1,10 +1,9 @@
 // Tests verdicts, and clock counts of whole calls against hand sums from Intel's tables.
 #include "measure/clocks/claims.hpp"
 
-#include <gtest/gtest.h>
-
 #include "measure/clocks/call_clocks.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -15,36 +14,40 @@ TEST(Claims, AVerdictNeedsAllOfARange) {
   const auto verdict = [](measure::Bounds measured) {
     return measure::judge(measured, {2, 3}, measure::Evidence::decides);
   };
-  EXPECT_EQ(verdict({2, 3}), measure::Verdict::holds);
-  EXPECT_EQ(verdict({2.5, 2.5}), measure::Verdict::holds);
-  EXPECT_EQ(verdict({1, 1.9}), measure::Verdict::does_not_hold);
-  EXPECT_EQ(verdict({3.1, 9}), measure::Verdict::does_not_hold);
-  EXPECT_EQ(verdict({1, 2}), measure::Verdict::open);
-  EXPECT_EQ(verdict({2.9, 3.1}), measure::Verdict::open);
-  EXPECT_EQ(verdict({1, 9}), measure::Verdict::open);
+  EXPECT_EQ(verdict({2, 3}), measure::ClaimVerdict::holds);
+  EXPECT_EQ(verdict({2.5, 2.5}), measure::ClaimVerdict::holds);
+  EXPECT_EQ(verdict({1, 1.9}), measure::ClaimVerdict::does_not_hold);
+  EXPECT_EQ(verdict({3.1, 9}), measure::ClaimVerdict::does_not_hold);
+  EXPECT_EQ(verdict({1, 2}), measure::ClaimVerdict::open);
+  EXPECT_EQ(verdict({2.9, 3.1}), measure::ClaimVerdict::open);
+  EXPECT_EQ(verdict({1, 9}), measure::ClaimVerdict::open);
 }
 
 TEST(Claims, EvidenceOfOneSideSaysNothingOfTheOther) {
   const measure::Bounds allowed{2, 3};
   const measure::Bounds inside{2.5, 2.5};
   const measure::Bounds outside{1, 1};
-  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::can_show), measure::Verdict::holds);
-  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::can_show), measure::Verdict::open);
+  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::can_show),
+            measure::ClaimVerdict::holds);
+  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::can_show),
+            measure::ClaimVerdict::open);
   EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::can_refute),
-            measure::Verdict::not_refuted);
+            measure::ClaimVerdict::not_refuted);
   EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::can_refute),
-            measure::Verdict::does_not_hold);
-  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::neither), measure::Verdict::open);
-  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::neither), measure::Verdict::open);
+            measure::ClaimVerdict::does_not_hold);
+  EXPECT_EQ(measure::judge(inside, allowed, measure::Evidence::neither),
+            measure::ClaimVerdict::open);
+  EXPECT_EQ(measure::judge(outside, allowed, measure::Evidence::neither),
+            measure::ClaimVerdict::open);
 }
 
 TEST(Claims, FiguresThatAreOpenDecideNothing) {
-  const auto of = [](const std::vector<measure::Verdict>& verdicts) {
+  const auto of = [](const std::vector<measure::ClaimVerdict>& verdicts) {
     measure::Claim claim;
-    for (const measure::Verdict v : verdicts) claim.figures.push_back({"", {}, v});
+    for (const measure::ClaimVerdict v : verdicts) claim.figures.push_back({"", {}, v});
     return measure::verdict_on(claim);
   };
-  using enum measure::Verdict;
+  using enum measure::ClaimVerdict;
   EXPECT_EQ(of({open, open}), open);
   EXPECT_EQ(of({open, holds, holds}), holds);
   EXPECT_EQ(of({does_not_hold, open}), does_not_hold);
@@ -139,19 +142,19 @@ TEST(Claims, FiguresOfOneProduct) {
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.min, 155.0 / 57);
   EXPECT_DOUBLE_EQ(slower.figures[0].measured.max, 155.0 / 57);
   // The claim depends on the 486's figure.
-  EXPECT_EQ(slower.figures[0].verdict, measure::Verdict::open);
+  EXPECT_EQ(slower.figures[0].verdict, measure::ClaimVerdict::open);
   const measure::Claim& at = claim_about(claims, "8 MHz AT is about 10");
   ASSERT_EQ(at.figures.size(), 1U);
   EXPECT_DOUBLE_EQ(at.figures[0].measured.min, 220.0 / 8 / (48.0 / 33));
   EXPECT_DOUBLE_EQ(at.figures[0].measured.max, 220.0 / 8 / (40.0 / 33));
   // The claim is about whole animations, so the listings decide nothing.
-  EXPECT_EQ(at.figures[0].verdict, measure::Verdict::open);
+  EXPECT_EQ(at.figures[0].verdict, measure::ClaimVerdict::open);
   // The unrounded 386 code omits ADD and ADC, 4 of 57 clocks. If the rounded product takes 57 of a
   // program's 570 clocks, that is 4 of 566.
   const measure::Claim& rounding = claim_about(claims, "cost of rounding");
   ASSERT_EQ(rounding.figures.size(), 3U);
   EXPECT_DOUBLE_EQ(rounding.figures[0].measured.min, 100 * (57.0 / 53 - 1));
-  EXPECT_EQ(rounding.figures[0].verdict, measure::Verdict::holds);
+  EXPECT_EQ(rounding.figures[0].verdict, measure::ClaimVerdict::holds);
   EXPECT_NEAR(rounding.figures[1].measured.min, 100 * 4.0 / 566, 1e-9);
   EXPECT_EQ(claim_about(claims, "native").figures.size(), 1U);
   // 1.0 needs no rounding.
@@ -182,7 +185,7 @@ TEST(Claims, RoundingChangesAProductByAUnit) {
   const auto claims = measure::judge_claims({scene});
   const measure::Claim& effect = claim_about(claims, "2^-16");
   EXPECT_EQ(effect.figures.at(0).measured.max, 1);
-  EXPECT_EQ(effect.figures.at(0).verdict, measure::Verdict::holds);
+  EXPECT_EQ(effect.figures.at(0).verdict, measure::ClaimVerdict::holds);
 }
 
 // ConcatXforms and XformVec make 36 and 9 calls of FixedMul from C, 57 clocks each for factors of
@@ -200,7 +203,7 @@ TEST(Claims, TheCubesOfChapter52AreCountedByCallsOfFixedMul) {
   ASSERT_EQ(cubes.figures.size(), 1U);
   EXPECT_EQ(cubes.figures[0].where, "twelve cubes, 45 + 0 FixedMul, 0 FixedDiv");
   EXPECT_DOUBLE_EQ(cubes.figures[0].measured.min, 20e6 / (45 * 57));
-  EXPECT_EQ(cubes.figures[0].verdict, measure::Verdict::not_refuted);
+  EXPECT_EQ(cubes.figures[0].verdict, measure::ClaimVerdict::not_refuted);
 }
 
 TEST(Claims, SayWhereTheyArePrinted) {

@@ -1,10 +1,9 @@
 // Tests the proof of the lost carry, and that it fails for wrong statements and programs.
 #include "proof/lost_carry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "parties/interpreter.hpp"
 #include "proof/prove.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -29,9 +28,9 @@ std::size_t proven(std::vector<std::string> scripts, std::string_view from = "",
          at += to.size()) {
       script.replace(at, from.size(), to);
     }
-    const proof::Verdict verdict = solver().ask(script, 60).verdict;
-    EXPECT_NE(verdict, proof::Verdict::unknown);
-    if (verdict == proof::Verdict::unsatisfiable) ++count;
+    const proof::Satisfiability verdict = solver().ask(script, 60).verdict;
+    EXPECT_NE(verdict, proof::Satisfiability::unknown);
+    if (verdict == proof::Satisfiability::unsatisfiable) ++count;
   }
   return count;
 }
@@ -56,10 +55,10 @@ TEST(LostCarry, AnotherStatementIsRefuted) {
 }
 
 TEST(LostCarry, AnotherProgramIsRefuted) {
-  EXPECT_EQ(proven(proof::lost_carry_questions(concat(false), concat(true))), 5U);
-  EXPECT_EQ(proven(proof::lost_carry_questions(concat(true), concat(true))), 2U);
-  EXPECT_EQ(proven(proof::lost_carry_questions(concat(false), concat(false))), 2U);
-  EXPECT_EQ(proven(proof::lost_carry_questions(concat(true), concat(false))), 2U);
+  EXPECT_EQ(proven(proof::lost_carry_between(concat(false), concat(true))), 5U);
+  EXPECT_EQ(proven(proof::lost_carry_between(concat(true), concat(true))), 2U);
+  EXPECT_EQ(proven(proof::lost_carry_between(concat(false), concat(false))), 2U);
+  EXPECT_EQ(proven(proof::lost_carry_between(concat(true), concat(false))), 2U);
 }
 
 // Contradictory definitions would prove anything.
@@ -67,7 +66,7 @@ TEST(LostCarry, TakesNothingImpossibleForGranted) {
   for (std::string script : proof::lost_carry_questions(true)) {
     const auto last = script.rfind("(assert ");
     script.erase(last, script.find("(check-sat)", last) - last);
-    EXPECT_EQ(solver().ask(script, 60).verdict, proof::Verdict::satisfiable);
+    EXPECT_EQ(solver().ask(script, 60).verdict, proof::Satisfiability::satisfiable);
   }
 }
 

@@ -1,10 +1,9 @@
 // Runs level 1 against wrong programs: a sample of all mutants, swapped roundings, the other
 // processor's routine, a missing fault. `fixproof mutate` tries all mutants.
-#include <gtest/gtest.h>
-
 #include "parties/interpreter.hpp"
 #include "parties/parties.hpp"
 #include "proof/kill.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -59,7 +58,7 @@ TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
     if (!parties::has_program(v) || v.build.chapter_52 || !cases::rounds(v)) continue;
     const auto all = proof::mutants_of(v);
     for (std::size_t i = 5; i < all.size(); i += 97) {
-      const proof::Judgement judgement = proof::judge(v, all[i].program, seed, solver, 60);
+      const proof::MutantResult judgement = proof::judge(v, all[i].program, seed, solver, 60);
       EXPECT_NE(judgement.fate, proof::Fate::gap) << all[i].change;
       if (judgement.fate == proof::Fate::killed) ++killed;
     }

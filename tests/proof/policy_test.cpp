@@ -1,11 +1,7 @@
 // Level 1 must kill every policy that differs from a preset in one rule, unless it is equivalent.
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "proof/kill.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,13 +1,8 @@
 // Tests that the proofs are not vacuous, that the specification agrees with the oracle, and that a
 // wrong program gets a counterexample.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <iostream>
-#include <random>
-#include <sstream>
 
 #include "parties/answer.hpp"
 #include "parties/interpreter.hpp"
@@ -16,6 +11,7 @@
 #include "proof/lemmas.hpp"
 #include "proof/prove.hpp"
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -43,8 +39,8 @@ std::vector<cases::Variant> routines() {
 
 TEST(Proof, LemmasHoldAndTakeNothingImpossibleForGranted) {
   for (const proof::Lemma& lemma : proof::lemmas()) {
-    EXPECT_EQ(z3().ask(lemma.smt, 60).verdict, proof::Verdict::unsatisfiable) << lemma.name;
-    EXPECT_EQ(z3().ask(assumptions(lemma.smt), 60).verdict, proof::Verdict::satisfiable)
+    EXPECT_EQ(z3().ask(lemma.smt, 60).verdict, proof::Satisfiability::unsatisfiable) << lemma.name;
+    EXPECT_EQ(z3().ask(assumptions(lemma.smt), 60).verdict, proof::Satisfiability::satisfiable)
         << lemma.name;
   }
 }

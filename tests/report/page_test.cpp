@@ -1,18 +1,36 @@
 // Tests the page as text: names and data must not break out of their places.
 #include "cli/report/page.hpp"
 
-#include <gtest/gtest.h>
-
+#include <map>
+#include <regex>
+#include <span>
 #include <stdexcept>
 
 #include "support/json.hpp"
+#include "support/sha256.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
 using namespace fixproof;
 
 constexpr std::string_view places =
-    "<!--style--><!--pictures--><!--beside--><!--strip--><!--data--><!--libraries--><!--charts-->";
+    "<!--script-hashes--><!--style-hash--><!--style--><!--pictures--><!--beside--><!--strip-->"
+    "<!--data--><!--libraries--><!--charts-->";
+
+/// The source expression of a Content-Security-Policy for an element with this text.
+std::string hash_of(std::string_view text) {
+  const support::Sha256 digest = support::sha256(std::as_bytes(std::span(text)));
+  return "'sha256-" + cli::base64(std::string(digest.begin(), digest.end())) + "'";
+}
+
+/// The sources that a directive of the page's policy allows, separated by spaces.
+std::string allowed_by(const std::string& page, const std::string& directive) {
+  std::smatch found;
+  const std::regex policy("Content-Security-Policy\" content=\"[^\"]*\\b" + directive +
+                          " ([^;\"]*)[;\"]");
+  return std::regex_search(page, found, policy) ? found[1].str() : "no " + directive;
+}
 
 TEST(Page, EscapesHtml) {
   EXPECT_EQ(cli::escaped_html("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
@@ -48,7 +66,7 @@ TEST(Page, HasEverythingInItsPlace) {
       cli::assemble_page({places, "STYLE", "D3", "PLOT", "CHARTS"}, {{"n", 7}},
                          {{"a \"<b>\" scene", "foobar", "foo", "3 of <4>"}}, "<svg>STRIP</svg>");
   for (const char* part :
-       {"<style>\nSTYLE</style>", "<script>\nD3\n</script>", "\nPLOT\n", "\nCHARTS\n",
+       {"<style>\nSTYLE\n</style>", "<script>\nD3\n</script>", "\nPLOT\n", "\nCHARTS\n",
         "<svg>STRIP</svg>", "{\"n\":7}", "alt=\"Animation: a &quot;&lt;b&gt;&quot; scene\"",
         "src=\"data:image/png;base64,Zm9vYmFy\"", "src=\"data:image/png;base64,Zm9v\"",
         "In all frames: 3 of &lt;4&gt;<"}) {
@@ -84,6 +102,37 @@ TEST(Page, IsSelfContained) {
     EXPECT_EQ(std::string(parts.charts).find(outside), std::string::npos) << outside;
   }
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+// The example of the specification, https://www.w3.org/TR/CSP3/#external-hash.
+TEST(Page, HashesAsBrowsersDo) {
+  EXPECT_EQ(hash_of("alert('Hello, world.');"),
+            "'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng='");
+}
+
+TEST(Page, AllowsItsOwnScriptsAndStylesOnly) {
+  const cli::PageParts parts = cli::page_parts();
+  const std::string page = cli::assemble_page(parts, support::Json::object(), {}, "");
+  // The elements as a browser sees them.
+  std::map<std::string, std::string> hashes;
+  for (const std::string name : {"style", "script"}) {
+    const std::string begin = "<" + name + ">";
+    for (std::size_t at = page.find(begin); at != std::string::npos;
+         at = page.find(begin, at + 1)) {
+      const std::size_t text = at + begin.size();
+      hashes[name] += hash_of(page.substr(text, page.find("</" + name + ">", text) - text)) + " ";
+    }
+  }
+  // Plot puts this style, with the class that it gives every chart, into every chart.
+  const std::string_view mark = "append(\"style\").text(`:where(.${c}) {";
+  const std::size_t begin = parts.plot.find(mark) + mark.find(':');
+  ASSERT_LT(begin, parts.plot.size());
+  std::string plot(parts.plot.substr(begin, parts.plot.find('`', begin) - begin));
+  plot = std::regex_replace(plot, std::regex(R"(\$\{c\})"), "plot-d6a7b5");
+  plot = std::regex_replace(plot, std::regex(R"(\\n)"), "\n");
+  EXPECT_EQ(allowed_by(page, "script-src") + " ", hashes["script"]);
+  EXPECT_EQ(allowed_by(page, "style-src"), hashes["style"] + hash_of(plot));
+  EXPECT_EQ(page.find("unsafe-"), std::string::npos);
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ TEST(OutputFile, ReplacesAgainAndAgain) {
       EXPECT_EQ(folder.read("a"), text);
       EXPECT_EQ(refusal(folder.path("a")),
                 "cannot write " + folder.path("a") +
-                    ": another run is writing it; wait for it, or name another file");
+                    ": another run writes this file; wait for it, or name another");
     }
   }
   EXPECT_EQ(refusal(folder.path("a")), "accepted");

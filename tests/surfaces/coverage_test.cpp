@@ -1,10 +1,7 @@
 // Tests that interpolated polygons cover the same pixels as flat ones, whatever their values.
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <limits>
-
+#include "tests/support/test.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "xsharp/raster/fill.hpp"
@@ -16,8 +13,8 @@ namespace {
 using namespace xsharp;
 using definition::Points;
 
-constexpr std::int32_t page_width = 32;
-constexpr std::int32_t page_height = 24;
+constexpr std::int32_t sheet_width = 32;
+constexpr std::int32_t sheet_height = 24;
 
 Picture picture_of(const Points& points, const std::vector<PointValues>& values) {
   Picture picture;
@@ -31,14 +28,14 @@ Picture picture_of(const Points& points, const std::vector<PointValues>& values)
 }
 
 Indices flat(const Points& points) {
-  Indices page(page_width, page_height);
+  Indices page(sheet_width, sheet_height);
   Filler().fill<std::uint8_t>(page, points, 1);
   return page;
 }
 
 template <class Fill>
 Indices by(Fill&& filler, const Picture& picture) {
-  return drawn(filler, picture, page_width, page_height);
+  return drawn(filler, picture, sheet_width, sheet_height);
 }
 
 StepFiller<fixed::q16_16_i386> stepper(const Scene& scene) {
@@ -109,8 +106,8 @@ TEST(SurfaceCoverage, TrueColorShowsTheSame) {
       const Scene scene = scene_of(surface, depth);
       auto indexed = stepper(scene);
       auto true_color = stepper(scene);
-      Screen<std::uint8_t> indices(page_width, page_height, PaletteKind::ramps, 0, &indexed);
-      Screen<std::uint32_t> colors(page_width, page_height, PaletteKind::ramps, 0, &true_color);
+      Screen<std::uint8_t> indices(sheet_width, sheet_height, PaletteKind::ramps, 0, &indexed);
+      Screen<std::uint32_t> colors(sheet_width, sheet_height, PaletteKind::ramps, 0, &true_color);
       indices.show(two_strips());
       colors.show(two_strips());
       EXPECT_EQ(indices.count().pixels, depth == DepthBuffering::off ? 80 : 60);

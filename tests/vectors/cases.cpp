@@ -1,16 +1,15 @@
 #include "tests/vectors/cases.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 #include "singlestep/gunzip.hpp"
 #include "support/file.hpp"
 #include "tests/cli/bitwise.hpp"
+#include "tests/support/test.hpp"
 
 namespace vectors {
 

@@ -3,9 +3,9 @@
 #include "singlestep/decode.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/text.hpp"
 
 namespace {
@@ -15,6 +15,15 @@ using Bytes = std::vector<std::uint8_t>;
 using x86model::Target;
 
 std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
+
+/// The bytes of hex digits with single spaces between.
+Bytes hex(const std::string& text) {
+  Bytes bytes;
+  for (std::size_t at = 0; at < text.size(); at += 3) {
+    bytes.push_back(byte(std::stoi(text.substr(at, 2), nullptr, 16)));
+  }
+  return bytes;
+}
 
 /// The instruction as text followed by its length, or the reason to skip it.
 std::string decoded(const Bytes& bytes, Target cpu) {
@@ -109,58 +118,22 @@ TEST(Decode, BytesAndMemory) {
   expect_both({0xF6, 0xE3}, "8-bit operand");
   expect_both({0x88, 0x07}, "8-bit operand");
   expect_both({0x8A, 0x07}, "8-bit operand");
-  for (const Bytes& bytes : {Bytes{0x01, 0x07},
-                             {0x03, 0x47, 1},
-                             {0x81, 0x06, 0, 0, 1, 2},
-                             {0x83, 0x07, 1},
-                             {0x89, 0x87},
-                             {0x8B, 0x07},
-                             {0xA1, 0, 0},
-                             {0xA3, 0, 0},
-                             {0xD1, 0x27},
-                             {0xF7, 0x37},
-                             {0xFF, 0x07},
-                             {0x50},
-                             {0x5F},
-                             {0x8F, 0xC0},
-                             {0xFF, 0xF0},
-                             {0xFF, 0x37}}) {
-    expect_both(bytes, "memory operand");
+  for (const std::string bytes :
+       {"01 07", "03 47 01", "81 06 00 00 01 02", "83 07 01", "89 87", "8B 07", "A1 00 00",
+        "A3 00 00", "D1 27", "F7 37", "FF 07", "50", "5F", "8F C0", "FF F0", "FF 37"}) {
+    expect_both(hex(bytes), "memory operand");
   }
   EXPECT_EQ(decoded({0x0F, 0xA4, 0x07, 1}, Target::i386), "memory operand");
 }
 
 TEST(Decode, WhatNoRoutineHas) {
-  for (const Bytes& bytes : {Bytes{0x09, 0xC8},
-                             {0x0D, 0, 0},
-                             {0x83, 0xC8, 1},
-                             {0x06},
-                             {0x27},
-                             {0x3F},
-                             {0x84, 0xC0},
-                             {0x87, 0xC8},
-                             {0x8E, 0xD8},
-                             {0x90},
-                             {0x98},
-                             {0x9C},
-                             {0xA4},
-                             {0xA9, 0, 0},
-                             {0xB8, 1, 0},
-                             {0xC4, 0x07},
-                             {0xC7, 0xC0, 1, 0},
-                             {0xC7, 0xC8, 1, 0},
-                             {0xD4, 10},
-                             {0xE4, 0},
-                             {0xF4},
-                             {0xF7, 0xC0, 1, 0},
-                             {0xF7, 0xD0},
-                             {0xF8},
-                             {0xFE, 0xD0},
-                             {0xFF, 0xF8},
-                             {0x0F, 0xAF, 0xC0},
-                             {0x0F, 0xA5, 0xC2},
-                             {0x31, 0xC0}}) {
-    expect_both(bytes, "not modelled");
+  for (const std::string bytes :
+       {"09 C8", "0D 00 00", "83 C8 01", "06",          "27",          "3F",
+        "84 C0", "87 C8",    "8E D8",    "90",          "98",          "9C",
+        "A4",    "A9 00 00", "B8 01 00", "C4 07",       "C7 C0 01 00", "C7 C8 01 00",
+        "D4 0A", "E4 00",    "F4",       "F7 C0 01 00", "F7 D0",       "F8",
+        "FE D0", "FF F8",    "0F AF C0", "0F A5 C2",    "31 C0"}) {
+    expect_both(hex(bytes), "not modelled");
   }
 }
 

@@ -1,15 +1,7 @@
 // Tests that the model and the host processor agree with the committed cases.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 #include "tests/vectors/processor.hpp"
 

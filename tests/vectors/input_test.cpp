@@ -1,11 +1,11 @@
 // Tests that an invalid file gives one line that names the position, and exit status 2.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <filesystem>
 
 #include "support/file.hpp"
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
 namespace {
@@ -32,13 +32,13 @@ void expect_refused_case(Change change, std::string_view message) {
 
 TEST(SinglestepInput, RefusesWhatIsNoArrayOfCases) {
   expect_refused("", "empty");
-  expect_refused("[]", "no cases");
-  expect_refused("null", "no array of cases");
-  expect_refused("MOO \x08", "binary MOO; moo2json.py makes JSON of it");
-  expect_refused("3", "no array of cases");
-  expect_refused(sound().dump(), "no array of cases");
-  expect_refused("[1]", "case 0 is no object");
-  expect_refused("[[]]", "case 0 is no object");
+  expect_refused("[]", "the array has no cases");
+  expect_refused("null", "not an array of cases");
+  expect_refused("MOO \x08", "a binary MOO file; convert it to JSON with moo2json.py");
+  expect_refused("3", "not an array of cases");
+  expect_refused(sound().dump(), "not an array of cases");
+  expect_refused("[1]", "case 0 is not an object");
+  expect_refused("[[]]", "case 0 is not an object");
   expect_refused("[{}]", "case 0: name is missing");
   expect_refused(R"([{"name":1}])", "case 0: name is number instead of string");
 }
@@ -48,7 +48,7 @@ TEST(SinglestepInput, RefusesDamagedJson) {
   const auto refused_at = [](const std::string& text, int cases) {
     const auto run = vectors::judge_text(text, "8088");
     EXPECT_EQ(run.status, 2);
-    EXPECT_EQ(run.err.rfind("fixproof: FILE: no JSON, or cut short, at byte ", 0), 0) << run.err;
+    EXPECT_EQ(run.err.rfind("fixproof: FILE: not JSON, or cut short, at byte ", 0), 0) << run.err;
     EXPECT_NE(run.err.find(fmt::format(", after {} cases\n", cases)), std::string::npos) << run.err;
   };
   refused_at("noise", 0);
@@ -57,7 +57,7 @@ TEST(SinglestepInput, RefusesDamagedJson) {
   refused_at(whole + ']', 1);
   refused_at("[\"\xff\"]", 0);
   expect_refused(R"([{"name":"x","bytes":[1e999]}])",
-                 "a number too large for any field, after 0 cases");
+                 "a number is too large for any field, after 0 cases");
 }
 
 TEST(SinglestepInput, RefusesMissingFields) {
@@ -103,23 +103,24 @@ TEST(SinglestepInput, RefusesNumbersOutOfRange) {
 
 TEST(SinglestepInput, RefusesBytesThatAreNotOneInstruction) {
   expect_refused_case([](Json& c) { c["bytes"] = Json::array(); },
-                      "bytes end inside the instruction");
-  expect_refused_case([](Json& c) { c["bytes"].erase(1); }, "bytes end inside the instruction");
+                      "bytes end before the instruction does");
+  expect_refused_case([](Json& c) { c["bytes"].erase(1); },
+                      "bytes end before the instruction does");
   expect_refused_case([](Json& c) { c["bytes"].push_back(0x90); },
-                      "bytes are 3, the instruction has 2");
+                      "there are 3 bytes, but the instruction has 2");
   // Only the 386 sets end with a HLT.
   expect_refused_case([](Json& c) { c["bytes"].push_back(0xF4); },
-                      "bytes are 3, the instruction has 2");
+                      "there are 3 bytes, but the instruction has 2");
 }
 
 TEST(SinglestepInput, RefusesTheSetOfTheOtherProcessor) {
   Json c = sound();
   c["name"] = "add";
   expect_refused(Json::array({c}).dump(),
-                 "case 0 'add': initial.regs: 'ax' is no register of the 386", "386");
+                 "case 0 'add': initial.regs: 'ax' is not a register of the 386", "386");
   c["initial"]["regs"]["fs"] = 0;
   expect_refused(Json::array({c}).dump(),
-                 "case 0 'add': initial.regs: 'fs' is no register of the 8088");
+                 "case 0 'add': initial.regs: 'fs' is not a register of the 8088");
 }
 
 TEST(SinglestepInput, RefusesEndlessCases) {
@@ -140,7 +141,7 @@ TEST(SinglestepInput, WhatRanNothingIsNoSuccess) {
   EXPECT_EQ(run.out,
             "FILE: 9 cases, 0 run, 0 equal, 0 differing; 9 skipped: 1 prefix, 1 control flow, "
             "3 not modelled, 2 8-bit operand, 2 memory operand\n");
-  EXPECT_EQ(run.err, "fixproof: FILE: not one case could be run\n");
+  EXPECT_EQ(run.err, "fixproof: FILE: none of its cases can be run\n");
   EXPECT_EQ(run.status, 2);
 }
 
@@ -161,7 +162,7 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
 
 TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
-  const std::string spaces = command::repeated(1U << 20U, ' ');
+  const std::string spaces = std::string(1U << 20U, ' ');
   auto* const out = gzopen(path.c_str(), "wb9");
   ASSERT_EQ(gzwrite(out, spaces.data(), 1U << 20U), 1 << 20);
   ASSERT_EQ(gzclose(out), Z_OK);
@@ -170,7 +171,7 @@ TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
   std::string bomb;
   for (int i = 0; i < 257; ++i) bomb += mebibyte;
   ASSERT_LT(bomb.size(), 1U << 20U);
-  expect_refused(bomb, "decompressed, more than 256 MiB");
+  expect_refused(bomb, "more than 256 MiB when decompressed");
 }
 
 TEST(SinglestepInput, GoesOnAfterABadFileAndForgetsNoMismatch) {
@@ -184,7 +185,7 @@ TEST(SinglestepInput, GoesOnAfterABadFileAndForgetsNoMismatch) {
   wrong["final"]["regs"]["es"] = wrong["initial"]["regs"]["es"].get<unsigned>() ^ 1U;
   run = vectors::judge_text('[' + wrong.dump() + ",1]", "8088");
   EXPECT_EQ(run.status, 1) << "a mismatch before the damage";
-  EXPECT_EQ(run.err, "fixproof: FILE: case 1 is no object\n");
+  EXPECT_EQ(run.err, "fixproof: FILE: case 1 is not an object\n");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Changes cases one bit at a time. Each change must be reported if that part is compared.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
 namespace {

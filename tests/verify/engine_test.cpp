@@ -1,14 +1,11 @@
 // Tests that a party with one rare error is caught and that every wrong case counts once.
 #include "verify/engine.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <atomic>
-#include <stdexcept>
 
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
 

@@ -1,14 +1,8 @@
 // Tests that shards add up to the whole, and that duplicate or missing parts are reported.
 #include "verify/merge.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "cases/plan.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
 
@@ -69,7 +63,7 @@ TEST(Merging, PartsOfAnotherVerificationAreRefused) {
     verify::merged(parts);
     FAIL() << "merged";
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "b is not of the verification of a: seed 9, not 1");
+    EXPECT_STREQ(error.what(), "b belongs to another verification than a: seed 9, not 1");
   }
 }
 

@@ -1,13 +1,9 @@
 // Tests that any division of a plan covers its cases exactly once.
 #include "cases/plan.hpp"
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <stdexcept>
-
 #include "cli/selection.hpp"
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof {
@@ -128,7 +124,7 @@ TEST(Selection, TheRepairedConcatIsChosenByOneWord) {
   const auto chosen = [](bool repaired, bool as_printed, bool chapter_54) {
     cli::Selection selection;
     selection.operations = {"concat"};
-    selection.chapter_given = chapter_54;
+    if (chapter_54) selection.variant.chapter_52 = false;
     selection.variant.targets = {cases::Target::i8088};
     selection.variant.repaired = repaired;
     selection.variant.as_printed = as_printed;

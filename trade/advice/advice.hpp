@@ -25,7 +25,7 @@ struct Tried {
 
 /// Whether the difference is within the smaller spread of the two, so that one noisy measurement
 /// does not make everything equal.
-bool costs_the_same(const Cost& a, const Cost& b);
+bool has_equal_cost(const Cost& a, const Cost& b);
 
 /// Sorts by cost; of equal costs, the smaller error comes first.
 void sort_by_cost(std::vector<Tried>& tried);
@@ -36,9 +36,9 @@ struct Advice {
   std::optional<std::size_t> take;
   std::optional<std::size_t> runner_up;  ///< the best of the remaining choices within the budget
   std::optional<std::size_t>
-      next_cheaper;          ///< the dearest cheaper choice; every cheaper one is over budget
-  std::size_t as_cheap = 0;  ///< how many others within the budget cost the same
-  std::size_t nearest = 0;   ///< the choice with the smallest error
+      next_cheaper;  ///< the dearest cheaper choice; every cheaper one is over budget
+  std::size_t equal_cost_count = 0;  ///< how many others within the budget cost the same
+  std::size_t nearest = 0;           ///< the choice with the smallest error
 };
 
 /// @param tried at least one, sorted by cost
@@ -66,6 +66,6 @@ inline const char* cost_unit(const AdviceReport& report) {
 
 /// made: {command, compiler, date; processor: null if clocks are counted}. worst_pixels is null if
 /// a divide error leaves a corner without a position, because JSON has no infinity.
-support::Json to_json(const AdviceReport& report);
+void to_json(support::Json& json, const AdviceReport& report);
 
 }  // namespace fixproof::trade

@@ -24,10 +24,10 @@ struct Cost {
   std::optional<double> bus{};  ///< bus time on an 8088; the other figures are at least as large
 };
 
-/// The frames whose clocks are counted: `in_a_row` consecutive frames, so that delays of 2, 3 and 4
-/// frames have their share, at each of `places` points in the first minute.
+/// The frames whose clocks are counted: `consecutive` consecutive frames, so that delays of 2, 3
+/// and 4 frames have their share, at each of `places` points in the first minute.
 struct ClockSample {
-  static constexpr std::uint64_t in_a_row = 12;
+  static constexpr std::uint64_t consecutive = 12;
   static constexpr std::uint64_t places = 5;
   static constexpr std::uint64_t apart = 720;
 };
@@ -47,8 +47,8 @@ struct TimeSample {
 /// FIXED.ASM work: per turning axis, one CosSin and the twelve products of a rotation.
 ///
 /// @param counted called with the number of finished choices
-/// @return fewer costs than choices if `stop` ended the run
-std::vector<Cost> clocks_a_frame(
+/// @return nothing if `stop` ended the run
+std::vector<Cost> clocks_per_frame(
     const xsharp::Scene& scene, std::span<const Choice> choices, x86model::Cpu cpu,
     const std::atomic<bool>& stop,
     const std::function<void(std::uint64_t)>& counted = [](std::uint64_t) {});
@@ -56,9 +56,9 @@ std::vector<Cost> clocks_a_frame(
 /// Times moving, transforming, projecting, hiding and sorting with the type, in nanoseconds on this
 /// processor. Each round times every choice in turn. The figures are the minimum and the median
 /// over the rounds, and the median ranks. The spread is the interquartile range. Restorations are
-/// shared out as in clocks_a_frame().
-/// @return fewer costs than choices if `stop` ended the run
-std::vector<Cost> nanoseconds_a_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
-                                      const std::atomic<bool>& stop);
+/// shared out as in clocks_per_frame().
+/// @return nothing if `stop` ended the run
+std::vector<Cost> nanoseconds_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                        const std::atomic<bool>& stop);
 
 }  // namespace fixproof::trade

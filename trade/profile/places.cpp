@@ -1,6 +1,9 @@
 #include "trade/profile/places.hpp"
 
 #include <array>
+#include <vector>
+
+#include "x86model/routine.hpp"
 
 namespace fixproof::trade {
 
@@ -9,47 +12,31 @@ namespace {
 /// Maps an index into twelve row-major words: 0 for the matrix, 1 for the fourth column.
 std::size_t of_transform(std::size_t index) { return index % 4 == 3 ? 1 : 0; }
 
-}  // namespace
+struct CallNames {
+  std::vector<std::string_view> operands;
+  std::vector<std::string_view> results;
+};
 
-std::span<const std::string_view> operand_names(cases::Operation operation) {
-  static constexpr std::array<std::string_view, 2> mul{"first factor", "second factor"};
-  static constexpr std::array<std::string_view, 2> div{"dividend", "divisor"};
-  static constexpr std::array<std::string_view, 1> cossin{"angle"};
-  static constexpr std::array<std::string_view, 3> xformvec{"matrix", "translation", "vector"};
-  static constexpr std::array<std::string_view, 4> concat{"first matrix", "first translation",
-                                                          "second matrix", "second translation"};
-  switch (operation) {
-    case cases::Operation::mul:
-      return mul;
-    case cases::Operation::div:
-      return div;
-    case cases::Operation::cossin:
-      return cossin;
-    case cases::Operation::xformvec:
-      return xformvec;
-    default:
-      return concat;
-  }
+const CallNames& names_of(cases::Operation routine) {
+  // In the order of the operations, of which the routines are the first.
+  static const std::array<CallNames, x86model::routine_count> names{
+      {{{"first factor", "second factor"}, {"product"}},
+       {{"dividend", "divisor"}, {"quotient"}},
+       {{"angle"}, {"cosine", "sine"}},
+       {{"matrix", "translation", "vector"}, {"vector"}},
+       {{"first matrix", "first translation", "second matrix", "second translation"},
+        {"matrix", "translation"}}}};
+  return names.at(static_cast<std::size_t>(routine));
 }
 
-std::span<const std::string_view> result_names(cases::Operation operation) {
-  static constexpr std::array<std::string_view, 1> mul{"product"};
-  static constexpr std::array<std::string_view, 1> div{"quotient"};
-  static constexpr std::array<std::string_view, 2> cossin{"cosine", "sine"};
-  static constexpr std::array<std::string_view, 1> xformvec{"vector"};
-  static constexpr std::array<std::string_view, 2> concat{"matrix", "translation"};
-  switch (operation) {
-    case cases::Operation::mul:
-      return mul;
-    case cases::Operation::div:
-      return div;
-    case cases::Operation::cossin:
-      return cossin;
-    case cases::Operation::xformvec:
-      return xformvec;
-    default:
-      return concat;
-  }
+}  // namespace
+
+std::span<const std::string_view> operand_names(cases::Operation routine) {
+  return names_of(routine).operands;
+}
+
+std::span<const std::string_view> result_names(cases::Operation routine) {
+  return names_of(routine).results;
 }
 
 std::size_t operand_place(cases::Operation operation, std::size_t index) {

@@ -11,9 +11,9 @@
 namespace fixproof::trade {
 
 /// The kinds of operands of a routine in call order, such as `matrix`, `translation`, `vector`.
-std::span<const std::string_view> operand_names(cases::Operation operation);
+std::span<const std::string_view> operand_names(cases::Operation routine);
 /// The kinds of results of a routine.
-std::span<const std::string_view> result_names(cases::Operation operation);
+std::span<const std::string_view> result_names(cases::Operation routine);
 
 /// The index into operand_names() of word `index` of a call.
 std::size_t operand_place(cases::Operation operation, std::size_t index);

@@ -35,16 +35,16 @@ Frame parse(std::string_view png) {
   Frame frame;
   for (const PngChunk& chunk : png_chunks(png)) {
     if (frame.header.empty() && (chunk.type != "IHDR" || chunk.data.size() != 13)) {
-      throw std::invalid_argument("a PNG without its header");
+      throw std::invalid_argument("the PNG has no header");
     }
-    if (chunk.type == "acTL") throw std::invalid_argument("a frame that is an animation itself");
+    if (chunk.type == "acTL") throw std::invalid_argument("the frame is an animation itself");
     if (chunk.type == "IDAT") {
       frame.pixels.push_back(chunk.data);
     } else if (frame.pixels.empty()) {
       frame.header += chunk.bytes;
     }
   }
-  if (frame.pixels.empty()) throw std::invalid_argument("a PNG without pixels");
+  if (frame.pixels.empty()) throw std::invalid_argument("the PNG has no pixels");
   return frame;
 }
 
@@ -53,7 +53,7 @@ Frame parse(std::string_view png) {
 FrameTime frame_time(double frames_per_second) {
   constexpr double most = std::numeric_limits<std::uint16_t>::max();
   if (!(frames_per_second >= 1 / most && frames_per_second <= most)) {
-    throw std::invalid_argument("frames in a second: from 1/65535 to 65535, not " +
+    throw std::invalid_argument("frames per second must be from 1/65535 to 65535, not " +
                                 std::to_string(frames_per_second));
   }
   const double time = 1 / frames_per_second;
@@ -84,10 +84,10 @@ std::string AnimationPng::frame_control(std::string_view header) {
 void AnimationPng::add(std::string_view png) {
   const Frame frame = parse(png);
   if (frames_ != 0 && frame.header != header_) {
-    throw std::invalid_argument("a frame of another size, kind or palette than the first");
+    throw std::invalid_argument("the frame differs from the first in size, kind or palette");
   }
   if (frame.pixels.size() >= max_sequence - sequence_) {
-    throw std::length_error("an animation of more frames than an APNG can have");
+    throw std::length_error("the animation has more frames than an APNG can have");
   }
   std::string bytes;
   if (frames_ == 0) {
@@ -108,7 +108,7 @@ void AnimationPng::add(std::string_view png) {
 }
 
 void AnimationPng::finish() {
-  if (frames_ == 0) throw std::logic_error("an animation without a frame");
+  if (frames_ == 0) throw std::logic_error("the animation has no frame");
   file_.append(png_chunk("IEND", {}));
   file_.overwrite(control_offset, animation_control(frames_));
   file_.finish();

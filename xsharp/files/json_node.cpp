@@ -69,7 +69,7 @@ void JsonNode::object(std::initializer_list<Key> keys) const {
     if (std::ranges::find(keys, name, &Key::name) != keys.end()) continue;
     std::string known;
     for (const Key& key : keys) known.append(known.empty() ? "" : ", ").append(key.name);
-    refuse("no key \"" + name + "\" is known here, only " + known);
+    refuse("unknown key \"" + name + "\"; choose one of " + known);
   }
   for (const Key& key : keys) {
     const auto found = value_->find(key.name);

@@ -67,11 +67,11 @@ void check_numbers(std::string_view text) {
     if (kind == "v") {
       for (int component = 0; component < 3; ++component) {
         const std::string_view word = next_word(line);
-        if (!is_place(word)) refuse("a vertex needs three numbers", word);
+        if (!is_place(word)) refuse("a vertex must have three numbers", word);
       }
     } else if (kind == "f") {
       for (auto word = next_word(line); !word.empty(); word = next_word(line)) {
-        if (!is_corner(word)) refuse("a face needs numbers of vertices", word);
+        if (!is_corner(word)) refuse("a face must have vertex numbers", word);
       }
     }
   }
@@ -131,7 +131,7 @@ Mesh parse_obj(const std::string& text) {
       !error.empty()) {
     throw SceneError("not a Wavefront OBJ file: " + error);
   }
-  if (mesh.faces.empty()) throw SceneError("there are no faces");
+  if (mesh.faces.empty()) throw SceneError("the file has no faces");
   return mesh;
 }
 

@@ -19,7 +19,7 @@ class DuplicateKeyCheck final : public nlohmann::json_sax<Json> {
  public:
   bool key(std::string& name) override {
     if (open_.back().insert(name).second) return true;
-    throw SceneError("the key \"" + name + "\" stands twice in one object");
+    throw SceneError("the key \"" + name + "\" occurs twice in one object");
   }
   bool start_object(std::size_t /*keys*/) override {
     open_.emplace_back();

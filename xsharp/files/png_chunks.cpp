@@ -26,7 +26,7 @@ std::vector<PngChunk> png_chunks(std::string_view png) {
   constexpr std::size_t around = 12;  // length, type and checksum
   while (chunks.empty() || chunks.back().type != "IEND") {
     if (rest.size() < around || rest.size() - around < number_at(rest)) {
-      throw std::invalid_argument("a PNG that ends early");
+      throw std::invalid_argument("the PNG is cut short");
     }
     const std::size_t length = number_at(rest);
     chunks.push_back({rest.substr(4, 4), rest.substr(8, length), rest.substr(0, length + around)});

@@ -153,7 +153,7 @@ ArithmeticChoice arithmetic(const JsonNode& node) {
                {"div_round", [&](const JsonNode& value) { read.div_round = value.flag(); }},
                {"repaired", [&](const JsonNode& value) { read.repaired = value.flag(); }}});
   if (read.repaired && !can_be_repaired(read)) {
-    node.refuse("repaired is for the target i8088: no other ConcatXforms loses a carry");
+    node.refuse("repaired is for the target i8088: only its ConcatXforms loses a carry");
   }
   return read;
 }

@@ -1,15 +1,8 @@
 #include "xsharp/raster/fill.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/raster/definition.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "xsharp/raster/page.hpp"
@@ -20,8 +13,8 @@ namespace {
 using definition::Points;
 using Mask = Page<std::uint8_t>;
 
-constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
-constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
 
 Mask filled(const Points& points, std::int32_t width, std::int32_t height) {
   Mask page(width, height);
@@ -129,19 +122,22 @@ TEST(Fill, WhereTheChainsHaveCrossedThereIsNothing) {
 }
 
 TEST(Fill, TheWholeRangeOfCoordinatesCoversAPage) {
-  const Mask page = filled({{least, least}, {most, least}, {most, most}, {least, most}}, 9, 5);
+  const Mask page =
+      filled({{lowest, lowest}, {highest, lowest}, {highest, highest}, {lowest, highest}}, 9, 5);
   EXPECT_EQ(std::count(page.pixels().begin(), page.pixels().end(), 1), 45);
 }
 
 TEST(Fill, TheLongestDiagonalIsExact) {
-  // On the line from (least, least) to (most, most), x equals y.
-  EXPECT_EQ(drawing(filled({{least, least}, {most, most}, {least, most}}, 4, 4)),
+  // On the line from (lowest, lowest) to (highest, highest), x equals y.
+  EXPECT_EQ(drawing(filled({{lowest, lowest}, {highest, highest}, {lowest, highest}}, 4, 4)),
             "....\n"
             "#...\n"
             "##..\n"
             "###.\n");
-  // On the line from (least, most) to (most, least), x is -1 - y; the whole page is right of it.
-  EXPECT_EQ(drawing(filled({{most, least}, {most, most}, {least, most}}, 2, 2)), "##\n##\n");
+  // On the line from (lowest, highest) to (highest, lowest), x is -1 - y; the whole page is right
+  // of it.
+  EXPECT_EQ(drawing(filled({{highest, lowest}, {highest, highest}, {lowest, highest}}, 2, 2)),
+            "##\n##\n");
 }
 
 TEST(Fill, WithoutAreaThereAreNoPixels) {
@@ -153,7 +149,7 @@ TEST(Fill, WithoutAreaThereAreNoPixels) {
                                {{0, 2}, {3, 2}, {5, 2}},
                                {{2, 0}, {2, 3}, {2, 5}},
                                {{0, 0}, {4, 4}, {4, 4}, {0, 0}},
-                               {{least, least}, {0, 0}, {2, 2}, {1, 1}}}) {
+                               {{lowest, lowest}, {0, 0}, {2, 2}, {1, 1}}}) {
     EXPECT_EQ(filled(points, 6, 6), Mask(6, 6)) << points.size();
   }
 }

@@ -1,13 +1,12 @@
 /// Tests bodies from Wavefront OBJ files, and invalid files.
 #include "xsharp/files/obj.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <filesystem>
 #include <fstream>
-#include <string>
 
+#include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 #include "xsharp/validate_mesh.hpp"
 
@@ -46,25 +45,26 @@ std::string said_of_obj(const std::string& text) {
 
 TEST(Obj, SaysWhatIsWrong) {
   const std::string places = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(said_of_obj(""), "there are no faces");
-  EXPECT_EQ(said_of_obj(places), "there are no faces");
-  EXPECT_EQ(said_of_obj("v 0 0 0\r\nv 1 2\r\n"), "line 2: a vertex needs three numbers, not \"\"");
-  EXPECT_EQ(said_of_obj("v 0 0 x1"), "line 1: a vertex needs three numbers, not \"x1\"");
-  EXPECT_EQ(said_of_obj("\n\nv 0 nan 0"), "line 3: a vertex needs three numbers, not \"nan\"");
-  EXPECT_EQ(said_of_obj("v inf 0 0"), "line 1: a vertex needs three numbers, not \"inf\"");
-  EXPECT_EQ(said_of_obj("v 0 0 1e999"), "line 1: a vertex needs three numbers, not \"1e999\"");
+  EXPECT_EQ(said_of_obj(""), "the file has no faces");
+  EXPECT_EQ(said_of_obj(places), "the file has no faces");
+  EXPECT_EQ(said_of_obj("v 0 0 0\r\nv 1 2\r\n"),
+            "line 2: a vertex must have three numbers, not \"\"");
+  EXPECT_EQ(said_of_obj("v 0 0 x1"), "line 1: a vertex must have three numbers, not \"x1\"");
+  EXPECT_EQ(said_of_obj("\n\nv 0 nan 0"), "line 3: a vertex must have three numbers, not \"nan\"");
+  EXPECT_EQ(said_of_obj("v inf 0 0"), "line 1: a vertex must have three numbers, not \"inf\"");
+  EXPECT_EQ(said_of_obj("v 0 0 1e999"), "line 1: a vertex must have three numbers, not \"1e999\"");
   EXPECT_EQ(said_of_obj("v 0 0 0\nv 0 0e999 0"), "vertex 2 is not finite");
   EXPECT_EQ(said_of_obj(places + "f 1 2"), "face 0 has 2 vertices, must have 3 to 16");
   EXPECT_EQ(said_of_obj(places + "f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2"),
             "face 0 has 17 vertices, must have 3 to 16");
   EXPECT_EQ(said_of_obj(places + "f 1 2 3\nf 1 2 4"), "face 1 has vertex 4 of 3 so far");
-  EXPECT_EQ(said_of_obj(places + "f 1 2 0"), "line 4: a face needs numbers of vertices, not \"0\"");
+  EXPECT_EQ(said_of_obj(places + "f 1 2 0"), "line 4: a face must have vertex numbers, not \"0\"");
   EXPECT_EQ(said_of_obj(places + "f 1 2 -4"), "face 0 has vertex -4 of 3 so far");
   EXPECT_EQ(said_of_obj(places + "f 1/2 2//1 3/-1/2"), "accepted");
   for (const std::string word : {"a", "3.7", "3x", "99999999999", "3/", "3/x", "3//", "3/1/", "/1",
                                  "3/1/1/1", "+3", "\\", "#"}) {
     EXPECT_EQ(said_of_obj(places + "f 1 2 3 " + word),
-              "line 4: a face needs numbers of vertices, not \"" + word + '"');
+              "line 4: a face must have vertex numbers, not \"" + word + '"');
   }
 }
 
@@ -91,9 +91,9 @@ TEST(Obj, NamesTheFile) {
   std::filesystem::remove(file);
   EXPECT_EQ(read(), file.string() + ": there is no such file");
   std::ofstream(file) << "v 0 0 0\n";
-  EXPECT_EQ(read(), file.string() + ": there are no faces");
+  EXPECT_EQ(read(), file.string() + ": the file has no faces");
   std::ofstream(file, std::ios::app) << std::string((4U << 20U) - 8, '\n');
-  EXPECT_EQ(read(), file.string() + ": there are no faces");
+  EXPECT_EQ(read(), file.string() + ": the file has no faces");
   std::ofstream(file, std::ios::app) << '\n';
   EXPECT_EQ(read(), file.string() + ": longer than 4 MiB");
   std::filesystem::remove(file);

@@ -1,16 +1,12 @@
 /// Tests every key of the scene format and every kind of invalid input.
 #include "xsharp/files/scene_json.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 
 namespace {
@@ -224,13 +220,13 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {"{\"name\": " + std::string(500'000, '['), "nested too deeply"},
       {R"({"objects": {}})", "objects: must be a list, not {}"},
       {R"({"objects": [3]})", "objects[0]: must be an object {…}, not 3"},
-      {R"({"objects": [], "objects": []})", "the key \"objects\" stands twice in one object"},
+      {R"({"objects": [], "objects": []})", "the key \"objects\" occurs twice in one object"},
       {R"({"objects": [], "camera": {"poistion": [0, 0, 0]}})",
-       "camera: no key \"poistion\" is known here, only page, position, turn_tenths"},
+       "camera: unknown key \"poistion\"; choose one of page, position, turn_tenths"},
       {R"({"objects": [], "arithmetic": {"repaired": true}})",
-       "arithmetic: repaired is for the target i8088: no other ConcatXforms loses a carry"},
+       "arithmetic: repaired is for the target i8088: only its ConcatXforms loses a carry"},
       {R"({"objects": [], "arithmetic": {"by": "double", "target": "i8088", "repaired": true}})",
-       "arithmetic: repaired is for the target i8088: no other ConcatXforms loses a carry"},
+       "arithmetic: repaired is for the target i8088: only its ConcatXforms loses a carry"},
       {R"({"objects": [{"shape": {"cube": {"half_edge": 1}}, "paint": 1, "shadings": []}]})",
        "objects[0]: shadings must have one for each face"},
       {R"({"objects": [], "width": "wide"})",
