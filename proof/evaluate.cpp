@@ -288,9 +288,6 @@ Value Evaluator::value_of_atom(const std::string& atom, const Scope& scope) {
   const auto local = std::find_if(scope.rbegin(), scope.rend(),
                                   [&](const auto& entry) { return entry.first == atom; });
   if (local != scope.rend()) return local->second;
-  if (const auto found = functions_.find(atom); found != functions_.end()) {
-    return call(atom, found->second, {});
-  }
   if (atom == "true" || atom == "false") return truth(atom == "true");
   if (atom.size() > 2 && (atom.starts_with("#b") || atom.starts_with("#x"))) {
     const unsigned each = atom[1] == 'b' ? 1 : 4;
@@ -298,7 +295,9 @@ Value Evaluator::value_of_atom(const std::string& atom, const Scope& scope) {
     return bits(static_cast<unsigned>(digits.size()) * each, digits_in(digits, each));
   }
   if (!std::all_of(atom.begin(), atom.end(), [](char c) { return c >= '0' && c <= '9'; })) {
-    refuse(fmt::format("unknown name {}", atom));
+    const auto found = functions_.find(atom);
+    if (found == functions_.end()) refuse(fmt::format("unknown name {}", atom));
+    return call(atom, found->second, {});
   }
   return {integer, cpp_int(atom.find_first_not_of('0') == std::string::npos
                                ? "0"
@@ -328,16 +327,18 @@ Value Evaluator::value_of_list(const std::vector<Expression>& list, const Scope&
   Values of;
   for (std::size_t i = 1; i < list.size(); ++i) of.push_back(value_of(list[i], scope));
   if (is_indexed(list[0]) && of.size() == 1) return apply_indexed(list[0].list, of[0]);
+  // Operations come first, so that no model can define them anew.
   const std::string& name = list[0].atom;
-  if (const auto found = functions_.find(name); found != functions_.end()) {
-    return call(name, found->second, std::move(of));
-  }
   Value result;
-  if (!apply_to_bits(name, of, result) && !apply_to_integers(name, of, result) &&
-      !apply_to_booleans(name, of, result) && !apply_to_any(name, of, result)) {
+  if (apply_to_bits(name, of, result) || apply_to_integers(name, of, result) ||
+      apply_to_booleans(name, of, result) || apply_to_any(name, of, result)) {
+    return result;
+  }
+  const auto found = functions_.find(name);
+  if (found == functions_.end()) {
     refuse(fmt::format("cannot apply {} to {} arguments", text_of(list[0]), of.size()));
   }
-  return result;
+  return call(name, found->second, std::move(of));
 }
 
 Value Evaluator::call(const std::string& name, const Function& function, Values arguments) {

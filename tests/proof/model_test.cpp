@@ -102,7 +102,7 @@ TEST(Model, ReadsTheModelsOfBothSolvers) {
 }
 
 TEST(Model, NamesWhatIsWrong) {
-  const std::string claim = question("(= a #x05)");
+  const std::string claim = question("(= twice #x0a)");
   EXPECT_EQ(fault_of_model(claim, a_is("#x05")), "");
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"", "no list of definitions"},
@@ -118,10 +118,11 @@ TEST(Model, NamesWhatIsWrong) {
       {"((define-fun a () (_ BitVec 8) #x05)))", "a ) too many"},
       {"((define-fun a () (_ BitVec 9) #b000000101))", "a is of another sort"},
       {"((define-fun a () Real 5))", "unknown sort Real"},
-      {"((define-fun b () (_ BitVec 8) #x05))", "b is not in the question"},
+      {"((define-fun b () (_ BitVec 8) #x05))", "it does not satisfy assertion 1 of 1"},
       {"((define-fun = ((x (_ BitVec 8)) (y (_ BitVec 8))) Bool true))",
-       "= is not in the question"},
-      {"((define-fun twice () (_ BitVec 8) #x05))", "twice is defined twice"},
+       "it does not satisfy assertion 1 of 1"},
+      {"((define-fun a () (_ BitVec 8) #x04) (define-fun twice () (_ BitVec 8) #x0a))",
+       "it does not satisfy assertion 1 of 1"},
       {"((define-fun f () (_ BitVec 8) #x05))", "f is of another sort"},
       {"((define-fum a () (_ BitVec 8) #x05))",
        "no definition: (define-fum a () (_ BitVec 8) #x05)"},
