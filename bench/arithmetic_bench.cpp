@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/host/host_run.hpp"
+#include "measure/host/host.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 /// \file
 /// Each operation on one element for each kind of number, the loops that batches are compared with,
-/// and the expected results. 128-bit integers compute these from the type's policy alone.
+/// and the expected results from tests/support/exact.hpp.
 #pragma once
 
 #include <array>
@@ -12,52 +12,26 @@
 
 #include "bench/batch_operands.hpp"
 #include "fixed/fixed.hpp"
+#include "tests/support/exact.hpp"
 
 namespace batch_bench {
 
-__extension__ using Wide = __int128;
-
-/// n / d toward -infinity.
-constexpr Wide floor_of(Wide n, Wide d) {
-  return n / d - (n % d != 0 && (n < 0) != (d < 0) ? 1 : 0);
-}
-
-constexpr Wide rounded(Wide n, Wide d, fixed::rounding by) {
-  const bool negative = n != 0 && (n < 0) != (d < 0);
-  switch (by) {
-    case fixed::rounding::half_up:
-      return floor_of(2 * n + d, 2 * d);
-    case fixed::rounding::half_away:
-      return negative ? -floor_of(-2 * n + d, 2 * d) : floor_of(2 * n + d, 2 * d);
-    case fixed::rounding::floor:
-      return floor_of(n, d);
-    case fixed::rounding::truncate:
-      break;
-  }
-  return n / d;
-}
+using Wide = exact::integer;
 
 struct Rules {
   fixed::policy by;
   int bits = 16;  ///< number of integer bits and of fraction bits
 
   [[nodiscard]] constexpr Wide one() const { return Wide{1} << bits; }
-  [[nodiscard]] constexpr Wide lowest() const { return -(one() * one() / 2); }
-  [[nodiscard]] constexpr Wide highest() const { return -lowest() - 1; }
 
   /// Applies the overflow rule. Under a trapping rule, x must be in range.
   [[nodiscard]] constexpr Wide narrowed(Wide x) const {
-    if (by.range == fixed::overflow::wrap) {
-      const Wide range = one() * one();
-      return x - range * floor_of(x - lowest(), range);
-    }
-    if (by.range == fixed::overflow::trap) return x;
-    return x < lowest() ? lowest() : x > highest() ? highest() : x;
+    return exact::narrowed(x, 2 * bits, by.range);
   }
 
   /// A sum of products, rounded once.
   [[nodiscard]] constexpr Wide product(Wide sum) const {
-    return narrowed(rounded(sum, one(), by.multiply));
+    return narrowed(exact::round({sum, one()}, by.multiply));
   }
 };
 
@@ -107,8 +81,8 @@ struct Divide {
   static Wide right(const Rules& rules, Wide a, Wide b, Wide /*c*/) {
     const bool whole = rules.by.divisor == fixed::divisor_width::whole_part;
     const Wide divisor = whole ? b / rules.one() * rules.one() : b;
-    if (divisor == 0) return a == 0 ? 0 : a < 0 ? rules.lowest() : rules.highest();
-    return rules.narrowed(rounded(a * rules.one(), divisor, rules.by.divide));
+    if (divisor == 0) return exact::narrowed(a << 64U, 2 * rules.bits, fixed::overflow::saturate);
+    return rules.narrowed(exact::round(exact::ratio(a * rules.one(), divisor), rules.by.divide));
   }
 };
 struct Root {

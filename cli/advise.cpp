@@ -152,8 +152,7 @@ int advise_on(const AdviseOptions& options) {
     if (frames < wanted) return stopped(frames, wanted, options);
   }
   std::cout << sentences_of(report);
-  if (!options.json.empty())
-    support::replace_file(options.json, support::json_text(trade::to_json(report)));
+  if (!options.json.empty()) support::replace_file(options.json, support::json_text(report));
   return advice.take ? 0 : 1;
 }
 

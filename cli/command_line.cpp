@@ -8,9 +8,12 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "proof/process.hpp"
+#include "support/build_info/build_info.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -22,7 +25,7 @@ namespace {
 void add_all(CLI::App& app, int& status) {
   app.name("fixproof");
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", std::string(program_version()));
+  app.set_version_flag("--version", std::string(support::program_version()));
   add_verify(app, status);
   add_merge(app, status);
   add_gen(app, status);
@@ -42,9 +45,8 @@ void add_all(CLI::App& app, int& status) {
   add_report(app, status);
 }
 
-}  // namespace
-
-int run_command_line(std::vector<std::string> arguments) {
+/// @throws std::bad_alloc
+int run(std::vector<std::string> arguments) {
   CLI::App app{
       "Bit-exact verification of 16.16 fixed-point arithmetic. Compares a register-level model of\n"
       "FIXED.ASM for the 8088 and the 386, a big-integer oracle and a C++ number type."};
@@ -61,29 +63,41 @@ int run_command_line(std::vector<std::string> arguments) {
   } catch (const CLI::ExtrasError&) {
     const auto extra = app.remaining(true);
     const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
-    fmt::print(stderr, "fixproof: {}: {} (see fixproof --help)\n", what,
-               support::printable(extra.front()));
+    print_error(
+        fmt::format("{}: {} (see fixproof --help)", what, support::printable(extra.front())));
     return 2;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "fixproof: {} (see fixproof --help)\n", support::printable(error.what()));
+    print_error(fmt::format("{} (see fixproof --help)", support::printable(error.what())));
     return 2;
   } catch (const proof::Stopped&) {
-    fmt::print(stderr, "fixproof: stopped\n");
+    print_error("stopped");
     return support::interrupted_status;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     std::cout.flush();
-    fmt::print(stderr, "fixproof: {}\n", support::printable(error.what()));
+    print_error(support::printable(error.what()));
     return 2;
   }
   // Flushing reveals a full disk or a closed pipe.
   std::cout.flush();
   if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    fmt::print(stderr, "fixproof: cannot write standard output\n");
+    print_error("cannot write standard output");
     return 2;
   }
   return status;
 }
 
-std::string_view program_version() { return FIXPROOF_VERSION; }
+}  // namespace
+
+int run_command_line(std::vector<std::string> arguments) {
+  try {
+    return run(std::move(arguments));
+  } catch (const std::bad_alloc&) {
+    std::cout.flush();
+    print_error("out of memory");
+    return 2;
+  }
+}
 
 }  // namespace fixproof::cli

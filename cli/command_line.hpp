@@ -3,15 +3,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace fixproof::cli {
 
 /// Runs `fixproof ARGUMENT...`, prints an error as one line on stderr and returns the exit status.
 int run_command_line(std::vector<std::string> arguments);
-
-/// Returns the version that `fixproof --version` prints.
-std::string_view program_version();
 
 }  // namespace fixproof::cli

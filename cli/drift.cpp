@@ -16,7 +16,6 @@
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/advice/choice.hpp"
-#include "trade/drift/drift_json.hpp"
 #include "trade/drift/strip.hpp"
 #include "xsharp/files/scene_json.hpp"
 
@@ -65,16 +64,14 @@ std::string first(const std::optional<std::uint64_t>& frame) {
   return frame ? support::grouped(*frame) : "never";
 }
 
-void print(const std::vector<trade::DriftCase>& cases,
-           const std::vector<trade::DriftResult>& results) {
+void print(const std::vector<trade::DriftResult>& results) {
   std::cout << fmt::format("{:<34}{:>10}{:>11}{:>11}{:>10}  {:>9}{:>9}{:>9}\n", "", "skew", "edges",
                            "volume", "pixels", "1 pixel", "2 %", "10 %");
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const trade::DriftResult& r = results[i];
+  for (const trade::DriftResult& r : results) {
     std::cout << fmt::format("{:<34}{:>10}{:>11}{:>11}{:>10}  {:>9}{:>9}{:>9}\n",
-                             trade::name_of(cases[i]), percent(r.worst.skew),
-                             percent(r.worst.length), percent(r.worst.volume),
-                             pixels(r.worst.pixels), first(r.pixel), first(r.some), first(r.much));
+                             trade::name_of(r.of), percent(r.worst.skew), percent(r.worst.length),
+                             percent(r.worst.volume), pixels(r.worst.pixels), first(r.pixel),
+                             first(r.some), first(r.much));
   }
 }
 
@@ -118,20 +115,14 @@ std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request)
   return trade::drift_strip(rows, request.object, frames, labels);
 }
 
-DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request) {
-  DriftFigures figures;
-  figures.scene = scene.name;
-  figures.frames = figures.wanted = request.minutes * 60 * fast;
-  figures.cases = drift_cases(request.restore_every);
-  support::FrameProgress progress(figures.wanted);
-  figures.results =
-      trade::run_drift(unrestored(scene), figures.cases, figures.frames, support::Interrupt::flag(),
-                       [&](std::uint64_t done) { progress.show(done); });
+trade::DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request) {
+  const std::uint64_t frames = request.minutes * 60 * fast;
+  trade::DriftFigures figures{scene.name, fast, frames, frames, {}};
+  support::FrameProgress progress(frames);
+  figures.results = trade::run_drift(unrestored(scene), drift_cases(request.restore_every),
+                                     figures.frames, support::Interrupt::flag(),
+                                     [&](std::uint64_t done) { progress.show(done); });
   return figures;
-}
-
-support::Json to_json(const DriftFigures& figures) {
-  return trade::drift_json(figures.scene, figures.frames, fast, figures.cases, figures.results);
 }
 
 namespace {
@@ -152,7 +143,7 @@ int run(const DriftOptions& options) {
         fmt::format("--json {}: --strip writes this file; name another", options.json));
   }
 
-  DriftFigures figures;
+  trade::DriftFigures figures;
   {
     const support::Interrupt interrupt;
     figures = measure_drift(scene, options.request);
@@ -166,7 +157,7 @@ int run(const DriftOptions& options) {
       support::printable(scene.name), support::grouped(frames),
       support::duration(static_cast<double>(frames) / static_cast<double>(slow)), slow,
       support::duration(static_cast<double>(frames) / static_cast<double>(fast)), fast);
-  print(figures.cases, figures.results);
+  print(figures.results);
   if (!figures.complete()) {
     std::cout << fmt::format(
         "\nSTOPPED after {} of {} frames{}\n", support::grouped(frames),
@@ -175,7 +166,7 @@ int run(const DriftOptions& options) {
     return support::interrupted_status;
   }
   if (!options.json.empty()) {
-    support::replace_file(options.json, support::json_text(to_json(figures)));
+    support::replace_file(options.json, support::json_text(figures));
   }
   if (!options.strip.empty()) {
     support::replace_file(options.strip, drift_strip(scene, options.request));

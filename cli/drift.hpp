@@ -5,9 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "support/json.hpp"
 #include "trade/drift/run.hpp"
 #include "xsharp/scene.hpp"
 
@@ -19,22 +17,10 @@ struct DriftRequest {
   std::size_t object = 0;           ///< index of the object in the strip
 };
 
-struct DriftFigures {
-  std::string scene;
-  std::uint64_t frames = 0;  ///< frames drawn; less than `wanted` after an interrupt
-  std::uint64_t wanted = 0;
-  std::vector<trade::DriftCase> cases;
-  std::vector<trade::DriftResult> results;  ///< in the order of `cases`
-
-  [[nodiscard]] bool complete() const { return frames == wanted; }
-};
-
 /// Shows progress on the terminal and stops early when support::Interrupt::flag() is set. Ignores
 /// the scene's own settings for restoring orthogonality.
 /// @param scene must have at least one object
-DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request);
-
-support::Json to_json(const DriftFigures& figures);
+trade::DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest& request);
 
 /// Returns an SVG of one object after 0, 1, 5, 15 and 30 minutes in each arithmetic.
 std::string drift_strip(const xsharp::Scene& scene, const DriftRequest& request);

@@ -10,6 +10,7 @@
 #include "cli/arguments.hpp"
 #include "cli/case_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "support/frame_progress.hpp"
 #include "support/hex.hpp"
 #include "support/interrupt.hpp"
@@ -96,8 +97,8 @@ int generate(const GenOptions& options) {
     if (!options.file.empty()) progress.show(done);
   }
   if (done < all) {
-    fmt::print(stderr, "fixproof: STOPPED after {} of {} cases{}\n", done, all,
-               options.file.empty() ? "" : "; " + options.file + " is not written");
+    print_error(fmt::format("STOPPED after {} of {} cases{}", done, all,
+                            options.file.empty() ? "" : "; " + options.file + " is not written"));
     return support::interrupted_status;
   }
   if (output.write(pending)) output.finish();

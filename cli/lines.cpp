@@ -33,6 +33,9 @@ void answer_lines(std::istream& in, std::ostream& out,
     } catch (const support::UsageError& error) {
       write(out, pending);
       throw support::UsageError(fmt::format("line {}: {}", number, error.what()));
+    } catch (...) {
+      write(out, pending);
+      throw;
     }
     pending += '\n';
     if (pending.size() > flush_size || in.rdbuf()->in_avail() <= 0) write(out, pending);

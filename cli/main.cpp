@@ -2,8 +2,10 @@
 #include <iostream>
 
 #include "cli/command_line.hpp"
+#include "support/error_text.hpp"
 
 int main(int argc, char** argv) {
+  fixproof::support::occupy_closed_descriptors();
   // Ignore these signals, so that a closed pipe or a file size limit becomes a write error.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

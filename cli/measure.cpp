@@ -9,6 +9,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/measure_text.hpp"
+#include "cli/print_error.hpp"
 #include "player/outputs.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
@@ -61,10 +62,10 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
   if (measured.result) {
     std::cout << text_of(*measured.result);
     if (!options.json.empty()) {
-      support::replace_file(options.json, support::json_text(to_json(*measured.result)));
+      support::replace_file(options.json, support::json_text(*measured.result));
     }
   }
-  for (const std::string& line : measured.errors) fmt::print(stderr, "fixproof: {}\n", line);
+  for (const std::string& line : measured.errors) print_error(line);
   return measured.status;
 }
 
@@ -73,9 +74,9 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
 std::vector<std::string> broken_bounds(const measure::SteppingResult& result) {
   std::vector<std::string> lines;
   for (const measure::SteppingRow& row : result.rows) {
-    if (row.statistics.beyond().empty()) continue;
+    if (row.statistics.beyond.empty()) continue;
     lines.push_back(
-        fmt::format("{}, {}: {}", row.variant.value, row.variant.rule, row.statistics.beyond()));
+        fmt::format("{}, {}: {}", row.variant.value, row.variant.rule, row.statistics.beyond));
   }
   return lines;
 }

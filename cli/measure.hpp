@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/host/host_run.hpp"
+#include "measure/host/host_times.hpp"
 #include "measure/measure.hpp"
 #include "measure/stepping/stepping.hpp"
 #include "support/interrupt.hpp"

@@ -2,6 +2,7 @@
 
 #include "cli/measure_text.hpp"
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "support/plain_text.hpp"
 #include "xsharp/raster/span_loops.hpp"
 
@@ -28,21 +29,21 @@ std::string rows_text(const std::vector<measure::SteppingRow>& rows, Columns col
 std::string error_columns(const measure::SteppingRow& row) {
   const measure::SteppingStatistics& s = row.statistics;
   std::string text =
-      fmt::format("{:>7}{:>10}{:>10}{:>8.3f}", name_of(row.variant.drawn),
-                  figure_text(s.all().error), figure_text(s.all().bound), s.part_of_bound());
+      fmt::format("{:>7}{:>10}{:>10}{:>8.3f}", name_of(row.variant.drawn), figure_text(s.all.error),
+                  figure_text(s.all.bound), s.part_of_bound);
   for (const std::size_t i : {4U, 8U, 12U, 16U}) {
-    text += fmt::format("{:>10}", figure_text(s.along().at(i).error));
+    text += fmt::format("{:>10}", figure_text(s.along.at(i).error));
   }
-  return text + fmt::format("{:>10}", figure_text(s.along().back().bound));
+  return text + fmt::format("{:>10}", figure_text(s.along.back().bound));
 }
 
 std::string picture_columns(const measure::SteppingRow& row) {
   const measure::SteppingStatistics& s = row.statistics;
   return fmt::format("{:>10}{:>9}{:>12}{:>10}{:>8}{:>10}",
-                     percent_text(measure::share_of(s.wrong(), s.drawn())), s.max_error(),
-                     support::grouped(s.bands().drawn),
-                     percent_text(measure::share_of(s.bands().wrong, s.bands().drawn)),
-                     s.bands().widest, percent_text(measure::share_of(s.missed(), s.wanted())));
+                     percent_text(measure::share_of(s.wrong, s.drawn)), s.max_error,
+                     support::grouped(s.bands.drawn),
+                     percent_text(measure::share_of(s.bands.wrong, s.bands.drawn)), s.bands.widest,
+                     percent_text(measure::share_of(s.missed, s.wanted)));
 }
 
 std::string setups_text(const std::vector<measure::SetupClocks>& setups) {
@@ -81,7 +82,7 @@ std::string times_text(const measure::SteppingResult& result) {
       "\nNanoseconds on {}, {}: the loops in C++ over spans of {} pixels, and the\nsetup of a "
       "value; "
       "minimum and median of {} rounds.\n\n{:<26}{:>9}{:>9}{:>9}\n\n",
-      measure::processor_name(), measure::compiler_flags(), xsharp::longest_span, result.rounds, "",
+      parties::processor_name(), measure::compiler_flags(), xsharp::longest_span, result.rounds, "",
       "ns", "median", "spread");
   for (const measure::SteppingTimes& t : result.times) {
     text += fmt::format("{:<26}{}  a {}\n", t.what, columns_of(t.times), t.of);

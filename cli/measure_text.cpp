@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "measure/host/provenance.hpp"
+#include "support/build_info/build_info.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -21,7 +22,7 @@ std::string text_of(const measure::Claim& claim) {
 }
 
 std::string made_by(std::uint64_t seed) {
-  return fmt::format("seed {}, {}", seed, measure::compiler_name());
+  return fmt::format("seed {}, {}", seed, support::compiler_name());
 }
 
 std::string missing_libraries() {

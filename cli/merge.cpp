@@ -1,12 +1,11 @@
 #include "verify/merge.hpp"
 
-#include <fmt/format.h>
-
 #include <iostream>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/table.hpp"
 #include "support/file.hpp"
 #include "verify/report_file.hpp"
@@ -18,16 +17,17 @@ namespace {
 struct MergeOptions {
   std::vector<std::string> files;
   std::string report;
+  bool accept_other_builds = false;
 };
 
 int run(const MergeOptions& options) {
   std::vector<verify::NamedReport> parts;
   for (const std::string& file : options.files) parts.push_back({file, verify::read_report(file)});
-  const verify::Report sum = verify::merged(parts);
+  const verify::Report sum = verify::merged(parts, options.accept_other_builds);
   if (!options.report.empty()) support::replace_file(options.report, verify::to_json(sum));
   std::cout << table(sum) << std::flush;
   const std::string missing = verify::missing(sum, parts);
-  if (!missing.empty()) fmt::print(stderr, "fixproof: {}\n", missing);
+  if (!missing.empty()) print_error(missing);
   // A mismatch counts even if parts are missing.
   if (sum.mismatches() > 0) return 1;
   return missing.empty() ? 0 : 2;
@@ -43,9 +43,12 @@ void add_merge(CLI::App& app, int& status) {
       ->required();
   command->add_option("--report", options->report, "write the sum to this file as JSON")
       ->check(not_empty());
+  command->add_flag("--accept-other-builds", options->accept_other_builds,
+                    "add parts of other builds or other parties; the sum lists them");
   command->footer(
       R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
-a chunk. If chunks are missing, merge prints the table of the others, names the missing shards
+a chunk. This build must have made them all, with the same libraries and processors behind the
+parties. If chunks are missing, merge prints the table of the others, names the missing shards
 and exits with status 2, or 1 if there are mismatches. `verify --resume SUM` runs the rest.
 
 Example:

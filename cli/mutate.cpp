@@ -105,8 +105,14 @@ std::string fate_of(const Trial& trial) {
       break;
   }
   if (j.proof.standing != proof::Standing::disproven) {
-    return fmt::format("GAP: survives level 1, the solver does not decide it{}{}",
-                       j.failure.empty() ? "" : ": ", support::printable(j.failure));
+    std::string why = j.failure;
+    if (why.empty() && !j.proof.remarks.empty()) why = j.proof.remarks.front();
+    const char* word = j.proof.standing == proof::Standing::disputed ? "DISPUTED"
+                       : j.proof.standing == proof::Standing::one_sided
+                           ? "one-sided"
+                           : "the solver does not decide it";
+    return fmt::format("GAP: survives level 1, {}{}{}", word, why.empty() ? "" : ": ",
+                       support::printable(why));
   }
   if (trial.loop) return "GAP: survives all spans, but the proof of one iteration fails";
   return fmt::format("GAP: survives level 1, but fails at {}",
@@ -212,7 +218,10 @@ which it differs from the oracle or raises an unexpected error. The solver prove
 others are equivalent to the routine for all operands. The rest are gaps in the verification.
 Inner loops run spans of every length up to 320 pixels.
 
-Exit status: 0 no gap, 1 a gap, 2 bad usage, 130 interrupted.
+A mutant that the solver does not decide is a gap too; with --solver both that is one on which
+z3 and cvc5 do not agree. `fixproof prove --help` says how solvers are tested.
+
+Exit status: 0 no gap, 1 a gap, 2 bad usage, or a solver is refused, 130 interrupted.
 
 Examples:
   fixproof mutate mul div

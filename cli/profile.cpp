@@ -66,8 +66,7 @@ int run_profile(const ProfileOptions& options) {
                              options.json.empty() ? "" : "; no JSON is written");
     return support::interrupted_status;
   }
-  if (!options.json.empty())
-    support::replace_file(options.json, support::json_text(trade::to_json(profile, scene.name)));
+  if (!options.json.empty()) support::replace_file(options.json, support::json_text(profile));
   return 0;
 }
 

@@ -11,8 +11,8 @@ namespace fixproof::cli {
 void ProgramOptions::add_to(CLI::App& command, bool with_loops) {
   command
       .add_option("routine", operation,
-                  with_loops ? "mul, div, cossin, xformvec or concat, or an inner loop: "
-                               "gouraud-byte, gouraud-word, depth or texture"
+                  with_loops ? "mul, div, cossin, xformvec or concat; or an inner loop: "
+                               "gouraud-byte, gouraud-word, depth, texture"
                              : "mul, div, cossin, xformvec or concat")
       ->required();
   variant.add_to(command);

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 #include "cases/words.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/selection.hpp"
 #include "cli/solver_options.hpp"
 #include "machine_code/programs.hpp"
@@ -40,14 +42,33 @@ struct Tally {
   std::size_t proven = 0;
   std::size_t disproven = 0;
   std::size_t open = 0;
+  std::size_t one_sided = 0;
+  std::size_t disputed = 0;
   double seconds = 0;
+  std::string failure{};  ///< what ended the proofs early
 
-  [[nodiscard]] std::size_t answered() const { return proven + disproven + open; }
+  [[nodiscard]] std::size_t undecided() const { return open + one_sided + disputed; }
+  [[nodiscard]] std::size_t answered() const { return proven + disproven + undecided(); }
   void add(proof::Standing standing, double took) {
-    ++(standing == proof::Standing::proven      ? proven
-       : standing == proof::Standing::disproven ? disproven
-                                                : open);
+    ++count_of(standing);
     seconds += took;
+  }
+
+ private:
+  std::size_t& count_of(proof::Standing standing) {
+    switch (standing) {
+      case proof::Standing::proven:
+        return proven;
+      case proof::Standing::disproven:
+        return disproven;
+      case proof::Standing::one_sided:
+        return one_sided;
+      case proof::Standing::disputed:
+        return disputed;
+      case proof::Standing::open:
+        break;
+    }
+    return open;
   }
 };
 
@@ -61,10 +82,22 @@ std::string_view word_for(proof::Standing standing) {
       return "proven";
     case proof::Standing::disproven:
       return "DISPROVEN";
+    case proof::Standing::one_sided:
+      return "one-sided";
+    case proof::Standing::disputed:
+      return "DISPUTED";
     case proof::Standing::open:
       break;
   }
   return "not decided";
+}
+
+/// Prints a goal, and why some of its questions are not decided.
+void print_proof(std::string_view name, const proof::Proof& proof) {
+  print_line(name, word_for(proof.standing), proof.seconds);
+  for (const std::string& remark : proof.remarks) {
+    std::cout << fmt::format("  {}\n", support::printable(remark));
+  }
 }
 
 x86model::Program sound_program(const x86model::LoopForm& form) {
@@ -138,12 +171,10 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
 void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,
                  Tally& tally) {
   const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
-  const proof::Standing standing =
-      answer.verdict == proof::Satisfiability::unsatisfiable ? proof::Standing::proven
-      : answer.verdict == proof::Satisfiability::satisfiable ? proof::Standing::disproven
-                                                             : proof::Standing::open;
-  print_line(fmt::format("lemma {}", lemma.name), word_for(standing), answer.seconds);
-  tally.add(standing, answer.seconds);
+  proof::Proof proof{.standing = proof::standing_of(answer.verdict), .seconds = answer.seconds};
+  if (!answer.remark.empty()) proof.remarks.push_back(answer.remark);
+  print_proof(fmt::format("lemma {}", lemma.name), proof);
+  tally.add(proof.standing, proof.seconds);
 }
 
 std::string with_questions(std::string_view name, const proof::Proof& proof) {
@@ -153,8 +184,7 @@ std::string with_questions(std::string_view name, const proof::Proof& proof) {
 void prove_loop(const x86model::LoopForm& form, int seconds, const proof::Solver& solver,
                 Tally& tally) {
   const proof::Proof proof = proof::prove(form, sound_program(form), solver, seconds);
-  print_line(with_questions(machine_code::name_of(form), proof), word_for(proof.standing),
-             proof.seconds);
+  print_proof(with_questions(machine_code::name_of(form), proof), proof);
   tally.add(proof.standing, proof.seconds);
 }
 
@@ -169,7 +199,7 @@ void prove_routine(const cases::Variant& v, const ProveOptions& options,
     which = fmt::format(" --mutant {}", options.mutant);
   }
   const proof::Proof proof = proof::prove(v, program, solver, options.solver.seconds);
-  print_line(with_questions(cases::name_of(v), proof), word_for(proof.standing), proof.seconds);
+  print_proof(with_questions(cases::name_of(v), proof), proof);
   tally.add(proof.standing, proof.seconds);
   if (proof.standing != proof::Standing::disproven) return;
   const int bits = 2 * v.fraction_bits;
@@ -193,8 +223,7 @@ Tally prove_all(const Programs& programs, const ProveOptions& options) {
     for (const cases::Variant& v : programs.routines) prove_routine(v, options, solver, tally);
     for (const bool mul_round : lost_carries(options, programs)) {
       const proof::Proof proof = proof::prove_lost_carry(mul_round, solver, options.solver.seconds);
-      print_line(with_questions(name_of_lost_carry(mul_round), proof), word_for(proof.standing),
-                 proof.seconds);
+      print_proof(with_questions(name_of_lost_carry(mul_round), proof), proof);
       tally.add(proof.standing, proof.seconds);
     }
     for (const x86model::LoopForm& form : programs.loops) {
@@ -202,21 +231,28 @@ Tally prove_all(const Programs& programs, const ProveOptions& options) {
     }
   } catch (const proof::Stopped&) {
     // The summary counts the remaining goals.
+  } catch (const std::runtime_error& error) {
+    tally.failure = error.what();
   }
   return tally;
 }
 
 int summarize(const Tally& tally, std::size_t goals) {
-  std::cout << fmt::format("\n{} proven, {} disproven, {} not decided; {}\n", tally.proven,
-                           tally.disproven, tally.open, support::duration(tally.seconds));
+  std::string others;
+  if (tally.one_sided > 0) others += fmt::format(", {} one-sided", tally.one_sided);
+  if (tally.disputed > 0) others += fmt::format(", {} DISPUTED", tally.disputed);
+  std::cout << fmt::format("\n{} proven, {} disproven, {} not decided{}; {}\n", tally.proven,
+                           tally.disproven, tally.open, others, support::duration(tally.seconds));
   const std::size_t left = goals - tally.answered();
   if (left > 0) {
     std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} goals have no answer.\n", left, goals);
   }
+  std::cout << std::flush;
+  if (!tally.failure.empty()) print_error(support::printable(tally.failure));
   // A counterexample counts even if goals remain.
   if (tally.disproven > 0) return 1;
-  if (left > 0) return support::interrupted_status;
-  return tally.open > 0 ? 2 : 0;
+  if (!tally.failure.empty() || (left == 0 && tally.undecided() > 0)) return 2;
+  return left > 0 ? support::interrupted_status : 0;
 }
 
 int run(const ProveOptions& options) {
@@ -261,11 +297,18 @@ memory and preserves the caller's registers. Products and quotients stay abstrac
 about integers justify this. For the repaired 8088 concat it also proves where the printed
 routine differs. docs/proofs.md says what is proven and what is not.
 
-Exit status: 0 all proven, 1 a counterexample, 2 not decided, or bad usage, 130 interrupted.
+Before the first question each solver answers test questions whose answers are known, and a
+model that it returns must satisfy its question. With --solver both a goal is proven only if
+z3 and cvc5 agree. It is one-sided if only one of them decides a question, and DISPUTED if they
+contradict each other.
+
+Exit status: 0 all proven, 1 a counterexample, 2 not decided, one-sided or disputed, or a solver
+failed or is refused, or bad usage, 130 interrupted.
 
 Examples:
   fixproof prove
   fixproof prove div --target i8088 --solver cvc5
+  fixproof prove mul div --solver both
   fixproof prove div --target i8088 --round on --mutant 3
   fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2)");
   command->callback([options, &status] { status = run(*options); });

@@ -92,8 +92,8 @@ class ClockMeter {
   ClockMeter(const xsharp::ArithmeticChoice& choice, bool has_loops) : has_loops_(has_loops) {
     if (choice.by != "model") return;
     build_ = player::build_of(choice).value();
-    if (build_.target == cases::Target::i8088) totals_.push_back({x86model::Cpu::i8088});
-    totals_.push_back({x86model::Cpu::i386});
+    if (build_.target == cases::Target::i8088) totals_.push_back({x86model::Cpu::i8088, {}});
+    totals_.push_back({x86model::Cpu::i386, {}});
   }
 
   /// Selects every tenth frame, because counting takes longer than drawing.
@@ -102,12 +102,7 @@ class ClockMeter {
   }
 
   void count(const player::OperandLog& log) {
-    for (Total& total : totals_) {
-      const measure::FrameClocks clocks = measure::clocks_of(log, build_, total.cpu);
-      total.least += clocks.table.min;
-      total.most += clocks.table.max;
-      total.bus += clocks.bus.clocks();
-    }
+    for (auto& [cpu, sum] : totals_) sum += measure::clocks_of(log, build_, cpu);
     ++counted_;
   }
 
@@ -115,17 +110,17 @@ class ClockMeter {
   [[nodiscard]] std::string text() const {
     std::string text;
     if (counted_ == 0) return text;
-    for (const Total& total : totals_) {
-      const std::uint64_t least = total.least / counted_;
-      const std::uint64_t most = total.most / counted_;
+    for (const auto& [cpu, sum] : totals_) {
+      const std::uint64_t least = sum.table.min / counted_;
+      const std::uint64_t most = sum.table.max / counted_;
       text += text.empty() ? "Listings alone: " : ", ";
       text += least == most
                   ? support::grouped(least)
                   : fmt::format("{} to {}", support::grouped(least), support::grouped(most));
-      text += fmt::format(" clocks a frame on the {}", x86model::name_of(total.cpu));
-      if (total.cpu == x86model::Cpu::i8088) {
-        text +=
-            fmt::format(" by its table and {} by its bus", support::grouped(total.bus / counted_));
+      text += fmt::format(" clocks a frame on the {}", x86model::name_of(cpu));
+      if (cpu == x86model::Cpu::i8088) {
+        text += fmt::format(" by its table and {} by its bus",
+                            support::grouped(sum.bus.clocks() / counted_));
       }
     }
     return text.empty() ? text
@@ -135,17 +130,11 @@ class ClockMeter {
   }
 
  private:
-  struct Total {
-    x86model::Cpu cpu{};
-    std::uint64_t least = 0;
-    std::uint64_t most = 0;
-    std::uint64_t bus = 0;
-  };
   static constexpr std::uint64_t every = 10;
 
   cases::Build build_{};
   bool has_loops_;
-  std::vector<Total> totals_;
+  std::vector<std::pair<x86model::Cpu, measure::FrameClocks>> totals_;
   std::uint64_t counted_ = 0;
 };
 

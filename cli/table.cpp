@@ -114,6 +114,22 @@ std::string totals(const verify::Report& report) {
                      report.plan.seed());
 }
 
+/// Describes the builds of a report that several made.
+std::string maker_lines(const verify::Report& report) {
+  if (report.makers.size() < 2) return "";
+  std::string text = fmt::format("{} builds answered:\n", report.makers.size());
+  for (const verify::Maker& maker : report.makers) {
+    std::string line =
+        fmt::format("  fixproof {}, commit {}, {}, {}, executable {}", maker.version, maker.commit,
+                    maker.build_type, maker.compiler, maker.executable);
+    for (const auto& [name, identity] : maker.parties) {
+      line += fmt::format("; {}: {}", name, identity);
+    }
+    text += support::printable(line) + '\n';
+  }
+  return text;
+}
+
 std::string verdict(const verify::Report& report) {
   std::string text;
   if (report.shard.count > 1) {
@@ -174,7 +190,7 @@ std::string table(const verify::Report& report) {
     mismatches += mismatch_lines(report.plan.rows()[i], report.findings[i]);
   }
   return aligned(lines) + '\n' + mismatches + (mismatches.empty() ? "" : "\n") + totals(report) +
-         verdict(report);
+         maker_lines(report) + verdict(report);
 }
 
 }  // namespace fixproof::cli

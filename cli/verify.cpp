@@ -3,12 +3,14 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <thread>
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/print_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/selection.hpp"
 #include "cli/table.hpp"
@@ -18,6 +20,7 @@
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "verify/engine.hpp"
+#include "verify/recheck.hpp"
 #include "verify/report_file.hpp"
 
 namespace fixproof::cli {
@@ -27,12 +30,17 @@ namespace {
 /// A killed process loses little more work than this.
 constexpr std::chrono::milliseconds checkpoint_every{500};
 
+/// Finished chunks of a state that run again before the run goes on from it. Each takes some ten
+/// milliseconds, or at level 3 up to a second.
+constexpr std::size_t rechecked_chunks = 4;
+
 struct VerifyOptions {
   Selection selection;
   std::uint64_t seed = 1994;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string shard = "1/1";
   std::string resume;
+  bool accept_other_builds = false;
   std::string report;
   std::size_t max_reports = 10;
   std::string words;
@@ -60,7 +68,24 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
   return status;
 }
 
-verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows) {
+/// Refuses a state that another build made, or whose chunks give other results here.
+void check_made_here(const VerifyOptions& options, const verify::Report& kept,
+                     std::span<const parties::Party* const> parties) {
+  const verify::Maker here = verify::this_maker(kept.plan, parties);
+  for (const verify::Maker& maker : kept.makers) {
+    const std::string differs = verify::difference(maker, here);
+    if (differs.empty() || options.accept_other_builds) continue;
+    throw support::UsageError(verify::other_build(options.resume, differs));
+  }
+  try {
+    verify::recheck(kept, parties, rechecked_chunks);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", options.resume, error.what()));
+  }
+}
+
+verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows,
+                     std::span<const parties::Party* const> parties) {
   verify::Report fresh(cases::Plan(options.selection.level, options.seed, std::move(rows)),
                        cases::parse_shard(options.shard), options.max_reports);
   if (options.resume.empty() || !std::filesystem::exists(options.resume)) return fresh;
@@ -77,6 +102,7 @@ verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows)
     throw support::UsageError(fmt::format(
         "--resume {}: this file belongs to another verification: {}", options.resume, differs));
   }
+  check_made_here(options, kept, parties);
   return kept;
 }
 
@@ -142,7 +168,7 @@ int verify(const VerifyOptions& options) {
   auto rows = chosen_rows(options.selection, parties);
   if (!options.words.empty()) return compare_case(options, rows);
 
-  verify::Report report = begin(options, std::move(rows));
+  verify::Report report = begin(options, std::move(rows), parties);
   std::vector<std::string> files;
   for (const std::string& file : {options.resume, options.report}) {
     if (file.empty()) continue;
@@ -151,13 +177,17 @@ int verify(const VerifyOptions& options) {
   }
   print_heading(options, report);
 
-  {
+  // Print and keep the findings even if a party fails or a file cannot be written.
+  std::string party_failure;
+  try {
     // Restore Ctrl-C before printing, because a write to a pipe may block on its reader.
     const support::Interrupt interrupt;
     run_remaining(options, report);
+  } catch (const std::bad_alloc&) {
+    party_failure = "out of memory";
+  } catch (const std::exception& error) {
+    party_failure = error.what();
   }
-
-  // Print the findings even if a file cannot be written.
   std::string failure;
   for (const std::string& file : files) {
     try {
@@ -169,9 +199,11 @@ int verify(const VerifyOptions& options) {
   std::cout << table(report);
   if (!report.complete()) std::cout << resume_hint(options);
   std::cout.flush();
+  if (!party_failure.empty()) print_error(support::printable(party_failure));
   if (!failure.empty()) throw std::runtime_error(failure);
   // A mismatch counts even if the run is incomplete.
   if (report.mismatches() > 0) return 1;
+  if (!party_failure.empty()) return 2;
   return report.complete() ? 0 : support::interrupted_status;
 }
 
@@ -209,6 +241,9 @@ void add_options(CLI::App& command, VerifyOptions& options) {
                      .add_option("--resume", options.resume,
                                  "save the state to this file, and continue from it if it exists")
                      ->check(not_empty());
+  auto* accept = command.add_flag("--accept-other-builds", options.accept_other_builds,
+                                  "resume even if another build or other parties made the state");
+  accept->needs(resume);
   auto* report =
       command.add_option("--report", options.report, "write the results to this file as JSON")
           ->check(not_empty());
@@ -247,7 +282,11 @@ On two processors level 2 takes some minutes and level 3 a quarter of an hour.
 An option that selects a rule leaves out the rows that follow another rule. It is an error to
 name a party that cannot run or does not answer every selected row.
 
-Exit status: 0 all answers are equal, 1 a mismatch, 2 bad usage or input, 130 interrupted.
+A state or report names the builds and parties that made it and has a digest of all answers of
+each chunk. --resume runs a few finished chunks again and compares the digests.
+
+Exit status: 0 all answers are equal, 1 a mismatch, 2 bad usage or input, or a party failed,
+130 interrupted. The chunk in which a party fails is not counted; the rest is kept for --resume.
 
 Examples:
   fixproof verify                                   # every row, in seconds

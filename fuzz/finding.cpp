@@ -4,10 +4,12 @@
 
 #include <cstdlib>
 
+#include "support/error_text.hpp"
+
 namespace fixproof::fuzz {
 
 void report_finding(const std::string& text) {
-  fmt::print(stderr, "FINDING: {}\n", text);
+  support::write_error(fmt::format("FINDING: {}\n", text));
   std::abort();
 }
 

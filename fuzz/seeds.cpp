@@ -19,6 +19,7 @@
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
 #include "oracle/decimal.hpp"
+#include "support/error_text.hpp"
 #include "support/file.hpp"
 
 using namespace fixproof;
@@ -144,6 +145,7 @@ void write_lines(const fs::path& root, const fs::path& vectors) {
   corpus.add_file(vectors / "8088.json", "m");
   corpus.add_file(vectors / "386.json", "n");
   corpus.add_file(vectors / "386-divide.json.gz", "n");
+  corpus.add_file(vectors / "286.MOO", "o");
 }
 
 void write_files(const fs::path& root, const fs::path& scenes) {
@@ -164,7 +166,7 @@ void write_files(const fs::path& root, const fs::path& scenes) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fmt::print(stderr, "usage: fuzz_seeds FOLDER SCENES VECTORS\n");
+    support::write_error("usage: fuzz_seeds FOLDER SCENES VECTORS\n");
     return 2;
   }
   try {
@@ -179,7 +181,7 @@ int main(int argc, char** argv) {
     write_files(root, argv[2]);
     write_lines(root, argv[3]);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "fuzz_seeds: {}\n", error.what());
+    support::write_error(fmt::format("fuzz_seeds: {}\n", error.what()));
     return 2;
   }
   return 0;

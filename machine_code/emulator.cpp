@@ -1,13 +1,17 @@
 #include "machine_code/emulator.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unicorn/unicorn.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/noncopyable.hpp>
+#include <cerrno>
 #include <exception>
+#include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace fixproof::machine_code {
@@ -24,7 +28,46 @@ constexpr std::array register_numbers{UC_X86_REG_EAX, UC_X86_REG_ECX, UC_X86_REG
 
 void check(uc_err error, const char* what) {
   if (error == UC_ERR_OK) return;
-  throw std::runtime_error(fmt::format("unicorn: {}: {}", what, uc_strerror(error)));
+  throw EmulatorError(fmt::format("Unicorn: {}: {}", what, uc_strerror(error)));
+}
+
+/// Tells whether the emulated program caused the error. Every other error is a failure of Unicorn.
+bool is_fault(uc_err error) {
+  switch (error) {
+    case UC_ERR_READ_UNMAPPED:
+    case UC_ERR_WRITE_UNMAPPED:
+    case UC_ERR_FETCH_UNMAPPED:
+    case UC_ERR_INSN_INVALID:
+    case UC_ERR_WRITE_PROT:
+    case UC_ERR_READ_PROT:
+    case UC_ERR_FETCH_PROT:
+    case UC_ERR_READ_UNALIGNED:
+    case UC_ERR_WRITE_UNALIGNED:
+    case UC_ERR_FETCH_UNALIGNED:
+    case UC_ERR_EXCEPTION:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// An emulator maps this much memory for the code that it translates: 1 GiB on 64-bit hosts, 32 MiB
+/// on others.
+constexpr std::size_t translation_bytes = std::size_t{1} << (sizeof(void*) == 8 ? 30U : 25U);
+/// For everything else. Its other allocations take less than 1 MiB; it does not check them.
+constexpr std::size_t spare_bytes = std::size_t{1} << 25U;
+
+/// Tries whether the memory of an emulator can be had. If Unicorn cannot map it, it ends the
+/// process with exit(1) or a segmentation fault.
+void expect_memory() {
+  constexpr std::size_t bytes = translation_bytes + spare_bytes;
+  void* const trial =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (trial == MAP_FAILED) {
+    throw EmulatorError(fmt::format("Unicorn needs {} MiB of address space for each thread: {}",
+                                    bytes >> 20U, std::generic_category().message(errno)));
+  }
+  munmap(trial, bytes);
 }
 
 struct alignas(page_size) Segment {
@@ -108,6 +151,7 @@ struct Emulator::Parts : private boost::noncopyable {
     interrupted = false;
     const uc_err error = uc_emu_start(engine, from, nowhere, 0, 0);
     if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+    if (!is_fault(error)) check(error, "run");
     return error == UC_ERR_OK;
   }
 
@@ -144,12 +188,21 @@ void* hook_of(Function* function) {
 
 std::string Emulator::absence() { return {}; }
 
+std::string Emulator::version() {
+  const unsigned version = uc_version(nullptr, nullptr);
+  return fmt::format("{}.{}.{}", version >> 24, version >> 16 & 0xFF, version >> 8 & 0xFF);
+}
+
 Emulator::Emulator(std::span<const std::uint8_t> code) : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   auto& bytes = p.segment->bytes;
   if (code.size() > segment_size - code_origin) throw std::length_error("code for a segment");
   std::copy(caller.begin(), caller.end(), bytes.begin() + caller_origin);
   std::copy(code.begin(), code.end(), bytes.begin() + code_origin);
+  // One at a time: no other emulator takes the memory between the trial and its use.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  expect_memory();
   check(uc_open(UC_ARCH_X86, UC_MODE_16, &p.engine), "open");
   check(uc_mem_map_ptr(p.engine, 0, segment_size, UC_PROT_ALL, bytes.data()), "memory");
 
@@ -211,6 +264,7 @@ CallEnding Emulator::trace(SegmentMachine& m, const Step& step, std::size_t limi
     p.interrupted = false;
     // One instruction at a time: Unicorn ignores flags written within a block of translated code.
     const uc_err error = uc_emu_start(p.engine, next, nowhere, 0, 1);
+    if (!is_fault(error)) check(error, "run");
     p.read_registers();
     m.registers = p.machine.registers;
     m.flags = p.machine.flags;

@@ -8,6 +8,7 @@ namespace fixproof::machine_code {
 struct Emulator::Parts {};
 
 std::string Emulator::absence() { return "this fixproof was built without Unicorn 2"; }
+std::string Emulator::version() { return "none"; }
 
 // Callers check absence() first.
 Emulator::Emulator(std::span<const std::uint8_t> /*code*/) { throw std::logic_error(absence()); }

@@ -21,6 +21,9 @@ struct MeasureRequest {
   std::uint64_t rounds = 101;          ///< each round times every loop once
 };
 
+/// Passed to a part of a measurement that runs to its end.
+inline const std::atomic<bool> never_stop{false};
+
 /// Counts the finished parts of a measurement, shows them on the terminal, and tells the
 /// measurement when to stop. A measurement that stops early returns nothing.
 class MeasureProgress {

@@ -2,6 +2,8 @@
 // must agree with the elements they mark.
 #include "fixed/batch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -117,11 +119,30 @@ void answer_transforms(fixed::batch::path path, const Batch& batch) {
   }
 }
 
+struct NamedPath {
+  fixed::batch::path path;
+  const char* name;
+};
+
+constexpr std::array paths{NamedPath{fixed::batch::path::portable, "portable"},
+                           NamedPath{fixed::batch::path::neon, "neon"},
+                           NamedPath{fixed::batch::path::avx2, "avx2"},
+                           NamedPath{fixed::batch::path::avx512, "avx512"}};
+
+std::string_view name_of(fixed::batch::path path) {
+  return std::find_if(paths.begin(), paths.end(),
+                      [path](const NamedPath& named) { return named.path == path; })
+      ->name;
+}
+
 class BatchParty final : public Party {
  public:
   BatchParty(std::string name, fixed::batch::path path) : name_(std::move(name)), path_(path) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] std::string identity() const override {
+    return fmt::format("{}, path {}", fixed_version(), name_of(path_));
+  }
   [[nodiscard]] std::string absence() const override {
     return fixed::batch::has(path_) ? "" : "this processor or this build does not have it";
   }
@@ -131,7 +152,7 @@ class BatchParty final : public Party {
            (v.operation == mul || v.operation == div || v.operation == sqrt || v.operation == sin ||
             v.operation == cos || v.operation == xformvec);
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     with_number(v, [&]<class Number>(std::type_identity<Number> /*type*/) {
       if (v.operation == cases::Operation::xformvec) {
         answer_transforms<Number>(path_, batch);
@@ -149,13 +170,11 @@ class BatchParty final : public Party {
 }  // namespace
 
 std::vector<std::unique_ptr<Party>> make_batch_parties() {
-  using enum fixed::batch::path;
   std::vector<std::unique_ptr<Party>> made;
   made.push_back(std::make_unique<BatchParty>("batch", fixed::batch::best()));
-  made.push_back(std::make_unique<BatchParty>("batch-portable", portable));
-  made.push_back(std::make_unique<BatchParty>("batch-neon", neon));
-  made.push_back(std::make_unique<BatchParty>("batch-avx2", avx2));
-  made.push_back(std::make_unique<BatchParty>("batch-avx512", avx512));
+  for (const auto& [path, name] : paths) {
+    made.push_back(std::make_unique<BatchParty>(fmt::format("batch-{}", name), path));
+  }
   return made;
 }
 

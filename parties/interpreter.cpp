@@ -57,8 +57,9 @@ void answer(const cases::Variant& v, std::span<const x86::Instruction> code, con
 class Interpreter final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "interpreter"; }
+  [[nodiscard]] std::string identity() const override { return "the listings, step by step"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     parties::answer(v, program_of(v).instructions(), batch);
   }
 };
@@ -68,8 +69,9 @@ class InterpreterOf final : public Party {
   InterpreterOf(std::string name, const x86::Program& program)
       : name_(std::move(name)), program_(program) {}
   [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] std::string identity() const override { return "one program, step by step"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     parties::answer(v, program_.instructions(), batch);
   }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "parties/party.hpp"
 #include "x86model/routine.hpp"
@@ -12,6 +13,9 @@ namespace fixproof::parties {
 
 /// Tells whether this build has machine code for a variant.
 bool has_machine_code(const cases::Variant& variant);
+
+/// Returns the processor's name from the operating system; `unknown` if it has none.
+std::string processor_name();
 
 /// Answers a batch by calling `code` in place of the routine. `code` must end, because nothing
 /// limits the time of a call; the listings end on every path (`fixproof prove`).

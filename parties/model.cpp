@@ -67,8 +67,9 @@ void answer_compiled(const cases::Variant& v, const Batch& batch) {
 class Model final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "model"; }
+  [[nodiscard]] std::string identity() const override { return "the listings, compiled"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     x86::with_routine(machine_code::key_of(v).routine,
                       [&]<x86::Routine routine> { answer_compiled<routine>(v, batch); });
   }

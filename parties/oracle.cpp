@@ -1,6 +1,9 @@
 // The two oracles: one computes with integers of any size, one with built-in integers.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <boost/version.hpp>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -80,10 +83,14 @@ bool store(const std::array<Word, n>& answer, std::span<std::uint32_t> out) {
 class Oracle final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "oracle"; }
+  [[nodiscard]] std::string identity() const override {
+    return fmt::format("integers of Boost.Multiprecision {}.{}.{}", BOOST_VERSION / 100000,
+                       BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
+  }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return v.operation != cases::Operation::cossin || v.fraction_bits == 16;
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     const int bits = v.fraction_bits;
     const Rounding rounding = multiply_rule(v);
     each_case(v, batch, [&](std::span<const Word> in, std::span<Word> out) {
@@ -129,10 +136,11 @@ class Oracle final : public Party {
 class FastOracle final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "fast"; }
+  [[nodiscard]] std::string identity() const override { return "built-in integers"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return v.operation != cases::Operation::cossin;
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     // Each operation has its own loop, because the loop dominates the time of a sweep.
     const int bits = v.fraction_bits;
     const Rounding rounding = multiply_rule(v);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,17 +31,33 @@ struct Batch {
   std::span<Ending> endings;          ///< one per case
 };
 
+/// A party has no answers for a reason of its own: its machine has no memory, say. That is no
+/// answer, so it is never a mismatch, and no case of its batch counts as compared.
+class PartyFailure : public std::runtime_error {
+ public:
+  PartyFailure(std::string_view party, std::string_view reason);
+};
+
 class Party : private boost::noncopyable {
  public:
   virtual ~Party() = default;
 
   /// The party's command-line name, one lower-case word.
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Returns what answers under that name, such as the version of a library or the name of a
+  /// processor: two parties of one name may answer differently if their identities differ.
+  [[nodiscard]] virtual std::string identity() const = 0;
   /// Returns why this party cannot answer anything here, in a clause; empty if it can.
   [[nodiscard]] virtual std::string absence() const { return {}; }
   [[nodiscard]] virtual bool answers(const cases::Variant& variant) const = 0;
   /// Answers every case of the batch. Several threads may call it at once.
-  virtual void answer(const cases::Variant& variant, const Batch& batch) const = 0;
+  /// @throws PartyFailure, whatever the implementation throws
+  void answer(const cases::Variant& variant, const Batch& batch) const;
+
+ private:
+  /// Implements answer(). A program that faults is an answer, Ending::broken; a party that cannot
+  /// run it throws.
+  virtual void fill(const cases::Variant& variant, const Batch& batch) const = 0;
 };
 
 /// Returns the parties of this build, including the absent ones: model (compiled run), interpreter

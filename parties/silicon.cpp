@@ -42,6 +42,7 @@ namespace {
 class Silicon final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "silicon"; }
+  [[nodiscard]] std::string identity() const override { return processor_name(); }
   [[nodiscard]] std::string absence() const override {
     const std::string reason = machine_code::machine_code_absence();
     return reason.empty() ? machine_code::Processor::absence() : reason;
@@ -49,7 +50,7 @@ class Silicon final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return has_machine_code(v) && absence().empty();
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     const machine_code::ProgramKey key = machine_code::key_of(v);
     answer_on_silicon(machine_code::machine_code(key), key.routine, batch);
   }

@@ -105,10 +105,11 @@ void each_case(const cases::Variant& v, const Batch& batch) {
 class Type final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "type"; }
+  [[nodiscard]] std::string identity() const override { return fixed_version(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return v.operation != cases::Operation::cossin || v.fraction_bits == 16;
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     with_number(
         v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
   }

@@ -22,11 +22,17 @@ void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine rou
     loaded.assign(code.begin(), code.end());
   }
   MachineCalls cases(routine, batch);
-  emulator->run(
-      {.count = batch.endings.size(),
-       .enter = [&](std::size_t i, machine_code::SegmentMachine& m) { cases.enter(i, m); },
-       .leave = [&](std::size_t i, const machine_code::SegmentMachine& m,
-                    machine_code::CallEnding ending) { cases.leave(i, m, ending); }});
+  try {
+    emulator->run(
+        {.count = batch.endings.size(),
+         .enter = [&](std::size_t i, machine_code::SegmentMachine& m) { cases.enter(i, m); },
+         .leave = [&](std::size_t i, const machine_code::SegmentMachine& m,
+                      machine_code::CallEnding ending) { cases.leave(i, m, ending); }});
+  } catch (...) {
+    // The emulator may have stopped anywhere. The next batch gets a new one.
+    emulator.reset();
+    throw;
+  }
 }
 
 namespace {
@@ -34,6 +40,9 @@ namespace {
 class Unicorn final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "unicorn"; }
+  [[nodiscard]] std::string identity() const override {
+    return "Unicorn " + machine_code::Emulator::version();
+  }
   [[nodiscard]] std::string absence() const override {
     const std::string reason = machine_code::Emulator::absence();
     return reason.empty() ? machine_code::machine_code_absence() : reason;
@@ -41,7 +50,7 @@ class Unicorn final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return has_machine_code(v) && absence().empty();
   }
-  void answer(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Batch& batch) const override {
     const machine_code::ProgramKey key = machine_code::key_of(v);
     answer_on_unicorn(machine_code::machine_code(key), key.routine, batch);
   }

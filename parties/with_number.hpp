@@ -2,13 +2,23 @@
 /// Maps a build to the number type with the same rules.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
+#include <string>
 #include <type_traits>
 
 #include "cases/variant.hpp"
 #include "fixed/number.hpp"
+#include "fixed/version.hpp"
 
 namespace fixproof::parties {
+
+/// Returns the version of the number type.
+inline std::string fixed_version() {
+  return fmt::format("fixed {}.{}.{}", FIXED_VERSION_MAJOR, FIXED_VERSION_MINOR,
+                     FIXED_VERSION_PATCH);
+}
 
 /// Returns the policy whose results are bit-identical to those of a build.
 constexpr fixed::policy policy_of(const cases::Build& build) {

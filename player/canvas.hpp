@@ -30,7 +30,7 @@ class Canvas : private boost::noncopyable {
 
 /// Makes a canvas of the scene's size, in 24 bits per pixel or with the scene's palette. It fills
 /// surfaces in the scene's arithmetic.
-/// @throws UsageError for an arithmetic that all_arithmetics() does not have
+/// @throws UsageError for an arithmetic that does not exist
 std::unique_ptr<Canvas> make_canvas(const xsharp::Scene& scene, bool true_color);
 
 /// Makes a canvas in the scene's palette if the scene's arithmetic fills the surfaces. Otherwise

@@ -18,55 +18,20 @@ constexpr std::uint32_t offset_of(Symbol symbol) {
   return static_cast<std::uint32_t>(x86::address_of(symbol));
 }
 
-/// The base of the memories here: it has a stack and rejects every other access.
-class StackAlone {
+/// Bytes for the stack of a call.
+using Stack = std::array<std::uint8_t, 0x60>;
+
+/// The row is the extra segment, and there is no data segment.
+class RowMemory : public x86::ByteMemory {
  public:
-  static bool read(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
-  static bool write(std::uint32_t /*address*/, std::uint32_t /*value*/) { return false; }
-  static bool read_byte(std::uint32_t /*address*/, std::uint32_t& /*value*/) { return false; }
-  static bool write_byte(std::uint32_t /*address*/, std::uint32_t /*value*/) { return false; }
-  static bool write_extra_byte(std::uint32_t /*place*/, std::uint32_t /*value*/) { return false; }
-  static bool write_extra_word(std::uint32_t /*place*/, std::uint32_t /*value*/) { return false; }
-
-  bool read_stack(std::uint32_t top, std::uint32_t& value) const {
-    if (top >= stack_.size()) return false;
-    value = stack_.at(top);
-    return true;
-  }
-  bool write_stack(std::uint32_t top, std::uint32_t value) {
-    if (top >= stack_.size()) return false;
-    stack_.at(top) = static_cast<std::uint16_t>(value);
-    return true;
-  }
-
- private:
-  std::array<std::uint16_t, 0x60> stack_{};  ///< by address; words do not overlap
-};
-
-/// The row is the extra segment.
-class RowMemory : public StackAlone {
- public:
-  explicit RowMemory(std::span<std::uint8_t> row) : row_(row) {}
-
-  bool write_extra_byte(std::uint32_t place, std::uint32_t value) {
-    if (place >= row_.size()) return false;
-    row_[place] = static_cast<std::uint8_t>(value);
-    return true;
-  }
-  bool write_extra_word(std::uint32_t place, std::uint32_t value) {
-    if (place + 1 >= row_.size()) return false;
-    return write_extra_byte(place, value) && write_extra_byte(place + 1, value >> 8U);
-  }
-
- private:
-  std::span<std::uint8_t> row_;
+  RowMemory(Stack& stack, std::span<std::uint8_t> row) : ByteMemory({}, row, stack) {}
 };
 
 /// The bitmap is the data segment, rotated so that it begins at Texture.
 class TextureMemory : public RowMemory {
  public:
-  TextureMemory(std::span<std::uint8_t> row, std::span<const std::uint8_t> bitmap)
-      : RowMemory(row), bitmap_(bitmap) {}
+  TextureMemory(Stack& stack, std::span<std::uint8_t> row, std::span<const std::uint8_t> bitmap)
+      : RowMemory(stack, row), bitmap_(bitmap) {}
 
   bool read_byte(std::uint32_t address, std::uint32_t& value) const {
     value = bitmap_[(address - offset_of(Symbol::texture)) % xsharp::bitmap_texels];
@@ -78,10 +43,10 @@ class TextureMemory : public RowMemory {
 };
 
 /// The data segment has the row at Screen and its depths at ZBuff.
-class DepthMemory : public StackAlone {
+class DepthMemory : public x86::ByteMemory {
  public:
-  DepthMemory(std::span<std::uint8_t> row, std::span<std::int16_t> depths)
-      : row_(row), depths_(depths) {}
+  DepthMemory(Stack& stack, std::span<std::uint8_t> row, std::span<std::int16_t> depths)
+      : ByteMemory({}, {}, stack), row_(row), depths_(depths) {}
 
   bool read(std::uint32_t address, std::uint32_t& value) const {
     const std::size_t index = (address - offset_of(Symbol::z_buff)) / 2;
@@ -108,8 +73,8 @@ class DepthMemory : public StackAlone {
 };
 
 template <class Memory>
-void run_loop(const x86::LoopForm& form, std::span<const x86::Instruction> code, Memory memory,
-              const x86::LoopCall& call) {
+void run_loop(const x86::LoopForm& form, std::span<const x86::Instruction> code,
+              const Memory& memory, const x86::LoopCall& call) {
   x86::Machine<16, Memory> m{.registers = {}, .memory = memory};
   x86::enter_loop(form, m, call);
   if (x86::run(code, m).outcome != x86::Outcome::returned) {
@@ -135,10 +100,11 @@ ModelLoops::ModelLoops(Counting counting, x86::Target target)
 
 void ModelLoops::gouraud(std::span<std::uint8_t> out, std::uint16_t start,
                          std::uint16_t step) const {
+  Stack stack{};
   const x86::LoopCall span{.pixels = pixels_of(out), .value = start, .step = step};
   for (const x86::LoopPart& part : x86::parts_of(words_.form, span)) {
     const Ready& ready = part.form.loop == Loop::gouraud_byte ? bytes_ : words_;
-    run_loop(ready.form, ready.code, RowMemory(out), part.call);
+    run_loop(ready.form, ready.code, RowMemory(stack, out), part.call);
   }
 }
 
@@ -151,7 +117,8 @@ void ModelLoops::depth(std::span<std::uint8_t> out, std::span<std::int16_t> buff
                        std::uint8_t pixel, std::uint32_t start, std::uint32_t step) const {
   // The listings' counting loops cannot run zero times.
   if (out.empty()) return;
-  run_loop(depth_.form, depth_.code, DepthMemory(out, buffer),
+  Stack stack{};
+  run_loop(depth_.form, depth_.code, DepthMemory(stack, out, buffer),
            {.pixels = pixels_of(out), .value = start, .step = step, .colour = pixel});
 }
 
@@ -159,7 +126,8 @@ void ModelLoops::texture(std::span<std::uint8_t> out, std::span<const std::uint8
                          std::uint32_t u, std::uint32_t du, std::uint32_t v,
                          std::uint32_t dv) const {
   if (bitmap.size() != xsharp::bitmap_texels) throw std::length_error("a bitmap is 256 by 256");
-  run_loop(texture_.form, texture_.code, TextureMemory(out, bitmap),
+  Stack stack{};
+  run_loop(texture_.form, texture_.code, TextureMemory(stack, out, bitmap),
            {.pixels = pixels_of(out), .value = u, .step = du, .row = v, .row_step = dv});
 }
 

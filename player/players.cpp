@@ -12,25 +12,6 @@ namespace fixproof::player {
 
 using xsharp::ArithmeticChoice;
 
-std::vector<ArithmeticChoice> all_arithmetics() {
-  std::vector<ArithmeticChoice> all;
-  for (const char* by : {"type", "model"}) {
-    for (const char* target : {"i386", "i8088"}) {
-      for (const bool mul : {true, false}) {
-        for (const bool div : {true, false}) all.push_back({by, target, mul, div});
-      }
-    }
-    for (const bool mul : {true, false}) {
-      for (const bool div : {true, false}) all.push_back({by, "i8088", mul, div, true});
-    }
-  }
-  for (const char* target : {"standard", "saturating", "trapping"}) {
-    all.push_back({"type", target, true, true});
-  }
-  all.push_back({"double", "", true, true});
-  return all;
-}
-
 std::optional<cases::Build> build_of(const ArithmeticChoice& choice) {
   if (choice.by == "double") return std::nullopt;
   for (const auto target : {cases::Target::i386, cases::Target::i8088, cases::Target::standard}) {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cases/build.hpp"
 #include "support/usage_error.hpp"
@@ -14,10 +13,6 @@
 #include "xsharp/scene.hpp"
 
 namespace fixproof::player {
-
-/// Returns every arithmetic that can draw a scene: the type with each preset, the model with each
-/// build, and double. The 8088 builds come with the printed and the repaired ConcatXforms.
-std::vector<xsharp::ArithmeticChoice> all_arithmetics();
 
 /// Returns the build of a choice; empty for double and for the saturating and trapping types.
 std::optional<cases::Build> build_of(const xsharp::ArithmeticChoice& choice);
@@ -27,11 +22,11 @@ xsharp::ArithmeticChoice arithmetic_of(const cases::Build& build, std::string by
 /// `type i386, multiply on, divide off`, `type saturating`, `double`.
 std::string name_of(const xsharp::ArithmeticChoice& choice);
 
-/// Returns the error for a choice that all_arithmetics() does not have. It lists the targets.
+/// Returns the error for an arithmetic that does not exist. It lists the targets.
 support::UsageError no_arithmetic(const xsharp::ArithmeticChoice& choice);
 
 /// @param threads how many threads move, prepare and draw objects; pictures do not depend on it
-/// @throws UsageError for a choice that all_arithmetics() does not have, and for the model on more
+/// @throws UsageError for an arithmetic that does not exist, and for the model on more
 ///   than one thread, because it records calls on the caller's thread
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,
                                             const xsharp::ArithmeticChoice& choice,

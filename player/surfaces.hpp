@@ -12,7 +12,7 @@ namespace fixproof::player {
 
 /// Makes the surface filler of an arithmetic. The type and the model step along spans; the model
 /// runs the listings for that. Double is exact at every pixel. Null without interpolation.
-/// @throws UsageError for a choice that all_arithmetics() does not have
+/// @throws UsageError for an arithmetic that does not exist
 std::unique_ptr<xsharp::SurfaceFiller> make_surfaces(const xsharp::Scene& scene,
                                                      const xsharp::ArithmeticChoice& choice);
 

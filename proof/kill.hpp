@@ -22,8 +22,8 @@ enum class Fate {
 struct MutantResult {
   Fate fate = Fate::gap;
   std::uint64_t cases = 0;  ///< cases of level 1 up to the one that killed it; 0 if it survived
-  Proof proof;              ///< the attempt for a mutant that level 1 did not kill
-  std::string failure;      ///< why the solver failed; empty if it did not
+  Proof proof{};            ///< the attempt for a mutant that level 1 did not kill
+  std::string failure{};    ///< why the solver failed; empty if it did not
 };
 
 /// Returns the mutants of a variant's routine. The FixedMul inside an 8088 transform is excluded

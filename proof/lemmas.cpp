@@ -6,7 +6,7 @@ namespace fixproof::proof {
 
 namespace {
 
-constexpr std::array all{
+constexpr std::array all_lemmas{
     Lemma{"product-of-words",
           "a product is the sum of the four products of its factors' 16-bit digits",
           R"((set-logic QF_NIA)
@@ -110,6 +110,6 @@ constexpr std::array all{
 
 }  // namespace
 
-std::span<const Lemma> lemmas() { return all; }
+std::span<const Lemma> lemmas() { return all_lemmas; }
 
 }  // namespace fixproof::proof

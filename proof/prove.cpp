@@ -1,6 +1,9 @@
 #include "proof/prove.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <utility>
 
 #include "parties/answer.hpp"
 #include "parties/interpreter.hpp"
@@ -9,26 +12,49 @@
 
 namespace fixproof::proof {
 
+Standing standing_of(Satisfiability verdict) {
+  switch (verdict) {
+    case Satisfiability::unsatisfiable:
+      return Standing::proven;
+    case Satisfiability::satisfiable:
+      return Standing::disproven;
+    case Satisfiability::unknown:
+      return Standing::open;
+    case Satisfiability::one_sided:
+      return Standing::one_sided;
+    case Satisfiability::disputed:
+      break;
+  }
+  return Standing::disputed;
+}
+
 namespace {
 
+/// Asks until a question makes a proof impossible. After one that only one of two solvers decides
+/// it goes on.
+/// @return the answer that decides about all
 SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds,
-                     double& seconds) {
-  SolverAnswer answer{.verdict = Satisfiability::unsatisfiable};
-  for (const std::string& script : scripts) {
-    answer = solver.ask(script, max_seconds);
-    seconds += answer.seconds;
-    if (answer.verdict != Satisfiability::unsatisfiable) break;
+                     Proof& proof) {
+  SolverAnswer all{.verdict = Satisfiability::unsatisfiable};
+  for (std::size_t i = 0; i < scripts.size(); ++i) {
+    SolverAnswer answer = solver.ask(scripts[i], max_seconds);
+    proof.seconds += answer.seconds;
+    if (!answer.remark.empty()) {
+      proof.remarks.push_back(
+          fmt::format("question {} of {}: {}", i + 1, scripts.size(), answer.remark));
+    }
+    if (answer.verdict == Satisfiability::unsatisfiable) continue;
+    all = std::move(answer);
+    if (all.verdict != Satisfiability::one_sided) break;
   }
-  return answer;
+  return all;
 }
 
 /// Proves questions without abstract arithmetic, where every counterexample is real.
 Proof prove_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds) {
   Proof proof;
   proof.questions = scripts.size();
-  const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof.seconds);
-  if (answer.verdict == Satisfiability::unsatisfiable) proof.standing = Standing::proven;
-  if (answer.verdict == Satisfiability::satisfiable) proof.standing = Standing::disproven;
+  proof.standing = standing_of(ask_all(scripts, solver, max_seconds, proof).verdict);
   return proof;
 }
 
@@ -50,10 +76,12 @@ Proof prove(const cases::Variant& v, const x86model::Program& program, const Sol
   for (const Arithmetic arithmetic : {Arithmetic::abstract, Arithmetic::exact}) {
     const auto scripts = questions(v, program.instructions(), arithmetic);
     proof.questions += scripts.size();
-    const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof.seconds);
-    if (answer.verdict == Satisfiability::unsatisfiable) proof.standing = Standing::proven;
-    if (answer.verdict != Satisfiability::satisfiable) return proof;
-    const auto operands = operands_in(v, answer.text);
+    const SolverAnswer answer = ask_all(scripts, solver, max_seconds, proof);
+    if (answer.verdict != Satisfiability::satisfiable) {
+      proof.standing = standing_of(answer.verdict);
+      return proof;
+    }
+    const auto operands = operands_in(v, answer.model);
     proof.given = parties::ask(*party, v, operands);
     proof.wanted = parties::ask(parties::party_named("oracle"), v, operands);
     if (!parties::agree(std::array{proof.given, proof.wanted})) {
@@ -62,6 +90,7 @@ Proof prove(const cases::Variant& v, const x86model::Program& program, const Sol
       return proof;
     }
   }
+  proof.remarks.push_back("the counterexample of the solver does not fail when run");
   return proof;
 }
 

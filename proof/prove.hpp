@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cases/variant.hpp"
@@ -17,13 +18,19 @@ namespace fixproof::proof {
 enum class Standing {
   proven,     ///< for all operands
   disproven,  ///< the program fails when run on the counterexample
-  open,       ///< the solver timed out, or its counterexample does not fail when run
+  open,       ///< no solver decides, or the counterexample does not fail when run
+  one_sided,  ///< one of two solvers proves it, the other does not decide
+  disputed,   ///< two solvers contradict each other
 };
+
+/// For a question whose every counterexample is real.
+Standing standing_of(Satisfiability verdict);
 
 struct Proof {
   Standing standing = Standing::open;
   std::size_t questions = 0;  ///< the number of questions for the solver
   double seconds = 0;
+  std::vector<std::string> remarks;  ///< one for each question that is not decided, and why
   std::vector<std::uint32_t> counterexample;  ///< operands; empty unless disproven
   parties::Answer given;                      ///< the program's answer to the counterexample
   parties::Answer wanted;                     ///< the oracle's answer to it

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 
 #include "machine_code/machine_code.hpp"
 #include "parties/interpreter.hpp"
+#include "proof/model.hpp"
 #include "proof/specification.hpp"
 #include "x86model/symbolic/call.hpp"
 #include "x86model/symbolic/smt.hpp"
@@ -195,19 +195,11 @@ bool has_same_terms(const cases::Variant& v, std::span<const x86::Instruction> c
   return behaviour(parties::program_of(v).instructions()) == behaviour(code);
 }
 
-std::vector<std::uint32_t> operands_in(const cases::Variant& v, const std::string& answer) {
+std::vector<std::uint32_t> operands_in(const cases::Variant& v, const std::string& model) {
   const x86::Routine routine = machine_code::key_of(v).routine;
   std::vector<std::uint32_t> values;
   for (int i = 0; i < x86::arity(routine).in; ++i) {
-    std::uint32_t value = 0;
-    const auto place = answer.find(fmt::format("(define-fun {} ()", sym::operand_name(routine, i)));
-    const auto number = answer.find('#', place);
-    if (place != std::string::npos && number != std::string::npos) {
-      const auto digits = std::string_view(answer).substr(number + 1);
-      const int base = digits.starts_with('x') ? 16 : 2;
-      std::from_chars(digits.data() + 1, digits.data() + digits.size(), value, base);
-    }
-    values.push_back(value);
+    values.push_back(word_in_model(model, sym::operand_name(routine, i)));
   }
   return values;
 }

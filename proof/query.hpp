@@ -31,8 +31,7 @@ std::vector<std::string> questions(const cases::Variant& variant,
 /// two are equivalent without asking a solver.
 bool has_same_terms(const cases::Variant& variant, std::span<const x86model::Instruction> code);
 
-/// Returns the operands in a solver's model for one of these scripts. An operand that the model
-/// omits may have any value and becomes 0.
-std::vector<std::uint32_t> operands_in(const cases::Variant& variant, const std::string& answer);
+/// Returns the operands in a model of one of these scripts: see fault_of_model().
+std::vector<std::uint32_t> operands_in(const cases::Variant& variant, const std::string& model);
 
 }  // namespace fixproof::proof

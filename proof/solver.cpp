@@ -2,83 +2,85 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <stdexcept>
-#include <system_error>
-#include <vector>
-
-#include "proof/process.hpp"
-#include "support/plain_text.hpp"
+#include "proof/known_answers.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::proof {
 
 namespace {
 
-using std::chrono::seconds;
-
-/// Time limit for `--version`.
-constexpr seconds version_limit{10};
-/// A solver enforces its time limit itself. If it does not, it is killed this much later.
-constexpr seconds grace{2};
-
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-/// The first line of its output, or of its error output.
-std::string first_output_line(const Output& output) {
-  return first_line(output.out.empty() ? output.err : output.out);
+std::vector<std::string> names_in(const std::string& name) {
+  if (name == "both") return {"z3", "cvc5"};
+  if (name == "z3" || name == "cvc5") return {name};
+  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5 or both", name));
 }
 
-std::vector<std::string> command_of(const std::string& solver, int max_seconds) {
-  if (solver == "z3") {
-    return {solver, "-smt2", "-in", "dump_models=true", fmt::format("-T:{}", max_seconds)};
+/// Either decides each of these questions in a fraction of a second.
+constexpr int seconds_for_known = 60;
+
+/// A solver that lies, such as one that always says unsat, would prove anything.
+void expect_known_answers(const SolverProgram& solver) {
+  for (const KnownAnswer& known : known_answers()) {
+    std::string reply;
+    try {
+      const Satisfiability verdict = solver.ask(known.script, seconds_for_known).verdict;
+      if (verdict == known.verdict) continue;
+      reply = fmt::format("{} says {}", solver.name(), name_of(verdict));
+    } catch (const SolverError& error) {
+      reply = error.what();
+    }
+    throw SolverError(fmt::format("{} is refused: a test question ({}) is known to be {}, but {}",
+                                  solver.name(), known.subject, name_of(known.verdict), reply));
   }
-  return {solver, "--lang=smt2", "--dump-models", fmt::format("--tlimit={}", 1000 * max_seconds)};
+}
+
+bool decides(const SolverAnswer& answer) { return answer.verdict != Satisfiability::unknown; }
+
+/// The common verdict of two solvers.
+SolverAnswer combined(const SolverAnswer& first, const SolverAnswer& second) {
+  if (first.verdict == second.verdict) return first;
+  if (decides(first) && decides(second)) return {.verdict = Satisfiability::disputed};
+  return {.verdict = Satisfiability::one_sided};
 }
 
 }  // namespace
 
-Solver::Solver(const std::string& name) : name_(name) {
-  if (name != "z3" && name != "cvc5") {
-    throw support::UsageError(fmt::format("unknown solver '{}'; choose z3 or cvc5", name));
+Solver::Solver(const std::string& name) {
+  for (const std::string& program : names_in(name)) programs_.emplace_back(program);
+  for (const SolverProgram& program : programs_) expect_known_answers(program);
+}
+
+std::string Solver::version() const {
+  std::string versions;
+  for (const SolverProgram& program : programs_) {
+    versions += (versions.empty() ? "" : " and ") + program.version();
   }
-  Output output;
-  try {
-    output = run_program({name, "--version"}, "", version_limit);
-  } catch (const std::system_error& error) {
-    throw support::UsageError(fmt::format("{} cannot be run: {}; install Debian's package {}", name,
-                                          error.code().message(), name));
-  }
-  if (!output.in_time)
-    throw support::UsageError(
-        fmt::format("{} --version does not end within {} s", name, version_limit.count()));
-  if (output.status != 0 || output.out.empty()) {
-    throw support::UsageError(fmt::format("{} --version fails with status {}: {}", name,
-                                          output.status,
-                                          fixproof::support::quoted(first_output_line(output))));
-  }
-  version_ = support::printable(first_line(output.out));
+  return versions;
 }
 
 SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
-  const auto begin = std::chrono::steady_clock::now();
-  const Output output =
-      run_program(command_of(name_, max_seconds), script, seconds(max_seconds) + grace);
-  SolverAnswer answer;
-  answer.text = output.out;
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (!output.in_time) return answer;
-  const std::string line = first_output_line(output);
-  if (line == "unknown" || line.find("timeout") != std::string::npos) return answer;
-  if (output.status != 0) {
-    throw std::runtime_error(fmt::format("{} fails with status {}: {}", name_, output.status,
-                                         fixproof::support::quoted(line)));
+  if (programs_.size() == 1) return programs_.front().ask(script, max_seconds);
+  std::vector<SolverAnswer> answers;
+  std::string remark;
+  double seconds = 0;
+  for (const SolverProgram& program : programs_) {
+    std::string said;
+    try {
+      answers.push_back(program.ask(script, max_seconds));
+      said = fmt::format("{}: {}", program.name(), name_of(answers.back().verdict));
+    } catch (const SolverError& error) {
+      answers.emplace_back();
+      said = error.what();
+    }
+    seconds += answers.back().seconds;
+    remark += (remark.empty() ? "" : "; ") + said;
   }
-  if ((line != "unsat" && line != "sat") || output.out.find("(error") != std::string::npos) {
-    throw std::runtime_error(
-        fmt::format("{} gives an unknown answer: {}", name_, fixproof::support::quoted(line)));
+  SolverAnswer answer = combined(answers.front(), answers.back());
+  answer.seconds = seconds;
+  if (answer.verdict != Satisfiability::unsatisfiable &&
+      answer.verdict != Satisfiability::satisfiable) {
+    answer.remark = remark;
   }
-  answer.verdict = line == "sat" ? Satisfiability::satisfiable : Satisfiability::unsatisfiable;
   return answer;
 }
 

@@ -1,38 +1,33 @@
 /// @file
-/// Runs an SMT solver as a separate process.
+/// The SMT solvers that answer questions.
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "proof/solver_program.hpp"
 
 namespace fixproof::proof {
 
-enum class Satisfiability { unsatisfiable, satisfiable, unknown };
-
-struct SolverAnswer {
-  Satisfiability verdict = Satisfiability::unknown;
-  std::string text{};  ///< its whole output, including the model if satisfiable
-  double seconds = 0;
-};
-
+/// One solver, or two that must agree.
 class Solver {
  public:
-  /// @param name z3 or cvc5
-  /// @throws UsageError for another name, or if the program is not on the PATH or cannot print its
-  /// version; Stopped
+  /// Asks each solver the questions of known_answers() first.
+  /// @param name z3, cvc5 or both
+  /// @throws UsageError for another name, or if a program is not on the PATH or cannot print its
+  /// version; SolverError if a solver does not give the known answers; Stopped
   explicit Solver(const std::string& name);
 
-  [[nodiscard]] const std::string& name() const { return name_; }
-  /// The first line of `--version`.
-  [[nodiscard]] const std::string& version() const { return version_; }
+  /// The first line of `--version` of each.
+  [[nodiscard]] std::string version() const;
 
-  /// Asks with a time limit of `max_seconds`.
-  /// @throws std::runtime_error if the solver cannot run, reports an error or exits with a status
-  /// other than 0; Stopped
+  /// Asks one question, with a time limit of `max_seconds` for each solver. Two solvers decide it
+  /// only if they agree; a solver that fails does not decide it.
+  /// @throws SolverError if the only solver fails: see SolverProgram::ask(); Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
 
  private:
-  std::string name_;
-  std::string version_;
+  std::vector<SolverProgram> programs_;
 };
 
 }  // namespace fixproof::proof

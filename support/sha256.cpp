@@ -1,5 +1,7 @@
 #include "support/sha256.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 
 #include <stdexcept>
@@ -12,6 +14,10 @@ Sha256 sha256(std::span<const std::byte> bytes) {
     throw std::runtime_error("libcrypto cannot compute a SHA-256");
   }
   return digest;
+}
+
+std::string sha256_hex(std::string_view text) {
+  return fmt::format("{:02x}", fmt::join(sha256(std::as_bytes(std::span(text))), ""));
 }
 
 }  // namespace fixproof::support

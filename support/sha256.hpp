@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace fixproof::support {
 
@@ -13,5 +15,8 @@ using Sha256 = std::array<std::uint8_t, 32>;
 
 /// @throws std::runtime_error if libcrypto has no SHA-256
 Sha256 sha256(std::span<const std::byte> bytes);
+
+/// Returns the digest of `text` as 64 lower-case hex digits. @throws as sha256()
+std::string sha256_hex(std::string_view text);
 
 }  // namespace fixproof::support

@@ -4,7 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "support/error_text.hpp"
 
 namespace fixproof::support {
 
@@ -22,12 +22,12 @@ std::string_view cut_to_window(std::string_view text) {
 TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 TerminalLine::~TerminalLine() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  if (drawn_) write_error("\r\x1b[K");
 }
 
 void TerminalLine::show(std::string_view text) {
   if (!terminal_) return;
-  fmt::print(stderr, "\r{}\x1b[K", cut_to_window(text));
+  write_error(fmt::format("\r{}\x1b[K", cut_to_window(text)));
   drawn_ = true;
 }
 

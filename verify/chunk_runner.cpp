@@ -1,6 +1,10 @@
 #include "verify/chunk_runner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <stdexcept>
 
 #include "cases/streams.hpp"
 #include "parties/answer.hpp"
@@ -14,8 +18,25 @@ constexpr std::size_t batch_cases = 1024;
 
 }  // namespace
 
-ChunkRunner::ChunkRunner(const cases::Plan& plan,
-                         const std::vector<std::vector<const parties::Party*>>& parties,
+PartiesByRow parties_by_row(const cases::Plan& plan,
+                            std::span<const parties::Party* const> parties) {
+  PartiesByRow rows;
+  for (const cases::Row& row : plan.rows()) {
+    auto& row_parties = rows.emplace_back();
+    for (const std::string& name : row.parties) {
+      const auto found =
+          std::find_if(parties.begin(), parties.end(),
+                       [&](const parties::Party* party) { return party->name() == name; });
+      if (found == parties.end()) {
+        throw std::invalid_argument(fmt::format("there is no party '{}'", name));
+      }
+      row_parties.push_back(*found);
+    }
+  }
+  return rows;
+}
+
+ChunkRunner::ChunkRunner(const cases::Plan& plan, const PartiesByRow& parties,
                          std::size_t max_shown)
     : plan_(plan),
       parties_(parties),
@@ -26,11 +47,12 @@ ChunkRunner::ChunkRunner(const cases::Plan& plan,
       other_(judged_),
       differs_(batch_cases) {}
 
-Findings ChunkRunner::run(std::uint64_t number) {
+ChunkFindings ChunkRunner::run(std::uint64_t number) {
   const cases::Chunk chunk = plan_.chunk(number);
   const cases::Variant& variant = plan_.rows()[chunk.job->row].variant;
   const std::size_t arity = cases::words_in(variant.operation);
   Findings found;
+  digest_ = {};
   for (std::uint64_t done = 0; done < chunk.cases; done += batch_cases) {
     const std::uint64_t first = chunk.first + done;
     const auto cases =
@@ -51,7 +73,7 @@ Findings ChunkRunner::run(std::uint64_t number) {
       found.shown.push_back({number, first + i, {words.begin(), words.end()}, {}, {}});
     }
   }
-  return found;
+  return {std::move(found), digest_.value()};
 }
 
 void ChunkRunner::compare(const cases::Variant& variant,
@@ -70,9 +92,25 @@ void ChunkRunner::compare(const cases::Variant& variant,
   for (const parties::Party* party : parties.subspan(1)) {
     ask(*party, other_);
     for (std::size_t i = 0; i < cases; ++i) {
-      if (!parties::agree(view(judged_, i), view(other_, i))) differs_[i] = 1;
+      if (parties::agree(view(judged_, i), view(other_, i))) continue;
+      differs_[i] = 1;
+      const std::array<std::uint64_t, 2> place{i, static_cast<std::uint64_t>(other_.endings[i])};
+      digest_.add(std::span<const std::uint64_t>(place));
+      if (other_.endings[i] == parties::Ending::value) digest_.add(view(other_, i).words);
     }
   }
+
+  // The words of a case without a value are unspecified.
+  const auto words = std::span(judged_.out).first(cases * out);
+  const auto endings = std::span(judged_.endings).first(cases);
+  const auto is_value = [](parties::Ending ending) { return ending == parties::Ending::value; };
+  if (!std::all_of(endings.begin(), endings.end(), is_value)) {
+    for (std::size_t i = 0; i < cases; ++i) {
+      if (!is_value(endings[i])) std::fill_n(words.subspan(i * out).begin(), out, 0);
+    }
+  }
+  digest_.add(std::span<const std::uint32_t>(words));
+  digest_.add(std::span<const parties::Ending>(endings));
 }
 
 }  // namespace fixproof::verify

@@ -1,14 +1,12 @@
 #include "verify/engine.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/noncopyable.hpp>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "cases/plan.hpp"
 #include "parties/answer.hpp"
@@ -20,26 +18,8 @@ namespace fixproof::verify {
 
 namespace {
 
-std::vector<std::vector<const parties::Party*>> parties_of(
-    const cases::Plan& plan, std::span<const parties::Party* const> parties) {
-  std::vector<std::vector<const parties::Party*>> rows;
-  for (const cases::Row& row : plan.rows()) {
-    auto& row_parties = rows.emplace_back();
-    for (const std::string& name : row.parties) {
-      const auto found =
-          std::find_if(parties.begin(), parties.end(),
-                       [&](const parties::Party* party) { return party->name() == name; });
-      if (found == parties.end()) {
-        throw std::invalid_argument(fmt::format("there is no party '{}'", name));
-      }
-      row_parties.push_back(*found);
-    }
-  }
-  return rows;
-}
-
 /// Finds the smallest failing case for each mismatch that does not have one yet.
-void explain(Report& report, const std::vector<std::vector<const parties::Party*>>& parties) {
+void explain(Report& report, const PartiesByRow& parties) {
   for (std::size_t row = 0; row < parties.size(); ++row) {
     const cases::Variant& variant = report.plan.rows()[row].variant;
     const auto answers_to = [&](std::span<const std::uint32_t> words) {
@@ -50,13 +30,16 @@ void explain(Report& report, const std::vector<std::vector<const parties::Party*
     };
     for (Mismatch& mismatch : report.findings[row].shown) {
       if (!mismatch.smallest.empty()) continue;
-      mismatch.smallest = shrink(mismatch.words, cases::operand_bits(variant),
-                                 [&](auto words) { return !parties::agree(answers_to(words)); });
-      const auto answers = answers_to(mismatch.smallest);
+      // If a party fails, the mismatch stays as it is, to be explained by a later run.
+      Mismatch explained = mismatch;
+      explained.smallest = shrink(mismatch.words, cases::operand_bits(variant),
+                                  [&](auto words) { return !parties::agree(answers_to(words)); });
+      const auto answers = answers_to(explained.smallest);
       for (std::size_t i = 0; i < answers.size(); ++i) {
-        mismatch.said.emplace_back(parties[row][i]->name(),
-                                   answers[i].text(2 * variant.fraction_bits));
+        explained.said.emplace_back(parties[row][i]->name(),
+                                    answers[i].text(2 * variant.fraction_bits));
       }
+      mismatch = std::move(explained);
     }
   }
 }
@@ -64,8 +47,7 @@ void explain(Report& report, const std::vector<std::vector<const parties::Party*
 /// Runs the remaining chunks of a report. Each thread takes the next one until none is left.
 class ChunkRun : private boost::noncopyable {
  public:
-  ChunkRun(Report& report, const std::vector<std::vector<const parties::Party*>>& parties,
-           const RunOptions& options)
+  ChunkRun(Report& report, const PartiesByRow& parties, const RunOptions& options)
       : report_(report), parties_(parties), options_(options) {
     for (std::uint64_t chunk = 0; chunk < report.done.size(); ++chunk) {
       if (report.shard.has(chunk) && !report.done[chunk]) left_.push_back(chunk);
@@ -117,10 +99,9 @@ class ChunkRun : private boost::noncopyable {
       const std::size_t next = next_++;
       if (next >= left_.size()) break;
       const std::uint64_t number = left_[next];
-      const Findings found = runner.run(number);
+      const ChunkFindings found = runner.run(number);
       const std::lock_guard lock(mutex_);
-      report_.findings[report_.plan.chunk(number).job->row].add(found, report_.max_shown);
-      report_.done[number] = true;
+      report_.add(number, found);
     }
   }
 
@@ -130,7 +111,7 @@ class ChunkRun : private boost::noncopyable {
   }
 
   Report& report_;
-  const std::vector<std::vector<const parties::Party*>>& parties_;
+  const PartiesByRow& parties_;
   const RunOptions& options_;
   std::vector<std::uint64_t> left_;
   std::atomic<std::size_t> next_ = 0;
@@ -144,19 +125,25 @@ class ChunkRun : private boost::noncopyable {
 
 void run(Report& report, std::span<const parties::Party* const> parties,
          const RunOptions& options) {
-  const auto by_row = parties_of(report.plan, parties);
+  const auto by_row = parties_by_row(report.plan, parties);
+  if (report.makers.empty() || !report.complete()) report.add(this_maker(report.plan, parties));
   const auto begin = std::chrono::steady_clock::now();
   const double before = report.seconds;
   const auto seconds = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     return before + passed.count();
   };
-  ChunkRun(report, by_row, options).run([&](Report state) {
-    if (!options.observe) return;
-    state.seconds = seconds();
-    options.observe(state);
-  });
-  explain(report, by_row);
+  try {
+    ChunkRun(report, by_row, options).run([&](Report state) {
+      if (!options.observe) return;
+      state.seconds = seconds();
+      options.observe(state);
+    });
+    explain(report, by_row);
+  } catch (...) {
+    report.seconds = seconds();
+    throw;
+  }
   report.seconds = seconds();
 }
 

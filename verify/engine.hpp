@@ -28,8 +28,10 @@ struct RunOptions {
 };
 
 /// Runs the remaining chunks of the report's shard and adds their findings. `parties` must include
-/// every party that the plan names. Exceptions of a party propagate to the caller.
-/// @throws std::invalid_argument if a party of the plan is missing
+/// every party that the plan names. After an exception the report holds the chunks that were
+/// finished, as after a stop, and can go on. The chunk of the party that failed is not among them.
+/// @throws parties::PartyFailure if a party fails, which ends the run; std::invalid_argument if a
+/// party of the plan is missing
 void run(Report& report, std::span<const parties::Party* const> parties,
          const RunOptions& options = {});
 

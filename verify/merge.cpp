@@ -31,23 +31,33 @@ void add(Report& sum, const NamedReport& part, std::span<const NamedReport> befo
                             other->name, part.name, chunk));
     }
     sum.done[chunk] = true;
+    sum.chunks[chunk] = part.report.chunks[chunk];
   }
   for (std::size_t row = 0; row < sum.findings.size(); ++row) {
     sum.findings[row].add(part.report.findings[row], sum.max_shown);
   }
   sum.seconds += part.report.seconds;
+  for (const Maker& maker : part.report.makers) sum.add(maker);
 }
 
 }  // namespace
 
-Report merged(std::span<const NamedReport> parts) {
+Report merged(std::span<const NamedReport> parts, bool accept_other_builds) {
   const Report& first = parts.front().report;
+  // Merging asks no party, so it may run on a machine whose parties have other identities.
+  Maker wanted = this_build();
+  if (!first.makers.empty()) wanted.parties = first.makers.front().parties;
   Report sum(first.plan, cases::Shard{}, first.max_shown);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string differs = difference(parts[i].report, first);
     if (!differs.empty()) {
       throw std::runtime_error(fmt::format("{} belongs to another verification than {}: {}",
                                            parts[i].name, parts.front().name, differs));
+    }
+    for (const Maker& maker : parts[i].report.makers) {
+      const std::string other = difference(maker, wanted);
+      if (other.empty() || accept_other_builds) continue;
+      throw std::runtime_error(other_build(parts[i].name, other));
     }
     add(sum, parts[i], parts.first(i));
   }

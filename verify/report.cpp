@@ -33,7 +33,18 @@ Report::Report(cases::Plan plan_, cases::Shard shard_, std::size_t max_shown_)
       shard(shard_),
       max_shown(max_shown_),
       done(plan.chunks()),
+      chunks(plan.chunks()),
       findings(plan.rows().size()) {}
+
+void Report::add(std::uint64_t chunk, const ChunkFindings& found) {
+  findings[plan.chunk(chunk).job->row].add(found.findings, max_shown);
+  chunks[chunk] = {found.findings.faults, found.findings.mismatches, found.answers};
+  done[chunk] = true;
+}
+
+void Report::add(const Maker& maker) {
+  if (std::find(makers.begin(), makers.end(), maker) == makers.end()) makers.push_back(maker);
+}
 
 std::uint64_t Report::chunks_done() const {
   return static_cast<std::uint64_t>(std::count(done.begin(), done.end(), true));

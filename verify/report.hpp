@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/plan.hpp"
+#include "verify/maker.hpp"
 
 namespace fixproof::verify {
 
@@ -34,16 +35,36 @@ struct Findings {
   friend bool operator==(const Findings&, const Findings&) = default;
 };
 
+/// The findings of one chunk, and the digest of all answers that the parties gave in it.
+struct ChunkFindings {
+  Findings findings;
+  std::uint64_t answers;
+};
+
+/// What a report keeps of a finished chunk, so that running it again shows whether it is true.
+struct ChunkResult {
+  std::uint64_t faults = 0;
+  std::uint64_t mismatches = 0;
+  std::uint64_t answers = 0;
+
+  friend bool operator==(const ChunkResult&, const ChunkResult&) = default;
+};
+
 struct Report {
   Report(cases::Plan plan_, cases::Shard shard_, std::size_t max_shown_);
 
   cases::Plan plan;
   cases::Shard shard;
-  std::size_t max_shown;           ///< mismatches kept per row
-  std::vector<bool> done;          ///< one flag per chunk of the plan
-  std::vector<Findings> findings;  ///< one entry per row of the plan
-  double seconds = 0;              ///< total over all runs
+  std::size_t max_shown;            ///< mismatches kept per row
+  std::vector<bool> done;           ///< one flag per chunk of the plan
+  std::vector<ChunkResult> chunks;  ///< one entry per chunk of the plan; zeros unless it is done
+  std::vector<Findings> findings;   ///< one entry per row of the plan
+  double seconds = 0;               ///< total over all runs
+  std::vector<Maker> makers;        ///< what ran the chunks, without duplicates
 
+  /// Adds a chunk that is not done yet.
+  void add(std::uint64_t chunk, const ChunkFindings& found);
+  void add(const Maker& maker);
   [[nodiscard]] std::uint64_t chunks_done() const;
   [[nodiscard]] std::uint64_t chunks_in_shard() const;
   [[nodiscard]] bool complete() const { return chunks_done() == chunks_in_shard(); }

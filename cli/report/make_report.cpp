@@ -8,10 +8,11 @@
 #include <optional>
 #include <system_error>
 
-#include "cli/command_line.hpp"
 #include "cli/scene_options.hpp"
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 #include "player/outputs.hpp"
+#include "support/build_info/build_info.hpp"
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
@@ -71,10 +72,10 @@ void make_folder(const std::string& folder) {
 Json origin_of(const ReportRequest& request, const std::vector<xsharp::Scene>& scenes) {
   Json names = Json::array();
   for (const xsharp::Scene& scene : scenes) names.push_back(scene.name);
-  return {{"version", program_version()},
+  return {{"version", support::program_version()},
           {"seed", request.seed},
-          {"compiler", measure::compiler_name()},
-          {"processor", measure::processor_name()},
+          {"compiler", support::compiler_name()},
+          {"processor", parties::processor_name()},
           {"date", measure::date_now()},
           {"quick", request.quick},
           {"scenes", std::move(names)}};

@@ -9,6 +9,7 @@
 
 #include "cli/drift.hpp"
 #include "cli/measure.hpp"
+#include "cli/print_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/render.hpp"
 #include "cli/scene_options.hpp"
@@ -92,11 +93,9 @@ ReportStep measure_step(const std::string& name, Measurement<Result> measure, co
   return {name, command_line(arguments), {json}, [=](ReportData& data) {
             measure::MeasureProgress progress(support::Interrupt::flag());
             const Measured<Result> measured = run_measurement(measure, request, progress);
-            for (const std::string& line : measured.errors) {
-              fmt::print(stderr, "fixproof: {}\n", line);
-            }
+            for (const std::string& line : measured.errors) print_error(line);
             if (measured.status != 0) return measured.status;
-            data.parts[name] = to_json(*measured.result);
+            data.parts[name] = *measured.result;
             support::replace_file(json, support::json_text(data.parts[name]));
             return 0;
           }};
@@ -114,9 +113,9 @@ ReportStep drift_step(const ReportRequest& request, const xsharp::Scene& scene,
   }
   append(arguments, {"--json", json, "--strip", svg});
   return {"drift", command_line(arguments), {json, svg}, [=, &scene](ReportData& data) {
-            const DriftFigures figures = measure_drift(scene, drift);
+            const trade::DriftFigures figures = measure_drift(scene, drift);
             if (!figures.complete()) return support::interrupted_status;
-            data.parts["drift"] = to_json(figures);
+            data.parts["drift"] = figures;
             support::replace_file(json, support::json_text(data.parts["drift"]));
             data.strip = drift_strip(scene, drift);
             support::replace_file(svg, data.strip);

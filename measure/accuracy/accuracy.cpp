@@ -1,7 +1,5 @@
 #include "measure/accuracy/accuracy.hpp"
 
-#include <utility>
-
 #include "measure/accuracy/scene_operands.hpp"
 #include "measure/host/provenance.hpp"
 
@@ -15,9 +13,11 @@ constexpr std::uint64_t default_accuracy_cases = 500'000;
 /// The other measurements use this many times as many operands as each octave has points.
 constexpr std::uint64_t points_share = 10;
 
-Json to_json(const AccuracyRow& row) {
+}  // namespace
+
+static void to_json(Json& json, const AccuracyRow& row) {
   const ErrorStatistics& e = row.errors;
-  return {{"operation", row.operation},
+  json = {{"operation", row.operation},
           {"operands", row.operands},
           {"variant", row.subject.name},
           {"alike", row.subject.alike},
@@ -32,20 +32,17 @@ Json to_json(const AccuracyRow& row) {
           {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
 }
 
-Json to_json(const PixelErrors& errors) {
-  Json octaves = Json::array();
-  for (const DistanceOctave& o : errors.octaves) {
-    octaves.push_back({{"from", o.nearest},
-                       {"to", 2 * o.nearest},
-                       {"max", o.max},
-                       {"mean", o.mean},
-                       {"half_a_pixel", o.half}});
-  }
-  return {
-      {"variant", errors.name}, {"safe_from", errors.safe_from}, {"octaves", std::move(octaves)}};
+static void to_json(Json& json, const DistanceOctave& o) {
+  json = {{"from", o.nearest},
+          {"to", 2 * o.nearest},
+          {"max", o.max},
+          {"mean", o.mean},
+          {"half_a_pixel", o.half}};
 }
 
-}  // namespace
+static void to_json(Json& json, const PixelErrors& e) {
+  json = {{"variant", e.name}, {"safe_from", e.safe_from}, {"octaves", e.octaves}};
+}
 
 std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
                                                MeasureProgress& progress) {
@@ -82,17 +79,16 @@ std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
   return result;
 }
 
-Json to_json(const AccuracyResult& result) {
-  Json json{{"made", made_by_json(result.seed, "measure --accuracy")}};
-  json["scenes"] = result.scenes;
-  json["libfixmath"] = has_libfixmath();
-  json["FreeType"] = has_freetype();
-  json["accuracy"] = Json::array();
-  for (const AccuracyRow& row : result.rows) json["accuracy"].push_back(to_json(row));
-  json["pixels"] = {{"constant", result.page.constant}, {"half_width", result.page.half_width}};
-  json["pixels"]["variants"] = Json::array();
-  for (const PixelErrors& e : result.pixels) json["pixels"]["variants"].push_back(to_json(e));
-  return json;
+void to_json(Json& json, const AccuracyResult& result) {
+  json = {{"made", made_by_json("measure --accuracy", result.seed)},
+          {"scenes", result.scenes},
+          {"libfixmath", has_libfixmath()},
+          {"FreeType", has_freetype()},
+          {"accuracy", result.rows},
+          {"pixels",
+           {{"constant", result.page.constant},
+            {"half_width", result.page.half_width},
+            {"variants", result.pixels}}}};
 }
 
 }  // namespace fixproof::measure

@@ -39,6 +39,6 @@ std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
 ///     pixels      {constant, half_width; variants: a list of {variant; safe_from: the distance
 ///                 from which no point is half a pixel off; octaves: a list of {from, to, max,
 ///                 mean, half_a_pixel: the share of points half a pixel off or more}}}
-support::Json to_json(const AccuracyResult& result);
+void to_json(support::Json& json, const AccuracyResult& result);
 
 }  // namespace fixproof::measure

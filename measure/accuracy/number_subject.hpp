@@ -2,10 +2,12 @@
 /// Makes accuracy subjects from number types.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "measure/accuracy/subjects.hpp"
@@ -13,57 +15,65 @@
 
 namespace fixproof::measure {
 
+/// The operations, on the operands `x` of a case. A number may lack those with a decltype.
+namespace operations {
+
+inline constexpr auto product = []<class N>(const N* x) { return x[0] * x[1]; };
+/// Empty for a divide error.
+inline constexpr auto quotient = []<class N>(const N* x) -> std::optional<N> {
+  if constexpr (requires { fixed::try_divide(x[0], x[1]); }) {
+    return fixed::try_divide(x[0], x[1]);
+  } else {
+    return x[0] / x[1];
+  }
+};
+inline constexpr auto root = []<class N>(const N* x) -> decltype(MeasuredNumber<N>::root(*x)) {
+  return MeasuredNumber<N>::root(*x);
+};
+inline constexpr auto cosine = []<class N>(const N* x) -> decltype(MeasuredNumber<N>::cosine(*x)) {
+  return MeasuredNumber<N>::cosine(*x);
+};
+inline constexpr auto sine = []<class N>(const N* x) -> decltype(MeasuredNumber<N>::sine(*x)) {
+  return MeasuredNumber<N>::sine(*x);
+};
+inline constexpr auto sine_of_radians =
+    []<class N>(const N* x) -> decltype(MeasuredNumber<N>::sine_of_radians(*x)) {
+  return MeasuredNumber<N>::sine_of_radians(*x);
+};
+inline constexpr auto rounded_products = []<class N>(const N* x) {
+  return x[0] * x[3] + x[1] * x[4] + x[2] * x[5];
+};
+
+}  // namespace operations
+
+/// The subject for an operation in N.
+template <class N, class Operation>
+Subject subject_of(Operation /*operation*/, std::string name, std::string alike) {
+  return {std::move(name), std::move(alike), [](CaseWords in) -> std::optional<double> {
+            std::array<N, 6> x{};
+            for (std::size_t i = 0; i < in.size(); ++i) x[i] = MeasuredNumber<N>::of_word(in[i]);
+            const std::optional<N> result = Operation{}(x.data());
+            return result ? std::optional(MeasuredNumber<N>::in_units(*result)) : std::nullopt;
+          }};
+}
+
 /// The subject for N and a named operation; nothing if N does not have the operation.
 template <class N>
-std::optional<Subject> subject_of_number(std::string name, const std::string& operation) {
-  using Number = MeasuredNumber<N>;
-  const auto by = [&name](auto answer) { return Subject{std::move(name), "", answer}; };
-  if (operation == "mul") {
-    return by([](CaseWords in) -> std::optional<double> {
-      return Number::in_units(Number::of_word(in[0]) * Number::of_word(in[1]));
-    });
-  }
-  if (operation == "div") {
-    return by([](CaseWords in) -> std::optional<double> {
-      return Number::in_units(Number::of_word(in[0]) / Number::of_word(in[1]));
-    });
-  }
-  if (operation == "dot of rounded products") {
-    return by([](CaseWords in) -> std::optional<double> {
-      N sum = Number::of_word(in[0]) * Number::of_word(in[3]);
-      for (std::size_t k = 1; k < 3; ++k) {
-        sum = sum + Number::of_word(in[k]) * Number::of_word(in[3 + k]);
-      }
-      return Number::in_units(sum);
-    });
-  }
-  if constexpr (requires(N x) { Number::root(x); }) {
-    if (operation == "sqrt") {
-      return by([](CaseWords in) -> std::optional<double> {
-        return Number::in_units(Number::root(Number::of_word(in[0])));
-      });
+std::optional<Subject> subject_of_number(const std::string& name, std::string_view operation) {
+  std::optional<Subject> found;
+  const auto find = [&](const char* known, auto function) {
+    if constexpr (requires(N x) { function(&x); }) {
+      if (operation == known) found = subject_of<N>(function, name, "");
     }
-  }
-  if constexpr (requires(N x) { Number::cosine(x); }) {
-    if (operation == "cos") {
-      return by([](CaseWords in) -> std::optional<double> {
-        return Number::in_units(Number::cosine(Number::of_word(in[0])));
-      });
-    }
-    if (operation == "sin") {
-      return by([](CaseWords in) -> std::optional<double> {
-        return Number::in_units(Number::sine(Number::of_word(in[0])));
-      });
-    }
-  }
-  if constexpr (requires(N x) { Number::sine_of_radians(x); }) {
-    if (operation == "sin of radians") {
-      return by([](CaseWords in) -> std::optional<double> {
-        return Number::in_units(Number::sine_of_radians(Number::of_word(in[0])));
-      });
-    }
-  }
-  return std::nullopt;
+  };
+  find("mul", operations::product);
+  find("div", operations::quotient);
+  find("sqrt", operations::root);
+  find("cos", operations::cosine);
+  find("sin", operations::sine);
+  find("sin of radians", operations::sine_of_radians);
+  find("dot of rounded products", operations::rounded_products);
+  return found;
 }
 
 }  // namespace fixproof::measure

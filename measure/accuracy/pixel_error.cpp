@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "cases/draw.hpp"
 #include "fixed/fixed.hpp"
@@ -22,7 +24,7 @@ std::int32_t edge(const PageProjection& page, std::int32_t z) {
 /// The signed error of the point x at distance z, in pixels to the right. The product of a drawn
 /// word and the distance fits in 64 bits.
 template <class N>
-double error_of(const PageProjection& page, std::int32_t x, std::int32_t z) {
+double pixels_off(const PageProjection& page, std::int32_t x, std::int32_t z) {
   const N depth = N::from_raw(-z);
   const auto quotient = fixed::try_divide(N::from_raw(x), depth);
   // No divide faults, because |z| is at least 1 and |x| is less than |z|.
@@ -32,8 +34,9 @@ double error_of(const PageProjection& page, std::int32_t x, std::int32_t z) {
   return static_cast<double>(off) / (static_cast<double>(depth.raw()) * unit);
 }
 
-template <class N>
-DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponent,
+using ErrorOf = double(const PageProjection& page, std::int32_t x, std::int32_t z);
+
+DistanceOctave octave(ErrorOf error_of, const PageProjection& page, std::uint64_t key, int exponent,
                       std::uint64_t cases, const std::atomic<bool>& stop) {
   DistanceOctave o{.nearest = 1 << exponent};
   const auto first = static_cast<std::int32_t>(o.nearest * unit);
@@ -44,7 +47,7 @@ DistanceOctave octave(const PageProjection& page, std::uint64_t key, int exponen
     const auto z = first + static_cast<std::int32_t>(draw.below(static_cast<std::uint64_t>(first)));
     const std::int32_t most = edge(page, z);
     const auto x = static_cast<std::int32_t>(draw.below(2 * static_cast<std::uint64_t>(most) + 1));
-    const double error = std::fabs(error_of<N>(page, x - most, z));
+    const double error = std::fabs(error_of(page, x - most, z));
     o.max = std::max(o.max, error);
     sum += error;
     half_pixel_errors += error >= 0.5 ? 1 : 0;
@@ -66,30 +69,18 @@ bool bounded_below_half(const PageProjection& page, std::int32_t whole) {
 /// distance, so the worst distance is just below the next whole one. At that distance, moving a
 /// point toward the middle by `whole` units lowers its quotient by one unit. That point has the
 /// same rounding and a smaller error, so testing `whole` points at the edge of the page is enough.
-template <class N>
-std::int32_t safe_distance(const PageProjection& page, const std::atomic<bool>& stop) {
+std::int32_t safe_distance(ErrorOf error_of, const PageProjection& page,
+                           const std::atomic<bool>& stop) {
   for (std::int32_t whole = 32767; whole > 0 && !stop; --whole) {
     if (bounded_below_half(page, whole)) continue;
     const auto z = static_cast<std::int32_t>(whole * unit + (unit - 1));
     const std::int32_t most = edge(page, z);
     for (std::int32_t x = most; x > most - whole && x > 0; --x) {
-      if (std::max(std::fabs(error_of<N>(page, x, z)), std::fabs(error_of<N>(page, -x, z))) >= 0.5)
+      if (std::max(std::fabs(error_of(page, x, z)), std::fabs(error_of(page, -x, z))) >= 0.5)
         return whole + 1;
     }
   }
   return 1;
-}
-
-template <class N>
-PixelErrors errors_of(std::string name, const PageProjection& page, std::uint64_t seed,
-                      std::uint64_t cases, const std::atomic<bool>& stop) {
-  PixelErrors errors{
-      .name = std::move(name), .octaves = {}, .safe_from = safe_distance<N>(page, stop)};
-  for (int exponent = 0; exponent < octave_count; ++exponent) {
-    const std::uint64_t key = cases::mix(seed) + static_cast<std::uint64_t>(exponent);
-    errors.octaves.push_back(octave<N>(page, key, exponent, cases, stop));
-  }
-  return errors;
 }
 
 }  // namespace
@@ -97,10 +88,20 @@ PixelErrors errors_of(std::string name, const PageProjection& page, std::uint64_
 std::vector<PixelErrors> measure_pixel_errors(const PageProjection& page, std::uint64_t seed,
                                               std::uint64_t cases, const std::atomic<bool>& stop) {
   using namespace fixed;
-  return {errors_of<q16_16_i8088>("q16_16_i8088", page, seed, cases, stop),
-          errors_of<q16_16_i8088_unrounded>("q16_16_i8088_unrounded", page, seed, cases, stop),
-          errors_of<q16_16_i386>("q16_16_i386", page, seed, cases, stop),
-          errors_of<q16_16_i386_unrounded>("q16_16_i386_unrounded", page, seed, cases, stop)};
+  std::vector<PixelErrors> all;
+  for (const auto& [name, error_of] : std::initializer_list<std::pair<const char*, ErrorOf*>>{
+           {"q16_16_i8088", pixels_off<q16_16_i8088>},
+           {"q16_16_i8088_unrounded", pixels_off<q16_16_i8088_unrounded>},
+           {"q16_16_i386", pixels_off<q16_16_i386>},
+           {"q16_16_i386_unrounded", pixels_off<q16_16_i386_unrounded>}}) {
+    PixelErrors& errors = all.emplace_back(
+        PixelErrors{.name = name, .octaves = {}, .safe_from = safe_distance(error_of, page, stop)});
+    for (int exponent = 0; exponent < octave_count; ++exponent) {
+      const std::uint64_t key = cases::mix(seed) + static_cast<std::uint64_t>(exponent);
+      errors.octaves.push_back(octave(error_of, page, key, exponent, cases, stop));
+    }
+  }
+  return all;
 }
 
 }  // namespace fixproof::measure

@@ -16,41 +16,9 @@ using oracle::Integer;
 /// Bits below one ulp for irrational results.
 constexpr int digits = 48;
 
-template <class N>
-N operand(CaseWords in, std::size_t i) {
-  return N::from_raw(static_cast<std::int32_t>(in[i]));
-}
-template <class N>
-std::optional<double> word(N x) {
-  return x.raw();
-}
-
-constexpr auto product = []<class N>(CaseWords in) {
-  return word(operand<N>(in, 0) * operand<N>(in, 1));
-};
-constexpr auto quotient = []<class N>(CaseWords in) {
-  const auto q = fixed::try_divide(operand<N>(in, 0), operand<N>(in, 1));
-  return q ? word(*q) : std::nullopt;
-};
-constexpr auto root = []<class N>(CaseWords in) { return word(fixed::sqrt(operand<N>(in, 0))); };
-constexpr auto cosine = []<class N>(CaseWords in) {
-  return word(fixed::cos<N>(static_cast<std::int32_t>(in[0])));
-};
-constexpr auto sine = []<class N>(CaseWords in) {
-  return word(fixed::sin<N>(static_cast<std::int32_t>(in[0])));
-};
-constexpr auto sine_of_radians = []<class N>(CaseWords in) {
-  return word(fixed::sin(operand<N>(in, 0)));
-};
-constexpr auto rounded_products = []<class N>(CaseWords in) {
-  N sum;
-  for (std::size_t k = 0; k < 3; ++k) sum += operand<N>(in, k) * operand<N>(in, 3 + k);
-  return word(sum);
-};
-constexpr auto rounded_sum = []<class N>(CaseWords in) {
-  const std::array a{operand<N>(in, 0), operand<N>(in, 1), operand<N>(in, 2)};
-  const std::array b{operand<N>(in, 3), operand<N>(in, 4), operand<N>(in, 5)};
-  return word(fixed::dot(a, b));
+/// Only the type has it.
+constexpr auto rounded_sum = []<class N>(const N* x) {
+  return fixed::dot(std::array{x[0], x[1], x[2]}, std::array{x[3], x[4], x[5]});
 };
 
 Integer units(CaseWords in, std::size_t i) { return oracle::ulps(in[i], 16); }
@@ -86,54 +54,49 @@ std::optional<ExactResult> exact_dot(CaseWords in) {
   return ExactResult{sum, oracle::one(16)};
 }
 
-template <class N, class Function>
-Subject preset(Function /*of the type*/, std::string name, std::string alike) {
-  return {std::move(name), std::move(alike),
-          [](CaseWords in) { return Function{}.template operator()<N>(in); }};
-}
-
 /// The presets that differ in the rounding of products.
 /// @param alike presets that return the same as `q16_16`
-template <class Function>
-std::vector<Subject> by_product(Function f, std::string alike) {
+template <class Operation>
+std::vector<Subject> by_product(Operation o, const char* alike) {
   using namespace fixed;
   return {
-      preset<q16_16>(f, "q16_16", std::move(alike)),
-      preset<q16_16_i386_unrounded>(f, "q16_16_i386_unrounded", "_i386_div_rounded"),
-      preset<q16_16_i8088>(f, "q16_16_i8088", "_i8088_mul_rounded"),
-      preset<q16_16_i8088_unrounded>(f, "q16_16_i8088_unrounded", "_i8088_div_rounded"),
+      subject_of<q16_16>(o, "q16_16", alike),
+      subject_of<q16_16_i386_unrounded>(o, "q16_16_i386_unrounded", "_i386_div_rounded"),
+      subject_of<q16_16_i8088>(o, "q16_16_i8088", "_i8088_mul_rounded"),
+      subject_of<q16_16_i8088_unrounded>(o, "q16_16_i8088_unrounded", "_i8088_div_rounded"),
   };
 }
 
 /// The presets that differ in the divide.
-template <class Function>
-std::vector<Subject> by_divide(Function f) {
+std::vector<Subject> by_divide() {
   using namespace fixed;
+  using operations::quotient;
   return {
-      preset<q16_16>(f, "q16_16", "_saturating _trapping"),
-      preset<q16_16_i386>(f, "q16_16_i386", "_i386_div_rounded"),
-      preset<q16_16_i386_unrounded>(f, "q16_16_i386_unrounded", "_i386_mul_rounded"),
-      preset<q16_16_i8088>(f, "q16_16_i8088", "_i8088_div_rounded"),
-      preset<q16_16_i8088_unrounded>(f, "q16_16_i8088_unrounded", "_i8088_mul_rounded"),
+      subject_of<q16_16>(quotient, "q16_16", "_saturating _trapping"),
+      subject_of<q16_16_i386>(quotient, "q16_16_i386", "_i386_div_rounded"),
+      subject_of<q16_16_i386_unrounded>(quotient, "q16_16_i386_unrounded", "_i386_mul_rounded"),
+      subject_of<q16_16_i8088>(quotient, "q16_16_i8088", "_i8088_div_rounded"),
+      subject_of<q16_16_i8088_unrounded>(quotient, "q16_16_i8088_unrounded", "_i8088_mul_rounded"),
   };
 }
 
 /// One subject for all presets, because all return the same.
-template <class Function>
-std::vector<Subject> by_none(Function f) {
-  return {preset<fixed::q16_16>(f, "q16_16", "every preset")};
+template <class Operation>
+std::vector<Subject> by_none(Operation o) {
+  return {subject_of<fixed::q16_16>(o, "q16_16", "every preset")};
 }
 
 }  // namespace
 
 std::vector<MeasuredOperation> measured_operations() {
   using enum OperandKind;
+  using namespace operations;
   constexpr const char* one_rounding = "_saturating _trapping _i386 _i386_mul_rounded";
   // If a sum fits, its products may still overflow, so only presets that wrap agree.
   constexpr const char* wrapping = "_i386 _i386_mul_rounded";
   std::vector<MeasuredOperation> all{
       {"mul", factors, 2, exact_product, by_product(product, one_rounding)},
-      {"div", quotients, 2, exact_quotient, by_divide(quotient)},
+      {"div", quotients, 2, exact_quotient, by_divide()},
       {"sqrt", radicand, 1, exact_root, by_none(root)},
       {"cos", angle, 1, exact_cosine, by_none(cosine)},
       {"sin", angle, 1, exact_sine, by_none(sine)},

@@ -12,6 +12,7 @@
 
 #include "cases/variant.hpp"
 #include "measure/clocks/bounds.hpp"
+#include "measure/measure.hpp"
 #include "x86model/clocks.hpp"
 
 namespace fixproof::measure {
@@ -82,7 +83,7 @@ CallClocks no_calls(const cases::Variant& variant);
 /// @param typical whether the mean includes them
 /// @param stop    ends the run early
 void add_calls(CallClocks& clocks, std::span<const std::uint32_t> words, bool typical,
-               const std::atomic<bool>& stop);
+               const std::atomic<bool>& stop = never_stop);
 
 /// Adds calls with the cases of a verification at level 1: the whole boundary lattice, and at most
 /// `cases` of every other stream.

@@ -125,21 +125,22 @@ std::string name_of(ClaimVerdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-support::Json to_json(const Bounds& bounds) { return {{"min", bounds.min}, {"max", bounds.max}}; }
+void to_json(support::Json& json, const Bounds& bounds) {
+  json = {{"min", bounds.min}, {"max", bounds.max}};
+}
 
-support::Json to_json(const Claim& claim) {
-  support::Json figures = support::Json::array();
-  for (const ClaimFigure& f : claim.figures) {
-    figures.push_back(
-        {{"where", f.where}, {"measured", to_json(f.measured)}, {"verdict", name_of(f.verdict)}});
-  }
-  return {{"claim", claim.text},
+static void to_json(support::Json& json, const ClaimFigure& f) {
+  json = {{"where", f.where}, {"measured", f.measured}, {"verdict", name_of(f.verdict)}};
+}
+
+void to_json(support::Json& json, const Claim& claim) {
+  json = {{"claim", claim.text},
           {"place", claim.place},
           {"means", claim.means},
           {"unit", claim.unit},
           {"verdict", name_of(verdict_on(claim))},
-          {"allowed", to_json(claim.allowed)},
-          {"figures", std::move(figures)}};
+          {"allowed", claim.allowed},
+          {"figures", claim.figures}};
 }
 
 std::vector<cases::Build> recorded_builds() {

@@ -71,10 +71,10 @@ ClaimVerdict verdict_on(const Claim& claim);
 
 std::string name_of(ClaimVerdict verdict);
 
-support::Json to_json(const Bounds& bounds);
+void to_json(support::Json& json, const Bounds& bounds);
 
 /// {claim, place, means, unit, verdict, allowed: {min, max}, figures: a list of {where, measured:
 /// {min, max}, verdict}}. Infinite bounds become null, because JSON has no number for them.
-support::Json to_json(const Claim& claim);
+void to_json(support::Json& json, const Claim& claim);
 
 }  // namespace fixproof::measure

@@ -8,6 +8,7 @@
 #include "measure/clocks/call_clocks.hpp"
 #include "measure/clocks/claim_clocks.hpp"
 #include "measure/clocks/frame_clocks.hpp"
+#include "measure/clocks/replay.hpp"
 #include "player/model_call.hpp"
 
 namespace fixproof::measure {
@@ -26,25 +27,22 @@ constexpr double clocks_of_published_frame = 20e6 / published_frames;
 /// Chapter 53's limit for the share of the time spent on fixed-point work.
 constexpr double published_share = 0.1;
 
-const std::vector<std::uint32_t>& logged(const player::OperandLog& log,
-                                         cases::Operation operation) {
-  return log.at(static_cast<std::size_t>(operation));
+/// The operands of a routine in a scene. FixedMul has the factors of the transforms, too.
+std::vector<std::uint32_t> operands_in(const RecordedScene& scene, cases::Operation operation) {
+  const player::OperandLog& log = operands_of(scene, i386_rounded).log;
+  return operation == cases::Operation::mul ? products_of(log)
+                                            : log.at(static_cast<std::size_t>(operation));
 }
 
-/// The mean clocks per call of one routine, over its operands in a scene.
-Bounds clocks_per_call(const RecordedScene& scene, cases::Operation operation,
-                       cases::Target target) {
-  static const std::atomic<bool> never{false};
-  const SceneOperands& operands = operands_of(scene, i386_rounded);
-  CallClocks clocks = no_calls({.operation = operation, .build = {.target = target}});
-  const std::vector<std::uint32_t> words =
-      operation == cases::Operation::mul ? products_of(operands.log)
-                                         : operands.log.at(static_cast<std::size_t>(operation));
-  add_calls(clocks, words, true, never);
-  for (const ProcessorClocks& on : clocks.processors) {
-    if (on.cpu == Cpu::i386) return {on.clocks.mean_min(), on.clocks.mean_max()};
-  }
-  return {};
+/// The clocks per call of a routine on a 386, over its operands in a scene.
+Spread clocks_on_386(const RecordedScene& scene, const cases::Variant& variant) {
+  static constexpr std::array cpus{Cpu::i386};
+  Spread clocks;
+  replay_calls(variant, operands_in(scene, variant.operation), cpus, [&](const ReplayedCall& call) {
+    if (call.ending.outcome == x86model::Outcome::returned) clocks.add(call.counters[0].total());
+    return true;
+  });
+  return clocks;
 }
 
 Claim native_instructions(const std::vector<RecordedScene>& scenes) {
@@ -59,11 +57,15 @@ Claim native_instructions(const std::vector<RecordedScene>& scenes) {
       {}};
   for (const RecordedScene& scene : scenes) {
     for (const cases::Operation operation : {cases::Operation::mul, cases::Operation::div}) {
+      const auto mean = [&](cases::Target target) {
+        const Spread clocks =
+            clocks_on_386(scene, {.operation = operation, .build = {.target = target}});
+        return Bounds{clocks.mean_min(), clocks.mean_max()};
+      };
       add_figure(claim,
                  fmt::format("{}, {}", scene.name,
                              operation == cases::Operation::mul ? "FixedMul" : "FixedDiv"),
-                 ratio(clocks_per_call(scene, operation, cases::Target::i8088),
-                       clocks_per_call(scene, operation, cases::Target::i386)),
+                 ratio(mean(cases::Target::i8088), mean(cases::Target::i386)),
                  operation == cases::Operation::div ? Evidence::can_show : Evidence::decides);
     }
   }
@@ -104,7 +106,8 @@ Claim cost_of_rounding(const std::vector<RecordedScene>& scenes) {
 }
 
 /// The largest difference between a rounded and an unrounded result, in ulps.
-double max_changed(cases::Operation operation, const std::vector<std::uint32_t>& words) {
+double max_changed(cases::Operation operation, const RecordedScene& scene) {
+  const std::vector<std::uint32_t> words = operands_in(scene, operation);
   std::int32_t most = 0;
   for (std::size_t i = 0; i + 2 <= words.size(); i += 2) {
     const auto result = [&](bool rounds, std::array<std::uint32_t, 1>& out) {
@@ -132,10 +135,8 @@ Claim effect_of_rounding(const std::vector<RecordedScene>& scenes) {
       {0, 1},
       {}};
   for (const RecordedScene& scene : scenes) {
-    const player::OperandLog& log = operands_of(scene, i386_rounded).log;
-    const double most =
-        std::max(max_changed(cases::Operation::mul, products_of(log)),
-                 max_changed(cases::Operation::div, logged(log, cases::Operation::div)));
+    const double most = std::max(max_changed(cases::Operation::mul, scene),
+                                 max_changed(cases::Operation::div, scene));
     add_figure(claim, scene.name, {most, most});
   }
   return claim;
@@ -158,7 +159,7 @@ Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
     player::OperandLog log;
     for (const cases::Operation operation :
          {cases::Operation::xformvec, cases::Operation::concat}) {
-      log.at(static_cast<std::size_t>(operation)) = logged(operands.log, operation);
+      log.at(static_cast<std::size_t>(operation)) = operands_in(scene, operation);
     }
     const auto clocks = static_cast<double>(clocks_of(log, operands.build, Cpu::i386).table.max);
     const double share =
@@ -166,21 +167,6 @@ Claim share_of_matrix_math(const std::vector<RecordedScene>& scenes) {
     add_figure(claim, scene.name, {share, share}, Evidence::can_refute);
   }
   return claim;
-}
-
-/// Calls of one chapter 52 routine on a 386.
-struct Calls {
-  double number = 0;
-  double clocks = 0;
-};
-Calls chapter_52_calls(cases::Operation operation, const std::vector<std::uint32_t>& words) {
-  static const std::atomic<bool> never{false};
-  CallClocks calls = no_calls(
-      {.operation = operation, .build = {.target = cases::Target::i386, .chapter_52 = true}});
-  add_calls(calls, words, true, never);
-  const Spread& on_386 = calls.processors.front().clocks;
-  const auto number = static_cast<double>(on_386.calls());
-  return {number, number * on_386.mean_max()};
 }
 
 /// In chapter 52, only multiply and divide are in assembly.
@@ -200,17 +186,21 @@ Claim cubes_in_c(const std::vector<RecordedScene>& scenes) {
     if (scene.name != cubes_scene) continue;
     const SceneOperands& operands = operands_of(scene, i386_rounded);
     const auto frames = static_cast<double>(operands.frames);
-    const std::vector<std::uint32_t>& single = logged(operands.log, cases::Operation::mul);
-    const Calls multiplies = chapter_52_calls(cases::Operation::mul, products_of(operands.log));
-    const double others =
-        static_cast<double>(single.size()) / cases::words_in(cases::Operation::mul);
-    const Calls divides =
-        chapter_52_calls(cases::Operation::div, logged(operands.log, cases::Operation::div));
-    const double rate = 20e6 * frames / (multiplies.clocks + divides.clocks);
+    const auto calls = [&](cases::Operation operation) {
+      return clocks_on_386(scene, {.operation = operation, .build = {.chapter_52 = true}});
+    };
+    const Spread multiplies = calls(cases::Operation::mul);
+    const Spread divides = calls(cases::Operation::div);
+    const auto number = [](const Spread& s) { return static_cast<double>(s.calls()); };
+    const auto clocks = [&](const Spread& s) { return number(s) * s.mean_max(); };
+    const std::size_t words =
+        operands.log.at(static_cast<std::size_t>(cases::Operation::mul)).size();
+    const double single = static_cast<double>(words) / cases::words_in(cases::Operation::mul);
+    const double rate = 20e6 * frames / (clocks(multiplies) + clocks(divides));
     add_figure(claim,
                fmt::format("{}, {:.0f} + {:.0f} FixedMul, {:.0f} FixedDiv", scene.name,
-                           (multiplies.number - others) / frames, others / frames,
-                           divides.number / frames),
+                           (number(multiplies) - single) / frames, single / frames,
+                           number(divides) / frames),
                {rate, rate}, Evidence::can_refute);
   }
   return claim;

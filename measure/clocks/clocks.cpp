@@ -39,42 +39,41 @@ std::vector<FrameOn8088> frames_on_8088(const std::vector<RecordedScene>& scenes
   return all;
 }
 
-Json to_json(const Spread& s) {
-  Json json{{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
+}  // namespace
+
+static void to_json(Json& json, const Spread& s) {
+  json = {{"least", s.least()}, {"most", s.most()}, {"calls", s.calls()}};
   if (s.calls() > 0) json["mean"] = {{"min", s.mean_min()}, {"max", s.mean_max()}};
-  return json;
 }
 
-Json to_json(const CallClocks& row) {
-  Json processors = Json::array();
-  for (const ProcessorClocks& on : row.processors) {
-    Json one{{"cpu", x86model::name_of(on.cpu)}, {"clocks", to_json(on.clocks)}};
-    if (on.bus) {
-      one["bus"] = to_json(*on.bus);
-      one["limit"] = on.mean().limit();
-    }
-    processors.push_back(std::move(one));
-  }
-  return {{"routine", cases::name_of(row.variant.operation)},
+static void to_json(Json& json, const ProcessorClocks& on) {
+  json = {{"cpu", x86model::name_of(on.cpu)}, {"clocks", on.clocks}};
+  if (!on.bus) return;
+  json["bus"] = on.bus;
+  json["limit"] = on.mean().limit();
+}
+
+static void to_json(Json& json, const CallClocks& row) {
+  json = {{"routine", cases::name_of(row.variant.operation)},
           {"target", cases::name_of(row.variant.build.target)},
           {"chapter", row.variant.build.chapter_52 ? 52 : 54},
           {"rounds", cases::rounds(row.variant)},
-          {"instructions", to_json(row.instructions)},
-          {"processors", std::move(processors)},
+          {"instructions", row.instructions},
+          {"processors", row.processors},
           {"faults", row.faults}};
 }
 
-Json to_json(const NotJudged& statement) {
-  return {{"claim", statement.text}, {"place", statement.place}, {"reason", statement.reason}};
+static void to_json(Json& json, const NotJudged& statement) {
+  json = {{"claim", statement.text}, {"place", statement.place}, {"reason", statement.reason}};
 }
 
-Json to_json(const FrameOn8088& f) {
-  return {{"scene", f.scene},           {"rounds", f.rounds},         {"table", f.clocks.table.max},
+static void to_json(Json& json, const FrameOn8088& f) {
+  json = {{"scene", f.scene},           {"rounds", f.rounds},         {"table", f.clocks.table.max},
           {"code_bytes", f.code_bytes}, {"data_bytes", f.data_bytes}, {"bus", f.clocks.bus},
           {"limit", f.clocks.limit()}};
 }
 
-Json to_json(const LoopClocks& row) {
+static void to_json(Json& json, const LoopClocks& row) {
   Json processors = Json::array();
   for (std::size_t i = 0; i < row.on.size(); ++i) {
     const auto& clocks = row.on.at(i);
@@ -85,7 +84,7 @@ Json to_json(const LoopClocks& row) {
     if (cpu == x86model::Cpu::i8088) on["bus"] = clocks->bus;
     processors.push_back(std::move(on));
   }
-  return {{"loop", machine_code::name_of_loop(row.form.loop)},
+  json = {{"loop", machine_code::name_of_loop(row.form.loop)},
           {"counting", x86model::name_of(row.form.counting)},
           {"target", target_name(row.form)},
           {"as_printed", row.form.as_printed},
@@ -93,22 +92,13 @@ Json to_json(const LoopClocks& row) {
           {"clocks", std::move(processors)}};
 }
 
-Json to_json(const LoopClaim& claim) {
-  Json gains = Json::array();
-  for (const LoopGain& gain : claim.gains) {
-    gains.push_back({{"where", gain.where}, {"min", gain.min}, {"max", gain.max}});
-  }
-  return {{"claim", claim.text}, {"place", claim.place}, {"gains", std::move(gains)}};
+static void to_json(Json& json, const LoopGain& gain) {
+  json = {{"where", gain.where}, {"min", gain.min}, {"max", gain.max}};
 }
 
-template <class Rows>
-Json list_of(const Rows& rows) {
-  Json json = Json::array();
-  for (const auto& row : rows) json.push_back(to_json(row));
-  return json;
+static void to_json(Json& json, const LoopClaim& claim) {
+  json = {{"claim", claim.text}, {"place", claim.place}, {"gains", claim.gains}};
 }
-
-}  // namespace
 
 std::optional<ClockResult> measure_clocks(const MeasureRequest& request,
                                           MeasureProgress& progress) {
@@ -149,14 +139,14 @@ std::optional<ClockResult> measure_clocks(const MeasureRequest& request,
   return result;
 }
 
-Json to_json(const ClockResult& result) {
-  return {{"made", made_by_json(result.seed, "measure --clocks")},
+void to_json(Json& json, const ClockResult& result) {
+  json = {{"made", made_by_json("measure --clocks", result.seed)},
           {"scenes", result.scenes},
-          {"clocks", list_of(result.rows)},
-          {"claims", list_of(result.claims)},
-          {"not_judged", list_of(not_judged())},
-          {"frames_8088", list_of(result.frames)},
-          {"loops", {{"pixels", list_of(result.loops)}, {"claims", list_of(result.loop_claims)}}}};
+          {"clocks", result.rows},
+          {"claims", result.claims},
+          {"not_judged", not_judged()},
+          {"frames_8088", result.frames},
+          {"loops", {{"pixels", result.loops}, {"claims", result.loop_claims}}}};
 }
 
 }  // namespace fixproof::measure

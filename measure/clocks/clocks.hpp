@@ -36,6 +36,6 @@ struct ClockResult {
 
 std::optional<ClockResult> measure_clocks(const MeasureRequest& request, MeasureProgress& progress);
 
-support::Json to_json(const ClockResult& result);
+void to_json(support::Json& json, const ClockResult& result);
 
 }  // namespace fixproof::measure

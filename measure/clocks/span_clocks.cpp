@@ -87,20 +87,17 @@ void compare(LoopClaim& claim, const LoopForm& slow, const LoopForm& fast, Pixel
   }
 }
 
-/// Compares the form with the one that differs only in `change`, if it exists.
+/// Compares the forms with `counting` of the loops from `first` to `last` with those that differ
+/// only in `change`, where they exist.
 template <class Change>
-LoopClaim compared(std::string text, std::string place, Loop loop_from, Loop loop_to, Counting from,
-                   Change change) {
-  LoopClaim claim{std::move(text), std::move(place), {}};
+void compare_all(LoopClaim& claim, Loop first, Loop last, Counting counting, Change change) {
   each_row([&](const LoopForm& form, Pixels pixels) {
-    if (form.counting != from || form.as_printed || form.loop < loop_from || form.loop > loop_to) {
-      return;
-    }
+    if (form.counting != counting || form.as_printed) return;
+    if (form.loop < first || form.loop > last) return;
     LoopForm fast = form;
     change(fast);
     if (exists(fast)) compare(claim, form, fast, pixels);
   });
-  return claim;
 }
 
 }  // namespace
@@ -140,28 +137,22 @@ std::vector<LoopClocks> loop_clocks() {
 }
 
 std::vector<LoopClaim> loop_claims() {
-  std::vector<LoopClaim> claims;
-  for (const Counting counting : {Counting::loop, Counting::dec_jnz, Counting::unrolled}) {
-    LoopClaim words =
-        compared("Two pixels a store are faster than one.",
-                 "interpolation text, tips, single bytes", Loop::gouraud_byte, Loop::gouraud_byte,
-                 counting, [](LoopForm& form) { form.loop = Loop::gouraud_word; });
-    if (claims.empty()) {
-      claims.push_back(std::move(words));
-    } else {
-      claims.front().gains.insert(claims.front().gains.end(), words.gains.begin(),
-                                  words.gains.end());
-    }
+  using enum Counting;
+  LoopClaim words{
+      "Two pixels a store are faster than one.", "interpolation text, tips, single bytes", {}};
+  for (const Counting counting : {loop, dec_jnz, unrolled}) {
+    compare_all(words, Loop::gouraud_byte, Loop::gouraud_byte, counting,
+                [](LoopForm& form) { form.loop = Loop::gouraud_word; });
   }
-  claims.push_back(compared("DEC and JNZ are faster than LOOP.",
-                            "interpolation text, tips, the loop instruction", Loop::gouraud_byte,
-                            Loop::texture, Counting::loop,
-                            [](LoopForm& form) { form.counting = Counting::dec_jnz; }));
-  claims.push_back(compared("Not to loop at all is the fastest.",
-                            "interpolation text, tips, unrolled loops", Loop::gouraud_byte,
-                            Loop::texture, Counting::dec_jnz,
-                            [](LoopForm& form) { form.counting = Counting::unrolled; }));
-  return claims;
+  LoopClaim jumps{
+      "DEC and JNZ are faster than LOOP.", "interpolation text, tips, the loop instruction", {}};
+  compare_all(jumps, Loop::gouraud_byte, Loop::texture, loop,
+              [](LoopForm& form) { form.counting = dec_jnz; });
+  LoopClaim straight{
+      "Not to loop at all is the fastest.", "interpolation text, tips, unrolled loops", {}};
+  compare_all(straight, Loop::gouraud_byte, Loop::texture, dec_jnz,
+              [](LoopForm& form) { form.counting = unrolled; });
+  return {words, jumps, straight};
 }
 
 }  // namespace fixproof::measure

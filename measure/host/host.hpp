@@ -4,24 +4,35 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "measure/host/host_run.hpp"
+#include "measure/accuracy/error_statistics.hpp"
+#include "measure/host/host_contenders.hpp"
+#include "measure/host/host_times.hpp"
 #include "measure/measure.hpp"
 #include "support/json.hpp"
 
 namespace fixproof::measure {
 
+struct HostRow {
+  HostContender contender;
+  std::uint64_t cases = 0;
+  std::uint64_t exceptions = 0;
+  ErrorStatistics errors{};
+  Times each{};                  ///< of independent operations
+  std::optional<Times> chain{};  ///< of operations on the previous result
+};
+
+/// Runs all operands of an operation and its chain through the timed loops, judges the results, and
+/// leaves the timed operands loaded.
+/// @throws WrongContender
+HostRow judge_contender(const HostOperation& operation, const HostContender& contender);
+
 struct HostTable {
-  std::string operation;
-  std::string operands;           ///< in words
-  std::string chain;              ///< in words; empty if there is no chain
-  std::uint64_t array_cases = 0;  ///< in the arrays of the timed loop
-  std::uint64_t chain_steps = 0;
+  HostOperation operation;
   std::vector<HostRow> rows;
 
-  [[nodiscard]] bool of_vertices() const { return operation == "vertex"; }
+  [[nodiscard]] bool of_vertices() const { return operation.name == "vertex"; }
 };
 
 struct HostResult {
@@ -50,6 +61,6 @@ std::optional<HostResult> measure_host(const MeasureRequest& request, MeasurePro
 ///                correct}}
 ///     vertices   a list of {contender, alike, kind, rounding; ns: {min, median, spread} per
 ///                vertex; per_second: {most, median}; cases, exceptions, accuracy: of coordinates}
-support::Json to_json(const HostResult& result);
+void to_json(support::Json& json, const HostResult& result);
 
 }  // namespace fixproof::measure

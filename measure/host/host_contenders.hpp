@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "measure/accuracy/subjects.hpp"
@@ -24,7 +23,7 @@ struct HostContender {
   HostKind kind;
   std::string rounding;  ///< as documented by its author
   HostJudgement (*judge)(const HostCase& c);
-  std::unique_ptr<HostLoop> loop;
+  std::shared_ptr<HostLoop> loop;
 };
 
 /// `to nearest, halves up`
@@ -33,25 +32,23 @@ std::string rounding_text(oracle::Rounding rounding);
 template <class N, class Operation>
 HostContender array_contender(std::string name, std::string alike, HostKind kind,
                               std::string rounding, HostJudgement (*judge)(const HostCase&)) {
-  return {std::move(name),
-          std::move(alike),
-          kind,
-          std::move(rounding),
-          judge,
-          std::make_unique<ArrayLoop<Operation, N>>()};
+  return {name, alike, kind, rounding, judge, std::make_shared<ArrayLoop<Operation, N>>()};
 }
 
 /// A contender for multiplies with rounding R.
 template <class N, oracle::Rounding R>
 HostContender product_contender(std::string name, std::string alike, HostKind kind) {
-  return array_contender<N, HostProduct>(std::move(name), std::move(alike), kind, rounding_text(R),
-                                         product_rounded<R>);
+  return array_contender<N, HostProduct>(name, alike, kind, rounding_text(R), product_rounded<R>);
 }
 /// A contender for vertices whose products have rounding R.
 template <class N, oracle::Rounding R>
 HostContender vertex_contender(std::string name, std::string alike, HostKind kind) {
-  return {std::move(name),  std::move(alike),      kind,
-          rounding_text(R), coordinate_rounded<R>, std::make_unique<VertexLoop<N>>()};
+  return {name,
+          alike,
+          kind,
+          rounding_text(R),
+          coordinate_rounded<R>,
+          std::make_shared<VertexLoop<N>>()};
 }
 
 /// Operands for which every contender has a result. A block of cases and its results fit in the L1
@@ -66,12 +63,12 @@ struct HostOperands {
 struct HostOperation {
   std::string name;
   std::string operands_are;
-  std::string chain_is;     ///< empty if there is no chain
-  std::size_t words = 0;    ///< words per case
-  std::size_t results = 0;  ///< results per case
-  std::function<ExactResult(CaseWords in, std::size_t result)> exact;
-  HostOperands operands;
-  std::vector<HostContender> contenders;
+  std::string chain_is{};   ///< empty if there is no chain
+  std::size_t words = 1;    ///< words per case
+  std::size_t results = 1;  ///< results per case
+  std::function<ExactResult(CaseWords in, std::size_t result)> exact{};
+  HostOperands operands{};
+  std::vector<HostContender> contenders{};
 };
 
 /// Cases per block: three arrays of as many doubles take 24 KB.

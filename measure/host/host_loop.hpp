@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "measure/host/host_numbers.hpp"
@@ -35,15 +36,16 @@ class HostLoop : private boost::noncopyable {
   /// A result of the last apply_all(); `i` counts cases, or coordinates.
   [[nodiscard]] virtual HostCase result(std::size_t i) const = 0;
 
-  /// Sets the start of apply_in_chain() and the additional operand of each step.
-  virtual void load_chain(std::uint32_t start, std::span<const std::uint32_t> words) = 0;
+  /// Sets the start of apply_in_chain() and the additional operand of each step. Vertices have no
+  /// chain.
+  virtual void load_chain(std::uint32_t /*start*/, std::span<const std::uint32_t> /*words*/) {}
   /// Makes each result an operand of the next step.
-  virtual void apply_in_chain() = 0;
-  [[nodiscard]] virtual HostCase chain_result(std::size_t i) const = 0;
+  virtual void apply_in_chain() {}
+  [[nodiscard]] virtual HostCase chain_result(std::size_t /*i*/) const { return {}; }
 };
 
-/// The operations of one or two operands. `first` and `second` derive the operands of a chain step
-/// from the last result and the step's word.
+/// The operations of one or two operands. chained() gives the operands of a chain step from the
+/// last result and the step's word.
 struct HostProduct {
   static constexpr std::size_t operands = 2;
   template <class N>
@@ -51,12 +53,8 @@ struct HostProduct {
     return a * b;
   }
   template <class N>
-  static N first(N last, N /*taken*/) {
-    return last;
-  }
-  template <class N>
-  static N second(N /*last*/, N taken) {
-    return taken;
+  static std::pair<N, N> chained(N last, N taken) {
+    return {last, taken};
   }
 };
 
@@ -67,12 +65,8 @@ struct HostQuotient {
     return a / b;
   }
   template <class N>
-  static N first(N /*last*/, N taken) {
-    return taken;
-  }
-  template <class N>
-  static N second(N last, N /*taken*/) {
-    return last;
+  static std::pair<N, N> chained(N last, N taken) {
+    return {taken, last};
   }
 };
 
@@ -83,12 +77,8 @@ struct HostRoot {
     return MeasuredNumber<N>::root(a);
   }
   template <class N>
-  static N first(N last, N taken) {
-    return taken + last;
-  }
-  template <class N>
-  static N second(N /*last*/, N taken) {
-    return taken;
+  static std::pair<N, N> chained(N last, N taken) {
+    return {taken + last, taken};
   }
 };
 
@@ -100,12 +90,8 @@ struct HostCosine {
     return MeasuredNumber<N>::cosine(a);
   }
   template <class N>
-  static N first(N /*last*/, N taken) {
-    return taken;
-  }
-  template <class N>
-  static N second(N /*last*/, N taken) {
-    return taken;
+  static std::pair<N, N> chained(N /*last*/, N taken) {
+    return {taken, taken};
   }
 };
 
@@ -120,8 +106,8 @@ template <class Operation, class N>
 [[gnu::noinline]] void apply_from_result_to_result(N x, const N* __restrict taken,
                                                    N* __restrict out, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    x = Operation::of(Operation::first(x, taken[i]), Operation::second(x, taken[i]));
-    out[i] = x;
+    const auto [a, b] = Operation::chained(x, taken[i]);
+    out[i] = x = Operation::of(a, b);
   }
 }
 
@@ -166,8 +152,8 @@ class ArrayLoop final : public HostLoop {
                                            taken_.size());
   }
   [[nodiscard]] HostCase chain_result(std::size_t i) const override {
-    const N last = i == 0 ? starts_[0] : chain_[i - 1];
-    return seen(Operation::first(last, taken_[i]), Operation::second(last, taken_[i]), chain_[i]);
+    const auto [a, b] = Operation::chained(i == 0 ? starts_[0] : chain_[i - 1], taken_[i]);
+    return seen(a, b, chain_[i]);
   }
 
  private:
@@ -214,10 +200,6 @@ class VertexLoop final : public HostLoop {
     seen.result = Number::in_units(i % 3 == 0 ? out.x : i % 3 == 1 ? out.y : out.z);
     return seen;
   }
-
-  void load_chain(std::uint32_t /*start*/, std::span<const std::uint32_t> /*words*/) override {}
-  void apply_in_chain() override {}
-  [[nodiscard]] HostCase chain_result(std::size_t /*i*/) const override { return {}; }
 
  private:
   using Number = MeasuredNumber<N>;

@@ -42,6 +42,7 @@ struct MeasuredNumber<fixed::number<16, P>> {
   /// The cosine of as many tenths of a degree as `x` has units.
   static N cosine(N x) { return fixed::cos<N>(x.raw()); }
   static N sine(N x) { return fixed::sin<N>(x.raw()); }
+  static N sine_of_radians(N x) { return fixed::sin(x); }
 };
 
 template <>

@@ -1,4 +1,5 @@
 // Operands for which every contender has a result.
+#include <array>
 #include <cmath>
 
 #include "cases/draw.hpp"
@@ -12,10 +13,6 @@ namespace {
 /// Keys of the random streams, one for each operation.
 enum class HostDraw : std::uint64_t { products = 1, quotients, roots, cosines, vertices, chains };
 
-cases::Draw host_draw(HostDraw what, std::uint64_t seed, std::uint64_t i) {
-  return {cases::mix(seed) + static_cast<std::uint64_t>(what), i};
-}
-
 std::uint32_t as_word(std::int64_t units) { return static_cast<std::uint32_t>(units); }
 
 /// A uniform signed number of `bits` bits.
@@ -24,92 +21,94 @@ std::int64_t signed_draw(cases::Draw& draw, unsigned bits) {
   return top >> (64 - bits);
 }
 
+/// The words that make(draw) returns for draws 0, `step`, ... below `end`.
+template <class Make>
+std::vector<std::uint32_t> drawn(HostDraw what, std::uint64_t seed, std::size_t end,
+                                 std::size_t step, Make make) {
+  std::vector<std::uint32_t> words;
+  for (std::size_t i = 0; i < end; i += step) {
+    cases::Draw draw(cases::mix(seed) + static_cast<std::uint64_t>(what), i);
+    for (const std::int64_t units : make(draw)) words.push_back(as_word(units));
+  }
+  return words;
+}
+
+using One = std::array<std::int64_t, 1>;
+using Two = std::array<std::int64_t, 2>;
+
 }  // namespace
 
 HostOperands product_operands(std::uint64_t seed, std::size_t blocks) {
-  HostOperands o{2 * host_block, {}, 0x00645C29, {}};
-  for (std::size_t i = 0; i < blocks * host_block; ++i) {
-    cases::Draw draw = host_draw(HostDraw::products, seed, i);
-    o.words.push_back(as_word(signed_draw(draw, 24)));
-    o.words.push_back(as_word(signed_draw(draw, 24)));
-  }
-  for (std::size_t i = 0; i < host_block; i += 2) {
-    cases::Draw draw = host_draw(HostDraw::chains, seed, i);
-    // A factor from 1 to 2 and its inverse keep the chain in range.
+  const auto factors = [](cases::Draw& draw) {
+    return Two{signed_draw(draw, 24), signed_draw(draw, 24)};
+  };
+  // A factor from 1 to 2 and its inverse keep the chain in range.
+  const auto there_and_back = [](cases::Draw& draw) {
     const double factor = 1 + static_cast<double>(draw.below(1U << 16U)) / 65536;
-    const std::int64_t back = std::llround(65536 / factor);
-    o.taken.push_back(as_word(draw.either_sign(std::llround(factor * 65536))));
-    o.taken.push_back(as_word(draw.either_sign(back)));
-  }
-  return o;
+    return Two{draw.either_sign(std::llround(factor * 65536)),
+               draw.either_sign(std::llround(65536 / factor))};
+  };
+  return {2 * host_block, drawn(HostDraw::products, seed, blocks * host_block, 1, factors),
+          0x00645C29, drawn(HostDraw::chains, seed, host_block, 2, there_and_back)};
 }
 
 HostOperands quotient_operands(std::uint64_t seed, std::size_t blocks) {
   constexpr std::int64_t one = 65536;
-  HostOperands o{2 * host_block, {}, 0x00969E38, {}};
-  for (std::size_t i = 0; i < blocks * host_block; ++i) {
-    cases::Draw draw = host_draw(HostDraw::quotients, seed, i);
-    o.words.push_back(as_word(signed_draw(draw, 28)));
-    std::int64_t divisor = 0;
-    while (divisor > -one && divisor < one) divisor = signed_draw(draw, 28);
-    o.words.push_back(as_word(divisor));
-  }
+  const auto dividend_and_divisor = [](cases::Draw& draw) {
+    Two both{signed_draw(draw, 28), 0};
+    while (both[1] > -one && both[1] < one) both[1] = signed_draw(draw, 28);
+    return both;
+  };
+  const auto numerators = [](cases::Draw& draw) {
+    const auto numerator = 15'000 * one + static_cast<std::int64_t>(draw.below(15'000 * one));
+    return Two{draw.either_sign(numerator), draw.either_sign(numerator)};
+  };
   // A longer chain would drift, because dividing by whole parts restores a quotient only nearly.
-  for (std::size_t i = 0; i < 256; i += 2) {
-    cases::Draw draw = host_draw(HostDraw::chains, seed, i);
-    const std::int64_t numerator =
-        15'000 * one + static_cast<std::int64_t>(draw.below(15'000 * one));
-    o.taken.push_back(as_word(draw.either_sign(numerator)));
-    o.taken.push_back(as_word(draw.either_sign(numerator)));
-  }
-  return o;
+  return {2 * host_block,
+          drawn(HostDraw::quotients, seed, blocks * host_block, 1, dividend_and_divisor),
+          0x00969E38, drawn(HostDraw::chains, seed, 256, 2, numerators)};
 }
 
 HostOperands root_operands(std::uint64_t seed, std::size_t blocks) {
-  HostOperands o{host_block, {}, 0x00645C29, {}};
-  for (std::size_t i = 0; i < blocks * host_block; ++i) {
-    cases::Draw draw = host_draw(HostDraw::roots, seed, i);
-    o.words.push_back(static_cast<std::uint32_t>(draw.bits() >> 33U));
-  }
-  for (std::size_t i = 0; i < host_block; ++i) {
-    cases::Draw draw = host_draw(HostDraw::chains, seed, i);
-    // One bit less leaves room to add a root.
-    o.taken.push_back(static_cast<std::uint32_t>(draw.bits() >> 34U));
-  }
-  return o;
+  const auto uniform = [](int bits) {
+    return [bits](cases::Draw& draw) {
+      return One{static_cast<std::int64_t>(draw.bits() >> (64 - bits))};
+    };
+  };
+  // One bit less leaves room to add a root.
+  return {host_block, drawn(HostDraw::roots, seed, blocks * host_block, 1, uniform(31)), 0x00645C29,
+          drawn(HostDraw::chains, seed, host_block, 1, uniform(30))};
 }
 
 HostOperands cosine_operands(std::uint64_t seed, std::size_t blocks) {
-  HostOperands o{host_block, {}, 0, {}};
-  for (std::size_t i = 0; i < blocks * host_block; ++i) {
-    cases::Draw draw = host_draw(HostDraw::cosines, seed, i);
-    o.words.push_back(static_cast<std::uint32_t>(draw.below(3600)));
-  }
-  return o;
+  const auto angle = [](cases::Draw& draw) {
+    return One{static_cast<std::int64_t>(draw.below(3600))};
+  };
+  return {host_block, drawn(HostDraw::cosines, seed, blocks * host_block, 1, angle), 0, {}};
 }
 
 HostOperands vertex_operands(std::uint64_t seed, std::size_t blocks) {
   using N = fixed::q16_16;
   using xsharp::Axis;
-  HostOperands o{15 * host_vertices, {}, 0, {}};
-  for (std::size_t block = 0; block < blocks; ++block) {
-    cases::Draw turns = host_draw(HostDraw::vertices, seed, block);
+  const auto vertices = [](cases::Draw& draw) {
+    std::vector<std::int64_t> all;
     auto transform = xsharp::identity<N>();
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-      const auto tenths = static_cast<std::int32_t>(turns.below(3600));
+      const auto tenths = static_cast<std::int32_t>(draw.below(3600));
       xsharp::append_rotation(transform, axis, xsharp::Arithmetic<N>::turn(tenths));
     }
     for (auto& row : transform.rows) {
-      row[3] = N::from_raw(static_cast<std::int32_t>(signed_draw(turns, 25)));
+      row[3] = N::from_raw(static_cast<std::int32_t>(signed_draw(draw, 25)));
     }
     for (std::size_t i = 0; i < host_vertices; ++i) {
       for (const auto& row : transform.rows) {
-        for (const N x : row) o.words.push_back(as_word(x.raw()));
+        for (const N x : row) all.push_back(x.raw());
       }
-      for (std::size_t k = 0; k < 3; ++k) o.words.push_back(as_word(signed_draw(turns, 24)));
+      for (std::size_t k = 0; k < 3; ++k) all.push_back(signed_draw(draw, 24));
     }
-  }
-  return o;
+    return all;
+  };
+  return {15 * host_vertices, drawn(HostDraw::vertices, seed, blocks, 1, vertices), 0, {}};
 }
 
 }  // namespace fixproof::measure

@@ -40,8 +40,8 @@ nanoseconds thread_time() {
   return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
 }
 
-support::Json to_json(const Times& times) {
-  return {{"min", times.min}, {"median", times.median}, {"spread", times.spread}};
+void to_json(support::Json& json, const Times& times) {
+  json = {{"min", times.min}, {"median", times.median}, {"spread", times.spread}};
 }
 
 Times times_of(std::vector<double> samples) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "support/json.hpp"
@@ -16,6 +17,12 @@ namespace fixproof::measure {
 /// The processor time of this thread. Other threads and processes do not count.
 std::chrono::nanoseconds thread_time();
 
+/// Timed code breaks its documented rule; what() names the case.
+class WrongContender : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Statistics of samples, in nanoseconds of processor time per operation.
 struct Times {
   double min = 0;
@@ -24,7 +31,7 @@ struct Times {
 };
 
 /// {min, median, spread}
-support::Json to_json(const Times& times);
+void to_json(support::Json& json, const Times& times);
 
 /// @param samples at least one, in any order
 Times times_of(std::vector<double> samples);

@@ -54,6 +54,6 @@ const char* name_of(Drawn drawn);
 ///     times     {rounds, processor, flags; loops: a list of {what, of: pixel or value; ns: {min,
 ///               median, spread}}}
 ///     claims    as of --clocks
-support::Json to_json(const SteppingResult& result);
+void to_json(support::Json& json, const SteppingResult& result);
 
 }  // namespace fixproof::measure

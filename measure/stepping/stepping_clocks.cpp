@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <initializer_list>
 #include <stdexcept>
 
@@ -73,7 +72,6 @@ constexpr std::array costed_loops{
 }  // namespace
 
 std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
-  static const std::atomic<bool> never{false};
   constexpr std::uint64_t spans = 500;
   std::vector<std::uint32_t> divides;
   std::vector<std::uint32_t> multiplies;
@@ -91,8 +89,8 @@ std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
     CallClocks divide = no_calls({.operation = cases::Operation::div, .build = {.target = target}});
     CallClocks multiply =
         no_calls({.operation = cases::Operation::mul, .build = {.target = target}});
-    add_calls(divide, divides, true, never);
-    add_calls(multiply, multiplies, true, never);
+    add_calls(divide, divides, true);
+    add_calls(multiply, multiplies, true);
     for (std::size_t i = 0; i < divide.processors.size(); ++i) {
       const Cpu cpu = divide.processors[i].cpu;
       if ((target == cases::Target::i8088) != (cpu < Cpu::i386)) continue;

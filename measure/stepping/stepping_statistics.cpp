@@ -38,71 +38,72 @@ void ErrorAndBound::add(const SteppedValue& value) {
 }
 
 void SteppingStatistics::add_errors(const SpanPlace& place, const SteppedSpan& span) {
-  ++spans_;
-  pixels_ += place.pixels;
+  ++spans;
+  pixels += place.pixels;
   for (std::size_t k = 0; k < place.pixels; ++k) {
     const SteppedValue& value = span.values[k];
-    all_.add(value);
-    if (value.error != 0) part_ = std::max(part_, std::fabs(value.error) / value.bound);
-    if (!value.within && beyond_.empty()) {
-      beyond_ = fmt::format(
+    all.add(value);
+    if (value.error != 0)
+      part_of_bound = std::max(part_of_bound, std::fabs(value.error) / value.bound);
+    if (!value.within && beyond.empty()) {
+      beyond = fmt::format(
           "pixel {} of {}, the first {}/65536 of {}/65536 pixels in, is off by {}, "
           "bound {}",
           k, place.pixels, place.distance, place.units, value.error, value.bound);
     }
   }
-  last_.add(span.values.back());
+  last.add(span.values.back());
   for (std::size_t i = 0; i < lengths; ++i) {
-    if (length(i) == place.pixels) last_of_.at(i).add(span.values.back());
+    if (length(i) == place.pixels) last_of.at(i).add(span.values.back());
   }
   if (place.pixels == xsharp::longest_span) {
-    for (std::size_t i = 0; i < places; ++i) along_.at(i).add(span.values[pixel_at(i)]);
+    for (std::size_t i = 0; i < places; ++i) along.at(i).add(span.values[pixel_at(i)]);
   }
 }
 
 void SteppingStatistics::add_picture(const SteppedSpan& span, bool texels) {
-  drawn_ += span.drawn.size();
+  drawn += span.drawn.size();
   for (std::size_t k = 0; k < span.drawn.size(); ++k) {
     if (span.drawn[k] == span.exact[k]) continue;
-    ++wrong_;
-    max_error_ = std::max(max_error_, apart(span.drawn[k], span.exact[k], texels));
+    ++wrong;
+    max_error = std::max(max_error, apart(span.drawn[k], span.exact[k], texels));
   }
   add_bands(span);
   add_missed(span);
 }
 
 void SteppingStatistics::add_bands(const SteppedSpan& span) {
-  bands_.exact += runs_of(span.exact);
+  bands.exact += runs_of(span.exact);
   std::uint64_t wrong_run = 0;
   for (std::size_t from = 0; from < span.drawn.size();) {
     const std::size_t to = end_of_run(span.drawn, from);
-    ++bands_.drawn;
+    ++bands.drawn;
     // A drawn run is right if the exact picture has the same run with the same ends.
     const bool begins = from == 0 || span.exact[from - 1] != span.exact[from];
     const bool same =
         begins && span.exact[from] == span.drawn[from] && end_of_run(span.exact, from) == to;
-    if (!same) ++bands_.wrong;
+    if (!same) ++bands.wrong;
     from = to;
   }
   for (std::size_t k = 0; k < span.drawn.size(); ++k) {
     wrong_run = span.drawn[k] == span.exact[k] ? 0 : wrong_run + 1;
-    bands_.widest = std::max(bands_.widest, wrong_run);
+    bands.widest = std::max(bands.widest, wrong_run);
   }
 }
 
 void SteppingStatistics::add_missed(const SteppedSpan& span) {
-  static thread_local std::vector<std::int64_t> drawn;
-  static thread_local std::vector<std::int64_t> exact;
-  drawn = span.drawn;
-  exact = span.exact;
-  std::ranges::sort(drawn);
-  std::ranges::sort(exact);
-  exact.erase(std::unique(exact.begin(), exact.end()), exact.end());
-  wanted_ += exact.size();
-  auto next = drawn.begin();
-  for (const std::int64_t value : exact) {
-    while (next != drawn.end() && *next < value) ++next;
-    if (next == drawn.end() || *next != value) ++missed_;
+  static thread_local std::vector<std::int64_t> is;
+  static thread_local std::vector<std::int64_t> should_be;
+  is = span.drawn;
+  should_be = span.exact;
+  std::ranges::sort(is);
+  std::ranges::sort(should_be);
+  should_be.erase(std::unique(should_be.begin(), should_be.end()), should_be.end());
+  wanted += should_be.size();
+  auto next = is.begin();
+  for (const std::int64_t value : should_be) {
+    while (next != is.end() && *next < value) ++next;
+    if (next == is.end() || *next != value) ++missed;
   }
 }
 

@@ -32,8 +32,7 @@ struct BandCount {
   std::uint64_t widest = 0;  ///< the longest run of wrong pixels
 };
 
-class SteppingStatistics {
- public:
+struct SteppingStatistics {
   /// The sampled pixels of the longest spans: sixteenths of the way from first to last.
   static constexpr std::size_t places = 17;
   /// The lengths whose last pixel is recorded: 5, 10, 20 ... 320.
@@ -44,50 +43,30 @@ class SteppingStatistics {
     return (i * (xsharp::longest_span - 1) + 8) / (places - 1);
   }
 
+  std::uint64_t spans = 0;
+  std::uint64_t pixels = 0;
+  ErrorAndBound all;
+  double part_of_bound = 0;  ///< the largest ratio of an error to its bound
+  ErrorAndBound last;
+  std::array<ErrorAndBound, places> along{};
+  std::array<ErrorAndBound, lengths> last_of{};
+  std::string beyond;  ///< describes the first value beyond its bound; empty if all are within
+
+  std::uint64_t drawn = 0;  ///< pixels in all pictures
+  std::uint64_t wrong = 0;  ///< pixels that differ from the exact picture
+  /// The largest difference, in drawn values; for texels, in columns or rows.
+  std::int64_t max_error = 0;
+  BandCount bands;
+  std::uint64_t wanted = 0;  ///< distinct values (texels) of exact spans
+  std::uint64_t missed = 0;  ///< those that are never drawn
+
   void add_errors(const SpanPlace& place, const SteppedSpan& span);
   /// @param texels whether drawn values are row * 256 + column
   void add_picture(const SteppedSpan& span, bool texels);
 
-  [[nodiscard]] std::uint64_t spans() const { return spans_; }
-  [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
-  [[nodiscard]] const ErrorAndBound& all() const { return all_; }
-  /// The largest ratio of an error to its bound.
-  [[nodiscard]] double part_of_bound() const { return part_; }
-  [[nodiscard]] const ErrorAndBound& last() const { return last_; }
-  [[nodiscard]] const std::array<ErrorAndBound, places>& along() const { return along_; }
-  [[nodiscard]] const std::array<ErrorAndBound, lengths>& last_of() const { return last_of_; }
-  /// Describes the first value beyond its bound; empty if all are within.
-  [[nodiscard]] const std::string& beyond() const { return beyond_; }
-
-  /// Pixels drawn in all pictures.
-  [[nodiscard]] std::uint64_t drawn() const { return drawn_; }
-  /// Pixels that differ from the exact picture, and the largest difference, in drawn values; for
-  /// texels, in columns or rows.
-  [[nodiscard]] std::uint64_t wrong() const { return wrong_; }
-  [[nodiscard]] std::int64_t max_error() const { return max_error_; }
-  [[nodiscard]] const BandCount& bands() const { return bands_; }
-  /// Distinct values (texels) of exact spans, and the number of them that are never drawn.
-  [[nodiscard]] std::uint64_t wanted() const { return wanted_; }
-  [[nodiscard]] std::uint64_t missed() const { return missed_; }
-
  private:
   void add_bands(const SteppedSpan& span);
   void add_missed(const SteppedSpan& span);
-
-  std::uint64_t spans_ = 0;
-  std::uint64_t pixels_ = 0;
-  ErrorAndBound all_;
-  double part_ = 0;
-  ErrorAndBound last_;
-  std::array<ErrorAndBound, places> along_{};
-  std::array<ErrorAndBound, lengths> last_of_{};
-  std::string beyond_;
-  std::uint64_t drawn_ = 0;
-  std::uint64_t wrong_ = 0;
-  std::int64_t max_error_ = 0;
-  BandCount bands_;
-  std::uint64_t wanted_ = 0;
-  std::uint64_t missed_ = 0;
 };
 
 }  // namespace fixproof::measure

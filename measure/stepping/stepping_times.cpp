@@ -9,7 +9,6 @@
 
 #include "cases/draw.hpp"
 #include "fixed/fixed.hpp"
-#include "measure/host/host_run.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"

@@ -11,6 +11,12 @@ function resultOf(row) {
   return element("span", { class: "verdict holds" }, "equal");
 }
 
+function makerText(maker) {
+  const parties = Object.entries(maker.parties).map(([name, identity]) => `${name} (${identity})`);
+  return `Made by fixproof ${maker.version}, commit ${maker.commit}, build type ${maker.build_type}, ` +
+    `${maker.compiler}, executable with SHA-256 ${maker.executable}. Parties: ${parties.join(", ")}.`;
+}
+
 function showVerification() {
   const { verify, made } = report;
   const faults = d3.sum(verify.rows, (row) => row.faults);
@@ -31,5 +37,6 @@ function showVerification() {
       { title: "result", of: resultOf },
     ], verify.rows),
     note(`${count(verify.cases)} cases, of which ${count(faults)} are divide errors, in ${figure(verify.seconds)} s; ` +
-      `level ${verify.level}, seed ${verify.seed}.`));
+      `level ${verify.level}, seed ${verify.seed}.`),
+    ...verify.made_by.map((maker) => note(makerText(maker))));
 }

@@ -1,14 +1,11 @@
 // Tests which of the tried choices the advice takes.
 #include "trade/advice/advice.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "cli/advice_text.hpp"
-#include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {
@@ -84,15 +81,15 @@ TEST(Advice, AsJsonSaysWhatMadeItAndHasNullForInfinity) {
       .budget = 0.5,
       .tried = {timed(100, 0, std::numeric_limits<double>::infinity()), timed(200, 5, 0.25)}};
   // Compares text because infinity becomes null only there.
-  const auto json = support::Json::parse(support::json_text(trade::to_json(report)));
+  const auto json = support::Json::parse(support::json_text(report));
   EXPECT_EQ(json.at("made").at("command"), "advise");
-  EXPECT_EQ(json.at("made").at("processor"), measure::processor_name());
+  EXPECT_EQ(json.at("made").at("processor"), parties::processor_name());
   EXPECT_FALSE(json.at("made").contains("seed"));
   EXPECT_TRUE(json.at("variants").at(0).at("worst_pixels").is_null());
   EXPECT_EQ(json.at("variants").at(1).at("worst_pixels"), 0.25);
   EXPECT_EQ(json.at("variants").at(1).at("cost_spread"), 5);
   report.cpu = x86model::Cpu::i386;
-  EXPECT_TRUE(trade::to_json(report).at("made").at("processor").is_null());
+  EXPECT_TRUE(support::Json(report).at("made").at("processor").is_null());
 }
 
 TEST(Advice, IsNoneWhereNoneFits) {
@@ -111,7 +108,7 @@ TEST(Advice, NamesClippedCornersWhereDriftIsOverTheBudget) {
   trade::AdviceReport report{.scene = "a scene", .budget = 0.5, .tried = {tried(100, 0.25)}};
   const auto names_them = [&report](double pixels) {
     report.drift_pixels = pixels;
-    return cli::sentences_of(report).find("corners that are clipped") != std::string::npos;
+    return cli::sentences_of(report).find("clipped corners") != std::string::npos;
   };
   EXPECT_FALSE(names_them(0.5));
   EXPECT_TRUE(names_them(0.75));

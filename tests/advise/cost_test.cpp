@@ -1,10 +1,9 @@
 // Tests the cost of frames against hand sums of single multiplies.
 #include "trade/advice/cost.hpp"
 
-#include <gtest/gtest.h>
-
 #include "measure/clocks/frame_clocks.hpp"
 #include "parties/interpreter.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/count_clocks.hpp"
 #include "xsharp/shapes.hpp"
 

@@ -2,13 +2,9 @@
 // drift.
 #include "trade/advice/screen_error.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-
 #include "fixed/fixed.hpp"
 #include "player/players.hpp"
+#include "tests/support/test.hpp"
 #include "trade/advice/screen_corners.hpp"
 #include "trade/drift/run.hpp"
 #include "xsharp/files/scene_json.hpp"

@@ -1,20 +1,19 @@
 /// \file
-/// Checks a batch against the expected elements on every path of this processor.
+/// Checks a batch against the expected elements on every path of this processor. The calls are
+/// std::function, so that the checks are compiled once for each type of number.
 #pragma once
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <vector>
 
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 
 /// Checks `call(out, options)`, which computes the results of `want`, on every path.
-template <class Number, class Call>
-void check(const std::vector<Expected<Number>>& want, const Call& call) {
+template <class Number>
+void check(
+    const std::vector<Expected<Number>>& want,
+    const std::function<fixed::batch::report(std::span<Number>, fixed::batch::options)>& call) {
   std::vector<Fault> faults;
   for (const auto& one : want) faults.push_back(one.fault);
   for (const auto on : paths()) {
@@ -32,8 +31,11 @@ void check(const std::vector<Expected<Number>>& want, const Call& call) {
 }
 
 /// Checks `call(options)`, which returns the report of a batch and its results, on every path.
-template <class Number, std::size_t size, class Call>
-void check(const std::vector<Coordinates<Number, size>>& want, const Call& call) {
+template <class Number, std::size_t size>
+void check(
+    const std::vector<Coordinates<Number, size>>& want,
+    const std::function<std::pair<fixed::batch::report, std::vector<std::array<Number, size>>>(
+        fixed::batch::options)>& call) {
   std::vector<Fault> faults;
   for (const auto& one : want) faults.push_back(one.fault);
   for (const auto path : paths()) {

@@ -1,94 +1,44 @@
 /// Tests quotients and roots around the points where their rounding changes, against exact integers
 /// in every rounding mode of the processor.
-#include <fenv.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/rounding_mode.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {
-
-class RoundingMode {
- public:
-  explicit RoundingMode(int mode) { EXPECT_EQ(fesetround(mode), 0); }
-  RoundingMode(const RoundingMode&) = delete;
-  RoundingMode& operator=(const RoundingMode&) = delete;
-  ~RoundingMode() { fesetround(FE_TONEAREST); }
-};
-
-/// Numerators at, one unit below and one unit above those whose quotient lies nearest to an integer
-/// or a half. The signs take every combination. Divisors are edge values, values below 1 and random
-/// ones.
-template <class Number>
-struct Pairs {
-  std::vector<Number> n;
-  std::vector<Number> d;
-
-  Pairs() {
-    std::mt19937_64 random(21);
-    for (const Number edge : exact::edges<Number>()) around(edge.raw(), random);
-    for (int i = 0; i < 60; ++i) {
-      around(static_cast<std::int64_t>(random() % (2 * exact::one<Number>)), random);
-      around(static_cast<std::int64_t>(random()) >> (random() % 32 + 32), random);
-    }
-  }
-
-  void around(std::int64_t divisor, std::mt19937_64& random) {
-    using limits = std::numeric_limits<typename Number::raw_type>;
-    for (int bits = 1; bits < limits::digits; bits += 3) {
-      const auto half_units = static_cast<exact::integer>(random() >> (63 - bits));
-      const exact::integer numerator = half_units * divisor / (2 * exact::one<Number>);
-      for (const int step : {-1, 0, 1}) {
-        for (const int sign : {-1, 1}) add(sign * (numerator + step), divisor);
-      }
-    }
-  }
-
-  void add(exact::integer numerator, exact::integer divisor) {
-    using raw = typename Number::raw_type;
-    using limits = std::numeric_limits<raw>;
-    if (numerator < limits::min() || numerator > limits::max() || divisor < limits::min() ||
-        divisor > limits::max()) {
-      return;
-    }
-    n.push_back(Number::from_raw(static_cast<raw>(numerator)));
-    d.push_back(Number::from_raw(static_cast<raw>(divisor)));
-  }
-};
 
 template <class Number>
 class Quotients : public testing::Test {};
 TYPED_TEST_SUITE(Quotients, fixed::all_types);
 
 TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
-  const Pairs<TypeParam> pairs;
-  const std::size_t count = pairs.n.size();
-  ASSERT_GT(count, 1000U);
+  std::vector<TypeParam> n;
+  std::vector<TypeParam> d;
   std::vector<exact::outcome<TypeParam>> want;
-  for (std::size_t i = 0; i < count; ++i) {
-    want.push_back(exact::quotient(pairs.n[i], pairs.d[i]));
+  for (const auto& pair : exact::near_misses<TypeParam>()) {
+    n.push_back(pair.n);
+    d.push_back(pair.d);
+    want.push_back(exact::quotient(pair.n, pair.d));
   }
+  const std::size_t count = n.size();
+  ASSERT_GT(count, 17'000U);
   std::vector<TypeParam> out(count);
   for (const auto path : paths()) {
-    for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+    for (const int mode : RoundingMode::all) {
       Marked marked(count);
       const auto how = marked.how(path);
       {
         const RoundingMode set(mode);
-        fixed::batch::divide(pairs.n, pairs.d, out, how);
+        fixed::batch::divide(n, d, out, how);
       }
       for (std::size_t i = 0; i < count; ++i) {
         if (want[i].throws) {
-          ASSERT_TRUE(how.marks[i]) << pairs.n[i] << " / " << pairs.d[i];
+          ASSERT_TRUE(how.marks[i]) << n[i] << " / " << d[i];
         } else {
-          ASSERT_EQ(out[i].raw(), want[i].raw) << pairs.n[i] << " / " << pairs.d[i] << ", path "
-                                               << static_cast<int>(path) << ", mode " << mode;
+          ASSERT_EQ(out[i].raw(), want[i].raw)
+              << n[i] << " / " << d[i] << ", path " << static_cast<int>(path) << ", mode " << mode;
         }
       }
     }
@@ -100,7 +50,7 @@ template <class N>
 void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want) {
   std::vector<N> out(x.size());
   for (const auto path : paths()) {
-    for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+    for (const int mode : RoundingMode::all) {
       {
         const RoundingMode set(mode);
         fixed::batch::sqrt(x, out, {path, {}});

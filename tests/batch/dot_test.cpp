@@ -1,11 +1,8 @@
 /// Tests dot products on every path against exact integers.
-#include <gtest/gtest.h>
-
-#include <vector>
-
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {

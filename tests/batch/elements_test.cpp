@@ -1,54 +1,53 @@
 /// Tests multiply, multiply-add, divide and square root on every path against the operators of the
 /// number type, with every length and alignment.
-#include <gtest/gtest.h>
-
-#include <vector>
-
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {
 
 using fixed::batch::path;
 
-/// Operand arrays of `n` elements, each with a different alignment.
-template <class Number>
-struct Operands {
-  std::vector<Number> all = operands<Number>(3 * 1100, 8);
-
-  [[nodiscard]] std::span<const Number> of(std::size_t which, std::size_t n) const {
-    return std::span(all).subspan(1100 * which + n % (which + 5), n);
+/// Checks `batch(a, b, c, out, options)` at every length against `expect`, which takes an element
+/// of each operand. The operand arrays have different alignments.
+template <class Number, class Batch>
+void check_every_length(const std::function<Expected<Number>(Number, Number, Number)>& expect,
+                        const Batch& batch) {
+  const std::vector<Number> all = operands<Number>(3 * 1100, 8);
+  for (const std::size_t n : lengths()) {
+    const auto of = [&](std::size_t which) {
+      return std::span(all).subspan(1100 * which + n % (which + 5), n);
+    };
+    const auto a = of(0);
+    const auto b = of(1);
+    const auto c = of(2);
+    std::vector<Expected<Number>> want;
+    for (std::size_t i = 0; i < n; ++i) want.push_back(expect(a[i], b[i], c[i]));
+    check<Number>(want, [&](auto out, auto how) { return batch(a, b, c, out, how); });
   }
-};
+}
 
 template <class Number>
 class Elements : public testing::Test {};
 TYPED_TEST_SUITE(Elements, fixed::all_types);
 
 TYPED_TEST(Elements, Multiply) {
-  const Operands<TypeParam> drawn;
-  for (const std::size_t n : lengths()) {
-    const auto a = drawn.of(0, n);
-    const auto b = drawn.of(1, n);
-    std::vector<Expected<TypeParam>> want;
-    for (std::size_t i = 0; i < n; ++i) {
-      want.push_back(expected<TypeParam>([](auto x, auto y) { return x * y; }, a[i], b[i]));
-    }
-    check(want, [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
-  }
+  using N = TypeParam;
+  check_every_length<N>(
+      [](N a, N b, N) { return expected<N>([](auto x, auto y) { return x * y; }, a, b); },
+      [](auto a, auto b, auto, auto out, auto how) {
+        return fixed::batch::multiply(a, b, out, how);
+      });
 }
 
 TYPED_TEST(Elements, Divide) {
-  const Operands<TypeParam> drawn;
-  for (const std::size_t n : lengths()) {
-    const auto a = drawn.of(0, n);
-    const auto b = drawn.of(1, n);
-    std::vector<Expected<TypeParam>> want;
-    for (std::size_t i = 0; i < n; ++i) want.push_back(expected_quotient(a[i], b[i]));
-    check(want, [&](auto out, auto how) { return fixed::batch::divide(a, b, out, how); });
-  }
+  using N = TypeParam;
+  check_every_length<N>([](N a, N b, N) { return expected_quotient(a, b); },
+                        [](auto a, auto b, auto, auto out, auto how) {
+                          return fixed::batch::divide(a, b, out, how);
+                        });
 }
 
 template <class Number>
@@ -56,32 +55,25 @@ class SomeElements : public testing::Test {};
 TYPED_TEST_SUITE(SomeElements, fixed::some_types);
 
 TYPED_TEST(SomeElements, MulAdd) {
-  const Operands<TypeParam> drawn;
-  for (const std::size_t n : lengths()) {
-    const auto a = drawn.of(0, n);
-    const auto b = drawn.of(1, n);
-    const auto c = drawn.of(2, n);
-    std::vector<Expected<TypeParam>> want;
-    for (std::size_t i = 0; i < n; ++i) {
-      want.push_back(expected<TypeParam>(
-          [](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a[i], b[i], c[i]));
-    }
-    check(want, [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
-  }
+  using N = TypeParam;
+  check_every_length<N>(
+      [](N a, N b, N c) {
+        return expected<N>([](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a, b, c);
+      },
+      [](auto a, auto b, auto c, auto out, auto how) {
+        return fixed::batch::mul_add(a, b, c, out, how);
+      });
 }
 
 TYPED_TEST(SomeElements, SquareRoot) {
-  const Operands<TypeParam> drawn;
-  for (const std::size_t n : lengths()) {
-    const auto a = drawn.of(0, n);
-    std::vector<Expected<TypeParam>> want;
-    for (std::size_t i = 0; i < n; ++i) {
-      auto one = expected<TypeParam>([](auto x) { return fixed::sqrt(x); }, a[i]);
-      if (a[i].raw() < 0) one.fault = Fault::domain_error;
-      want.push_back(one);
-    }
-    check(want, [&](auto out, auto how) { return fixed::batch::sqrt(a, out, how); });
-  }
+  using N = TypeParam;
+  check_every_length<N>(
+      [](N a, N, N) {
+        auto one = expected<N>([](auto x) { return fixed::sqrt(x); }, a);
+        if (a.raw() < 0) one.fault = Fault::domain_error;
+        return one;
+      },
+      [](auto a, auto, auto, auto out, auto how) { return fixed::batch::sqrt(a, out, how); });
 }
 
 // Covers every 8.8 pair in which one operand is near a value where the behaviour changes.

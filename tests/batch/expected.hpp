@@ -3,18 +3,9 @@
 /// under its policy and under policies that treat faults differently.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <ostream>
-#include <random>
-#include <span>
-#include <vector>
-
 #include "fixed/batch.hpp"
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 
@@ -134,15 +125,9 @@ std::vector<Number> operands(std::size_t count, unsigned seed) {
   using raw = typename Number::raw_type;
   using limits = std::numeric_limits<raw>;
   std::mt19937 random(seed);
-  constexpr std::array<std::int32_t, 9> special{0,
-                                                1,
-                                                -1,
-                                                limits::max(),
-                                                limits::min(),
-                                                1 << Number::fraction_bits,
-                                                -(1 << Number::fraction_bits),
-                                                limits::min() + 1,
-                                                3};
+  constexpr std::int32_t one = 1 << Number::fraction_bits;
+  constexpr auto special = std::to_array<std::int32_t>(
+      {0, 1, -1, limits::max(), limits::min(), one, -one, limits::min() + 1, 3});
   std::vector<Number> all(count);
   for (Number& x : all) {
     const auto word = static_cast<std::int32_t>(random());

@@ -1,19 +1,9 @@
 /// Compares results, marks and reports for the 1.4 * 10^8 cases of `fixproof verify --level 2`, on
 /// every path and under policies that no party of `verify` has. The run takes minutes;
 /// FIXPROOF_STREAMS=1/20 selects the first of twenty parts.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <iostream>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
@@ -22,6 +12,7 @@
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
+#include "tests/support/test.hpp"
 #include "verify/report.hpp"
 
 namespace batch_test {
@@ -118,7 +109,8 @@ TYPED_TEST(LevelTwo, Multiply) {
     for (std::size_t i = 0; i < a.size(); ++i) {
       want.push_back(expected<TypeParam>([](auto x, auto y) { return x * y; }, a[i], b[i]));
     }
-    check(want, [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
+    check<TypeParam>(want,
+                     [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
   });
 }
 
@@ -133,7 +125,8 @@ TYPED_TEST(LevelTwo, MulAdd) {
       want.push_back(expected<TypeParam>(
           [](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a[i], b[i], c[i]));
     }
-    check(want, [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
+    check<TypeParam>(want,
+                     [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
   });
 }
 
@@ -143,7 +136,8 @@ TYPED_TEST(LevelTwo, Divide) {
     const auto d = cases.column<TypeParam>(1);
     std::vector<Expected<TypeParam>> want;
     for (std::size_t i = 0; i < n.size(); ++i) want.push_back(expected_quotient(n[i], d[i]));
-    check(want, [&](auto out, auto how) { return fixed::batch::divide(n, d, out, how); });
+    check<TypeParam>(want,
+                     [&](auto out, auto how) { return fixed::batch::divide(n, d, out, how); });
   });
 }
 

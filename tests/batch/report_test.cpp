@@ -1,14 +1,7 @@
 /// Tests the exceptions, marks, length checks and aliased outputs of batches.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "fixed/batch_radian.hpp"
 #include "tests/batch/expected.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {
@@ -26,17 +19,14 @@ std::vector<Number> numbers(std::initializer_list<double> values) {
   return all;
 }
 
-/// The text of the Error that `call` throws, or a description of any other outcome.
 template <class Error, class Call>
-std::string error_of(const Call& call) {
+void expect_error(const std::string& text, const Call& call) {
   try {
     call();
+    ADD_FAILURE() << "no error instead of " << text;
   } catch (const Error& error) {
-    return error.what();
-  } catch (...) {
-    return "another error";
+    EXPECT_EQ(error.what(), text);
   }
-  return "no error";
 }
 
 TEST(BatchReports, CountZeroDivisorsOfATypeThatDoesNotThrow) {
@@ -69,10 +59,10 @@ TEST(BatchErrors, NameTheFirstElementOnEveryPath) {
   a[37] = a[61] = q16_16_trapping(300);
   for (const auto path : paths()) {
     std::fill(out.begin(), out.end(), q16_16_trapping());
-    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
-                fixed::batch::multiply(a, a, out, {path, {}});
-              }),
-              "fixed-point overflow: multiply(element 37, 2 in all)");
+    expect_error<fixed::overflow_error>("fixed-point overflow: multiply(element 37, 2 in all)",
+                                        [&] {
+                                          fixed::batch::multiply(a, a, out, {path, {}});
+                                        });
     EXPECT_EQ(out[99], q16_16_trapping(4)) << "the batch is finished first";
   }
 }
@@ -83,10 +73,9 @@ TEST(BatchErrors, NameTheFirstElementOfMulAdd) {
   a[37] = a[61] = N(300);
   for (const auto path : paths()) {
     std::vector<N> out(100);
-    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
-                fixed::batch::mul_add(a, a, a, out, {path, {}});
-              }),
-              "fixed-point overflow: mul_add(element 37, 2 in all)");
+    expect_error<fixed::overflow_error>("fixed-point overflow: mul_add(element 37, 2 in all)", [&] {
+      fixed::batch::mul_add(a, a, a, out, {path, {}});
+    });
     EXPECT_EQ(out[99], N(6));
   }
 }
@@ -102,19 +91,17 @@ TEST(BatchErrors, NameTheFirstVertexOfTransform) {
   const std::string text = "fixed-point overflow: transform(element 37, 2 in all)";
   for (const auto path : paths()) {
     std::vector<std::array<N, 3>> out(100);
-    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
-                fixed::batch::transform(rows, vertices, out, {path, {}});
-              }),
-              text);
+    expect_error<fixed::overflow_error>(text, [&] {
+      fixed::batch::transform(rows, vertices, out, {path, {}});
+    });
     EXPECT_EQ(out[99], (std::array{N(200), N(400), N(600)}));
     auto replaced = columns;
     auto& x = replaced[0];
     auto& y = replaced[1];
     auto& z = replaced[2];
-    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
-                fixed::batch::transform(rows, x, y, z, x, y, z, {path, {}});
-              }),
-              text);
+    expect_error<fixed::overflow_error>(text, [&] {
+      fixed::batch::transform(rows, x, y, z, x, y, z, {path, {}});
+    });
     EXPECT_EQ((std::array{x[99], y[99], z[99]}), out[99]);
   }
 }
@@ -129,19 +116,17 @@ TEST(BatchErrors, NameTheFirstVertexOfProject) {
   const std::string text = "fixed-point divide error: project(element 37, 1 in all)";
   for (const auto path : paths()) {
     std::vector<std::array<N, 2>> out(100);
-    EXPECT_EQ(error_of<fixed::divide_error>([&] {
-                fixed::batch::project(vertices, N(3), out, {path, {}});
-              }),
-              text);
+    expect_error<fixed::divide_error>(text, [&] {
+      fixed::batch::project(vertices, N(3), out, {path, {}});
+    });
     EXPECT_EQ(out[99], (std::array{N(3), N(6)}));
     auto replaced = columns;
     auto& x = replaced[0];
     auto& y = replaced[1];
     const auto& z = replaced[2];
-    EXPECT_EQ(error_of<fixed::divide_error>([&] {
-                fixed::batch::project(x, y, z, N(3), x, y, {path, {}});
-              }),
-              text);
+    expect_error<fixed::divide_error>(text, [&] {
+      fixed::batch::project(x, y, z, N(3), x, y, {path, {}});
+    });
     EXPECT_EQ((std::array{x[99], y[99]}), out[99]);
   }
 }
@@ -151,17 +136,16 @@ TEST(BatchErrors, AreThoseOfTheType) {
   std::vector<q16_16_i386> d(20, q16_16_i386(2));
   d[19] = q16_16_i386();
   for (const auto path : paths()) {
-    EXPECT_EQ(error_of<fixed::divide_error>([&] {
-                fixed::batch::divide(n, d, n, {path, {}});
-              }),
-              "fixed-point divide error: divide(element 19, 1 in all)");
+    expect_error<fixed::divide_error>("fixed-point divide error: divide(element 19, 1 in all)",
+                                      [&] {
+                                        fixed::batch::divide(n, d, n, {path, {}});
+                                      });
     std::fill(n.begin(), n.end(), q16_16_i386(7));
     const auto x = numbers<q16_16_trapping>({4, -1});
     std::vector<q16_16_trapping> out(2);
-    EXPECT_EQ(error_of<fixed::domain_error>([&] {
-                fixed::batch::sqrt(x, out, {path, {}});
-              }),
-              "fixed-point domain error: sqrt(element 1, 1 in all)");
+    expect_error<fixed::domain_error>("fixed-point domain error: sqrt(element 1, 1 in all)", [&] {
+      fixed::batch::sqrt(x, out, {path, {}});
+    });
   }
 }
 
@@ -173,15 +157,13 @@ TEST(BatchErrors, ComeInTheOrderOfTheElements) {
   for (const auto path : paths()) {
     d[5] = q16_16_trapping(0.5);
     d[9] = q16_16_trapping();
-    EXPECT_EQ(error_of<fixed::overflow_error>([&] {
-                fixed::batch::divide(n, d, out, {path, {}});
-              }),
-              "fixed-point overflow: divide(element 5, 1 in all)");
+    expect_error<fixed::overflow_error>("fixed-point overflow: divide(element 5, 1 in all)", [&] {
+      fixed::batch::divide(n, d, out, {path, {}});
+    });
     std::swap(d[5], d[9]);
-    EXPECT_EQ(error_of<fixed::divide_error>([&] {
-                fixed::batch::divide(n, d, out, {path, {}});
-              }),
-              "fixed-point divide error: divide(element 5, 1 in all)");
+    expect_error<fixed::divide_error>("fixed-point divide error: divide(element 5, 1 in all)", [&] {
+      fixed::batch::divide(n, d, out, {path, {}});
+    });
     d[5] = d[9] = q16_16_trapping(1);
   }
 }

@@ -1,14 +1,10 @@
 /// Tests transform and project on every path against the operators of the type, with interleaved
 /// vertices and with separate coordinate arrays.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <vector>
-
 #include "tests/batch/check.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/batch/expected_vertex.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {
@@ -52,14 +48,19 @@ std::vector<std::array<Number, size>> gathered(
 }
 
 template <class Number>
+Rows<Number> rows_of(const std::vector<Number>& drawn) {
+  Rows<Number> rows;
+  for (std::size_t k = 0; k < 12; ++k) rows[k / 4][k % 4] = drawn[k];
+  return rows;
+}
+
+template <class Number>
 class Transforms : public testing::Test {};
 TYPED_TEST_SUITE(Transforms, fixed::some_types);
 
 TYPED_TEST(Transforms, EveryLayout) {
   for (const unsigned seed : {1U, 2U, 3U}) {
-    const auto drawn = operands<TypeParam>(12, seed);
-    Rows<TypeParam> rows;
-    for (std::size_t k = 0; k < 12; ++k) rows[k / 4][k % 4] = drawn[k];
+    const auto rows = rows_of(operands<TypeParam>(12, seed));
     for (const std::size_t n : lengths()) {
       const Vertices<TypeParam> v(n);
       std::vector<Coordinates<TypeParam, 3>> want;
@@ -101,9 +102,7 @@ TYPED_TEST(Transforms, EveryLayout) {
 template <class Number>
 void check_many() {
   constexpr std::size_t n = (std::size_t{8} << 20) / 12 + 101;
-  const auto drawn = operands<Number>(12, 4);
-  Rows<Number> rows;
-  for (std::size_t k = 0; k < 12; ++k) rows[k / 4][k % 4] = drawn[k];
+  const auto rows = rows_of(operands<Number>(12, 4));
   const Vertices<Number> v(n);
   std::vector<Coordinates<Number, 3>> want;
   for (const auto& vertex : v.all) want.push_back(expected_vertex(rows, vertex));

@@ -146,6 +146,8 @@ def complete(driver):
     open_page(driver)
     expect_equal(number(driver, "#verification tbody tr"), len(DATA["verify"]["rows"]), "rows of the verification")
     expect(f"{DATA['verify']['cases']:,}" in driver.find_element(By.ID, "verdict").text, "the number of cases")
+    for fact in ("commit", "executable"):
+        expect(DATA["verify"]["made_by"][0][fact] in driver.find_element(By.ID, "verification").text, fact)
     octaves = sum(o["max"] > 0 for v in DATA["accuracy"]["pixels"]["variants"] for o in v["octaves"])
     expect_equal(number(driver, "#distance .points path, #distance .points circle"), octaves, "points of distance")
     expect_equal(number(driver, "#distance .half line"), 1, "lines of half a pixel")

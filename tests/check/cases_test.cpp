@@ -1,17 +1,9 @@
 // Tests that a subject gets the cases of a verification.
 #include "check/cases.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "cases/streams.hpp"
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

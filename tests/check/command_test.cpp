@@ -2,15 +2,14 @@
 #include "tests/cli/command.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
 
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
+using command::expect_contains;
+using command::expect_refused;
 using command::expect_usage_error;
 
 /// 1.5 * 2.5 and -1 ulp * 0.5.
@@ -25,24 +24,21 @@ command::Run check_two(std::string_view options, std::string_view results) {
 TEST(CheckCommand, RightResults) {
   const auto run = check_two("--rounding half-up", "0003c000\n00000000\n");
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.out.find("half-up, half-even or toward-zero on all 2 cases in range"),
-            std::string::npos)
-      << run.out;
+  expect_contains(run.out, "half-up, half-even or toward-zero on all 2 cases in range");
 }
 
 TEST(CheckCommand, WrongResults) {
   const auto run = check_two("--rounding half-away", "0003c000\r\n# a comment\n00000000");
   EXPECT_EQ(run.status, 1) << run.err;
-  EXPECT_NE(run.out.find("ffffffff 00008000 (-0.00002 0.5): ffffffff expected, 00000000 said; "
-                         "exact -1 + 1/2 ulp, tie"),
-            std::string::npos)
-      << run.out;
+  expect_contains(run.out,
+                  "ffffffff 00008000 (-0.00002 0.5): ffffffff expected, 00000000 said; "
+                  "exact -1 + 1/2 ulp, tie");
 }
 
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);
-  EXPECT_NE(run.out.find("The first 1 of 2 wrong results"), std::string::npos) << run.out;
+  expect_contains(run.out, "first 1 of 2 wrong results");
 }
 
 TEST(CheckCommand, ResultsInAFile) {
@@ -55,10 +51,10 @@ TEST(CheckCommand, ResultsInAFile) {
 TEST(CheckCommand, TooFewResults) {
   const auto run = check_two("--rounding half-up", "0003c000\n");
   expect_usage_error(run, "standard input ends after 1 result");
-  EXPECT_NE(run.out.find("half-up"), std::string::npos);
+  expect_contains(run.out, "half-up");
   const auto generated =
       command::fixproof("check div --rounding half-up --cases 5 --seed 3", "00000000\n");
-  expect_usage_error(generated, "ends after 1 result: there are 5 cases");
+  expect_usage_error(generated, "ends after 1 result, but there are 5 cases");
 }
 
 TEST(CheckCommand, TooManyResults) {
@@ -127,75 +123,65 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
                               folder.write("roots", "00020000\nfffe0000\n") + " --rounding ";
   const auto cut = command::fixproof(command + "toward-zero", "00016a09\nfffe95f7\n");
   EXPECT_EQ(cut.status, 0) << cut.out << cut.err;
-  EXPECT_NE(cut.out.find("rounded toward zero on all 1 negative operands"), std::string::npos)
-      << cut.out;
+  expect_contains(cut.out, "rounded toward zero on all 1 negative operands");
   const auto down = command::fixproof(command + "floor", "00016a09\nfffe95f6\n");
   EXPECT_EQ(down.status, 0) << down.out << down.err;
-  EXPECT_NE(down.out.find("rounded down, away from zero on all 1 negative operands"),
-            std::string::npos)
-      << down.out;
+  expect_contains(down.out, "rounded down, away from zero on all 1 negative operands");
 }
 
 TEST(CheckCommand, OptionsThatAreNone) {
-  const auto refused = [](std::string_view arguments, std::string_view part) {
-    expect_usage_error(command::fixproof(arguments), part);
-  };
-  refused("check", "operation");
-  refused("check mul", "--rounding");
-  refused("check concat --rounding floor", "choose mul, div or sqrt");
-  refused("check add --rounding floor", "unknown operation");
-  refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
-  refused("check mul --rounding floor --overflow clamp",
-          "wrap, saturate, symmetric, maximum, minimum, de, any");
-  refused("check div --rounding floor --divide-by-zero wrap",
-          "de, saturate, symmetric, maximum, minimum, zero, any");
-  refused("check sqrt --rounding floor --negative-root saturate",
-          "de, maximum, minimum, zero, mirror, any");
-  refused("check mul --rounding floor --from a --seed 3", "excludes");
-  refused("check mul --rounding floor --from no_such_file", "cannot read no_such_file");
-  refused("check mul --rounding floor no_such_file", "cannot read no_such_file");
-  refused("check mul --rounding floor /tmp", "/tmp, line 1: cannot be read: ");
-  refused("check mul --rounding floor --from /tmp", "/tmp, line 1: cannot be read: ");
-  refused("check mul --rounding floor --show -1", "whole number");
-  refused("check mul --rounding floor --divide-by-zero zero", "--divide-by-zero is for div");
-  refused("check div --rounding floor --negative-root zero", "--negative-root is for sqrt");
-  refused("check sqrt --rounding floor --overflow wrap", "--overflow is for mul and div");
-  refused("gen", "operation");
-  refused("gen add", "unknown operation");
-  refused("gen mul --level 3", "whole number from 1 to 2");
-  refused("gen mul --shard 3/2", "--shard 3/2");
-  refused("gen mul --cases 0", "whole number");
-  refused("gen mul -o no/such/file", "no/such/file");
+  expect_refused("check", "operation");
+  expect_refused("check mul", "--rounding");
+  expect_refused("check concat --rounding floor", "choose mul, div or sqrt");
+  expect_refused("check add --rounding floor", "unknown operation");
+  expect_refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
+  expect_refused("check mul --rounding floor --overflow clamp",
+                 "wrap, saturate, symmetric, maximum, minimum, de, any");
+  expect_refused("check div --rounding floor --divide-by-zero wrap",
+                 "de, saturate, symmetric, maximum, minimum, zero, any");
+  expect_refused("check sqrt --rounding floor --negative-root saturate",
+                 "de, maximum, minimum, zero, mirror, any");
+  expect_refused("check mul --rounding floor --from a --seed 3", "excludes");
+  expect_refused("check mul --rounding floor --from no_such_file", "cannot read no_such_file");
+  expect_refused("check mul --rounding floor no_such_file", "cannot read no_such_file");
+  expect_refused("check mul --rounding floor /tmp", "/tmp, line 1: cannot be read: ");
+  expect_refused("check mul --rounding floor --from /tmp", "/tmp, line 1: cannot be read: ");
+  expect_refused("check mul --rounding floor --show -1", "whole number");
+  expect_refused("check mul --rounding floor --divide-by-zero zero",
+                 "--divide-by-zero applies only to div");
+  expect_refused("check div --rounding floor --negative-root zero",
+                 "--negative-root applies only to sqrt");
+  expect_refused("check sqrt --rounding floor --overflow wrap",
+                 "--overflow applies only to mul and div");
+  expect_refused("gen", "operation");
+  expect_refused("gen add", "unknown operation");
+  expect_refused("gen mul --level 3", "whole number from 1 to 2");
+  expect_refused("gen mul --shard 3/2", "--shard 3/2");
+  expect_refused("gen mul --cases 0", "whole number");
+  expect_refused("gen mul -o no/such/file", "no/such/file");
 }
 
 TEST(GenCommand, WritesTheCasesThatEvalReads) {
-  const auto cases = command::fixproof("gen div --cases 2000");
-  EXPECT_EQ(cases.status, 0) << cases.err;
-  EXPECT_EQ(
-      cases.out.rfind("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: ", 0), 0);
-  const auto answers = command::fixproof("eval div --target i386 --round off", cases.out);
-  EXPECT_EQ(answers.status, 0) << answers.err;
+  const std::string cases = command::output_of("gen div --cases 2000");
+  EXPECT_TRUE(
+      cases.starts_with("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: "));
+  const std::string answers = command::output_of("eval div --target i386 --round off", cases);
   const auto verdict =
-      command::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers.out);
+      command::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers);
   EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
 }
 
 TEST(GenCommand, OfEveryOperationOfEval) {
   for (const std::string operation : {"mul", "div", "cossin", "xformvec", "concat"}) {
-    const auto cases = command::fixproof("gen " + operation + " --cases 50");
-    EXPECT_EQ(cases.status, 0) << cases.err;
-    const auto answers = command::fixproof("eval " + operation, cases.out);
-    EXPECT_EQ(answers.status, 0) << answers.err;
-    EXPECT_EQ(command::split(answers.out, '\n').size(), 51U);
+    const std::string cases = command::output_of("gen " + operation + " --cases 50");
+    EXPECT_EQ(command::split(command::output_of("eval " + operation, cases), '\n').size(), 51U);
   }
 }
 
 TEST(GenCommand, IntoAFile) {
   const ScratchFolder folder;
-  const auto run = command::fixproof("gen sqrt --cases 100 -o " + folder.path("cases"));
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(folder.read("cases"), command::fixproof("gen sqrt --cases 100").out);
+  EXPECT_EQ(command::output_of("gen sqrt --cases 100 -o " + folder.path("cases")), "");
+  EXPECT_EQ(folder.read("cases"), command::output_of("gen sqrt --cases 100"));
 }
 
 TEST(GenCommand, AReaderThatHasGoneIsNoError) {
@@ -205,9 +191,8 @@ TEST(GenCommand, AReaderThatHasGoneIsNoError) {
 }
 
 TEST(GenCommand, AFullDiskIsAnError) {
-  const auto run = command::fixproof("gen mul", "", command::Output::full_device);
-  EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err, "fixproof: cannot write standard output\n");
+  expect_usage_error(command::fixproof("gen mul", "", command::Output::full_device),
+                     "fixproof: cannot write standard output\n");
 }
 
 }  // namespace

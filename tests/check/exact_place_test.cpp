@@ -1,11 +1,7 @@
 // Tests the position of exact results between ulps, worked by hand.
 #include "check/exact_place.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "tests/support/test.hpp"
 
 namespace {
 

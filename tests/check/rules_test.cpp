@@ -1,11 +1,7 @@
 // Tests the rules for subjects, worked by hand.
 #include "check/rules.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "tests/support/test.hpp"
 
 namespace {
 

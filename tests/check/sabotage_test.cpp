@@ -1,19 +1,10 @@
 // Tests that subjects with one planted defect each are recognised: by the kinds of their wrong
 // cases, and by the guessed rule.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <string>
-#include <string_view>
-
 #include "check/cases.hpp"
 #include "check/guess_text.hpp"
 #include "check/judge.hpp"
 #include "check/verdict_text.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

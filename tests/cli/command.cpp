@@ -2,19 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <system_error>
 #include <thread>
 
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace command {
 
@@ -139,11 +137,37 @@ Run fixproof(std::string_view arguments, std::string_view input, Output output) 
   return run(command(arguments), input, output);
 }
 
+std::string output_of(std::string_view arguments, std::string_view input) {
+  Run result = fixproof(arguments, input);
+  EXPECT_EQ(result.status, 0) << arguments;
+  EXPECT_EQ(result.err, "") << arguments;
+  return std::move(result.out);
+}
+
+void expect_contains(std::string_view text, std::string_view part) {
+  EXPECT_NE(text.find(part), std::string_view::npos) << '"' << part << "\" in:\n" << text;
+}
+
 void expect_usage_error(const Run& run, std::string_view part) {
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;
+  EXPECT_TRUE(run.err.starts_with("fixproof: ")) << run.err;
   EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
-  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  expect_contains(run.err, part);
+}
+
+void expect_refused(std::string_view arguments, std::string_view part, std::string_view input) {
+  SCOPED_TRACE(arguments);
+  const Run refused = fixproof(arguments, input);
+  EXPECT_EQ(refused.out, "");
+  expect_usage_error(refused, part);
+}
+
+void expect_output_needed(std::string_view arguments, std::string_view input) {
+  for (const Output output : {Output::full_device, Output::reader_gone}) {
+    const Run refused = fixproof(arguments, input, output);
+    EXPECT_EQ(refused.status, 2) << arguments;
+    EXPECT_EQ(refused.err, "fixproof: cannot write standard output\n") << arguments;
+  }
 }
 
 bool has(std::string_view program) {
@@ -162,12 +186,6 @@ std::string assemble(std::string_view source) {
 std::string hex(std::string_view bytes) {
   std::string text;
   for (const char byte : bytes) text += fmt::format("{:02x} ", static_cast<unsigned char>(byte));
-  return text;
-}
-
-std::string repeated(std::size_t count, char c) {
-  std::string text;
-  text.resize(count, c);
   return text;
 }
 

@@ -53,8 +53,19 @@ Run fixproof(std::string_view arguments, std::string_view input = {}, Output out
 
 std::vector<std::string> command(std::string_view arguments);
 
+/// Expects status 0 and nothing on stderr, and returns the output.
+std::string output_of(std::string_view arguments, std::string_view input = {});
+
+void expect_contains(std::string_view text, std::string_view part);
+
 /// Expects status 2 and one line on stderr that contains `part`.
 void expect_usage_error(const Run& run, std::string_view part);
+
+/// Expects the same, and no output.
+void expect_refused(std::string_view arguments, std::string_view part, std::string_view input = {});
+
+/// Expects a usage error for standard output that is full and for one that nobody reads.
+void expect_output_needed(std::string_view arguments, std::string_view input = {});
 
 bool has(std::string_view program);
 
@@ -63,8 +74,6 @@ std::string assemble(std::string_view source);
 
 /// Formats each byte as two hex digits and a space.
 std::string hex(std::string_view bytes);
-
-std::string repeated(std::size_t count, char c);
 
 std::vector<std::string> split(std::string_view text, char separator);
 

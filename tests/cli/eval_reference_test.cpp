@@ -1,18 +1,10 @@
 // Compares `fixproof eval` on whole streams of cases with slow, simple arithmetic.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <iterator>
-#include <numbers>
-#include <string>
-#include <string_view>
-#include <tuple>
 
 #include "tests/cli/command.hpp"
 #include "tests/cli/draw.hpp"
 #include "tests/cli/semantics.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -36,15 +28,13 @@ TEST_P(EvalReference, SixHundredThousandLinesAgree) {
         is_mul ? semantics::mul(a, b, is_386, rounds) : semantics::div(a, b, is_386, rounds);
     expected += answer ? fmt::format("{:08x}\n", *answer) : "DE\n";
   }
-  const auto run = command::fixproof(
+  const std::string answers = command::output_of(
       fmt::format("eval {} --target {} --round {} --by {}", operation, target, round, party),
       lines);
-  EXPECT_EQ(run.status, 0);
-  EXPECT_EQ(run.err, "");
-  if (run.out == expected) return;
+  if (answers == expected) return;
   const auto asked = command::split(lines, '\n');
   const auto wanted = command::split(expected, '\n');
-  const auto given = command::split(run.out, '\n');
+  const auto given = command::split(answers, '\n');
   ASSERT_EQ(given.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_EQ(given[i], wanted[i]) << asked[i];
 }
@@ -73,9 +63,8 @@ TEST(EvalReference, CosSinOfEveryAngle) {
                    nearest(std::sin(radians)));
   }
   for (const char* options : {"--target i386", "--target i8088", "--by type", "--by oracle"}) {
-    const auto run = command::fixproof(fmt::format("eval cossin {}", options), lines);
-    EXPECT_EQ(run.status, 0) << options;
-    EXPECT_TRUE(run.out == expected) << options;
+    EXPECT_TRUE(command::output_of(fmt::format("eval cossin {}", options), lines) == expected)
+        << options;
   }
 }
 

@@ -1,11 +1,8 @@
 // Tests that the output of `fixproof list` assembles to the right bytes for its processor.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -13,10 +10,7 @@ using command::assemble;
 using command::hex;
 
 std::string list(std::string_view arguments) {
-  const auto run = command::fixproof("list " + std::string(arguments));
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.err, "");
-  return run.out;
+  return command::output_of(fmt::format("list {}", arguments));
 }
 
 TEST(List, EveryVariantAssembles) {
@@ -115,11 +109,8 @@ TEST(List, CosSinBringsItsTable) {
 TEST(List, BeginsWithSourceAndDigest) {
   const auto expect = [](std::string_view arguments, std::string_view source,
                          std::string_view digest) {
-    const std::string text = list(arguments);
-    EXPECT_NE(text.find(fmt::format("\n; source: {}\n; digest: {}", source, digest)),
-              std::string::npos)
-        << arguments << '\n'
-        << text.substr(0, 300);
+    command::expect_contains(list(arguments),
+                             fmt::format("\n; source: {}\n; digest: {}", source, digest));
   };
   expect("mul --target i386", "listing 54.1",
          "3713cdcf6f7c0b06873a2fefe0c65b83e6611d5678414a2a0318476d80011023, the author's, 9 ");

@@ -1,25 +1,16 @@
 // Tests `fixproof list` and `fixproof trace` of the inner loops against results worked out by hand.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
-std::string loop_output(std::string_view arguments) {
-  const auto run = command::fixproof(arguments);
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.err, "");
-  return run.out;
-}
+using command::expect_refused;
 
 /// Assembles the output of `list` and returns the machine code in hex.
 std::string loop_code(std::string_view arguments) {
-  return command::hex(command::assemble(loop_output(fmt::format("list {}", arguments))));
+  return command::hex(command::assemble(command::output_of(fmt::format("list {}", arguments))));
 }
 
 TEST(LoopCommands, AssembleToTheseBytes) {
@@ -48,7 +39,7 @@ TEST(LoopCommands, AssembleToTheseBytes) {
 std::vector<std::string> traced_loop(std::string_view arguments) {
   std::vector<std::string> lines;
   for (const std::string& line :
-       command::split(loop_output(fmt::format("trace {}", arguments)), '\n')) {
+       command::split(command::output_of(fmt::format("trace {}", arguments)), '\n')) {
     if (line.size() < 36 || line.starts_with("   #")) continue;
     std::string text = line.substr(6, 30);
     text.erase(text.find_last_not_of(' ') + 1);
@@ -80,35 +71,29 @@ TEST(LoopCommands, TracesOfTwoPixels) {
   EXPECT_EQ(texture[3], "stosb:  di=2801 [2800]=23");
 }
 
-void expect_loop_refused(std::string_view arguments, std::string_view part) {
-  SCOPED_TRACE(arguments);
-  const auto run = command::fixproof(arguments);
-  EXPECT_EQ(run.out, "");
-  command::expect_usage_error(run, part);
-}
-
 TEST(LoopCommands, FormsThatDoNotExistAreRefused) {
-  expect_loop_refused("list depth --loop unrolled", "depth needs --target i386");
-  expect_loop_refused("list depth --target i8088", "depth needs --target i386");
-  expect_loop_refused("list texture --as-printed", "only depth differs from its printed form");
-  expect_loop_refused("list gouraud-word --round on", "is an inner loop");
-  expect_loop_refused("list gouraud-word --chapter 52", "is an inner loop");
-  expect_loop_refused("list mul --loop dec-jnz", "--loop is for");
-  expect_loop_refused("list gouraud-byte --loop twice", "--loop");
-  expect_loop_refused("prove texture --round on", "is an inner loop");
-  expect_loop_refused("prove depth --target i8088", "depth exists only for i386");
-  expect_loop_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
-  expect_loop_refused("eval gouraud-byte", "gouraud-byte");
+  expect_refused("list depth --loop unrolled", "depth needs --target i386");
+  expect_refused("list depth --target i8088", "depth needs --target i386");
+  expect_refused("list texture --as-printed", "only depth differs from its printed form");
+  expect_refused("list gouraud-word --round on", "is an inner loop");
+  expect_refused("list gouraud-word --chapter 52", "is an inner loop");
+  expect_refused("list gouraud-word --chapter 54", "is an inner loop");
+  expect_refused("list mul --loop dec-jnz", "--loop is for");
+  expect_refused("list gouraud-byte --loop twice", "--loop");
+  expect_refused("prove texture --round on", "is an inner loop");
+  expect_refused("prove depth --target i8088", "depth exists only for i386");
+  expect_refused("dos gouraud-byte -o loop.com", "gouraud-byte");
+  expect_refused("eval gouraud-byte", "gouraud-byte");
 }
 
 TEST(LoopCommands, CallsThatNoLoopTakesAreRefused) {
-  expect_loop_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
-  expect_loop_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
-  expect_loop_refused("trace gouraud-byte 00000000 00000000 00000000", "not 0");
-  expect_loop_refused("trace gouraud-byte 00000141 00000000 00000000", "not 141");
-  expect_loop_refused("trace gouraud-word 00000003 00000000 00000000", "an even number");
-  expect_loop_refused("trace gouraud-byte 1 00000000 00000000", "1");
-  expect_loop_refused("trace gouraud-byte 00000001 00000000 00000000 --mutant 1", "for routines");
+  expect_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
+  expect_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
+  expect_refused("trace gouraud-byte 00000000 00000000 00000000", "gouraud-byte: 0 pixels");
+  expect_refused("trace gouraud-byte 00000141 00000000 00000000", "gouraud-byte: 141 pixels");
+  expect_refused("trace gouraud-word 00000003 00000000 00000000", "an even number");
+  expect_refused("trace gouraud-byte 1 00000000 00000000", "1");
+  expect_refused("trace gouraud-byte 00000001 00000000 00000000 --mutant 1", "for routines");
 }
 
 }  // namespace

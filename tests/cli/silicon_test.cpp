@@ -1,14 +1,11 @@
 // Tests the definitions of bitwise.hpp against the host processor. Current processors still execute
 // these instructions as the 386 does.
-#include <gtest/gtest.h>
-
 #include <csignal>
-#include <cstdint>
-#include <string_view>
 
 #include "parties/answer.hpp"
 #include "tests/cli/bitwise.hpp"
 #include "tests/cli/draw.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,71 +1,40 @@
 // Tests every instruction form of `fixproof step` on both processors against bitwise.hpp.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "parties/answer.hpp"
 #include "tests/cli/bitwise.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/cli/draw.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
-/// A mnemonic and the kinds of its operands: b, w, d, i (immediate), 1 (a shift by one), l (label).
 struct InstructionForm {
-  const char* name;
-  const char* operands;
+  std::string name;
+  std::string operands;
 };
 
-constexpr auto forms_8088 = std::to_array<InstructionForm>({{"mov", "ww"},
-                                                            {"push", "w"},
-                                                            {"add", "ww"},
-                                                            {"add", "wi"},
-                                                            {"adc", "ww"},
-                                                            {"adc", "wi"},
-                                                            {"sub", "ww"},
-                                                            {"sub", "wi"},
-                                                            {"sbb", "wi"},
-                                                            {"cmp", "ww"},
-                                                            {"cmp", "wi"},
-                                                            {"neg", "w"},
-                                                            {"inc", "w"},
-                                                            {"dec", "w"},
-                                                            {"mul", "w"},
-                                                            {"div", "w"},
-                                                            {"and", "ww"},
-                                                            {"xor", "wi"},
-                                                            {"shl", "w1"},
-                                                            {"shr", "w1"},
-                                                            {"jmp", "l"},
-                                                            {"js", "l"},
-                                                            {"jns", "l"},
-                                                            {"jz", "l"},
-                                                            {"ja", "l"},
-                                                            {"jg", "l"},
-                                                            // of the inner loops
-                                                            {"mov", "bb"},
-                                                            {"stosb", ""},
-                                                            {"stosw", ""},
-                                                            {"jnz", "l"},
-                                                            {"loop", "l"},
-                                                            {"jmp", "w"}});
+/// Mnemonics, each with the kinds of its operands: b, w, d, i (immediate), 1 (a shift by one) and
+/// l (label).
+constexpr std::string_view forms_8088 =
+    "mov ww,push w,add ww,add wi,adc ww,adc wi,sub ww,sub wi,sbb wi,cmp ww,cmp wi,neg w,inc w,"
+    "dec w,mul w,div w,and ww,xor wi,shl w1,shr w1,jmp l,js l,jns l,jz l,ja l,jg l,"
+    // of the inner loops
+    "mov bb,stosb ,stosw ,jnz l,loop l,jmp w";
 
 /// The additional forms in the listings for the 386.
-constexpr auto more_forms_386 = std::to_array<InstructionForm>(
-    {{"mov", "dd"}, {"add", "dd"}, {"add", "di"}, {"adc", "di"},   {"sub", "dd"},
-     {"cmp", "dd"}, {"neg", "d"},  {"inc", "d"},  {"dec", "d"},    {"imul", "d"},
-     {"div", "d"},  {"idiv", "d"}, {"and", "dd"}, {"shl", "wi"},   {"shr", "di"},
-     {"shr", "d1"}, {"sar", "di"}, {"rol", "di"}, {"shld", "ddi"}, {"shrd", "ddi"}});
+constexpr std::string_view more_forms_386 =
+    "mov dd,add dd,add di,adc di,sub dd,cmp dd,neg d,inc d,dec d,imul d,div d,idiv d,and dd,shl wi,"
+    "shr di,shr d1,sar di,rol di,shld ddi,shrd ddi";
 
 std::vector<InstructionForm> forms_of(bool is_386) {
-  std::vector<InstructionForm> forms(forms_8088.begin(), forms_8088.end());
-  if (is_386) forms.insert(forms.end(), more_forms_386.begin(), more_forms_386.end());
+  std::vector<InstructionForm> forms;
+  for (const std::string_view part : {forms_8088, is_386 ? more_forms_386 : std::string_view()}) {
+    for (const std::string& form : command::split(part, ',')) {
+      const auto words = command::split(form, ' ');
+      if (words.size() == 2) forms.push_back({words[0], words[1]});
+    }
+  }
   return forms;
 }
 
@@ -106,16 +75,16 @@ struct State {
 
 std::string undefined_text(std::uint16_t undefined) {
   std::string text;
-  const auto add = [&](bitwise::Flag flag, const char* name) {
-    if ((undefined & flag) != 0) text += text.empty() ? name : fmt::format(",{}", name);
-  };
-  add(bitwise::CF, "CF");
-  add(bitwise::PF, "PF");
-  add(bitwise::AF, "AF");
-  add(bitwise::ZF, "ZF");
-  add(bitwise::SF, "SF");
-  add(bitwise::OF, "OF");
-  return text.empty() ? "-" : text;
+  for (const auto& [flag, name] :
+       std::array<std::pair<bitwise::Flag, const char*>, 6>{{{bitwise::CF, ",CF"},
+                                                             {bitwise::PF, ",PF"},
+                                                             {bitwise::AF, ",AF"},
+                                                             {bitwise::ZF, ",ZF"},
+                                                             {bitwise::SF, ",SF"},
+                                                             {bitwise::OF, ",OF"}}}) {
+    if ((undefined & flag) != 0) text += name;
+  }
+  return text.empty() ? "-" : text.substr(1);
 }
 
 struct Question {
@@ -225,9 +194,6 @@ class Questions {
 class StepForms : public testing::TestWithParam<const char*> {
  protected:
   static bool is_386() { return GetParam() == std::string_view("386"); }
-  static command::Run step(std::string_view lines) {
-    return command::fixproof(fmt::format("step --cpu {}", GetParam()), lines);
-  }
 };
 
 TEST_P(StepForms, DoWhatIntelDefines) {
@@ -243,14 +209,12 @@ TEST_P(StepForms, DoWhatIntelDefines) {
       if (asked.back().answer == "DE") ++faults;
     }
     // Divides must often fault and often succeed.
-    const bool divides = std::string_view(form.name).ends_with("div");
+    const bool divides = form.name.ends_with("div");
     EXPECT_EQ(faults > cases_of_each / 20, divides) << form.name;
     EXPECT_LT(faults, cases_of_each * 19 / 20) << form.name;
   }
-  const auto run = step(lines);
-  EXPECT_EQ(run.err, "");
-  EXPECT_EQ(run.status, 0);
-  const auto answers = command::split(run.out, '\n');
+  const auto answers =
+      command::split(command::output_of(fmt::format("step --cpu {}", GetParam()), lines), '\n');
   ASSERT_EQ(answers.size(), asked.size() + 1);
   for (std::size_t i = 0; i < asked.size(); ++i) {
     ASSERT_EQ(answers[i], asked[i].answer) << asked[i].line;
@@ -272,19 +236,8 @@ std::string sample(std::string_view name, std::string_view shape) {
   std::string text(name);
   for (std::size_t i = 0; i < shape.size(); ++i) {
     text += i == 0 ? " " : ", ";
-    switch (shape[i]) {
-      case 'w':
-        text += "cx";
-        break;
-      case 'd':
-        text += "ecx";
-        break;
-      case 'b':
-        text += "cl";
-        break;
-      default:
-        text += shape[i] == 'i' ? "5" : "1";
-    }
+    const std::string_view kinds = "wdbi1l";
+    text += std::array{"cx", "ecx", "cl", "5", "1", "1"}.at(kinds.find(shape[i]));
   }
   return text;
 }
@@ -315,7 +268,7 @@ TEST_P(StepForms, NoOthersAreModelled) {
       expected.emplace_back(modelled ? answer : "unmodelled");
     }
   }
-  const auto run = step(lines);
+  const auto run = command::fixproof(fmt::format("step --cpu {}", GetParam()), lines);
   EXPECT_EQ(run.status, 0);
   const auto asked = command::split(lines, '\n');
   const auto given = command::split(run.out, '\n');

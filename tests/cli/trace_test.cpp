@@ -1,21 +1,16 @@
 // Tests the output of `fixproof trace` against lines worked out by hand. The stack addresses are
 // the model's.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
+using command::expect_contains;
+
 std::vector<std::string> trace(std::string_view arguments) {
-  const auto run = command::fixproof("trace " + std::string(arguments));
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.err, "");
-  auto lines = command::split(run.out, '\n');
+  auto lines = command::split(command::output_of(fmt::format("trace {}", arguments)), '\n');
   EXPECT_EQ(lines.back(), "");
   lines.pop_back();
   return lines;
@@ -60,7 +55,7 @@ TEST(Trace, MultiplyOnThe8088) {
   EXPECT_EQ(after(lines, "neg si"), "");
   EXPECT_EQ(after(lines, "add ax, 0x8000"), " 0  1  0  0  1  0  ax=8000");
   EXPECT_EQ(after(lines, "mov dx, cx"), " 0  1  0  0  0  0  dx=0003");
-  EXPECT_NE(lines.back().find("result 0003c000 (3.75)"), std::string::npos);
+  expect_contains(lines.back(), "result 0003c000 (3.75)");
 }
 
 TEST(Trace, DivideError) {
@@ -80,19 +75,15 @@ TEST(Trace, AsScannedStopsAtTheUndefinedCarry) {
             "  23  adc cx, 0                       ?  ?  ?  ?  ?  ?  "
             "reads a flag that Intel leaves undefined");
   // With rounding, the same instruction reads a defined carry.
-  EXPECT_NE(trace("div 00018000 00028000 --target i8088 --as-scanned")
-                .back()
-                .find("result 0000c000 (0.75)"),
-            std::string::npos);
+  expect_contains(trace("div 00018000 00028000 --target i8088 --as-scanned").back(),
+                  "result 0000c000 (0.75)");
 }
 
 TEST(Trace, ResultsInMemory) {
-  EXPECT_NE(trace("cossin 0384").back().find("result 00000000 (0) 00010000 (1)"),
-            std::string::npos);
+  expect_contains(trace("cossin 0384").back(), "result 00000000 (0) 00010000 (1)");
   std::string point = "xformvec";
   for (int i = 0; i < 15; ++i) point += i % 5 == 0 ? " 00010000" : " 00000000";
-  EXPECT_NE(trace(point).back().find("result 00000000 (0) 00000000 (0) 00000000 (0)"),
-            std::string::npos);
+  expect_contains(trace(point).back(), "result 00000000 (0) 00000000 (0) 00000000 (0)");
 }
 
 TEST(Trace, LinesEndWithoutSpaces) {
@@ -120,9 +111,8 @@ TEST(Trace, SaysWhatAMutantDoesNotKeep) {
   // Writes to the transform instead of reading it.
   std::string point = "xformvec";
   for (int i = 0; i < 15; ++i) point += " 00010000";
-  EXPECT_NE(end_of_mutant(point, 44, "7 mov eax, [si] -> mov [si], eax")
-                .find("\ndoes not preserve operand 1"),
-            std::string::npos);
+  expect_contains(end_of_mutant(point, 44, "7 mov eax, [si] -> mov [si], eax"),
+                  "\ndoes not preserve operand 1");
   // A mutant that only rounds down instead of up preserves all registers.
   EXPECT_EQ(
       end_of_mutant(mul, 27, "4 add eax, 0x8000 -> sub eax, 0x8000").find("does not preserve"),
@@ -130,15 +120,10 @@ TEST(Trace, SaysWhatAMutantDoesNotKeep) {
 }
 
 TEST(Trace, CountsAndChecksItsWords) {
-  const auto expect_error = [](std::string_view arguments, std::string_view message) {
-    const auto run = command::fixproof(arguments);
-    EXPECT_EQ(run.out, "");
-    command::expect_usage_error(run, message);
-  };
-  expect_error("trace mul 00018000", "mul takes 2 words, not 1");
-  expect_error("trace mul 00018000 00028000 00000000", "mul takes 2 words, not 3");
-  expect_error("trace cossin 00000384", "'00000384' has 8 hex digits instead of 4");
-  expect_error("trace mul 0001800A 00028000", "'0001800A' is not lower-case hex");
+  command::expect_refused("trace mul 00018000", "mul takes 2 words, not 1");
+  command::expect_refused("trace mul 00018000 00028000 00000000", "mul takes 2 words, not 3");
+  command::expect_refused("trace cossin 00000384", "'00000384' has 8 hex digits instead of 4");
+  command::expect_refused("trace mul 0001800A 00028000", "'0001800A' is not lower-case hex");
 }
 
 }  // namespace

@@ -1,13 +1,8 @@
 // Tests FixedDiv: vanishing faults, half of the divisor range, an undefined carry, and lost
 // arguments.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 #include "fixed/fixed.hpp"
 #include "tests/defects/routine.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/notation.hpp"
 
 namespace {

@@ -1,9 +1,6 @@
 // Tests the sources as text: a conversion in C, and an opcode that the processor does not have.
-#include <gtest/gtest.h>
-
-#include <cstdint>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/parse.hpp"
 #include "x86model/text.hpp"

@@ -1,9 +1,5 @@
 // Tests the inner loops against the claims of their source.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "x86model/call_loop.hpp"
 
 namespace {

@@ -1,10 +1,5 @@
 // Tests how the unprinted generator of the shaded ball spoils its normals.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
+#include "tests/support/test.hpp"
 #include "xsharp/shapes.hpp"
 
 namespace {

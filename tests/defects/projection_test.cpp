@@ -1,9 +1,6 @@
 // Tests the comment on the projection ratio against the code.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/project.hpp"
 
 namespace {

@@ -1,12 +1,9 @@
 // Tests rounding: a switch with inverted meaning, halves, and a wrong comment.
-#include <gtest/gtest.h>
-
-#include <cstdint>
-
 #include "cli/options.hpp"
 #include "fixed/fixed.hpp"
 #include "parties/party.hpp"
 #include "tests/defects/routine.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,14 +1,9 @@
 // Tests transforms: one translation too many, one element too many, one vector too few.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
-
 #include "cases/streams.hpp"
 #include "oracle/exact.hpp"
 #include "parties/party.hpp"
 #include "tests/defects/routine.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,15 +1,10 @@
 /// Tests sums, products and quotients of every type against exact fractions, for every pair of edge
 /// values and for random operands.
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <limits>
-#include <string>
-
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,16 +1,8 @@
 /// Compares batch sines and cosines on every path with the functions of one angle.
 #include "fixed/batch_radian.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <span>
-#include <vector>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

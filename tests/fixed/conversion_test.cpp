@@ -1,17 +1,9 @@
 /// Tests conversions from and to float, double, integers and other number types.
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <type_traits>
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

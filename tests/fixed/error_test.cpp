@@ -1,14 +1,6 @@
 /// Tests which operations throw, and the text of their errors.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <limits>
-#include <stdexcept>
-#include <string>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,18 +1,11 @@
 /// Compares batches on every path of this processor with the function of one angle, for all 2^32
 /// angles. `fixproof verify sin cos --level 3` compares that function with the oracle.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "fixed/batch_radian.hpp"
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,71 +1,22 @@
 /// \file
-/// Expected results as exact fractions of 128-bit integers, rounded by the definition of each rule,
-/// and the edge operands. This header shares only the names of the rules with fixed/.
+/// Expected outcomes under each policy from tests/support/exact.hpp, and the edge operands. Of
+/// fixed/ this header takes only the names of the rules and of the errors.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <ostream>
-#include <string>
+#include <random>
 #include <vector>
 
 #include "fixed/number.hpp"
-#include "fixed/policy.hpp"
 #include "fixed/text.hpp"
-#ifndef __SIZEOF_INT128__
-#include <boost/multiprecision/cpp_int.hpp>
-#endif
+#include "tests/support/exact.hpp"
 
 namespace exact {
 
-#ifdef __SIZEOF_INT128__
-__extension__ using integer = __int128;
-#else
-using integer = boost::multiprecision::int128_t;
-#endif
-
-/// numerator / denominator, with a positive denominator.
-struct fraction {
-  integer numerator;
-  integer denominator;
-};
-
-inline fraction ratio(integer n, integer d) { return d < 0 ? fraction{-n, -d} : fraction{n, d}; }
-
-/// The greatest integer not above x.
-inline integer below(fraction x) {
-  integer k = x.numerator / x.denominator;
-  if (k * x.denominator > x.numerator) --k;
-  return k;
-}
-
-/// x rounded by the rule to one of the two integers around it.
-inline integer round(fraction x, fixed::rounding rule) {
-  const integer low = below(x);
-  if (low * x.denominator == x.numerator) return low;
-  const integer to_low = x.numerator - low * x.denominator;
-  const integer to_high = x.denominator - to_low;
-  const bool positive = x.numerator > 0;
-  switch (rule) {
-    case fixed::rounding::floor:
-      return low;
-    case fixed::rounding::truncate:
-      return positive ? low : low + 1;
-    case fixed::rounding::half_up:
-      return to_low < to_high ? low : low + 1;
-    case fixed::rounding::half_away:
-      if (to_low == to_high) return positive ? low + 1 : low;
-      return to_low < to_high ? low : low + 1;
-  }
-  return 0;
-}
-
 /// x modulo 2^64. Boost's own conversion saturates on machines without 128-bit integers.
-inline std::int64_t low_word(integer x) {
-  const integer count = integer{1} << 64;
-  const integer rest = x % count;
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(rest < 0 ? rest + count : rest));
-}
+inline std::int64_t low_word(integer x) { return static_cast<std::int64_t>(wrapped(x, 64)); }
 
 /// The outcome of an exact result under a policy: a stored integer or an exception.
 template <class Number>
@@ -82,21 +33,11 @@ struct outcome {
 template <class Number>
 outcome<Number> in_range(integer value) {
   using raw = typename Number::raw_type;
-  const integer lowest = std::numeric_limits<raw>::min();
-  const integer highest = std::numeric_limits<raw>::max();
-  const integer count = highest - lowest + 1;
-  if (value >= lowest && value <= highest) return {false, static_cast<raw>(value)};
-  switch (Number::rules.range) {
-    case fixed::overflow::trap:
-      return {true, 0};
-    case fixed::overflow::saturate:
-      return {false, static_cast<raw>(value < lowest ? lowest : highest)};
-    case fixed::overflow::wrap:
-      break;
+  constexpr int bits = std::numeric_limits<raw>::digits + 1;
+  if (Number::rules.range == fixed::overflow::trap && wrapped(value, bits) != value) {
+    return {true, 0};
   }
-  integer rest = (value - lowest) % count;
-  if (rest < 0) rest += count;
-  return {false, static_cast<raw>(lowest + rest)};
+  return {false, static_cast<raw>(narrowed(value, bits, Number::rules.range))};
 }
 
 /// x, in ulps, rounded by the policy's rule for products.
@@ -177,6 +118,51 @@ std::vector<Number> edges() {
     add(-value);
   }
   return values;
+}
+
+template <class Number>
+struct Quotient {
+  Number n, d;
+};
+
+/// Pairs whose quotient lies within 1 / (2 d) ulp of an integer or a half, in every combination of
+/// signs, and random pairs. The divisors are edges, below 1, or random.
+template <class Number>
+std::vector<Quotient<Number>> near_misses() {
+  using limits = std::numeric_limits<typename Number::raw_type>;
+  std::mt19937_64 random(20);
+  std::vector<Quotient<Number>> pairs;
+  const auto number = [](integer raw) {
+    return Number::from_raw(static_cast<typename Number::raw_type>(raw));
+  };
+  const auto add = [&](integer n, integer d) {
+    if (wrapped(n, limits::digits + 1) != n || wrapped(d, limits::digits + 1) != d) return;
+    pairs.push_back({number(n), number(d)});
+  };
+  const auto around = [&](integer d) {
+    for (int bits = 1; bits <= limits::digits; bits += 2) {
+      const auto half_units = static_cast<integer>(random() >> (63 - bits));
+      for (const integer k : {half_units, half_units | 1}) {
+        const integer n = k * d / (2 * one<Number>);
+        for (const int step : {-1, 0, 1}) {
+          add(n + step, d);
+          add(-n + step, d);
+        }
+      }
+    }
+  };
+  const auto drawn = [&] { return static_cast<std::int64_t>(random()) >> (63 - limits::digits); };
+  for (const auto edge : edges<Number>()) around(edge.raw());
+  for (int i = 0; i < 200; ++i) around(drawn());
+  for (int i = 0; i < 60; ++i) {
+    around(static_cast<std::int64_t>(random() % (2 * one<Number>)));
+    around(static_cast<std::int64_t>(random()) >> (random() % 32 + 32));
+  }
+  for (int i = 0; i < 4000; ++i) {
+    add(drawn(), drawn());
+    add(drawn() >> (random() % 24), drawn() >> (random() % 24));
+  }
+  return pairs;
 }
 
 }  // namespace exact

@@ -1,9 +1,6 @@
 /// Tests fmt fields when fmt is included after the umbrella header.
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 // The order matters: the test needs fmt after fixed, so do not sort the includes.
 #include <fmt/format.h>
 

@@ -1,15 +1,10 @@
 /// Tests that the RapidCheck generators reach the edges and that they shrink.
 #include "property/generator.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdint>
-#include <cstdlib>
-#include <set>
-#include <sstream>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,14 +1,6 @@
 /// Tests numeric_limits and hash by counting wherever a claim can be counted.
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <set>
-#include <string>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

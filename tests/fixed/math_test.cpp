@@ -1,16 +1,9 @@
 /// Tests functions of numbers against exact fractions.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <span>
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

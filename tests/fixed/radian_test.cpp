@@ -1,14 +1,9 @@
 /// Tests sine and cosine in radians against 50-digit arithmetic.
-#include <gtest/gtest.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cmath>
-#include <cstdint>
-#include <random>
-#include <vector>
 
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

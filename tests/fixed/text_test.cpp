@@ -1,21 +1,13 @@
 /// Tests exact decimal conversion in both directions, its single rounding, and invalid text.
-#include <gtest/gtest.h>
-
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
-#include <cstdint>
-#include <functional>
 #include <iomanip>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <system_error>
 
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

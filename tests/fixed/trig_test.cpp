@@ -1,13 +1,10 @@
 /// Tests sine and cosine against 50-digit arithmetic, and the angle reduction of CosSin.
-#include <gtest/gtest.h>
-
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_dec_float.hpp>
-#include <cstdint>
-#include <limits>
 
 #include "fixed/detail/cosine_table.hpp"
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

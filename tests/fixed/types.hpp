@@ -2,9 +2,8 @@
 /// The number types that every arithmetic test covers.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "fixed/number.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixed {
 

@@ -1,13 +1,8 @@
 /// Tests the two-word sum against 128-bit integers.
 #include "fixed/detail/wide_sum.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <limits>
-#include <random>
-
 #include "tests/fixed/exact.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,14 +1,10 @@
 // Tests what the panel finds about a party with a planted defect.
 #include "fuzz/panel.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-
 #include "fuzz/finding.hpp"
 #include "fuzz/type_rules.hpp"
 #include "fuzz/word_target.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 
 namespace {

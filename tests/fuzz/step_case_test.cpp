@@ -1,12 +1,7 @@
 // Tests instructions as fuzz inputs.
 #include "fuzz/step_case.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <set>
-#include <string>
-
+#include "tests/support/test.hpp"
 #include "x86model/forms.hpp"
 
 namespace {

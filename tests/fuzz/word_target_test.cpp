@@ -1,13 +1,8 @@
 // Tests what the mutator makes of word inputs.
 #include "fuzz/word_target.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdlib>
-#include <vector>
-
 #include "fuzz/words.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

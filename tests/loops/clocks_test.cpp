@@ -1,7 +1,6 @@
 // Tests the clocks per pixel of every loop against hand sums from Intel's tables.
-#include <gtest/gtest.h>
-
 #include "measure/clocks/span_clocks.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/notation.hpp"
 
 namespace {

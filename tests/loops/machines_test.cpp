@@ -1,15 +1,11 @@
 // Tests the loops as machine code against the model: on the host processor span by span, and on
 // Unicorn in lock step. Compares registers and all 64 KiB of memory; on Unicorn also the defined
 // flags.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <optional>
-
 #include "machine_code/emulator.hpp"
 #include "machine_code/machine_code.hpp"
 #include "machine_code/processor.hpp"
 #include "tests/loops/span.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/encoding.hpp"
 
 namespace {

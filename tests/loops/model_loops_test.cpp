@@ -1,9 +1,7 @@
 // Tests the loops that draw pictures on the model against the same loops in C++ on words.
 #include "player/model_loops.hpp"
 
-#include <gtest/gtest.h>
-
-#include <random>
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,9 +1,8 @@
 // Tests that the spans kill every one-instruction mutant of every loop, except for mutants that are
 // harmless. proof_test.cpp and `fixproof mutate` prove those harmless.
-#include <gtest/gtest.h>
-
 #include "proof/span_cases.hpp"
 #include "tests/loops/span.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/mutants.hpp"
 
 namespace {

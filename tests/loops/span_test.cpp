@@ -1,8 +1,7 @@
 // Tests whole spans of every form and length against the source's meaning in plain integers.
 #include "tests/loops/span.hpp"
 
-#include <gtest/gtest.h>
-
+#include "tests/support/test.hpp"
 #include "x86model/compiled.hpp"
 
 namespace {

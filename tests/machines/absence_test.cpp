@@ -1,13 +1,11 @@
 // Tests that an unavailable party reports so and does not count as agreeing.
-#include <gtest/gtest.h>
-
 #include <csignal>
-#include <cstdlib>
 
 #include "machine_code/emulator.hpp"
 #include "machine_code/machine_code.hpp"
 #include "machine_code/processor.hpp"
 #include "parties/answer.hpp"
+#include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
 #if defined(__linux__) && defined(__x86_64__)

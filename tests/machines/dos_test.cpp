@@ -1,16 +1,13 @@
 // Tests that the programs of `fixproof dos` give the model's answers in DOSBox.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "cases/streams.hpp"
 #include "machine_code/machine_code.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -162,10 +159,7 @@ TEST_F(Dos, RefusesWhatItCannotWrite) {
   for (const std::string_view arguments :
        {"dos", "dos sqrt", "dos mul -o", "dos mul -o /nowhere/at/all.com",
         "dos mul --as-scanned"}) {
-    const auto run = command::fixproof(arguments);
-    EXPECT_EQ(run.status, 2) << arguments;
-    EXPECT_EQ(run.out, "") << arguments;
-    EXPECT_EQ(run.err.rfind("fixproof: ", 0), 0) << run.err;
+    command::expect_refused(arguments, "");
   }
 }
 

@@ -1,12 +1,6 @@
 // Runs the model and Unicorn in lock step and compares registers and defined flags after every
 // instruction. Unicorn gets a random value for each flag that the model calls undefined.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "cases/draw.hpp"
 #include "cases/streams.hpp"
@@ -14,6 +8,7 @@
 #include "machine_code/emulator.hpp"
 #include "machine_code/frame.hpp"
 #include "machine_code/machine_code.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/call.hpp"
 
 namespace {

@@ -1,16 +1,12 @@
 // Tests the parties that run machine code: they agree with the model, they detect one wrong byte,
 // and faults in several threads do not interfere.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <thread>
-#include <vector>
 
 #include "cases/streams.hpp"
 #include "machine_code/machine_code.hpp"
 #include "parties/answer.hpp"
 #include "parties/machines.hpp"
+#include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
 namespace {
@@ -115,6 +111,14 @@ TEST_P(MachineParty, AgreesWithTheModelOnEveryProgram) {
     ++variants;
   }
   EXPECT_EQ(variants, 25);
+}
+
+TEST_P(MachineParty, SaysWhichMachineItIs) {
+  const std::string identity = parties::party_named(GetParam().name).identity();
+  if (identity != parties::processor_name()) {
+    EXPECT_EQ(identity.find("Unicorn 2."), 0U) << identity;
+  }
+  EXPECT_EQ(identity == parties::processor_name(), std::string(GetParam().name) == "silicon");
 }
 
 TEST_P(MachineParty, HasNothingToSayOfTheRest) {

@@ -1,14 +1,9 @@
 // CosSin's table is in the code segment, and CosSin reads it with a CS: override. On the processor
 // the data segment ends before the code, so a read without the override faults.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "machine_code/frame.hpp"
 #include "machine_code/machine_code.hpp"
 #include "machine_code/processor.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/cosine_table.hpp"
 
 namespace {

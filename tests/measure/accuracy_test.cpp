@@ -1,15 +1,9 @@
 // Tests that the measurement finds the known errors of each rounding.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string_view>
-
 #include "fixed/fixed.hpp"
 #include "measure/accuracy/accuracy_run.hpp"
 #include "oracle/real.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,10 +1,9 @@
 // Tests verdicts, and clock counts of whole calls against hand sums from Intel's tables.
 #include "measure/clocks/claims.hpp"
 
-#include <gtest/gtest.h>
-
 #include "measure/clocks/call_clocks.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

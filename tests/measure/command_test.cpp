@@ -1,15 +1,10 @@
 // Tests `fixproof measure` as a user runs it.
 #include "tests/cli/command.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <string>
 
-#include "support/file.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -24,21 +19,29 @@ TEST(MeasureCommand, WantsOneThingToMeasure) {
         "measure --stepping --cases 0", "measure --stepping --json /no/such/folder/file",
         "measure --accuracy --json /no/such/folder/file",
         "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
-    const auto run = command::fixproof(arguments);
-    EXPECT_EQ(run.status, 2) << arguments;
-    EXPECT_EQ(run.out, "") << arguments;
-    EXPECT_EQ(command::split(run.err, '\n').size(), 2U) << run.err;
+    command::expect_refused(arguments, "");
   }
 }
 
-TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
-  const std::string file = testing::TempDir() + "measure_command_test.json";
-  const auto run = command::fixproof("measure --accuracy --cases 200 --seed 5 --json " + file);
+struct Measured {
+  std::string out;
+  nlohmann::json json;
+};
+
+/// Runs `fixproof measure` with seed 5.
+Measured measured(const std::string& options) {
+  const ScratchFolder folder;
+  const auto run =
+      command::fixproof("measure " + options + " --seed 5 --json " + folder.path("json"));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
-  const auto json = nlohmann::json::parse(fixproof::support::read_file(file));
-  std::remove(file.c_str());
-  EXPECT_EQ(json.at("made").at("seed"), 5);
+  Measured both{run.out, nlohmann::json::parse(folder.read("json"))};
+  EXPECT_EQ(both.json.at("made").at("seed"), 5);
+  return both;
+}
+
+TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
+  const auto json = measured("--accuracy --cases 200").json;
   EXPECT_EQ(json.at("made").at("date").get<std::string>().size(), 20U);
   for (const auto& row : json.at("accuracy")) {
     const auto& counts = row.at("histogram").at("counts");
@@ -61,13 +64,7 @@ bool is_time(const nlohmann::json& times) {
 }
 
 TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
-  const std::string file = testing::TempDir() + "measure_host_test.json";
-  const auto run = command::fixproof("measure --host --rounds 1 --cases 1 --seed 5 --json " + file);
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
-  const auto json = nlohmann::json::parse(fixproof::support::read_file(file));
-  std::remove(file.c_str());
-  EXPECT_EQ(json.at("made").at("seed"), 5);
+  const auto [out, json] = measured("--host --rounds 1 --cases 1");
   EXPECT_NE(json.at("made").at("processor"), "");
   EXPECT_EQ(json.at("rounds"), 1);
   EXPECT_EQ(json.at("operands").at("arrays").at("div"), 1024);
@@ -93,18 +90,12 @@ TEST(MeasureCommand, TimesEveryContenderAndSaysWhatIsLeftOut) {
     EXPECT_EQ(found[library] > 0, built_in) << library;
     const std::string line =
         std::string(library) + " is left out, because it was not found when this program was built";
-    EXPECT_EQ(run.out.find(line) == std::string::npos, built_in) << library;
+    EXPECT_EQ(out.find(line) == std::string::npos, built_in) << library;
   }
 }
 
 TEST(MeasureCommand, StepsEveryVariantWithinItsBound) {
-  const std::string file = testing::TempDir() + "measure_stepping_test.json";
-  const auto run =
-      command::fixproof("measure --stepping --cases 2 --rounds 1 --seed 5 --json " + file);
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(run.out.substr(0, 8), "seed 5, ");
-  const auto json = nlohmann::json::parse(fixproof::support::read_file(file));
-  std::remove(file.c_str());
+  const auto json = measured("--stepping --cases 2 --rounds 1").json;
   EXPECT_EQ(json.at("lengths").at("most"), 320);
   std::map<std::string, int> found;
   for (const auto& row : json.at("stepping")) {

@@ -1,9 +1,7 @@
 // Tests statistics of a few errors, worked by hand.
 #include "measure/accuracy/error_statistics.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/test.hpp"
 
 namespace {
 

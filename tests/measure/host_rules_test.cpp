@@ -1,7 +1,7 @@
 // Tests right and wrong results, worked by hand.
 #include "measure/host/host_rules.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Tests that contenders are checked before timing and timed in turn.
-#include <gtest/gtest.h>
+#include "measure/host/host.hpp"
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 
 #include "measure/accuracy/accuracy_run.hpp"
-#include "measure/host/host_run.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 
 struct CutNumber {
   std::int32_t raw = 0;
@@ -145,7 +145,7 @@ TEST(HostContenders, TheResultsOfAChainAreJudgedToo) {
       measure::product_contender<measure::PlainNumber, oracle::Rounding::half_up>(
           "idiom", "", measure::HostKind::plain);
   EXPECT_EQ(complaint(operation_of("mul"), contender), "");
-  contender.loop = std::make_unique<BrokenChain>();
+  contender.loop = std::make_shared<BrokenChain>();
   EXPECT_NE(complaint(operation_of("mul"), contender), "");
 }
 

@@ -1,10 +1,9 @@
 // Tests the error on the page that the 8088 divide causes by dropping the divisor's fraction.
 #include "measure/accuracy/pixel_error.hpp"
 
-#include <gtest/gtest.h>
-
 #include "fixed/fixed.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

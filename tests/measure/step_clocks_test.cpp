@@ -1,13 +1,8 @@
 // Tests `fixproof step --clocks` against Intel's tables, with multiplies and divides by hand.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

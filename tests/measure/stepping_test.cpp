@@ -1,10 +1,4 @@
 // Tests the errors of stepping on spans worked by hand. One unit is 2^-16.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <memory>
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "measure/stepping/stepping_clocks.hpp"
 #include "measure/stepping/stepping_line.hpp"
@@ -12,8 +6,9 @@
 #include "measure/stepping/stepping_statistics.hpp"
 #include "measure/stepping/stepping_times.hpp"
 #include "tests/measure/never.hpp"
+#include "tests/support/test.hpp"
+#include "tests/surfaces/strip.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
-#include "xsharp/raster/step_filler.hpp"
 
 namespace {
 
@@ -125,8 +120,8 @@ TEST(SteppedLine, AWrongStepIsBeyondTheBound) {
   span.drawn = span.exact;
   measure::SteppingStatistics statistics;
   statistics.add_errors(three_pixels, span);
-  EXPECT_EQ(statistics.beyond().substr(0, 12), "pixel 1 of 3");
-  EXPECT_GT(statistics.part_of_bound(), 1);
+  EXPECT_EQ(statistics.beyond.substr(0, 12), "pixel 1 of 3");
+  EXPECT_GT(statistics.part_of_bound, 1);
 }
 
 // Exact values are floored: a third of a unit below level 11 is level 10.
@@ -143,14 +138,14 @@ TEST(SteppingStatistics, BandsAndWrongPixels) {
   span.drawn = {1, 1, 1, 2, 3};
   measure::SteppingStatistics statistics;
   statistics.add_picture(span, false);
-  EXPECT_EQ(statistics.drawn(), 5U);
-  EXPECT_EQ(statistics.wrong(), 1U);
-  EXPECT_EQ(statistics.max_error(), 1);
-  EXPECT_EQ(statistics.bands().exact, 3U);
-  EXPECT_EQ(statistics.bands().drawn, 3U);
-  EXPECT_EQ(statistics.bands().wrong, 2U) << "the first is too long, the second too short";
-  EXPECT_EQ(statistics.bands().widest, 1U);
-  EXPECT_EQ(statistics.missed(), 0U);
+  EXPECT_EQ(statistics.drawn, 5U);
+  EXPECT_EQ(statistics.wrong, 1U);
+  EXPECT_EQ(statistics.max_error, 1);
+  EXPECT_EQ(statistics.bands.exact, 3U);
+  EXPECT_EQ(statistics.bands.drawn, 3U);
+  EXPECT_EQ(statistics.bands.wrong, 2U) << "the first is too long, the second too short";
+  EXPECT_EQ(statistics.bands.widest, 1U);
+  EXPECT_EQ(statistics.missed, 0U);
 }
 
 TEST(SteppingStatistics, MissedTexels) {
@@ -159,11 +154,11 @@ TEST(SteppingStatistics, MissedTexels) {
   span.drawn = {5, 5, 7, 3 * 256 + 7};
   measure::SteppingStatistics statistics;
   statistics.add_picture(span, true);
-  EXPECT_EQ(statistics.wanted(), 4U);
-  EXPECT_EQ(statistics.missed(), 2U);
-  EXPECT_EQ(statistics.wrong(), 2U);
-  EXPECT_EQ(statistics.max_error(), 2) << "two rows";
-  EXPECT_EQ(statistics.bands().wrong, 2U);
+  EXPECT_EQ(statistics.wanted, 4U);
+  EXPECT_EQ(statistics.missed, 2U);
+  EXPECT_EQ(statistics.wrong, 2U);
+  EXPECT_EQ(statistics.max_error, 2) << "two rows";
+  EXPECT_EQ(statistics.bands.wrong, 2U);
 }
 
 TEST(SteppingRun, PlacesHaveTheirPixels) {
@@ -192,10 +187,10 @@ const measure::SteppingStatistics& of_rule(const std::vector<measure::SteppingRo
 TEST(SteppingRun, LinesTakeTheirBounds) {
   for (const measure::SteppingRow& row : measure::measure_stepping_rows(
            measure::line_variants(), 1, 4, never, [](std::uint64_t) {})) {
-    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.value << ", " << row.variant.rule;
-    EXPECT_GT(row.statistics.part_of_bound(), 0.9);
-    EXPECT_EQ(row.statistics.spans(), 4 * 320U);
-    EXPECT_EQ(row.statistics.pixels(), 4 * 320 * 321 / 2U);
+    EXPECT_EQ(row.statistics.beyond, "") << row.variant.value << ", " << row.variant.rule;
+    EXPECT_GT(row.statistics.part_of_bound, 0.9);
+    EXPECT_EQ(row.statistics.spans, 4 * 320U);
+    EXPECT_EQ(row.statistics.pixels, 4 * 320 * 321 / 2U);
   }
 }
 
@@ -205,12 +200,12 @@ TEST(SteppingRun, LinearTextureBesideTrueOne) {
   const auto rows = measure::measure_stepping_rows(measure::texture_variants(), 1, 4, never,
                                                    [](std::uint64_t) {});
   for (const measure::SteppingRow& row : rows)
-    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
-  EXPECT_GT(of_rule(rows, "never (affine)").all().error, 43);
-  EXPECT_LT(of_rule(rows, "never (affine)").all().error, 43.75 + 0.63);
-  for (const measure::ErrorAndBound& e : of_rule(rows, "every 16th").along())
+    EXPECT_EQ(row.statistics.beyond, "") << row.variant.rule;
+  EXPECT_GT(of_rule(rows, "never (affine)").all.error, 43);
+  EXPECT_LT(of_rule(rows, "never (affine)").all.error, 43.75 + 0.63);
+  for (const measure::ErrorAndBound& e : of_rule(rows, "every 16th").along)
     EXPECT_LT(e.error, 0.25);
-  EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.01);
+  EXPECT_LT(of_rule(rows, "every pixel").all.error, 0.01);
 }
 
 // Normals 60 degrees apart, s from -0.57735 to 0.57735. A straight line is off by at most 62 s^2 /
@@ -220,12 +215,12 @@ TEST(SteppingRun, PhongByParabola) {
   const auto rows =
       measure::measure_stepping_rows(measure::phong_variants(), 1, 4, never, [](std::uint64_t) {});
   for (const measure::SteppingRow& row : rows)
-    EXPECT_EQ(row.statistics.beyond(), "") << row.variant.rule;
-  EXPECT_GT(of_rule(rows, "ends alone, linear").all().error, 62 * (1 - std::sqrt(0.75)) - 0.4);
-  EXPECT_LT(of_rule(rows, "ends alone, linear").all().error, 10.33 + 0.4);
-  EXPECT_GT(of_rule(rows, "quadratic").all().error, 1.5);
-  EXPECT_LT(of_rule(rows, "quadratic").all().error, 2.3 + 0.5);
-  EXPECT_LT(of_rule(rows, "every pixel").all().error, 0.32);
+    EXPECT_EQ(row.statistics.beyond, "") << row.variant.rule;
+  EXPECT_GT(of_rule(rows, "ends alone, linear").all.error, 62 * (1 - std::sqrt(0.75)) - 0.4);
+  EXPECT_LT(of_rule(rows, "ends alone, linear").all.error, 10.33 + 0.4);
+  EXPECT_GT(of_rule(rows, "quadratic").all.error, 1.5);
+  EXPECT_LT(of_rule(rows, "quadratic").all.error, 2.3 + 0.5);
+  EXPECT_LT(of_rule(rows, "every pixel").all.error, 0.32);
 }
 
 TEST(SteppingRun, EndsWhenStopped) {
@@ -235,47 +230,17 @@ TEST(SteppingRun, EndsWhenStopped) {
       }).empty());
 }
 
-/// Records the light words that a filler draws with.
-class WordsOfLight final : public xsharp::SpanLoops {
- public:
-  explicit WordsOfLight(xsharp::StepWords& words) : words_(words) {}
-  void gouraud(std::span<std::uint8_t> /*out*/, std::uint16_t start,
-               std::uint16_t step) const override {
-    words_ = {start, step};
-  }
-  void gouraud_wide(std::span<std::uint8_t> /*out*/, std::uint32_t start,
-                    std::uint32_t step) const override {
-    words_ = {start, step};
-  }
-  void depth(std::span<std::uint8_t> /*out*/, std::span<std::int16_t> /*buffer*/,
-             std::uint8_t /*pixel*/, std::uint32_t /*start*/,
-             std::uint32_t /*step*/) const override {}
-  void texture(std::span<std::uint8_t> /*out*/, std::span<const std::uint8_t> /*bitmap*/,
-               std::uint32_t /*u*/, std::uint32_t /*du*/, std::uint32_t /*v*/,
-               std::uint32_t /*dv*/) const override {}
-
- private:
-  xsharp::StepWords& words_;
-};
-
-/// The words for a rectangle one row high, from the values at its left and right ends.
+/// The words for a rectangle, from the values at its left and right ends.
 template <class N>
 xsharp::StepWords drawn_words(xsharp::SurfaceKind kind, const measure::LineEnds& ends,
                               std::int32_t pixels) {
-  xsharp::Scene scene;
-  scene.objects.resize(1);
-  scene.objects[0].surface.kind = kind;
-  const double left = static_cast<double>(ends.from) / 65536;
-  const double right = static_cast<double>(ends.to) / 65536;
-  xsharp::Picture picture{.points = {{0, 0}, {pixels, 0}, {pixels, 1}, {0, 1}}, .polygons = {}};
-  picture.polygons.push_back({.object = 0, .first = 0, .points = 4});
-  picture.values = {{0, left}, {0, right}, {0, right}, {0, left}};
-  xsharp::StepWords words;
-  xsharp::StepFiller<N> filler(scene, std::make_unique<WordsOfLight>(words));
-  xsharp::Page<std::uint8_t> page(320, 1);
-  filler.begin(picture, 320, 1);
-  filler.fill(page, picture, picture.polygons[0], std::uint8_t{0});
-  return words;
+  xsharp::Surface surface;
+  surface.kind = kind;
+  const auto value = [](std::int64_t units) {
+    return xsharp::PointValues{0, static_cast<double>(units) / 65536};
+  };
+  const auto picture = surfaces::strip(pixels, value(ends.from), value(ends.to));
+  return surfaces::calls_of<N>(surfaces::scene_of(surface), picture, 320).at(0).one;
 }
 
 TEST(SteppedLine, IsWhatTheFillerDraws) {

@@ -1,17 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <random>
-#include <stdexcept>
-#include <vector>
-
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/unbounded.hpp"
 #include "parties/answer.hpp"
 #include "tests/oracle/rules.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

@@ -1,12 +1,8 @@
-#include <gtest/gtest.h>
-
-#include <array>
-#include <limits>
-#include <stdexcept>
-
 #include "oracle/exact.hpp"
 #include "oracle/unbounded.hpp"
 #include "tests/oracle/rules.hpp"
+#include "tests/support/test.hpp"
+#include "tests/support/worked.hpp"
 
 namespace oracle {
 namespace {
@@ -64,11 +60,16 @@ TEST(OracleMul, WrapsWhereItDoesNotFit) {
   EXPECT_EQ(exact_product(kLeast, kMinusOne, Rounding::floor, 16), Integer(1) << 31);
 }
 
-TEST(OracleMul, HalfWidth) {
-  EXPECT_EQ(mul(0x180, 0x180, Rounding::floor, 8), 0x240U);
-  EXPECT_EQ(mul(0x8000, 0xff00, Rounding::floor, 8), 0x8000U);
-  EXPECT_EQ(mul(0xff80, 1, Rounding::half_up, 8), 0U);
-  EXPECT_EQ(mul(0xff80, 1, Rounding::half_away, 8), 0xffffU);
+void expect_worked(const worked::Row& row, int bits) {
+  EXPECT_EQ(mul(row.a, row.b, Rounding::half_up, bits), row.i386_on) << row.a << ' ' << row.b;
+  EXPECT_EQ(mul(row.a, row.b, Rounding::floor, bits), row.i386_off) << row.a << ' ' << row.b;
+  EXPECT_EQ(mul(row.a, row.b, Rounding::half_away, bits), row.i8088_on) << row.a << ' ' << row.b;
+  EXPECT_EQ(mul(row.a, row.b, Rounding::truncate, bits), row.i8088_off) << row.a << ' ' << row.b;
+}
+
+TEST(OracleMul, AsWorkedByHand) {
+  for (const worked::Row& row : worked::products) expect_worked(row, 16);
+  for (const worked::Row& row : worked::half_products) expect_worked(row, 8);
 }
 
 TEST(OracleMulAdd, RoundsOnce) {

@@ -1,13 +1,5 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
-
 #include "oracle/exact.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

@@ -1,13 +1,9 @@
 #include "oracle/decimal.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <limits>
-#include <stdexcept>
-#include <string>
-
 #include "tests/oracle/rules.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

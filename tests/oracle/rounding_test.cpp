@@ -1,10 +1,6 @@
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <stdexcept>
-
 #include "oracle/unbounded.hpp"
 #include "tests/oracle/rules.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

@@ -1,14 +1,7 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <stdexcept>
-
 #include "oracle/exact.hpp"
 #include "oracle/fast_sine.hpp"
 #include "oracle/real.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

@@ -1,9 +1,6 @@
-#include <gtest/gtest.h>
-
-#include <array>
-
 #include "oracle/exact.hpp"
 #include "tests/oracle/rules.hpp"
+#include "tests/support/test.hpp"
 
 namespace oracle {
 namespace {

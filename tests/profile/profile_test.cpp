@@ -1,13 +1,9 @@
 // Tests profiles of scenes that are small enough to work out by hand.
 #include "trade/profile/profile.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-
 #include "cli/profile_text.hpp"
 #include "player/players.hpp"
+#include "tests/support/test.hpp"
 #include "x86model/forms.hpp"
 #include "xsharp/shapes.hpp"
 

@@ -1,11 +1,8 @@
 // Tests bits of values and results outside 16.16 against the oracle's unbounded results.
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <array>
-
 #include "oracle/unbounded.hpp"
+#include "tests/support/test.hpp"
 #include "trade/profile/places.hpp"
 #include "trade/profile/value_range.hpp"
 #include "trade/profile/wraps.hpp"

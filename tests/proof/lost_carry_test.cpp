@@ -1,10 +1,9 @@
 // Tests the proof of the lost carry, and that it fails for wrong statements and programs.
 #include "proof/lost_carry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "parties/interpreter.hpp"
 #include "proof/prove.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

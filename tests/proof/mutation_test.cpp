@@ -1,10 +1,9 @@
 // Runs level 1 against wrong programs: a sample of all mutants, swapped roundings, the other
 // processor's routine, a missing fault. `fixproof mutate` tries all mutants.
-#include <gtest/gtest.h>
-
 #include "parties/interpreter.hpp"
 #include "parties/parties.hpp"
 #include "proof/kill.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -117,8 +116,9 @@ TEST(Mutation, APlantedOrMissingCarryIsCaught) {
 class DropsAFault final : public parties::Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "broken"; }
+  [[nodiscard]] std::string identity() const override { return "a test"; }
   [[nodiscard]] bool answers(const cases::Variant& /*variant*/) const override { return true; }
-  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
     parties::party_named("model").answer(v, batch);
     for (std::size_t i = 0; i < batch.endings.size(); ++i) {
       if (batch.in[2 * i + 1] != 0) continue;

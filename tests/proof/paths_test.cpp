@@ -1,9 +1,6 @@
 // Tests that a symbolic run reports its limits and that every operand has one path under any
 // limits.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
+#include "tests/support/test.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/symbolic/call.hpp"
 #include "x86model/symbolic/evaluate.hpp"

@@ -1,11 +1,7 @@
 // Level 1 must kill every policy that differs from a preset in one rule, unless it is equivalent.
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "fixed/fixed.hpp"
 #include "proof/kill.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
@@ -20,8 +16,9 @@ template <policy rules>
 class Ruled final : public parties::Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "ruled"; }
+  [[nodiscard]] std::string identity() const override { return "a test"; }
   [[nodiscard]] bool answers(const cases::Variant& /*variant*/) const override { return true; }
-  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
     for (std::size_t i = 0; i < batch.endings.size(); ++i) {
       batch.endings[i] = one(v, batch.in.subspan(2 * i, 2), batch.out[i]);
     }

@@ -1,16 +1,10 @@
 // Compares the symbolic run with the interpreter: every operand has one path, with the same ending
 // and the same results. Mutants put every instruction in every place. The test counts the cases
 // that it cannot compare and limits their number.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <iostream>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "parties/answer.hpp"
+#include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
 #include "x86model/mutants.hpp"
 #include "x86model/symbolic/call.hpp"

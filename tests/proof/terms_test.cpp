@@ -1,8 +1,5 @@
 // Tests that folding preserves meaning: constants and variables of the same values must agree.
-#include <gtest/gtest.h>
-
-#include <random>
-
+#include "tests/support/test.hpp"
 #include "x86model/symbolic/alu.hpp"
 #include "x86model/symbolic/evaluate.hpp"
 #include "x86model/symbolic/smt.hpp"

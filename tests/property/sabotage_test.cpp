@@ -1,13 +1,6 @@
 // Tests that the generated tests fail for each planted defect, in the streams that target it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <set>
-#include <string>
-#include <string_view>
-
 #include "property/rapidcheck.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

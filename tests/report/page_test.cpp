@@ -1,8 +1,6 @@
 // Tests the page as text: names and data must not break out of their places.
 #include "cli/report/page.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <regex>
 #include <span>
@@ -10,6 +8,7 @@
 
 #include "support/json.hpp"
 #include "support/sha256.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

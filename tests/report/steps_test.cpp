@@ -1,9 +1,7 @@
 // Tests the list of steps, their command lines, and the message when a step ends the report.
 #include "cli/report/steps.hpp"
 
-#include <gtest/gtest.h>
-
-#include <string>
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {

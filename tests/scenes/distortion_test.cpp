@@ -2,10 +2,8 @@
 #include "trade/drift/distortion.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "tests/support/test.hpp"
 #include "trade/drift/run.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/shapes.hpp"

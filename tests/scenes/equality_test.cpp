@@ -1,12 +1,12 @@
 // Compares register-level X-Sharp with X-Sharp on the type: transforms, vertices, faces and pixels.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
 
 #include "player/dump.hpp"
 #include "player/players.hpp"
+#include "tests/scenes/all_arithmetics.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 
@@ -59,7 +59,7 @@ class Equality : public testing::TestWithParam<const char*> {};
 
 TEST_P(Equality, ModelAndTypeDrawTheSame) {
   int variants = 0;
-  for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != "model") continue;
     ++variants;
     EXPECT_EQ(expect_equal(GetParam(), choice), frames_compared);
@@ -82,7 +82,7 @@ TEST(Variants, EachDrawsDifferently) {
   // printed one. The second scene has too few cubes to show whether divides round.
   for (const char* file : {SCENES "/twelve_cubes.json", SCENES "/lost_carry.json"}) {
     const xsharp::Scene scene = xsharp::read_scene(file);
-    for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
+    for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
       const auto player = player::make_player(scene, choice);
       xsharp::Picture picture;
       for (std::uint64_t frame = 0; frame < 300; ++frame) {

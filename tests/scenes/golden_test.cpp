@@ -2,13 +2,13 @@
 // pictures of golden/work_out_pixels.py.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
+#include "tests/scenes/all_arithmetics.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 
@@ -44,7 +44,7 @@ std::string read(const std::string& path) {
 void expect_golden(const std::string& name, const std::string& by) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
   std::string all;
-  for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice)) continue;
     // A viewer at the origin loses no carry, so these golden files omit the repaired builds.
     if (choice.repaired && scene.camera.position == xsharp::Triple{}) continue;
@@ -74,7 +74,7 @@ std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
 void expect_golden_pixels(const std::string& name, const std::string& folder = SCENES) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", folder, name));
   std::string all;
-  for (const xsharp::ArithmeticChoice& choice : player::all_arithmetics()) {
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != "type" || !xsharp::is_listing(choice) || choice.repaired) continue;
     all += fmt::format("# {} multiply {} divide {}\n", choice.target,
                        choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");

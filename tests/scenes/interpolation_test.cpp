@@ -1,11 +1,11 @@
 // Compares every pixel of surfaces drawn by the listings, inner loops included, with surfaces drawn
 // by the type.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
+#include "tests/scenes/all_arithmetics.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/exact_filler.hpp"
@@ -98,7 +98,7 @@ TEST_P(Interpolation, UnderEveryBuild) {
   scene.width = 160;
   scene.height = 120;
   int builds = 0;
-  for (const ArithmeticChoice& choice : player::all_arithmetics()) {
+  for (const ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != "model") continue;
     ++builds;
     EXPECT_GT(expect_same_pixels(scene, choice, 6), 6 * 2'000);

@@ -1,19 +1,10 @@
 // Compares the pictures of the type and of the register-level model with those of the original
 // programs. The digests in originals/ come from running those programs under a DOS emulator.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
 #include <fstream>
-#include <memory>
-#include <span>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "player/picture_digest.hpp"
 #include "player/players.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
 

@@ -1,13 +1,7 @@
 // Tests chapter 54's statement about its demonstration: green light shades smoothly, and green
 // light with blue light does not.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <map>
-#include <set>
-
 #include "player/players.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/palette.hpp"
 

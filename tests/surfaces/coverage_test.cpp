@@ -1,10 +1,7 @@
 // Tests that interpolated polygons cover the same pixels as flat ones, whatever their values.
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <limits>
-
+#include "tests/support/test.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "xsharp/raster/fill.hpp"

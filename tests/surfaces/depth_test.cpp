@@ -1,9 +1,5 @@
 // Tests the depth buffer against depths in double, with and without clearing, and drawing order.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "tests/support/test.hpp"
 #include "tests/surfaces/polygon_row.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "xsharp/files/scene_json.hpp"

@@ -1,10 +1,8 @@
 // Tests the C++ inner loops against their definitions, pixel by pixel in 64 bits.
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "xsharp/raster/depth_row.hpp"
 #include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"

@@ -6,18 +6,9 @@
 // where theta is 0. A line between values h apart is off by at most h^2 / 8 |light''|. A parabola
 // through three values h apart is off by at most h^3 / (9 sqrt 3) |light'''| = |M| (k h)^3 / (3
 // sqrt 3).
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <memory>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/surfaces/polygon_row.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"

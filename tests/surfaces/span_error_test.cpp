@@ -1,12 +1,7 @@
 // Compares the arguments of the loops with the exact value at every pixel of a span.
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-
+#include "tests/support/test.hpp"
 #include "tests/surfaces/polygon_row.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"

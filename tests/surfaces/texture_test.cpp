@@ -1,9 +1,7 @@
 // Compares the bitmap places of the texture loops with exact perspective.
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cmath>
-
+#include "tests/support/test.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "xsharp/files/scene_json.hpp"

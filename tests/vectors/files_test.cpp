@@ -1,15 +1,7 @@
 // Tests that the model and the host processor agree with the committed cases.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 #include "tests/vectors/processor.hpp"
 
@@ -32,8 +24,11 @@ TEST(Vectors, SeveralFilesAreJudgedOneAfterTheOther) {
   const std::string first = vectors::path_of(vectors::committed[1]);
   const std::string second = vectors::path_of(vectors::committed[2]);
   const auto run = command::fixproof(fmt::format("step --singlestep {} {}", first, second));
-  EXPECT_EQ(run.out, fmt::format("{}: {}\n{}: {}\n", first, vectors::committed[1].summary, second,
-                                 vectors::committed[2].summary));
+  EXPECT_EQ(
+      run.out,
+      fmt::format("{}: {}\n{}: {}\ntotal: 91 cases, 85 run, 85 equal, 0 differing; 6 "
+                  "skipped: 1 prefix in no listing, 5 form in no listing\n",
+                  first, vectors::committed[1].summary, second, vectors::committed[2].summary));
   EXPECT_EQ(run.status, 0);
 }
 

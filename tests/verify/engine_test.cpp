@@ -1,14 +1,12 @@
 // Tests that a party with one rare error is caught and that every wrong case counts once.
 #include "verify/engine.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <atomic>
-#include <stdexcept>
+#include <new>
 
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
 
@@ -192,11 +190,56 @@ TEST(Engine, KeepsOnlyTheFirstMismatches) {
   }
 }
 
-TEST(Engine, WhatAPartyThrowsComesOut) {
-  const auto liar = saboteur([](Words in, auto, parties::Ending&) {
-    if (in[0] == 3) throw std::domain_error("three");
+/// What verify::run() says of a party that throws.
+std::string failure_of(const Saboteur& party) {
+  try {
+    judge(party, mul);
+  } catch (const parties::PartyFailure& failure) {
+    return failure.what();
+  }
+  return "nothing";
+}
+
+TEST(Engine, APartyThatFailsIsNamedWithItsReason) {
+  EXPECT_EQ(failure_of(saboteur([](Words in, auto, parties::Ending&) {
+              if (in[0] == 3) throw std::domain_error("three");
+            })),
+            "party 'saboteur' failed: three");
+  EXPECT_EQ(failure_of(saboteur([](Words in, auto, parties::Ending&) {
+              if (in[0] == 3) throw std::bad_alloc();
+            })),
+            "party 'saboteur' failed: out of memory");
+}
+
+TEST(Engine, WhatWasComparedBeforeAPartyFailedIsKept) {
+  std::atomic<bool> fails = true;
+  std::atomic<std::uint64_t> asked = 0;
+  const auto party = saboteur([&](Words, std::span<std::uint32_t> out, parties::Ending&) {
+    constexpr std::uint64_t before = 300'000;
+    if (fails && ++asked > before) throw std::runtime_error("tired");
+    ++out[0];
   });
-  EXPECT_THROW(judge(liar, mul), std::domain_error);
+  const std::array<const parties::Party*, 2> both{&party, &parties::party_named("fast")};
+  verify::Report report(test::plan_against_fast(mul), cases::Shard{}, 1);
+  EXPECT_THROW(verify::run(report, both, {.threads = 2}), parties::PartyFailure);
+  EXPECT_FALSE(report.complete());
+  std::uint64_t cases = 0;
+  for (std::uint64_t chunk = 0; chunk < report.done.size(); ++chunk) {
+    if (report.done[chunk]) cases += report.plan.chunk(chunk).cases;
+  }
+  EXPECT_GT(cases, 0U);
+  EXPECT_EQ(report.cases(), cases);
+  EXPECT_EQ(report.mismatches(), cases);
+  EXPECT_GT(report.seconds, 0);
+
+  // Goes on from a file to the same end as a run without a failure.
+  fails = false;
+  verify::Report resumed = verify::from_json(verify::to_json(report));
+  verify::run(resumed, both, {.threads = 2});
+  EXPECT_TRUE(resumed.complete());
+  EXPECT_EQ(resumed.mismatches(), resumed.plan.cases());
+  ASSERT_EQ(resumed.findings[0].shown.size(), 1U);
+  EXPECT_EQ(resumed.findings[0].shown[0].said.size(), 2U);
 }
 
 TEST(Engine, AMissingPartyIsRefused) {

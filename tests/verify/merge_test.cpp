@@ -1,14 +1,9 @@
 // Tests that shards add up to the whole, and that duplicate or missing parts are reported.
 #include "verify/merge.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "cases/plan.hpp"
+#include "cli/table.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/report_json.hpp"
 
@@ -71,6 +66,44 @@ TEST(Merging, PartsOfAnotherVerificationAreRefused) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "b belongs to another verification than a: seed 9, not 1");
   }
+}
+
+TEST(Merging, PartsOfAnotherBuildAreRefusedUnlessAccepted) {
+  auto parts = shards(2);
+  const auto refused = [&](auto change, const std::string& wanted) {
+    auto changed = parts;
+    verify::Maker& maker = changed[1].report.makers.at(0);
+    change(maker);
+    try {
+      verify::merged(changed);
+      ADD_FAILURE() << "merged";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "part 1 is from another build: " + wanted +
+                    "; run it with one build and the same parties, or give --accept-other-builds");
+    }
+    const verify::Report sum = verify::from_json(verify::to_json(verify::merged(changed, true)));
+    ASSERT_EQ(sum.makers.size(), 2U);
+    EXPECT_EQ(sum.makers[0], parts[0].report.makers[0]);
+    EXPECT_EQ(sum.makers[1], maker);
+    EXPECT_NE(cli::table(sum).find("2 builds answered"), std::string::npos);
+  };
+  const verify::Maker here = parts[0].report.makers.at(0);
+  refused([](verify::Maker& m) { m.version = "0.0.9"; }, "version 0.0.9, not " + here.version);
+  refused([](verify::Maker& m) { m.executable = "12ab"; },
+          "executable 12ab, not " + here.executable);
+  refused([](verify::Maker& m) { m.commit = "34cd"; }, "commit 34cd, not " + here.commit);
+  refused([](verify::Maker& m) { m.parties["saboteur"] = "another"; },
+          "saboteur another, not a saboteur");
+  EXPECT_EQ(cli::table(verify::merged(parts)).find("builds"), std::string::npos);
+
+  // All parts are of one build, but not of the one that merges.
+  for (verify::NamedReport& part : parts) part.report.makers.at(0).executable = "56ef";
+  EXPECT_THROW(verify::merged(parts), std::runtime_error);
+  // It asks no party.
+  parts = shards(2);
+  for (auto& part : parts) part.report.makers.at(0).parties["saboteur"] = "another";
+  EXPECT_EQ(verify::merged(parts).makers.size(), 1U);
 }
 
 TEST(Merging, WhatIsMissingIsNamed) {

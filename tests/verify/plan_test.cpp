@@ -1,13 +1,9 @@
 // Tests that any division of a plan covers its cases exactly once.
 #include "cases/plan.hpp"
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <stdexcept>
-
 #include "cli/selection.hpp"
 #include "support/usage_error.hpp"
+#include "tests/support/test.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof {

@@ -1,7 +1,6 @@
 // Tests that foreign names cannot control a terminal.
-#include <gtest/gtest.h>
-
 #include "support/plain_text.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 

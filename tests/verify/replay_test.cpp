@@ -1,18 +1,15 @@
 // Tests that a shell can run the command line of a mismatch and that it repeats the case.
 #include "verify/replay.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
-#include <string>
 
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
 #include "parties/answer.hpp"
+#include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
 namespace fixproof {

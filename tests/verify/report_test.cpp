@@ -1,18 +1,18 @@
 // Tests that JSON reports are read back completely, resumed at any chunk, and rejected when
 // damaged.
-#include <gtest/gtest.h>
-
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 
 #include "cases/draw.hpp"
 #include "cases/plan.hpp"
+#include "support/build_info/build_info.hpp"
 #include "support/file.hpp"
+#include "support/sha256.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
+#include "tests/verify/sealed.hpp"
+#include "verify/recheck.hpp"
 #include "verify/report_file.hpp"
 #include "verify/report_json.hpp"
 
@@ -32,8 +32,9 @@ class Counting final : public parties::Party {
   Counting(const parties::Party& party, std::uint64_t batches, std::atomic<bool>& stop)
       : party_(party), batches_(batches), stop_(stop) {}
   [[nodiscard]] std::string_view name() const override { return party_.name(); }
+  [[nodiscard]] std::string identity() const override { return party_.identity(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return party_.answers(v); }
-  void answer(const cases::Variant& v, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
     if (batches_-- == 1) stop_ = true;
     party_.answer(v, batch);
   }
@@ -124,30 +125,191 @@ TEST(Reports, NoCutTextIsRead) {
   }
 }
 
-TEST(Reports, DamageIsFound) {
+/// Why the text is refused; empty if it is read.
+std::string reason(const std::string& text) {
+  try {
+    verify::from_json(text);
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto place = text.find(from);
+  if (place == std::string::npos) throw std::logic_error("no " + from);
+  return text.replace(place, from.size(), to);
+}
+
+TEST(Reports, EveryFlippedBitIsFound) {
+  verify::Report one_chunk(cases::Plan(1, 5, {{div, {"saboteur", "fast"}}}), {1, 1000}, 1);
+  verify::run(one_chunk, both());
+  const std::string good = verify::to_json(one_chunk);
+  ASSERT_EQ(reason(good), "");
+  for (std::size_t place = 0; place < good.size(); ++place) {
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      std::string text = good;
+      text[place] = static_cast<char>(static_cast<unsigned char>(text[place]) ^ (1U << bit));
+      ASSERT_NE(reason(text), "") << "bit " << bit << " of byte " << place << "\n" << text;
+    }
+  }
+}
+
+TEST(Reports, AnEditWithoutANewDigestIsNamed) {
   const std::string good = verify::to_json(finished());
-  const auto refused = [&](const std::string& from, const std::string& to) {
-    std::string text = good;
-    const auto place = text.find(from);
-    ASSERT_NE(place, std::string::npos) << from;
-    text.replace(place, from.size(), to);
-    EXPECT_THROW(verify::from_json(text), std::runtime_error) << from << " -> " << to;
+  for (const auto& [from, to] : {std::pair{R"("faults": )", R"("faults": 1)"},
+                                 {R"("seconds": 0.0)", R"("seconds": 1.0)"},
+                                 {R"("version": 3)", R"("version": 2)"},
+                                 {R"("compiler": ")", R"("compiler": "x)"}}) {
+    EXPECT_NE(reason(replaced(good, from, to)).find("the digest at its end"), std::string::npos)
+        << from;
+  }
+}
+
+/// Here the forger computed the digest again.
+TEST(Reports, AContradictionIsFoundUnderARightDigest) {
+  const std::string good = verify::to_json(finished());
+  const auto refused = [&](const std::string& from, const std::string& to,
+                           const std::string& wanted) {
+    const std::string text = test::sealed(replaced(good, from, to));
+    EXPECT_NE(reason(text).find(wanted), std::string::npos) << to << ": " << reason(text);
   };
-  refused("fixproof report", "another report");
-  refused(R"("version": 2)", R"("version": 1)");
-  refused(R"("level": 1)", R"("level": 2)");
-  refused(R"("level": 1)", R"("level": "one")");
-  refused(R"("seed": "5")", R"("seed": "five")");
-  refused(R"("mul")", R"("mull")");
-  refused(R"("i386")", R"("i486")");
-  refused(R"("faults": 0)", R"("faults": -1)");
-  refused(R"("cases": )", R"("cases": 1)");
-  refused(R"("mismatches": )", R"("mismatches": 1)");
-  refused(R"("complete": true)", R"("complete": false)");
-  refused(R"("operation")", R"("operations")");
+  refused("fixproof report", "another report", "not a report of fixproof");
+  refused(R"("level": 1)", R"("level": 2)", "other cases");
+  refused(R"("level": 1)", R"("level": 4)", "no level 4");
+  refused(R"("level": 1)", R"("level": 1.9)", "1.9 is not a count");
+  refused(R"("level": 1)", R"("level": 1.0)", "1.0 is not a count");
+  refused(R"("level": 1)", R"("level": "one")", R"("one" is not a count)");
+  refused(R"("level": 1)", R"("level": 2, "level": 1)", R"(the key "level" occurs twice)");
+  refused(R"("level": 1)", R"("level": 1, "note": 1)", "other keys");
+  refused(R"("level": 1)", R"("level":  1)", "other keys or spaces");
+  refused(R"("version": 3)", R"("version": 3.5)", "3.5 is not a count");
+  refused(R"("version": 3)", R"("version": 4)", "fixproof 0.1.0 wrote");
+  refused(R"("chapter": 54)", R"("chapter": 54.5)", "54.5");
+  refused(R"("seed": "5")", R"("seed": "five")", "'five' is not a seed");
+  refused(R"("mul")", R"("mull")", "mull");
+  refused(R"("i386")", R"("i486")", "i486");
+  refused(R"("faults": 0)", R"("faults": -1)", "-1 is not a count");
+  refused(R"("faults": 0)", R"("faults": 1)", "the counts of row 1");
+  refused(R"("cases": )", R"("cases": 1)", "totals");
+  refused(R"("mismatches": )", R"("mismatches": 1)", "totals");
+  refused(R"("complete": true)", R"("complete": false)", "totals");
+  refused(R"("operation")", R"("operations")", "operation");
+  refused(R"("saboteur": "a saboteur")", R"("liar": "a saboteur")", "the parties of the rows");
+  refused(R"("chunks": [)", R"("chunks": ["0 0 0000000000000000",)", "results");
+  refused(R"("chunks": [)", R"("chunks": [7,)", "results");
   for (const char* text : {"[]", "1", "null", "{}", R"({"format": 1})", R"("fixproof report")"}) {
     EXPECT_THROW(verify::from_json(text), std::runtime_error) << text;
   }
+}
+
+TEST(Reports, NothingFollowsThem) {
+  const std::string good = verify::to_json(finished({1, 20}));
+  for (const char* more : {" ", "\n", "x", "{}"}) EXPECT_NE(reason(good + more), "");
+  EXPECT_NE(reason(good + '\0'), "");
+}
+
+TEST(Reports, OldOnesAreRefusedWithWhatToDo) {
+  std::string old = verify::to_json(finished());
+  old = replaced(old.substr(0, old.rfind(",\n \"digest\"")) + "\n}\n", R"("version": 3)",
+                 R"("version": 2)");
+  EXPECT_EQ(reason(old),
+            "written in format 2 by a fixproof 0.1.0 that did not record its build; this fixproof "
+            "reads format 3: run the verification again");
+}
+
+TEST(Reports, ARepeatedRowIsRefusedBeforeAnythingElseIsRead) {
+  const std::string good = verify::to_json(finished({1, 20}));
+  const std::string rows = "\"rows\": [";
+  const auto begin = good.find(rows) + rows.size();
+  const auto end = good.find("\n  },", begin) + 5;
+  std::string many;
+  for (int i = 0; i < 1'000; ++i) many += good.substr(begin, end - begin);
+  const std::string text = test::sealed(replaced(good, rows, rows + many));
+  EXPECT_EQ(reason(text), "row 2 repeats mul i386 on");
+}
+
+TEST(Reports, SayWhatMadeThem) {
+  const verify::Report report = verify::from_json(verify::to_json(finished()));
+  ASSERT_EQ(report.makers.size(), 1U);
+  const verify::Maker& maker = report.makers[0];
+  EXPECT_EQ(maker.version, support::program_version());
+  EXPECT_EQ(maker.commit, support::source_commit());
+  EXPECT_FALSE(maker.compiler.empty());
+  EXPECT_EQ(
+      maker.executable,
+      support::sha256_hex(support::read_file(std::filesystem::read_symlink("/proc/self/exe"))));
+  EXPECT_EQ(maker.parties, (std::map<std::string, std::string>{{"fast", "built-in integers"},
+                                                               {"saboteur", "a saboteur"}}));
+}
+
+/// The report of two parties that answer alike.
+verify::Report report_of_two(const test::Saboteur::Spoil& spoil) {
+  const test::Saboteur one("one", parties::party_named("fast"), spoil);
+  const test::Saboteur two("two", parties::party_named("fast"), spoil);
+  verify::Report report(cases::Plan(1, 5, {{div, {"one", "two"}}}), {}, 3);
+  verify::run(report, std::array<const parties::Party*, 2>{&one, &two});
+  EXPECT_EQ(report.mismatches(), 0U);
+  return report;
+}
+
+TEST(Reports, OneBitOfOneAnswerChangesTheDigestOfItsChunk) {
+  const verify::Report honest = report_of_two([](Words, auto, parties::Ending&) {});
+  const auto is_one = [](Words in) { return in[0] == 0x8001U && in[1] == 0x55555555U; };
+  const verify::Report bit =
+      report_of_two([&](Words in, std::span<std::uint32_t> out, parties::Ending&) {
+        if (is_one(in)) out[0] ^= 0x80000000U;
+      });
+  const verify::Report fault = report_of_two([&](Words in, auto, parties::Ending& ending) {
+    if (is_one(in)) ending = parties::Ending::divide_error;
+  });
+  const verify::Report unspecified =
+      report_of_two([](Words, std::span<std::uint32_t> out, parties::Ending& ending) {
+        if (ending == parties::Ending::divide_error) out[0] ^= 0x12345678U;
+      });
+  EXPECT_EQ(honest.chunks, unspecified.chunks);
+  for (const verify::Report* other : {&bit, &fault}) {
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < honest.chunks.size(); ++i) {
+      if (honest.chunks[i].answers != other->chunks[i].answers) ++differing;
+    }
+    EXPECT_EQ(differing, 1U);
+  }
+}
+
+TEST(Reports, ChunksRunAgainFindChangedResults) {
+  const auto everything = [](const verify::Report& report) {
+    try {
+      verify::recheck(report, both(), report.done.size());
+      return std::string();
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  verify::Report report = finished({2, 3});
+  EXPECT_EQ(everything(report), "");
+  EXPECT_EQ(everything(fresh()), "");
+  for (std::uint64_t verify::ChunkResult::*part :
+       {&verify::ChunkResult::faults, &verify::ChunkResult::mismatches,
+        &verify::ChunkResult::answers}) {
+    verify::Report changed = report;
+    ++(changed.chunks[4].*part);
+    EXPECT_EQ(everything(changed).find("chunk 4 (mul i386 on, "), 0U) << everything(changed);
+  }
+  // One of three chunks runs again, each time another.
+  verify::Report changed = finished({1, 12});
+  ASSERT_EQ(changed.chunks_done(), 3U);
+  changed.chunks[12].answers ^= 1U;
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    try {
+      verify::recheck(changed, both(), 1);
+    } catch (const std::runtime_error&) {
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_LT(found, 100);
 }
 
 TEST(Reports, ChunksDoneMustFitTheCounts) {
@@ -156,6 +318,12 @@ TEST(Reports, ChunksDoneMustFitTheCounts) {
   EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
   report = finished();
   ++report.findings[0].cases;
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
+  report = finished();
+  ++report.chunks[0].faults;
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
+  report = finished();
+  report.makers.clear();
   EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
   report = finished();
   report.findings[0].shown.pop_back();

@@ -28,10 +28,11 @@ class Saboteur final : public parties::Party {
       : name_(std::move(name)), honest_(honest), spoil_(std::move(spoil)) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] std::string identity() const override { return "a saboteur"; }
   [[nodiscard]] bool answers(const cases::Variant& variant) const override {
     return honest_.answers(variant);
   }
-  void answer(const cases::Variant& variant, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& variant, const parties::Batch& batch) const override {
     honest_.answer(variant, batch);
     const std::size_t in = cases::words_in(variant.operation);
     const std::size_t out = cases::words_out(variant.operation);

@@ -1,8 +1,7 @@
 // Tests that shrinking makes failing cases as simple as possible and that they still fail.
 #include "verify/shrink.hpp"
 
-#include <gtest/gtest.h>
-
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 
 namespace fixproof {

@@ -1,17 +1,9 @@
 // Tests that streams are pure functions and contain the cases that they promise.
 #include "cases/streams.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <vector>
-
 #include "cases/plan.hpp"
 #include "parties/party.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {

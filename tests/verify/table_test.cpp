@@ -1,15 +1,11 @@
 // Tests the tables that commands print.
 #include "cli/table.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <sstream>
-
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
 #include "cli/progress.hpp"
 #include "support/plain_text.hpp"
+#include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 
 namespace fixproof {

@@ -2,9 +2,7 @@
 // unsigned result is out of range, OF the signed result, AF the low hex digit.
 #include "x86model/alu.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
+#include "tests/support/test.hpp"
 
 namespace {
 

@@ -1,7 +1,6 @@
 #include "x86model/assemble.hpp"
 
-#include <gtest/gtest.h>
-
+#include "tests/support/test.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"
 

@@ -1,10 +1,7 @@
 // Tests the bytes on an 8088's bus against hand counts from ndisasm listings of NASM's output.
 #include "x86model/bus.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-
+#include "tests/support/test.hpp"
 #include "x86model/count_clocks.hpp"
 #include "x86model/notation.hpp"
 

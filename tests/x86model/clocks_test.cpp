@@ -1,12 +1,7 @@
 // Tests clock counts against hand sums from Intel's tables, instruction by instruction.
 #include "x86model/clocks.hpp"
 
-#include <gtest/gtest.h>
-
-#include <ostream>
-#include <string>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
 #include "x86model/count_clocks.hpp"
 #include "x86model/notation.hpp"

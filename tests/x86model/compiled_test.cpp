@@ -2,9 +2,8 @@
 // widths.
 #include "x86model/compiled.hpp"
 
-#include <gtest/gtest.h>
-
 #include "parties/parties.hpp"
+#include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
 
 namespace {

@@ -1,9 +1,5 @@
 // Tests that routines execute everything that the model implements.
-#include <gtest/gtest.h>
-
-#include <set>
-#include <string>
-
+#include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
 #include "x86model/forms.hpp"
 #include "x86model/text.hpp"

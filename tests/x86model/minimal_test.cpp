@@ -1,14 +1,8 @@
 // Tests that the model is minimal: routines and loops execute every form of instruction, and
 // leaving out any form gives results that the oracle rejects. For the loops, tests/loops tests the
 // latter.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <optional>
-#include <set>
-#include <string>
-
 #include "parties/party.hpp"
+#include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/notation.hpp"

@@ -1,9 +1,8 @@
 // Tests what a caller of a whole routine relies on besides the result.
 #include "x86model/routine.hpp"
 
-#include <gtest/gtest.h>
-
 #include "oracle/exact.hpp"
+#include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
 #include "x86model/text.hpp"
 

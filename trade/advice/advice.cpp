@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "measure/host/provenance.hpp"
 
 namespace fixproof::trade {
 
@@ -55,6 +58,45 @@ Advice advise(std::span<const Tried> tried, double budget) {
     if (!fits && !has_equal_cost(tried[i].cost, taken)) advice.next_cheaper = i;
   }
   return advice;
+}
+
+void to_json(support::Json& json, const AdviceReport& report) {
+  using support::Json;
+  Json variants = Json::array();
+  for (const auto& [choice, cost, error] : report.tried) {
+    variants.push_back({{"name", name_of(choice)},
+                        {"target", cases::name_of(choice.build.target)},
+                        {"mul_round", choice.build.mul_round},
+                        {"div_round", choice.build.div_round},
+                        {"from_scratch", choice.turning.from_scratch},
+                        {"restore_every", choice.turning.restore_every},
+                        {"cost_least", cost.least},
+                        {"cost_most", cost.most},
+                        {"cost_ranked", cost.ranked},
+                        {"cost_spread", cost.spread},
+                        {"cost_bus", cost.bus},
+                        {"worst_pixels", error.pixels},
+                        {"worst_frame", error.frame},
+                        {"worst_object", error.object},
+                        {"first_frame_over", error.over},
+                        {"within_budget", error.pixels <= report.budget}});
+  }
+  Json made = measure::made_by_json("advise");
+  made["processor"] = report.cpu ? Json() : Json(parties::processor_name());
+  const Advice advice = advise(report.tried, report.budget);
+  json = {{"made", std::move(made)},
+          {"scene", report.scene},
+          {"frames", report.frames},
+          {"frames_per_second", advised_rate},
+          {"budget_pixels", report.budget},
+          {"cpu", report.cpu ? Json(x86model::name_of(*report.cpu)) : Json()},
+          {"repaired", report.repaired},
+          {"cost_unit", cost_unit(report)},
+          {"variants", std::move(variants)},
+          {"take", advice.take},
+          {"runner_up", advice.runner_up},
+          {"next_cheaper", advice.next_cheaper},
+          {"drift_pixels", report.drift_pixels}};
 }
 
 }  // namespace fixproof::trade

@@ -66,6 +66,6 @@ inline const char* cost_unit(const AdviceReport& report) {
 
 /// made: {command, compiler, date; processor: null if clocks are counted}. worst_pixels is null if
 /// a divide error leaves a corner without a position, because JSON has no infinity.
-support::Json to_json(const AdviceReport& report);
+void to_json(support::Json& json, const AdviceReport& report);
 
 }  // namespace fixproof::trade

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -37,6 +38,35 @@ std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu) {
     }
   }
   return choices;
+}
+
+std::vector<Choice> measured_choices(std::span<const Choice> choices) {
+  std::vector<Choice> measured;
+  const auto add = [&measured](Choice choice, std::int32_t every) {
+    choice.turning.restore_every = every;
+    if (std::ranges::find(measured, choice) == measured.end()) measured.push_back(choice);
+  };
+  for (const Choice& choice : choices) {
+    const std::int32_t every = choice.turning.restore_every;
+    if (every > 1) add(choice, 0);
+    add(choice, std::min(every, 1));
+  }
+  return measured;
+}
+
+std::vector<double> figures_of(Choice choice, std::span<const Choice> measured,
+                               const std::vector<std::vector<double>>& figures) {
+  const auto figures_restoring = [&](std::int32_t every) {
+    choice.turning.restore_every = every;
+    const auto found = std::ranges::find(measured, choice);
+    return figures.at(static_cast<std::size_t>(found - measured.begin()));
+  };
+  const std::int32_t every = choice.turning.restore_every;
+  if (every <= 1) return figures_restoring(every);
+  std::vector<double> shared = figures_restoring(0);
+  const std::vector<double> always = figures_restoring(1);
+  for (std::size_t i = 0; i < shared.size(); ++i) shared[i] += (always[i] - shared[i]) / every;
+  return shared;
 }
 
 std::string name_of(const Choice& choice) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct Choice {
 /// All choices that `cpu` can run, or all choices if it is empty. An 8088 or a 286 has no 32-bit
 /// registers and cannot run 386 code.
 std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu);
+
+/// The choices whose figures are measured. Restorations at an interval need two of them, never and
+/// after every rotation: see figures_of().
+std::vector<Choice> measured_choices(std::span<const Choice> choices);
+
+/// The figures of a choice from those of `measured`. Rare restorations take too little time to
+/// measure, so those after every rotation are shared out among the frames between two of them.
+std::vector<double> figures_of(Choice choice, std::span<const Choice> measured,
+                               const std::vector<std::vector<double>>& figures);
 
 /// `8088 code, multiply on, divide off, restored every 60`.
 std::string name_of(const Choice& choice);

@@ -47,7 +47,7 @@ struct TimeSample {
 /// FIXED.ASM work: per turning axis, one CosSin and the twelve products of a rotation.
 ///
 /// @param counted called with the number of finished choices
-/// @return fewer costs than choices if `stop` ended the run
+/// @return nothing if `stop` ended the run
 std::vector<Cost> clocks_per_frame(
     const xsharp::Scene& scene, std::span<const Choice> choices, x86model::Cpu cpu,
     const std::atomic<bool>& stop,
@@ -57,7 +57,7 @@ std::vector<Cost> clocks_per_frame(
 /// processor. Each round times every choice in turn. The figures are the minimum and the median
 /// over the rounds, and the median ranks. The spread is the interquartile range. Restorations are
 /// shared out as in clocks_per_frame().
-/// @return fewer costs than choices if `stop` ended the run
+/// @return nothing if `stop` ended the run
 std::vector<Cost> nanoseconds_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
                                         const std::atomic<bool>& stop);
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <boost/noncopyable.hpp>
 #include <memory>
+#include <utility>
 
+#include "measure/host/provenance.hpp"
 #include "parties/with_number.hpp"
 #include "trade/drift/sources.hpp"
 #include "xsharp/motion.hpp"
@@ -109,8 +111,7 @@ void note(DriftResult& result, const Distortion& d, std::uint64_t frame, std::si
   if (!result.much && d.length >= Thresholds::much) result.much = frame;
 }
 
-}  // namespace
-
+/// The multiply of a build: `386 on`, `8088 off`.
 std::string multiply_name(const cases::Build& build) {
   return fmt::format("{} {}", build.target == cases::Target::i386 ? "386" : "8088",
                      build.mul_round ? "on" : "off");
@@ -120,6 +121,8 @@ std::string name_of(Without without) {
   static constexpr std::array names{"nothing", "offset", "step", "products", "all"};
   return names.at(static_cast<std::size_t>(without));
 }
+
+}  // namespace
 
 std::string name_of(const DriftCase& c) {
   std::string name = multiply_name(c.build);
@@ -136,12 +139,15 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
                                    std::uint64_t& frames, const std::atomic<bool>& stop,
                                    const std::function<void(std::uint64_t)>& frame_done) {
   std::vector<std::unique_ptr<Motions>> runs;
-  for (const DriftCase& c : cases) runs.push_back(motions_of(scene, c));
+  std::vector<DriftResult> results;
+  for (const DriftCase& c : cases) {
+    runs.push_back(motions_of(scene, c));
+    results.push_back({.of = c});
+  }
   const RotationStyle exact{scene.trigonometry, scene.conversion, true, 0};
   MotionsOf<double> reference(scene, exact);
 
   const auto turn = xsharp::turn_to_view(scene.camera);
-  std::vector<DriftResult> results(cases.size());
   const std::uint64_t point_frames = frames_a_point(frames);
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     if (stop) {
@@ -164,6 +170,41 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
     frame_done(frame + 1);
   }
   return results;
+}
+
+static void to_json(support::Json& json, const DriftResult& r) {
+  support::Json length = support::Json::array();
+  support::Json pixels = support::Json::array();
+  for (const Distortion& d : r.series) {
+    length.push_back(d.length);
+    pixels.push_back(d.pixels);
+  }
+  const auto rows = static_cast<std::size_t>(r.of.restore_rows);
+  json = {{"name", name_of(r.of)},
+          {"multiply", multiply_name(r.of.build)},
+          {"without", name_of(r.of.without)},
+          {"restore_every", r.of.restore_every},
+          {"restore_rows", xsharp::restored_rows_words.at(rows)},
+          {"from_scratch", r.of.from_scratch},
+          {"worst",
+           {{"skew", r.worst.skew},
+            {"length", r.worst.length},
+            {"volume", r.worst.volume},
+            {"pixels", r.worst.pixels}}},
+          {"first", {{"pixel", r.pixel}, {"some", r.some}, {"much", r.much}}},
+          {"series", {{"length", std::move(length)}, {"pixels", std::move(pixels)}}}};
+}
+
+void to_json(support::Json& json, const DriftFigures& figures) {
+  json = {
+      {"made", measure::made_by_json("drift")},
+      {"scene", figures.scene},
+      {"frames", figures.frames},
+      {"frames_a_second", figures.rate},
+      {"frames_a_point", frames_a_point(figures.frames)},
+      {"thresholds",
+       {{"pixels", Thresholds::pixels}, {"some", Thresholds::some}, {"much", Thresholds::much}}},
+      {"cases", figures.results}};
 }
 
 }  // namespace fixproof::trade

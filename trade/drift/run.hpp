@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/build.hpp"
+#include "support/json.hpp"
 #include "trade/drift/distortion.hpp"
 #include "xsharp/scene.hpp"
 
@@ -33,9 +34,7 @@ struct DriftCase {
   xsharp::RestoredRows restore_rows = xsharp::RestoredRows::all;
 };
 
-/// The multiply of a build: `386 on`, `8088 off`.
-std::string multiply_name(const cases::Build& build);
-std::string name_of(Without without);
+/// `8088 off, without step, restored every 60`
 std::string name_of(const DriftCase& c);
 
 /// The distortions whose first frame is reported.
@@ -54,6 +53,7 @@ constexpr std::uint64_t frames_a_point(std::uint64_t frames) {
 }
 
 struct DriftResult {
+  DriftCase of{};
   Distortion worst{};
   /// Point i is the worst of frames i * frames_a_point() and following; the last may have fewer.
   std::vector<Distortion> series;
@@ -62,6 +62,18 @@ struct DriftResult {
   std::optional<std::uint64_t> some;
   std::optional<std::uint64_t> much;
 };
+
+struct DriftFigures {
+  std::string scene;
+  std::uint64_t rate = 0;    ///< frames per second, to convert frames to times
+  std::uint64_t frames = 0;  ///< frames done; less than `wanted` after an interrupt
+  std::uint64_t wanted = 0;
+  std::vector<DriftResult> results;
+
+  [[nodiscard]] bool complete() const { return frames == wanted; }
+};
+
+void to_json(support::Json& json, const DriftFigures& figures);
 
 /// Runs all cases side by side over the same frames.
 /// @param frames the number of frames; if `stop` ends the run early, the number that were done

@@ -1,17 +1,16 @@
 #include "trade/profile/profile.hpp"
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <set>
 
 #include "machine_code/machine_code.hpp"
+#include "measure/clocks/replay.hpp"
 #include "parties/interpreter.hpp"
 #include "player/players.hpp"
 #include "trade/profile/places.hpp"
 #include "trade/profile/wraps.hpp"
-#include "x86model/call.hpp"
 #include "x86model/forms.hpp"
-#include "x86model/with_routine.hpp"
 
 namespace fixproof::trade {
 
@@ -22,30 +21,27 @@ std::int64_t value_in(cases::Operation operation, std::uint32_t word) {
   return static_cast<std::int32_t>(word);
 }
 
-template <x86model::Routine routine>
-void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
+/// Runs the calls of a frame again.
+void add_calls(RoutineProfile& profile, std::span<const std::uint32_t> words) {
   const cases::Operation operation = profile.variant.operation;
-  std::array<std::uint32_t, static_cast<std::size_t>(x86model::arity(routine).out)> out{};
-  const auto ending = x86model::call<routine, 16>(
-      profile.program.instructions(), in, out,
-      [&](std::size_t at, const auto&) { profile.executed[at] = true; });
-  profile.instructions += ending.steps;
-  for (std::size_t i = 0; i < in.size(); ++i) {
-    profile.operands[operand_place(operation, i)].add(value_in(operation, in[i]));
-  }
-  if (ending.outcome == x86model::Outcome::divide_error) {
-    ++profile.faults;
-    return;
-  }
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    profile.results[result_place(operation, i)].add(static_cast<std::int32_t>(out[i]));
-  }
-  if (wraps(profile.variant, in)) ++profile.wrapped;
-}
-
-void run_again(RoutineProfile& profile, std::span<const std::uint32_t> in) {
-  x86model::with_routine(machine_code::key_of(profile.variant).routine,
-                         [&]<x86model::Routine routine> { run_again<routine>(profile, in); });
+  const auto add = [&](const measure::ReplayedCall& call) {
+    profile.instructions += call.ending.steps;
+    for (std::size_t i = 0; i < call.in.size(); ++i) {
+      profile.operands[operand_place(operation, i)].add(value_in(operation, call.in[i]));
+    }
+    if (call.ending.outcome == x86model::Outcome::divide_error) {
+      ++profile.faults;
+      return true;
+    }
+    for (std::size_t i = 0; i < call.out.size(); ++i) {
+      profile.results[result_place(operation, i)].add(static_cast<std::int32_t>(call.out[i]));
+    }
+    if (wraps(profile.variant, call.in)) ++profile.wrapped;
+    return true;
+  };
+  const std::vector<bool> executed = measure::replay_calls(profile.variant, words, {}, add);
+  std::transform(executed.begin(), executed.end(), profile.executed.begin(),
+                 profile.executed.begin(), std::logical_or());
 }
 
 std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
@@ -67,6 +63,7 @@ void note_divide(DivideProfile& divides, const RoutineProfile& div,
 Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& choice)
     : scene_(scene) {
   if (!xsharp::is_listing(choice)) throw player::no_arithmetic(choice);
+  profile_.scene = scene.name;
   profile_.arithmetic = choice;
   const cases::Build build = player::build_of(choice).value();
   for (int i = 0; i < x86model::routine_count; ++i) {
@@ -84,12 +81,9 @@ Profiler::Profiler(const xsharp::Scene& scene, const xsharp::ArithmeticChoice& c
 void Profiler::add(const player::OperandLog& log, const xsharp::Player& player) {
   for (std::size_t i = 0; i < log.size(); ++i) {
     RoutineProfile& routine = profile_.routines.at(i);
-    const std::size_t words = cases::words_in(routine.variant.operation);
     const std::span<const std::uint32_t> all = log.at(i);
-    const std::uint64_t calls = all.size() / words;
-    for (std::size_t call = 0; call < calls; ++call) {
-      run_again(routine, all.subspan(call * words, words));
-    }
+    const std::uint64_t calls = all.size() / cases::words_in(routine.variant.operation);
+    add_calls(routine, all);
     routine.calls += calls;
     routine.least_in_frame = profile_.frames == 0 ? calls : std::min(routine.least_in_frame, calls);
     routine.max_in_frame = std::max(routine.max_in_frame, calls);

@@ -49,6 +49,7 @@ struct ViewProfile {
 };
 
 struct SceneProfile {
+  std::string scene;  ///< its name
   xsharp::ArithmeticChoice arithmetic{};
   std::uint64_t frames = 0;
   std::vector<RoutineProfile> routines;
@@ -84,7 +85,6 @@ struct FormUse {
 FormUse forms_of(const SceneProfile& profile);
 
 /// {made: {command, compiler, date}, scene, ...}
-/// @param scene the name of the scene
-support::Json to_json(const SceneProfile& profile, const std::string& scene);
+void to_json(support::Json& json, const SceneProfile& profile);
 
 }  // namespace fixproof::trade

@@ -1,4 +1,3 @@
-
 #include "measure/host/provenance.hpp"
 #include "trade/profile/places.hpp"
 #include "trade/profile/profile.hpp"
@@ -6,76 +5,59 @@
 
 namespace fixproof::trade {
 
-namespace {
-
 using support::Json;
 
-Json to_json(std::string_view name, const ValueRange& range) {
-  Json json;
-  json["name"] = name;
-  if (range.empty()) return json;
-  json["least"] = range.least();
-  json["greatest"] = range.greatest();
-  json["bits"] = range.bits();
-  return json;
-}
-
-Json to_json(std::span<const std::string_view> names, const std::vector<ValueRange>& ranges) {
-  Json json = Json::array();
-  for (std::size_t i = 0; i < names.size(); ++i) json.push_back(to_json(names[i], ranges[i]));
-  return json;
-}
-
-Json to_json(const RoutineProfile& routine) {
+static void to_json(Json& json, const RoutineProfile& routine) {
   const cases::Operation operation = routine.variant.operation;
-  Json json;
-  json["operation"] = cases::name_of(operation);
-  json["calls"] = routine.calls;
-  json["least_in_frame"] = routine.least_in_frame;
-  json["most_in_frame"] = routine.max_in_frame;
-  json["faults"] = routine.faults;
-  json["wrapped"] = routine.wrapped;
-  json["instructions_executed"] = routine.instructions;
-  json["operands"] = to_json(operand_names(operation), routine.operands);
-  json["results"] = to_json(result_names(operation), routine.results);
-  json["never_executed"] = Json::array();
+  const auto ranges = [](std::span<const std::string_view> names,
+                         const std::vector<ValueRange>& values) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      Json& range = list.emplace_back(Json{{"name", names[i]}});
+      if (values[i].empty()) continue;
+      range["least"] = values[i].least();
+      range["greatest"] = values[i].greatest();
+      range["bits"] = values[i].bits();
+    }
+    return list;
+  };
+  Json never = Json::array();
   for (std::size_t at = 0; at < routine.program.size; ++at) {
     if (routine.executed[at]) continue;
-    json["never_executed"].push_back(
+    never.push_back(
         {{"position", at}, {"instruction", x86model::text_of(routine.program.code.at(at))}});
   }
-  return json;
+  json = {{"operation", cases::name_of(operation)},
+          {"calls", routine.calls},
+          {"least_in_frame", routine.least_in_frame},
+          {"most_in_frame", routine.max_in_frame},
+          {"faults", routine.faults},
+          {"wrapped", routine.wrapped},
+          {"instructions_executed", routine.instructions},
+          {"operands", ranges(operand_names(operation), routine.operands)},
+          {"results", ranges(result_names(operation), routine.results)},
+          {"never_executed", std::move(never)}};
 }
 
-template <class Number>
-Json number(const std::optional<Number>& value) {
-  return value ? Json(*value) : Json();
-}
-
-}  // namespace
-
-Json to_json(const SceneProfile& profile, const std::string& scene) {
-  Json json;
-  json["made"] = measure::made_by_json("profile");
-  json["scene"] = scene;
-  json["target"] = profile.arithmetic.target;
-  json["mul_round"] = profile.arithmetic.mul_round;
-  json["div_round"] = profile.arithmetic.div_round;
-  json["repaired"] = profile.arithmetic.repaired;
-  json["frames"] = profile.frames;
-  json["unit"] = "2^-16; angles: tenths of a degree";
-  json["routines"] = Json::array();
-  for (const RoutineProfile& r : profile.routines) json["routines"].push_back(to_json(r));
-  json["least_divisor"] = number(profile.divides.least_divisor);
-  json["greatest_quotient"] = number(profile.divides.greatest_quotient);
-  json["nearest_view_z"] = number(profile.view.nearest);
-  json["faces"] = profile.view.faces;
-  json["clipped_faces"] = profile.view.clipped_faces;
-  json["out_of_reach"] = profile.view.out_of_reach;
+void to_json(Json& json, const SceneProfile& profile) {
   const FormUse forms = forms_of(profile);
-  json["forms_executed"] = forms.executed;
-  json["forms_never_executed"] = forms.never;
-  return json;
+  json = {{"made", measure::made_by_json("profile")},
+          {"scene", profile.scene},
+          {"target", profile.arithmetic.target},
+          {"mul_round", profile.arithmetic.mul_round},
+          {"div_round", profile.arithmetic.div_round},
+          {"repaired", profile.arithmetic.repaired},
+          {"frames", profile.frames},
+          {"unit", "2^-16; angles: tenths of a degree"},
+          {"routines", profile.routines},
+          {"least_divisor", profile.divides.least_divisor},
+          {"greatest_quotient", profile.divides.greatest_quotient},
+          {"nearest_view_z", profile.view.nearest},
+          {"faces", profile.view.faces},
+          {"clipped_faces", profile.view.clipped_faces},
+          {"out_of_reach", profile.view.out_of_reach},
+          {"forms_executed", forms.executed},
+          {"forms_never_executed", forms.never}};
 }
 
 }  // namespace fixproof::trade

@@ -1,7 +1,9 @@
 #include "trade/profile/wraps.hpp"
 
 #include <cstddef>
-#include <limits>
+#include <utility>
+
+#include "oracle/fast.hpp"
 
 namespace fixproof::trade {
 
@@ -9,26 +11,23 @@ namespace {
 
 std::int64_t value_of(std::uint32_t word) { return static_cast<std::int32_t>(word); }
 
-bool fits(std::int64_t value) {
-  return value >= std::numeric_limits<std::int32_t>::min() &&
-         value <= std::numeric_limits<std::int32_t>::max();
-}
+bool fits(std::int64_t value) { return std::in_range<std::int32_t>(value); }
 
-/// The product rounded as in the listings. |a b| <= 2^62, so the 64-bit sum cannot wrap.
 std::int64_t exact_product(const cases::Variant& variant, std::uint32_t a, std::uint32_t b) {
-  const std::int64_t exact = value_of(a) * value_of(b);
-  const std::int64_t half = variant.build.mul_round ? 0x8000 : 0;
-  if (variant.build.target == cases::Target::i386) return (exact + half) >> 16;
-  return exact < 0 ? -((half - exact) >> 16) : (exact + half) >> 16;
+  using enum oracle::Rounding;
+  const bool rounds = variant.build.mul_round;
+  const auto rounding = variant.build.target == cases::Target::i386
+                            ? (rounds ? half_up : floor)
+                            : (rounds ? half_away : truncate);
+  return oracle::fast::exact_product(a, b, rounding, 16);
 }
 
 /// Truncates, because rounding never moves a quotient of two words across the ends of the range.
 bool quotient_wraps(const cases::Variant& variant, std::uint32_t n, std::uint32_t d) {
   // The 8088 listing divides by the whole part of the divisor's magnitude.
-  const std::int64_t unit =
-      variant.build.target == cases::Target::i8088 ? std::int64_t{1} << 16 : 1;
-  const std::int64_t divisor = value_of(d) / unit * unit;
-  return !fits(value_of(n) * 65536 / divisor);
+  const bool by_whole = variant.build.target == cases::Target::i8088;
+  const auto divisor = by_whole ? static_cast<std::uint32_t>(value_of(d) / 65536 * 65536) : d;
+  return !fits(oracle::fast::exact_quotient(n, divisor, oracle::Rounding::truncate, 16).value());
 }
 
 std::int64_t row_times(const cases::Variant& variant, std::span<const std::uint32_t> row,

@@ -1,17 +1,7 @@
 /// Tests moving scenes: pages, reach, flights past the viewer and custom objects.
 #include "xsharp/animation.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/stage.hpp"
 #include "tests/xsharp/pipeline/types.hpp"

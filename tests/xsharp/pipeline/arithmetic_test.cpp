@@ -1,13 +1,7 @@
 /// Tests the conversion of constants to numbers and of numbers to pixels.
 #include "xsharp/arithmetic.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 

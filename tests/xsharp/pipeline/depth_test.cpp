@@ -1,15 +1,7 @@
 /// Tests depth sorting against a linked list.
 #include "xsharp/depth.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <span>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 

@@ -1,14 +1,5 @@
 /// Tests which faces of a body are visible, and that visible faces leave no holes.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/matrix.hpp"
 #include "tests/xsharp/pipeline/stage.hpp"

@@ -1,15 +1,7 @@
 /// Tests delays, spins, drifts, orbits and pages.
 #include "xsharp/motion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/matrix.hpp"
 #include "tests/xsharp/pipeline/types.hpp"

@@ -1,14 +1,6 @@
 /// Tests two-body scenes that a sort by one depth draws in the wrong order. Rays determine the
 /// visible body at each pixel.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <utility>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/stage.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 #include "xsharp/animation.hpp"

@@ -1,21 +1,9 @@
 /// Compares batches with single vertices: places, faults, exceptions and whole pictures.
 #include "xsharp/place.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <compare>
-#include <cstddef>
-#include <cstdint>
-#include <exception>
-#include <optional>
-#include <random>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/stage.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 

@@ -1,10 +1,6 @@
 /// Tests repeated preparation of an object that does not move: its faults and exceptions.
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <utility>
-
 #include "fixed/error.hpp"
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/stage.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 #include "xsharp/polyhedron.hpp"

@@ -1,14 +1,7 @@
 /// Tests rotations: direction, loss of orthogonality and its restoration.
 #include "xsharp/rotation.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/matrix.hpp"
 #include "tests/xsharp/pipeline/types.hpp"

@@ -1,14 +1,7 @@
 /// Tests the light on a face against the formula in double.
 #include "xsharp/shade.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/draws.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 

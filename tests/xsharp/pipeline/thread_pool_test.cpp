@@ -1,12 +1,8 @@
 #include "support/thread_pool.hpp"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
-#include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <vector>
+
+#include "tests/support/test.hpp"
 
 namespace fixproof::support {
 namespace {

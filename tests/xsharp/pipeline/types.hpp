@@ -2,13 +2,8 @@
 /// The number types for the tests of each stage.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <concepts>
-
 #include "fixed/fixed.hpp"
+#include "tests/support/test.hpp"
 #include "xsharp/arithmetic.hpp"
 
 namespace pipeline {

@@ -1,14 +1,7 @@
 #include "xsharp/files/animation_png.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 #include "tests/xsharp/raster/read_png.hpp"
 #include "xsharp/files/png.hpp"
 #include "xsharp/files/png_chunks.hpp"

@@ -1,15 +1,8 @@
 #include "xsharp/raster/fill.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/raster/definition.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "xsharp/raster/page.hpp"

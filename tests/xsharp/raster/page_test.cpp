@@ -1,12 +1,6 @@
 #include "xsharp/raster/page.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-#include <utility>
+#include "tests/support/test.hpp"
 
 namespace xsharp {
 namespace {

@@ -1,16 +1,8 @@
 #include "xsharp/raster/palette.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/test.hpp"
 
 namespace xsharp {
 namespace {
@@ -39,42 +31,41 @@ TEST(VgaPalette, BeginsWithTheColorsOfTheEga) {
   for (std::size_t i = 0; i < ega.size(); ++i) EXPECT_EQ(dac(i), ega[i]) << i;
 }
 
-TEST(VgaPalette, GreysRiseFromBlackToWhite) {
-  EXPECT_EQ(dac(16), "0,0,0");
-  EXPECT_EQ(dac(17), "5,5,5");
-  EXPECT_EQ(dac(24), "28,28,28");
-  EXPECT_EQ(dac(30), "56,56,56");
-  EXPECT_EQ(dac(31), "63,63,63");
-}
-
-TEST(VgaPalette, TheRingGoesFromBlueByRedAndGreen) {
-  EXPECT_EQ(dac(32), "0,0,63");
-  EXPECT_EQ(dac(33), "16,0,63");
-  EXPECT_EQ(dac(36), "63,0,63");
-  EXPECT_EQ(dac(37), "63,0,47");
-  EXPECT_EQ(dac(40), "63,0,0");
-  EXPECT_EQ(dac(42), "63,31,0");
-  EXPECT_EQ(dac(44), "63,63,0");
-  EXPECT_EQ(dac(47), "16,63,0");
-  EXPECT_EQ(dac(48), "0,63,0");
-  EXPECT_EQ(dac(52), "0,63,63");
-  EXPECT_EQ(dac(55), "0,16,63");
-}
-
-TEST(VgaPalette, RingsLoseSaturationThenValue) {
-  EXPECT_EQ(dac(56), "31,31,63");
-  EXPECT_EQ(dac(57), "39,31,63");
-  EXPECT_EQ(dac(80), "45,45,63");
-  EXPECT_EQ(dac(83), "58,45,63");
-  EXPECT_EQ(dac(104), "0,0,28");
-  EXPECT_EQ(dac(107), "21,0,28");
-  EXPECT_EQ(dac(128), "14,14,28");
-  EXPECT_EQ(dac(152), "20,20,28");
-  EXPECT_EQ(dac(176), "0,0,16");
-  EXPECT_EQ(dac(200), "8,8,16");
-  EXPECT_EQ(dac(224), "11,11,16");
-  EXPECT_EQ(dac(227), "15,11,16");
-  EXPECT_EQ(dac(247), "11,12,16");
+TEST(VgaPalette, HasGreysThenRingsThatLoseSaturationThenValue) {
+  for (const auto& [index, levels] : std::initializer_list<std::pair<std::size_t, const char*>>{
+           {16, "0,0,0"},
+           {17, "5,5,5"},
+           {24, "28,28,28"},
+           {30, "56,56,56"},
+           {31, "63,63,63"},
+           // The first ring goes from blue by red and green.
+           {32, "0,0,63"},
+           {33, "16,0,63"},
+           {36, "63,0,63"},
+           {37, "63,0,47"},
+           {40, "63,0,0"},
+           {42, "63,31,0"},
+           {44, "63,63,0"},
+           {47, "16,63,0"},
+           {48, "0,63,0"},
+           {52, "0,63,63"},
+           {55, "0,16,63"},
+           // The others follow.
+           {56, "31,31,63"},
+           {57, "39,31,63"},
+           {80, "45,45,63"},
+           {83, "58,45,63"},
+           {104, "0,0,28"},
+           {107, "21,0,28"},
+           {128, "14,14,28"},
+           {152, "20,20,28"},
+           {176, "0,0,16"},
+           {200, "8,8,16"},
+           {224, "11,11,16"},
+           {227, "15,11,16"},
+           {247, "11,12,16"}}) {
+    EXPECT_EQ(dac(index), levels) << index;
+  }
 }
 
 TEST(VgaPalette, EndsInBlack) {

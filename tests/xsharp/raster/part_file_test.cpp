@@ -1,14 +1,12 @@
 #include "support/part_file.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <csignal>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
 
 namespace fixproof {
 namespace {

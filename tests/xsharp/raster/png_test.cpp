@@ -1,13 +1,8 @@
 #include "xsharp/files/png.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "tests/xsharp/raster/read_png.hpp"
 #include "xsharp/files/png_chunks.hpp"

@@ -1,14 +1,8 @@
 #include "xsharp/raster/screen.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/raster/definition.hpp"
 #include "tests/xsharp/raster/generators.hpp"
 #include "xsharp/picture.hpp"

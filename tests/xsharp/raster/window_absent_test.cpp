@@ -1,7 +1,4 @@
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
+#include "tests/support/test.hpp"
 #include "xsharp/window/window.hpp"
 
 namespace xsharp {

@@ -1,14 +1,10 @@
 #include "xsharp/window/window.hpp"
 
 #include <SDL2/SDL.h>
-#include <gtest/gtest.h>
 
-#include <cstdint>
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <vector>
+
+#include "tests/support/test.hpp"
 
 namespace xsharp {
 namespace {

@@ -1,13 +1,12 @@
 /// Tests bodies from Wavefront OBJ files, and invalid files.
 #include "xsharp/files/obj.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <filesystem>
 #include <fstream>
-#include <string>
 
+#include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 #include "xsharp/validate_mesh.hpp"
 

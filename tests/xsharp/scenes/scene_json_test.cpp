@@ -1,16 +1,12 @@
 /// Tests every key of the scene format and every kind of invalid input.
 #include "xsharp/files/scene_json.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 
 namespace {

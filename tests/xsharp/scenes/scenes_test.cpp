@@ -1,12 +1,7 @@
 /// Tests the shipped scenes, with an independent transcription of the published ones.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <string>
-#include <vector>
 
+#include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/shapes.hpp"
 

@@ -1,17 +1,9 @@
 /// Tests the published order of cube and ball, and the properties of every ball.
 #include "xsharp/shapes.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <set>
-#include <stdexcept>
-#include <utility>
-#include <vector>
+#include "tests/support/test.hpp"
 
 namespace {
 

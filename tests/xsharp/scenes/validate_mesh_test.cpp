@@ -1,15 +1,9 @@
 /// Tests meshes that are not convex bodies, with the error message of each.
 #include "xsharp/validate_mesh.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 #include "xsharp/shapes.hpp"
 

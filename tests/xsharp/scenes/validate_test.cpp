@@ -1,13 +1,7 @@
 /// Tests scenes that break a limit, with the error message of each.
 #include "xsharp/validate.hpp"
 
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/shapes.hpp"

@@ -1,12 +1,5 @@
 // Tests the values at polygon corners against values computed by hand. All fillers start from them.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 #include "xsharp/animation.hpp"
 #include "xsharp/normals.hpp"

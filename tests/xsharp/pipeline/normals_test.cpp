@@ -1,8 +1,7 @@
 // Tests vertex normals and unit vectors that use only products.
 #include "xsharp/normals.hpp"
 
-#include <gtest/gtest.h>
-
+#include "tests/support/test.hpp"
 #include "tests/xsharp/pipeline/types.hpp"
 #include "xsharp/shapes.hpp"
 

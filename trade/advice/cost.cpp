@@ -1,13 +1,13 @@
-// Clocks per frame, counted from the calls of the model.
-#include <algorithm>
-#include <optional>
-#include <utility>
+#include "trade/advice/cost.hpp"
+
+#include <array>
+#include <chrono>
 
 #include "measure/clocks/frame_clocks.hpp"
+#include "measure/host/host_times.hpp"
 #include "player/canvas.hpp"
 #include "player/model_number.hpp"
 #include "player/players.hpp"
-#include "trade/advice/cost.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/rotation.hpp"
 
@@ -94,52 +94,59 @@ measure::Clocks sampled_clocks(const xsharp::Scene& scene, x86model::Cpu cpu) {
   return sum.per_frame(frames);
 }
 
-/// Interpolates between never restoring and restoring after every rotation.
-measure::Clocks shared_out(const measure::Clocks& never, const measure::Clocks& always,
-                           double rotations) {
-  const auto mean = [rotations](double a, double b) { return a + (b - a) / rotations; };
-  return {{mean(never.table.min, always.table.min), mean(never.table.max, always.table.max)},
-          mean(never.bus, always.bus)};
+/// Nanoseconds of processor time per frame.
+double time_a_frame(const xsharp::Scene& scene, xsharp::Picture& picture) {
+  const auto player = player::make_player(scene, scene.arithmetic);
+  const auto canvas = player::canvas_of_surfaces(scene);
+  // This draw does the one-time work, so the loop times only the work of motion.
+  player->draw(picture);
+  const auto begin = measure::thread_time();
+  for (std::uint64_t frame = 0; frame < TimeSample::frames; ++frame) {
+    player->move();
+    player->draw(picture);
+    if (canvas) canvas->show(picture);
+  }
+  const std::chrono::duration<double, std::nano> passed = measure::thread_time() - begin;
+  return passed.count() / static_cast<double>(TimeSample::frames);
 }
-
-class ClockMemory {
- public:
-  ClockMemory(const xsharp::Scene& scene, x86model::Cpu cpu) : scene_(scene), cpu_(cpu) {}
-
-  Cost of(Choice choice) {
-    const std::int32_t every = choice.turning.restore_every;
-    if (every <= 1) return cost_of(counted(choice), cpu_);
-    choice.turning.restore_every = 0;
-    const measure::Clocks never = counted(choice);
-    choice.turning.restore_every = 1;
-    return cost_of(shared_out(never, counted(choice), every), cpu_);
-  }
-
- private:
-  measure::Clocks counted(const Choice& choice) {
-    for (const auto& [known, clocks] : counted_) {
-      if (known == choice) return clocks;
-    }
-    counted_.emplace_back(choice, sampled_clocks(scene_with(scene_, choice, "model"), cpu_));
-    return counted_.back().second;
-  }
-
-  const xsharp::Scene& scene_;
-  x86model::Cpu cpu_;
-  std::vector<std::pair<Choice, measure::Clocks>> counted_;
-};
 
 }  // namespace
 
 std::vector<Cost> clocks_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
                                    x86model::Cpu cpu, const std::atomic<bool>& stop,
                                    const std::function<void(std::uint64_t)>& counted) {
-  ClockMemory memory(scene, cpu);
+  const std::vector<Choice> measured = measured_choices(choices);
+  std::vector<std::vector<double>> figures;
+  for (const Choice& choice : measured) {
+    if (stop) return {};
+    const measure::Clocks clocks = sampled_clocks(scene_with(scene, choice, "model"), cpu);
+    figures.push_back({clocks.table.min, clocks.table.max, clocks.bus});
+    counted(figures.size() * choices.size() / measured.size());
+  }
   std::vector<Cost> costs;
   for (const Choice& choice : choices) {
-    if (stop) break;
-    costs.push_back(memory.of(choice));
-    counted(costs.size());
+    const std::vector<double> of = figures_of(choice, measured, figures);
+    costs.push_back(cost_of({{of[0], of[1]}, of[2]}, cpu));
+  }
+  return costs;
+}
+
+std::vector<Cost> nanoseconds_per_frame(const xsharp::Scene& scene, std::span<const Choice> choices,
+                                        const std::atomic<bool>& stop) {
+  const std::vector<Choice> measured = measured_choices(choices);
+  std::vector<std::vector<double>> samples(measured.size());
+  xsharp::Picture picture;
+  // Times the choices in turn, so that a slow phase of the machine affects all of them.
+  for (std::uint64_t round = 0; round < TimeSample::rounds; ++round) {
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      if (stop) return {};
+      samples[i].push_back(time_a_frame(scene_with(scene, measured[i], "type"), picture));
+    }
+  }
+  std::vector<Cost> costs;
+  for (const Choice& choice : choices) {
+    const measure::Times times = measure::times_of(figures_of(choice, measured, samples));
+    costs.push_back({times.min, times.median, times.median, times.spread * times.median});
   }
   return costs;
 }

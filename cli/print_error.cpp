@@ -1,0 +1,19 @@
+#include "cli/print_error.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "support/error_text.hpp"
+
+namespace fixproof::cli {
+
+void print_error(std::string_view message) noexcept {
+  try {
+    support::write_error(fmt::format("fixproof: {}\n", message));
+  } catch (const std::exception&) {
+    support::write_error("fixproof: out of memory\n");
+  }
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,12 @@
+/// @file
+/// The error lines of the command.
+#pragma once
+
+#include <string_view>
+
+namespace fixproof::cli {
+
+/// Writes `fixproof: MESSAGE` as one line to stderr. It never fails: see support/error_text.hpp.
+void print_error(std::string_view message) noexcept;
+
+}  // namespace fixproof::cli

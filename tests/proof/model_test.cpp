@@ -1,0 +1,143 @@
+// Tests that a model is accepted if and only if it satisfies its question, and that the solvers
+// answer the test questions.
+#include "proof/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proof/known_answers.hpp"
+#include "proof/solver.hpp"
+
+namespace {
+
+using namespace fixproof;
+using proof::fault_of_model;
+
+std::string question(const std::string& claim) {
+  return "(set-logic QF_UFBV)\n(declare-const a (_ BitVec 8))\n(declare-const n Int)\n"
+         "(declare-fun f ((_ BitVec 8)) (_ BitVec 8))\n(define-fun twice () (_ BitVec 8) (bvadd a "
+         "a))\n(assert " +
+         claim + ")\n(check-sat)\n";
+}
+
+std::string a_is(const std::string& value) {
+  return "((define-fun a () (_ BitVec 8) " + value + "))";
+}
+
+// Each claim holds by the definitions of SMT-LIB 2.6, with a = 0x96 = 150 = -106, f = 0 and n = 0.
+TEST(Model, EvaluatesEveryOperation) {
+  for (const char* claim : {"(= twice #x2c)",
+                            "(= (bvsub #x01 a) #x6b)",
+                            "(= (bvmul a #x03) #xc2)",
+                            "(= (bvand a #x0f) #x06)",
+                            "(= (bvor a #x0f) #x9f)",
+                            "(= (bvxor a #xff) #x69)",
+                            "(= (bvudiv a #x07) #x15)",
+                            "(= (bvudiv a #x00) #xff)",
+                            "(= (bvurem a #x07) #x03)",
+                            "(= (bvurem a #x00) a)",
+                            "(= (bvsdiv a #x07) #xf1)",
+                            "(= (bvsdiv a #x00) #x01)",
+                            "(= (bvsrem a #x07) #xff)",
+                            "(= (bvsrem a #x00) a)",
+                            "(= (bvshl a #x02) #x58)",
+                            "(= (bvshl a #x08) #x00)",
+                            "(= (bvlshr a #x02) #x25)",
+                            "(= (bvneg a) #x6a)",
+                            "(= (bvnot a) #x69)",
+                            "(= (concat a #b101) #b10010110101)",
+                            "(= ((_ extract 7 4) a) #x9)",
+                            "(= ((_ sign_extend 4) a) #xf96)",
+                            "(= ((_ zero_extend 4) a) #x096)",
+                            "(bvult a #x97)",
+                            "(bvule a #x96)",
+                            "(bvugt a #x95)",
+                            "(bvuge a #x96)",
+                            "(bvslt a #x00)",
+                            "(bvsle a #x96)",
+                            "(bvsgt #x00 a)",
+                            "(bvsge #x00 a)",
+                            "(distinct a #x00 #x01)",
+                            "(= a (_ bv150 8) #x96)",
+                            "(ite (bvslt a #x00) true false)",
+                            "(and true (or false (not false)) (xor true false))",
+                            "(=> false false)",
+                            "(let ((b (bvadd a #x01)) (c a)) (= b #x97))",
+                            "(= (f a) #x00)",
+                            "(= n (- 0))",
+                            "(= (div (- 7) 2) (- 4))",
+                            "(= (mod (- 7) 2) 1)",
+                            "(= (div 7 (- 2)) (- 3))",
+                            "(< n 1 2)",
+                            "(<= n 0)",
+                            "(> (+ 1 2 3) (* 1 5))",
+                            "(>= (- 9 2 3) 4)"}) {
+    EXPECT_EQ(fault_of_model(question(claim), a_is("#x96")), "") << claim;
+    EXPECT_EQ(fault_of_model(question("(not " + std::string(claim) + ")"), a_is("#x96")),
+              "it does not satisfy assertion 1 of 1")
+        << claim;
+  }
+}
+
+TEST(Model, ReadsTheModelsOfBothSolvers) {
+  const std::string claim = question("(and (= (f a) #x05) (= (f #x00) #x07) (= n (- 3)))");
+  for (const char* model :
+       {"(\n  (define-fun a () (_ BitVec 8)\n    #x01)\n  (define-fun n () Int\n    (- 3))\n"
+        "  (define-fun f ((x!0 (_ BitVec 8))) (_ BitVec 8)\n    (ite (= x!0 #x00) #x07\n      "
+        "#x05))\n)",
+        "(model (define-fun a () (_ BitVec 8) #b00000001)\n(define-fun n () Int (- 3))\n"
+        "(define-fun f ((_arg_1 (_ BitVec 8))) (_ BitVec 8) (ite (= #b00000000 _arg_1) #b00000111 "
+        "#b00000101)))",
+        "((define-fun k!0 ((x!0 (_ BitVec 8))) (_ BitVec 8) x!0) (define-fun a () (_ BitVec 8) "
+        "#x01)"
+        " (define-fun f ((x!0 (_ BitVec 8))) (_ BitVec 8) (ite (= (k!0 x!0) #x00) #x07 #x05))"
+        " (define-fun n () Int (- 3)))"}) {
+    EXPECT_EQ(fault_of_model(claim, model), "") << model;
+    EXPECT_EQ(proof::word_in_model(model, "a"), 1U);
+    EXPECT_EQ(proof::word_in_model(model, "omitted"), 0U);
+  }
+}
+
+TEST(Model, NamesWhatIsWrong) {
+  const std::string claim = question("(= a #x05)");
+  EXPECT_EQ(fault_of_model(claim, a_is("#x05")), "");
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {"", "no list of definitions"},
+      {"()", "it does not satisfy assertion 1 of 1"},
+      {a_is("#x04"), "it does not satisfy assertion 1 of 1"},
+      {a_is("#x0005"), "a is of another sort"},
+      {a_is("#x0g"), "'0g' is no number"},
+      {a_is("5"), "a is of another sort"},
+      {a_is("a"), "nested too deeply"},
+      {a_is("junk"), "unknown name junk"},
+      {a_is("(bvfoo #x05)"), "cannot apply bvfoo to 1 arguments"},
+      {"((define-fun a () (_ BitVec 8) #x05)", "a ) is missing"},
+      {"((define-fun a () (_ BitVec 8) #x05)))", "a ) too many"},
+      {"((define-fun a () (_ BitVec 9) #b000000101))", "a is of another sort"},
+      {"((define-fun a () Real 5))", "unknown sort Real"},
+      {"((define-fun b () (_ BitVec 8) #x05))", "b is not in the question"},
+      {"((define-fun = ((x (_ BitVec 8)) (y (_ BitVec 8))) Bool true))",
+       "= is not in the question"},
+      {"((define-fun twice () (_ BitVec 8) #x05))", "twice is defined twice"},
+      {"((define-fun f () (_ BitVec 8) #x05))", "f is of another sort"},
+      {"((define-fum a () (_ BitVec 8) #x05))",
+       "no definition: (define-fum a () (_ BitVec 8) #x05)"},
+      {std::string(5000, '('), "nested too deeply"}};
+  for (const auto& [model, fault] : wrong) EXPECT_EQ(fault_of_model(claim, model), fault) << model;
+}
+
+TEST(Solvers, AnswerTheTestQuestions) {
+  std::size_t satisfiable = 0;
+  for (const proof::KnownAnswer& known : proof::known_answers()) {
+    if (known.verdict == proof::Satisfiability::satisfiable) ++satisfiable;
+  }
+  EXPECT_EQ(2 * satisfiable, proof::known_answers().size());
+  EXPECT_GE(satisfiable, 8U);
+  EXPECT_NO_THROW(proof::Solver("z3"));
+  EXPECT_NO_THROW(proof::Solver("both"));
+}
+
+}  // namespace
