@@ -173,7 +173,9 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
 void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,
                  Tally& tally) {
   const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
-  proof::Proof proof{.standing = proof::standing_of(answer.verdict), .seconds = answer.seconds};
+  proof::Proof proof;
+  proof.standing = proof::standing_of(answer.verdict);
+  proof.seconds = answer.seconds;
   if (!answer.remark.empty()) proof.remarks.push_back(answer.remark);
   print_proof(fmt::format("lemma {}", lemma.name), proof);
   tally.add(proof.standing, proof.seconds);
