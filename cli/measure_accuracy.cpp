@@ -21,7 +21,7 @@ std::string sparkline(const measure::ErrorHistogram& histogram) {
   return line;
 }
 
-std::string text_of(const measure::AccuracyRow& row) {
+std::string row_text(const measure::AccuracyRow& row) {
   const measure::ErrorStatistics& e = row.errors;
   if (e.cases() == 0) {
     return fmt::format("  {:<24}no case has a result that fits\n", row.subject.name);
@@ -75,7 +75,7 @@ std::string text_of(const measure::AccuracyResult& result) {
     const std::string here = fmt::format("{}, {}", row.operation, support::printable(row.operands));
     if (here != heading) text += fmt::format("\n{}\n", here);
     heading = here;
-    text += text_of(row);
+    text += row_text(row);
   }
   return text + pixels_text(result);
 }

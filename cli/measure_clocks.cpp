@@ -9,7 +9,7 @@ namespace fixproof::cli {
 
 namespace {
 
-std::string text_of(const measure::CallClocks& row) {
+std::string row_text(const measure::CallClocks& row) {
   const bool has_switch = row.variant.operation != cases::Operation::cossin;
   const auto mean = [](const measure::Spread& s) {
     return s.calls() == 0 ? "-" : between(s.mean_min(), s.mean_max(), 1);
@@ -33,7 +33,7 @@ std::string text_of(const measure::CallClocks& row) {
   return text;
 }
 
-std::string text_of(const std::vector<measure::FrameOn8088>& frames) {
+std::string frames_text(const std::vector<measure::FrameOn8088>& frames) {
   const auto whole = [](double x) { return support::grouped(static_cast<std::uint64_t>(x)); };
   std::string text = fmt::format(
       "\nA frame on an 8088: clocks of the listings by Intel's table, bytes and clocks of the bus, "
@@ -55,7 +55,7 @@ std::string not_judged_text() {
   return text;
 }
 
-std::string text_of(const measure::LoopClocks& row) {
+std::string row_text(const measure::LoopClocks& row) {
   std::string text =
       fmt::format("{:<24}{:<10}{:<7}", measure::name_of(row.form, row.pixels),
                   x86model::name_of(row.form.counting), measure::target_name(row.form));
@@ -72,7 +72,7 @@ std::string text_of(const measure::LoopClocks& row) {
   return text + '\n';
 }
 
-std::string text_of(const measure::LoopClaim& claim) {
+std::string claim_text(const measure::LoopClaim& claim) {
   std::string text = fmt::format("\n{} ({})\n", claim.text, claim.place);
   for (const measure::LoopGain& gain : claim.gains) {
     text += fmt::format("  {:<65}{:>10} times  {}\n", gain.where, between(gain.min, gain.max, 2),
@@ -112,8 +112,8 @@ std::string text_of(const measure::ClockResult& result) {
   text += fmt::format("{:<8}  {:<10}  {:<8}  {:<4}  {:>6}{:>9}{:>7}  {:>7}{:>15}{:>8}  {:>9}  {}\n",
                       "routine", "target", "rounding", "cpu", "least", "mean", "most", "least",
                       "mean", "most", "bus", "limit");
-  for (const measure::CallClocks& row : result.rows) text += text_of(row);
-  if (!result.scenes.empty()) text += text_of(result.frames);
+  for (const measure::CallClocks& row : result.rows) text += row_text(row);
+  if (!result.scenes.empty()) text += frames_text(result.frames);
   if (!result.claims.empty()) {
     text +=
         "\nPublished claims, and the clocks of the listings alone. \"About\" allows a fifth less "
@@ -130,8 +130,8 @@ std::string text_of(const measure::ClockResult& result) {
       "An 8088 takes at least the larger of the two.\n\n" +
       fmt::format("{:<24}{:<10}{:<7}{:>9}{:>6}{:>10}{:>10}{:>12}\n", "loop", "counting", "code",
                   "8088", "bus", "286", "386", "486");
-  for (const measure::LoopClocks& row : result.loops) text += text_of(row);
-  for (const measure::LoopClaim& claim : result.loop_claims) text += text_of(claim);
+  for (const measure::LoopClocks& row : result.loops) text += row_text(row);
+  for (const measure::LoopClaim& claim : result.loop_claims) text += claim_text(claim);
   return text;
 }
 

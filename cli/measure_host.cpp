@@ -19,7 +19,7 @@ std::string accuracy_columns(const measure::HostRow& row) {
                                        support::grouped(row.cases)));
 }
 
-std::string text_of(const measure::HostTable& table) {
+std::string table_text(const measure::HostTable& table) {
   const bool vertices = table.of_vertices();
   const std::string& chain = table.operation.chain_is;
   std::string text = fmt::format("\n{}: {}\n", vertices ? "vertices" : table.operation.name,
@@ -56,7 +56,7 @@ std::string text_of(const measure::HostResult& result) {
       "correct.\n{}",
       made_by(result.seed), measure::compiler_flags(), parties::processor_name(),
       support::grouped(result.rounds), support::grouped(result.cases), missing_libraries());
-  for (const measure::HostTable& table : result.tables) text += text_of(table);
+  for (const measure::HostTable& table : result.tables) text += table_text(table);
   return text;
 }
 

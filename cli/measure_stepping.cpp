@@ -11,7 +11,7 @@ namespace fixproof::cli {
 namespace {
 
 std::string figure_text(double x) { return x < 1e-9 ? "0" : fmt::format("{:.4g}", x); }
-std::string percent_text(double x) { return x == 0 ? "0" : fmt::format("{:.3g} %", 100 * x); }
+std::string share_text(double x) { return x == 0 ? "0" : fmt::format("{:.3g} %", 100 * x); }
 std::string clocks_text(const measure::Bounds& b) { return between(b.min, b.max, 1); }
 
 template <class Columns>
@@ -40,10 +40,10 @@ std::string error_columns(const measure::SteppingRow& row) {
 std::string picture_columns(const measure::SteppingRow& row) {
   const measure::SteppingStatistics& s = row.statistics;
   return fmt::format("{:>10}{:>9}{:>12}{:>10}{:>8}{:>10}",
-                     percent_text(measure::share_of(s.wrong, s.drawn)), s.max_error,
+                     share_text(measure::share_of(s.wrong, s.drawn)), s.max_error,
                      support::grouped(s.bands.drawn),
-                     percent_text(measure::share_of(s.bands.wrong, s.bands.drawn)), s.bands.widest,
-                     percent_text(measure::share_of(s.missed, s.wanted)));
+                     share_text(measure::share_of(s.bands.wrong, s.bands.drawn)), s.bands.widest,
+                     share_text(measure::share_of(s.missed, s.wanted)));
 }
 
 std::string setups_text(const std::vector<measure::SetupClocks>& setups) {

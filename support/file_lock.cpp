@@ -1,6 +1,7 @@
 #include "support/file_lock.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -21,7 +22,7 @@ constexpr std::string_view lock_ending = ".fixproof-lock";
 }  // namespace
 
 FileLock::FileLock(const Place& place)
-    : place_(place), name_(place.name() + std::string(lock_ending)) {
+    : place_(place), name_(fmt::format("{}{}", place.name(), lock_ending)) {
   const auto refuse = [&](int error) {
     place.refuse(name_ + " beside it: " + std::generic_category().message(error));
   };
@@ -44,7 +45,7 @@ FileLock::FileLock(const Place& place)
       return;
     }
   } while (!is_in_place());
-  ::unlinkat(place.folder(), (place.name() + std::string(part_ending)).c_str(), 0);
+  ::unlinkat(place.folder(), fmt::format("{}{}", place.name(), part_ending).c_str(), 0);
 }
 
 FileLock::~FileLock() {

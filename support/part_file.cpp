@@ -1,6 +1,7 @@
 #include "support/part_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,7 +21,7 @@ constexpr mode_t kept_mode = 0777;
 }  // namespace
 
 PartFile::PartFile(const Place& place)
-    : place_(place), name_(place.name() + std::string(part_ending)) {
+    : place_(place), name_(fmt::format("{}{}", place.name(), part_ending)) {
   const std::optional<struct stat> old = place.check_writable();
   // Closed to others until it has the old mode. Always a new file: an existing one may be a link.
   const mode_t mode = old ? 0600 : 0666;

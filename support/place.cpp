@@ -72,7 +72,7 @@ void Place::go_to(const std::string& path) {
   name_ = path.substr(begin);
   if (name_.empty() || name_ == "." || name_ == "..") {
     parent = path + "/";
-    name_ = ".";
+    name_ = std::string(1, '.');
   }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): openat() is variadic
   Descriptor next(::openat(folder_.is_open() ? folder() : AT_FDCWD, parent.c_str(),

@@ -15,7 +15,7 @@ constexpr std::string_view registers =
 std::string line(std::string_view instruction, std::string_view more = "") {
   return fmt::format("{} | {}{}", instruction, registers, more);
 }
-std::string good(std::string_view more = "") { return line("mov ax, bx", more); }
+std::string valid_case(std::string_view more = "") { return line("mov ax, bx", more); }
 
 const std::string& first_answer() {
   static const std::string text = fmt::format("{} undef=-", registers);
@@ -26,7 +26,7 @@ const std::string& first_answer() {
 void expect_step_refused(const std::string& bad, std::string_view part,
                          std::string_view cpu = "386") {
   const auto run = command::fixproof(fmt::format("step --cpu {}", cpu),
-                                     fmt::format("{}\n{}\n{}\n", good(), bad, good()));
+                                     fmt::format("{}\n{}\n{}\n", valid_case(), bad, valid_case()));
   EXPECT_EQ(run.out, first_answer() + '\n') << bad;
   command::expect_usage_error(run, part);
   EXPECT_TRUE(run.err.starts_with("fixproof: line 2: ")) << run.err;
@@ -38,13 +38,14 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 }
 
 TEST(StepInput, PassesOverBlankLinesAndComments) {
-  EXPECT_EQ(command::output_of("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", good())),
-            fmt::format("{0}\n{0}\n", first_answer()));
+  EXPECT_EQ(
+      command::output_of("step --cpu 8088", fmt::format("# {0}\n\n{0}\n  \n{0}", valid_case())),
+      fmt::format("{0}\n{0}\n", first_answer()));
 }
 
 TEST(StepInput, AnswersBeforeTheNextLineIsAsked) {
   command::Process process(command::command("step --cpu 8088"));
-  process.write(good("\n"));
+  process.write(valid_case("\n"));
   ASSERT_EQ(process.read_line(), first_answer());
   process.write(line("hlt") + '\n');
   ASSERT_EQ(process.read_line(), "unmodelled");
@@ -62,41 +63,43 @@ TEST(StepInput, RefusesALineWithoutItsParts) {
   expect_step_refused("mov ax, bx", "'|'");
   expect_step_refused(line(""), "no instruction");
   expect_step_refused("mov ax, bx |", "ax is missing");
-  expect_step_refused(replaced(good(), " fl=0000", ""), "fl is missing");
+  expect_step_refused(replaced(valid_case(), " fl=0000", ""), "fl is missing");
   for (const std::string_view name : {"bx", "cx", "dx", "si", "di", "bp", "sp"}) {
-    expect_step_refused(replaced(good(), fmt::format(" {}=0000", name), ""),
+    expect_step_refused(replaced(valid_case(), fmt::format(" {}=0000", name), ""),
                         fmt::format("{} is missing", name));
   }
 }
 
 TEST(StepInput, RefusesRegistersGivenTwice) {
-  expect_step_refused(good(" ax=0000"), "'ax' is given twice");
-  expect_step_refused(good(" eax=00000000"), "both ax and eax are given");
-  expect_step_refused(good(" fl=0000"), "'fl' is given twice");
+  expect_step_refused(valid_case(" ax=0000"), "'ax' is given twice");
+  expect_step_refused(valid_case(" eax=00000000"), "both ax and eax are given");
+  expect_step_refused(valid_case(" fl=0000"), "'fl' is given twice");
 }
 
 TEST(StepInput, RefusesWhatIsNoRegister) {
-  expect_step_refused(good(" al=00"), "'al' is not a register of this processor");
-  expect_step_refused(good(" ip=0000"), "'ip' is not a register of this processor");
-  expect_step_refused(good(" AX=0000"), "'AX' is not a register of this processor");
-  expect_step_refused(good(" ax"), "'ax' is not a register as NAME=DIGITS");
-  expect_step_refused(good(" | "), "'|' is not a register as NAME=DIGITS");
+  expect_step_refused(valid_case(" al=00"), "'al' is not a register of this processor");
+  expect_step_refused(valid_case(" ip=0000"), "'ip' is not a register of this processor");
+  expect_step_refused(valid_case(" AX=0000"), "'AX' is not a register of this processor");
+  expect_step_refused(valid_case(" ax"), "'ax' is not a register as NAME=DIGITS");
+  expect_step_refused(valid_case(" | "), "'|' is not a register as NAME=DIGITS");
 }
 
 TEST(StepInput, RefusesWideRegistersOnThe8088) {
-  expect_step_refused(replaced(good(), "ax=0000", "eax=00000000"), "ax is missing", "8088");
-  expect_step_refused(good(" eax=00000000"), "'eax' is not a register of this processor", "8088");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "eax=00000000"), "ax is missing", "8088");
+  expect_step_refused(valid_case(" eax=00000000"), "'eax' is not a register of this processor",
+                      "8088");
 }
 
 TEST(StepInput, RefusesOtherDigits) {
-  expect_step_refused(replaced(good(), "ax=0000", "ax=000"), "3 hex digits instead of 4");
-  expect_step_refused(replaced(good(), "ax=0000", "ax=00000"), "5 hex digits instead of 4");
-  expect_step_refused(replaced(good(), "ax=0000", "eax=0000"), "4 hex digits instead of 8");
-  expect_step_refused(replaced(good(), "ax=0000", "ax="), "0 hex digits instead of 4");
-  expect_step_refused(replaced(good(), "ax=0000", "ax=00FF"), "lower-case hex");
-  expect_step_refused(replaced(good(), "ax=0000", "ax=0x00"), "lower-case hex");
-  expect_step_refused(replaced(good(), "fl=0000", "fl=00000000"), "8 hex digits instead of 4");
-  expect_step_refused(good("\r "), "lower-case hex");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "ax=000"), "3 hex digits instead of 4");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "ax=00000"), "5 hex digits instead of 4");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "eax=0000"), "4 hex digits instead of 8");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "ax="), "0 hex digits instead of 4");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "ax=00FF"), "lower-case hex");
+  expect_step_refused(replaced(valid_case(), "ax=0000", "ax=0x00"), "lower-case hex");
+  expect_step_refused(replaced(valid_case(), "fl=0000", "fl=00000000"),
+                      "8 hex digits instead of 4");
+  expect_step_refused(valid_case("\r "), "lower-case hex");
 }
 
 TEST(StepInput, RefusesWhatIsNoInstruction) {
@@ -135,7 +138,7 @@ TEST(StepInput, RefusesNoiseAndEndlessLines) {
 }
 
 TEST(StepInput, OutputThatCannotBeWritten) {
-  command::expect_output_needed("step --cpu 8088", good());
+  command::expect_output_needed("step --cpu 8088", valid_case());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "oracle/decimal.hpp"
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "tests/oracle/rules.hpp"

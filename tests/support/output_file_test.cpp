@@ -17,7 +17,7 @@
 namespace fixproof {
 namespace {
 
-std::string refusal(const std::string& path) {
+std::string write_refusal(const std::string& path) {
   try {
     support::OutputFile file(path);
     file.append("xyz");
@@ -90,10 +90,11 @@ TEST(OutputFile, ReplacesWhatALinkLeadsTo) {
 
 TEST(OutputFile, NamesTheFileAndTheReasonOfAFailure) {
   const ScratchFolder folder;
-  EXPECT_EQ(refusal(folder.path("none/a")),
+  EXPECT_EQ(write_refusal(folder.path("none/a")),
             "cannot write " + folder.path("none/a") + ": No such file or directory");
-  EXPECT_EQ(refusal(folder.path("")), "cannot write " + folder.path("") + ": Is a directory");
-  EXPECT_EQ(refusal(folder.path(".")), "cannot write " + folder.path(".") + ": Is a directory");
+  EXPECT_EQ(write_refusal(folder.path("")), "cannot write " + folder.path("") + ": Is a directory");
+  EXPECT_EQ(write_refusal(folder.path(".")),
+            "cannot write " + folder.path(".") + ": Is a directory");
 }
 
 TEST(OutputFile, OverwritesOnlyRegularFiles) {
@@ -105,13 +106,13 @@ TEST(OutputFile, OverwritesOnlyRegularFiles) {
 }
 
 TEST(OutputFile, WritesToWhatIsNoRegularFile) {
-  EXPECT_EQ(refusal("/dev/null"), "accepted");
-  EXPECT_EQ(refusal("/dev/full"), "cannot write /dev/full: No space left on device");
+  EXPECT_EQ(write_refusal("/dev/null"), "accepted");
+  EXPECT_EQ(write_refusal("/dev/full"), "cannot write /dev/full: No space left on device");
   const ScratchFolder folder;
   const std::string pipe = folder.path("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const support::Descriptor reader(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK));
-  EXPECT_EQ(refusal(pipe), "accepted");
+  EXPECT_EQ(write_refusal(pipe), "accepted");
   std::array<char, 8> got{};
   EXPECT_EQ(::read(reader.number(), got.data(), got.size()), 3);
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
@@ -122,19 +123,19 @@ TEST(OutputFile, AppendsToAnOpenDescriptor) {
   const ScratchFolder folder;
   const support::Descriptor file(::open(folder.path("a").c_str(), O_WRONLY | O_CREAT, 0600));
   ASSERT_EQ(file.append("before "), 0);
-  EXPECT_EQ(refusal("/dev/fd/" + std::to_string(file.number())), "accepted");
+  EXPECT_EQ(write_refusal("/dev/fd/" + std::to_string(file.number())), "accepted");
   ASSERT_EQ(file.append(" after"), 0);
   EXPECT_EQ(folder.read("a"), "before xyz after");
   const support::Descriptor readable(::open("/dev/null", O_RDONLY));
-  EXPECT_NE(refusal("/proc/self/fd/" + std::to_string(readable.number())), "accepted");
+  EXPECT_NE(write_refusal("/proc/self/fd/" + std::to_string(readable.number())), "accepted");
 }
 
 TEST(OutputFile, KeepsTheModeOfTheFileItReplaces) {
   const ScratchFolder folder;
-  for (const mode_t mode : {0600, 0640, 0664, 0200}) {
+  for (const mode_t mode : {0600U, 0640U, 0664U, 0200U}) {
     folder.write("a", "old");
     ASSERT_EQ(::chmod(folder.path("a").c_str(), mode), 0);
-    ASSERT_EQ(refusal(folder.path("a")), "accepted");
+    ASSERT_EQ(write_refusal(folder.path("a")), "accepted");
     struct stat now {};
     ASSERT_EQ(::stat(folder.path("a").c_str(), &now), 0);
     EXPECT_EQ(now.st_mode & 07777U, mode);
@@ -148,7 +149,7 @@ TEST(OutputFile, KeepsTheOwnerOfTheFileItReplaces) {
   const std::string path = folder.write("a", "old");
   ASSERT_EQ(::chown(path.c_str(), 65534, 65533), 0);
   ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
-  ASSERT_EQ(refusal(path), "accepted");
+  ASSERT_EQ(write_refusal(path), "accepted");
   struct stat now {};
   ASSERT_EQ(::stat(path.c_str(), &now), 0);
   EXPECT_EQ(now.st_uid, 65534U);
@@ -160,8 +161,9 @@ TEST(OutputFile, RefusesAFileThatNoOneMayWrite) {
   const ScratchFolder folder;
   const std::string path = folder.write("a", "old");
   ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
-  EXPECT_EQ(refusal(path), "cannot write " + path +
-                               ": the file is read-only; make it writable, or name another file");
+  EXPECT_EQ(
+      write_refusal(path),
+      "cannot write " + path + ": the file is read-only; make it writable, or name another file");
   EXPECT_EQ(folder.read("a"), "old");
   EXPECT_EQ(folder.files(), 1);
 }
@@ -174,12 +176,12 @@ TEST(OutputFile, ReplacesAgainAndAgain) {
     for (const char* text : {"one", "two", "three"}) {
       file.replace(text);
       EXPECT_EQ(folder.read("a"), text);
-      EXPECT_EQ(refusal(folder.path("a")),
+      EXPECT_EQ(write_refusal(folder.path("a")),
                 "cannot write " + folder.path("a") +
                     ": another run writes this file; wait for it, or name another");
     }
   }
-  EXPECT_EQ(refusal(folder.path("a")), "accepted");
+  EXPECT_EQ(write_refusal(folder.path("a")), "accepted");
   EXPECT_EQ(folder.files(), 1);
 }
 
@@ -210,17 +212,19 @@ TEST(OutputFile, DoesNotWriteThroughALinkNamedLikeItsPart) {
   const ScratchFolder folder;
   folder.write("other", "kept");
   std::filesystem::create_symlink(folder.path("other"), folder.path("a.fixproof-part"));
-  EXPECT_EQ(refusal(folder.path("a")), "accepted");
+  EXPECT_EQ(write_refusal(folder.path("a")), "accepted");
   EXPECT_EQ(folder.read("a"), "xyz");
   EXPECT_EQ(folder.read("other"), "kept");
   std::filesystem::create_directory(folder.path("a.fixproof-part"));
-  EXPECT_NE(refusal(folder.path("a")).find("remove a.fixproof-part beside it"), std::string::npos);
+  EXPECT_NE(write_refusal(folder.path("a")).find("remove a.fixproof-part beside it"),
+            std::string::npos);
 }
 
 TEST(OutputFile, TooLongForTheDiskIsAFailure) {
   const ScratchFolder folder;
   const LongestFile limit(2);
-  EXPECT_EQ(refusal(folder.path("a")), "cannot write " + folder.path("a") + ": File too large");
+  EXPECT_EQ(write_refusal(folder.path("a")),
+            "cannot write " + folder.path("a") + ": File too large");
   EXPECT_EQ(folder.files(), 0);
 }
 

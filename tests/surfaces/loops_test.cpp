@@ -1,4 +1,5 @@
 // Tests the C++ inner loops against their definitions, pixel by pixel in 64 bits.
+#include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 

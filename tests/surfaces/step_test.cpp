@@ -1,6 +1,7 @@
 // Tests the three roundings of a step, by hand, and the divide that drops part of its divisor.
 #include "xsharp/raster/step.hpp"
 
+#include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 

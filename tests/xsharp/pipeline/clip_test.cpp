@@ -155,10 +155,10 @@ TYPED_TEST(Clip, StaysConvexFlatAndInTheSameSense) {
 TYPED_TEST(Clip, AWallIsCutAtTheVolumesEdges) {
   using N = TypeParam;
   // A very wide wall at z = -4 keeps only the four corners of the volume at that depth.
-  const Points<N> wall{
+  const Points<N> corners{
       pipeline::vector<N>({-30000, 30000, -4}), pipeline::vector<N>({30000, 30000, -4}),
       pipeline::vector<N>({30000, -30000, -4}), pipeline::vector<N>({-30000, -30000, -4})};
-  const Points<N> left = clipped(wall, 64);
+  const Points<N> left = clipped(corners, 64);
   for (const Triple& corner :
        {Triple{-256, 256, -4}, {256, 256, -4}, {256, -256, -4}, {-256, -256, -4}}) {
     EXPECT_TRUE(std::any_of(
