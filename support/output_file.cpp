@@ -13,7 +13,7 @@ OutputFile::OutputFile(const std::string& path, Use use) : place_(path) {
     lock_.emplace(place_);
     const PartFile can_be_made(place_);
   } else if (use == Use::overwriting) {
-    place_.refuse("not a regular file");
+    place_.refuse("this is not a regular file; name another");
   }
 }
 

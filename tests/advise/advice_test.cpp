@@ -66,7 +66,7 @@ TEST(Advice, WithinTheSpreadTakesTheMoreExact) {
 TEST(Advice, SaysWhatCostsTheSame) {
   trade::AdviceReport report{
       .scene = "a scene", .budget = 0.5, .tried = {timed(200, 5, 0.4), timed(204, 5, 0.3)}};
-  EXPECT_NE(cli::sentences_of(report).find("1 other within the budget costs the same"),
+  EXPECT_NE(cli::sentences_of(report).find("1 other choice within the budget costs the same"),
             std::string::npos)
       << cli::sentences_of(report);
   EXPECT_NE(cli::sentences_of(report).find("which costs the same, at most 0.400"),

@@ -28,10 +28,12 @@ std::string png_of(std::int32_t width, std::int32_t height) {
 void expect_read_back(std::size_t count, std::int32_t width, std::int32_t height) {
   const ScratchFolder folder;
   const auto shown = pages(width, height, count);
-  AnimationPng animation(folder.path("a.png"), {3, 100});
-  for (const auto& page : shown) animation.add(encode_png(page));
-  animation.finish();
-  EXPECT_EQ(animation.frames(), count);
+  {
+    AnimationPng animation(folder.path("a.png"), {3, 100});
+    for (const auto& page : shown) animation.add(encode_png(page));
+    animation.finish();
+    EXPECT_EQ(animation.frames(), count);
+  }
 
   const std::string bytes = folder.read("a.png");
   EXPECT_EQ(read_png::by_libpng(bytes), shown.front());
@@ -40,7 +42,7 @@ void expect_read_back(std::size_t count, std::int32_t width, std::int32_t height
   EXPECT_EQ(read.plays, 0U);
   EXPECT_EQ(read.frames, shown);
   EXPECT_EQ(read.times, std::vector<std::string>(count, "3/100"));
-  EXPECT_EQ(folder.files(), 1);
+  EXPECT_EQ(folder.files(), 1) << "neither a lock nor an unfinished file is left";
 }
 
 TEST(AnimationPng, EveryFrameIsReadBack) { expect_read_back(5, 9, 7); }
