@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "measure/host/provenance.hpp"
+#include "parties/machines.hpp"
 
 namespace fixproof::trade {
 
