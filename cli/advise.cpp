@@ -12,9 +12,9 @@
 #include "cli/scene_options.hpp"
 #include "cli/surface_options.hpp"
 #include "player/outputs.hpp"
-#include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/advice/advice.hpp"
@@ -112,7 +112,7 @@ int advise_on(const AdviseOptions& options) {
   options.surfaces.apply(scene);
   if (options.repaired) scene.arithmetic.repaired = true;
   require_objects(scene);
-  player::check_output("--json", options.json, scene.files);
+  const auto json = player::open_output("--json", options.json, scene.files);
 
   trade::AdviceReport report{
       .scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};
@@ -152,7 +152,7 @@ int advise_on(const AdviseOptions& options) {
     if (frames < wanted) return stopped(frames, wanted, options);
   }
   std::cout << sentences_of(report);
-  if (!options.json.empty()) support::replace_file(options.json, support::json_text(report));
+  if (json) json->replace(support::json_text(report));
   return advice.take ? 0 : 1;
 }
 

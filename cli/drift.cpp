@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -13,6 +14,7 @@
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "trade/advice/choice.hpp"
@@ -135,13 +137,13 @@ int run(const DriftOptions& options) {
                                           options.request.object, scene.name,
                                           scene.objects.size() - 1));
   }
-  player::check_output("--strip", options.strip, scene.files);
-  player::check_output("--json", options.json, scene.files);
   if (!options.strip.empty() && !options.json.empty() &&
       support::same_file(options.strip, options.json)) {
     throw support::UsageError(
         fmt::format("--json {}: --strip writes this file; name another", options.json));
   }
+  const auto strip = player::open_output("--strip", options.strip, scene.files);
+  const auto json = player::open_output("--json", options.json, scene.files);
 
   trade::DriftFigures figures;
   {
@@ -165,11 +167,9 @@ int run(const DriftOptions& options) {
         options.strip.empty() && options.json.empty() ? "" : "; no file is written");
     return support::interrupted_status;
   }
-  if (!options.json.empty()) {
-    support::replace_file(options.json, support::json_text(figures));
-  }
-  if (!options.strip.empty()) {
-    support::replace_file(options.strip, drift_strip(scene, options.request));
+  if (json) json->replace(support::json_text(figures));
+  if (strip) {
+    strip->replace(drift_strip(scene, options.request));
     std::cout << fmt::format("\n{}: {}\n", options.strip,
                              support::printable(scene.objects[options.request.object].name));
   }

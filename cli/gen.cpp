@@ -14,7 +14,7 @@
 #include "support/frame_progress.hpp"
 #include "support/hex.hpp"
 #include "support/interrupt.hpp"
-#include "support/part_file.hpp"
+#include "support/output_file.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
@@ -58,7 +58,7 @@ class LineOutput {
   }
 
  private:
-  std::optional<support::PartFile> file_;
+  std::optional<support::OutputFile> file_;
 };
 
 int generate(const GenOptions& options) {

@@ -11,9 +11,9 @@
 #include "cli/measure_text.hpp"
 #include "cli/print_error.hpp"
 #include "player/outputs.hpp"
-#include "support/file.hpp"
 #include "support/interrupt.hpp"
 #include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
@@ -30,10 +30,11 @@ struct MeasureOptions {
   measure::MeasureRequest request;
 };
 
-/// Reads the scenes and checks, before the long measurement, that the JSON file can be written.
+/// Reads the scenes and locks the JSON file, if one is named.
 /// @throws xsharp::SceneError, UsageError if the JSON file is an input, std::runtime_error if it
 ///         cannot be written
-measure::MeasureRequest read_request(const MeasureOptions& options) {
+measure::MeasureRequest read_request(const MeasureOptions& options,
+                                     std::unique_ptr<support::OutputFile>& json) {
   measure::MeasureRequest request = options.request;
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
@@ -41,13 +42,14 @@ measure::MeasureRequest read_request(const MeasureOptions& options) {
     const auto& files = request.scenes.back().files;
     inputs.insert(inputs.end(), files.begin(), files.end());
   }
-  player::check_output("--json", options.json, inputs);
+  json = player::open_output("--json", options.json, inputs);
   return request;
 }
 
 template <class Result>
 int run(const MeasureOptions& options, Measurement<Result> measure) {
-  const measure::MeasureRequest request = read_request(options);
+  std::unique_ptr<support::OutputFile> json;
+  const measure::MeasureRequest request = read_request(options, json);
   measure::MeasureProgress progress(support::Interrupt::flag());
   Measured<Result> measured;
   {
@@ -61,9 +63,7 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
   }
   if (measured.result) {
     std::cout << text_of(*measured.result);
-    if (!options.json.empty()) {
-      support::replace_file(options.json, support::json_text(*measured.result));
-    }
+    if (json) json->replace(support::json_text(*measured.result));
   }
   for (const std::string& line : measured.errors) print_error(line);
   return measured.status;

@@ -2,12 +2,13 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/print_error.hpp"
 #include "cli/table.hpp"
-#include "support/file.hpp"
+#include "support/output_file.hpp"
 #include "verify/report_file.hpp"
 
 namespace fixproof::cli {
@@ -21,10 +22,12 @@ struct MergeOptions {
 };
 
 int run(const MergeOptions& options) {
+  std::optional<support::OutputFile> report;
+  if (!options.report.empty()) report.emplace(options.report);
   std::vector<verify::NamedReport> parts;
   for (const std::string& file : options.files) parts.push_back({file, verify::read_report(file)});
   const verify::Report sum = verify::merged(parts, options.accept_other_builds);
-  if (!options.report.empty()) support::replace_file(options.report, verify::to_json(sum));
+  if (report) report->replace(verify::to_json(sum));
   std::cout << table(sum) << std::flush;
   const std::string missing = verify::missing(sum, parts);
   if (!missing.empty()) print_error(missing);

@@ -13,9 +13,9 @@
 #include "player/canvas.hpp"
 #include "player/outputs.hpp"
 #include "player/players.hpp"
-#include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -31,7 +31,7 @@ struct ProfileOptions {
 int run_profile(const ProfileOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
-  player::check_output("--json", options.json, scene.files);
+  const auto json = player::open_output("--json", options.json, scene.files);
   const std::uint64_t frames = options.scene.frame_count(scene);
   std::unique_ptr<xsharp::Player> player;
   trade::Profiler profiler(scene, scene.arithmetic);
@@ -66,7 +66,7 @@ int run_profile(const ProfileOptions& options) {
                              options.json.empty() ? "" : "; no JSON is written");
     return support::interrupted_status;
   }
-  if (!options.json.empty()) support::replace_file(options.json, support::json_text(profile));
+  if (json) json->replace(support::json_text(profile));
   return 0;
 }
 

@@ -22,6 +22,7 @@
 #include "proof/process.hpp"
 #include "proof/step_proof.hpp"
 #include "support/file.hpp"
+#include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -139,6 +140,7 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
     throw support::UsageError(
         fmt::format("--write {}: cannot create this folder: {}", directory, error.message()));
   }
+  const support::FolderLock lock("--write", directory);
   std::size_t written = 0;
   const auto write = [&](const std::string& name, const std::string& script) {
     support::replace_file((std::filesystem::path(directory) / file_name(name)).string(), script);

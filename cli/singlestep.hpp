@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "x86model/routine.hpp"
+#include "x86model/clocks.hpp"
 
 namespace fixproof::cli {
 
-/// Judges all cases. Prints mismatches and one summary line per file to standard output, and file
+/// Judges all cases, one file per thread at a time. Prints mismatches and one summary line per file
+/// to standard output, in the order of the files, then the sum for several files; prints file
 /// errors to standard error.
-/// @return the exit status: 1 if a case differs, else 2 if a file is bad or none of its cases can
-///         run, else 0
-int judge_files(const std::vector<std::string>& files, x86model::Target cpu);
+/// @return the exit status: 1 if a case differs, else 2 if a file is bad or no case at all can run,
+///         else 0
+int judge_files(const std::vector<std::string>& files, x86model::Cpu cpu);
 
 }  // namespace fixproof::cli

@@ -186,14 +186,18 @@ int run(x86::Target cpu, std::optional<x86::Cpu> timed) {
 }  // namespace
 
 void add_step(CLI::App& app, int& status) {
-  static const std::map<std::string, x86::Target> processors{{"8088", x86::Target::i8088},
-                                                             {"386", x86::Target::i386}};
+  static const std::map<std::string, x86::Cpu> processors{{"8086", x86::Cpu::i8088},
+                                                          {"8088", x86::Cpu::i8088},
+                                                          {"286", x86::Cpu::i286},
+                                                          {"386", x86::Cpu::i386}};
   auto cpu = std::make_shared<std::string>("386");
   auto timed = std::make_shared<std::string>();
   auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand(
       "step", "execute one instruction per line, or judge the model by captured states");
-  command->add_option("--cpu", *cpu, "processor: 8088 or 386")
+  command
+      ->add_option("--cpu", *cpu,
+                   "processor: 8088 (also as 8086) or 386; with --singlestep also 286")
       ->check(CLI::IsMember(&processors))
       ->capture_default_str();
   CLI::Option* clocks =
@@ -203,7 +207,7 @@ void add_step(CLI::App& app, int& status) {
           ->check(CLI::IsMember(&cpu_names));
   command
       ->add_option("--singlestep", *files,
-                   "judge the cases of these JSON files, plain or gzip, instead of reading lines")
+                   "judge the cases of these files, JSON or MOO, plain or gzip, instead of lines")
       ->check(not_empty())
       ->excludes(clocks);
   command->footer(
@@ -220,22 +224,27 @@ Example:
   echo 'adc bx, dx | ax=0000 bx=ffff cx=0000 dx=0000 si=0000 di=0000 bp=0000 sp=fffe fl=0001' |
     fixproof step --cpu 8088
 
---singlestep reads the JSON format of SingleStepTests: the 8088 set as published, the 80386 set
-after conversion with moo2json.py. A case has registers and memory before and after one
-instruction. Modelled instructions with register and immediate operands are run; the others are
-counted by reason. The comparison leaves out the instruction pointer, undefined flags, and
-flags after a divide error. For each file the command prints the first 20 cases that differ and
-one line of counts. Exit status: 1 a case differs, 2 a file is damaged or none of its cases can
-be run.
+--singlestep reads the captured states of SingleStepTests, JSON or MOO: the 8088, 8086, 80286 and
+80386 sets in real mode. A case has registers and memory before and after one instruction. Cases
+whose instruction, addressing and prefixes a listing uses are run; the others are counted by
+reason. Everything is compared except undefined flags: registers, the instruction pointer, each
+byte of memory, and after a divide error the pushed FLAGS, CS and return address. For each file
+the command prints the first 20 cases that differ and one line of counts. Exit status: 1 a case
+differs, 2 a file is damaged or none of the cases can be run.
 
-Example:
-  fixproof step --cpu 8088 --singlestep v2/01.json.gz v2/F7.6.json.gz)");
+Examples:
+  fixproof step --cpu 8086 --singlestep 8086/v1_binary/*.MOO.gz
+  fixproof step --cpu 286 --singlestep 80286/v1_real_mode/F7.6.MOO.gz)");
   command->callback([cpu, timed, files, &status] {
-    const x86::Target target = processors.at(*cpu);
+    const x86::Cpu processor = processors.at(*cpu);
     if (!files->empty()) {
-      status = judge_files(*files, target);
+      status = judge_files(*files, processor);
       return;
     }
+    if (processor == x86::Cpu::i286) {
+      throw support::UsageError("--cpu 286 needs --singlestep; lines run on an 8088 or a 386");
+    }
+    const auto target = processor == x86::Cpu::i8088 ? x86::Target::i8088 : x86::Target::i386;
     std::optional<x86::Cpu> timed_cpu;
     if (!timed->empty()) timed_cpu = cpu_names.at(*timed);
     status = run(target, timed_cpu);

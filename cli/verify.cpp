@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <thread>
 
 #include "cases/plan.hpp"
@@ -17,6 +18,7 @@
 #include "parties/answer.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "verify/engine.hpp"
@@ -89,10 +91,6 @@ verify::Report begin(const VerifyOptions& options, std::vector<cases::Row> rows,
   verify::Report fresh(cases::Plan(options.selection.level, options.seed, std::move(rows)),
                        cases::parse_shard(options.shard), options.max_reports);
   if (options.resume.empty() || !std::filesystem::exists(options.resume)) return fresh;
-  if (!std::filesystem::is_regular_file(options.resume)) {
-    throw support::UsageError(
-        fmt::format("--resume {}: this is not a regular file; name another", options.resume));
-  }
   verify::Report kept = verify::read_report(options.resume);
   std::string differs = verify::difference(kept, fresh);
   if (differs.empty() && kept.shard != fresh.shard) {
@@ -132,17 +130,32 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
   if (!std::cout) throw support::UsageError("cannot write standard output");
 }
 
-void run_remaining(const VerifyOptions& options, verify::Report& report) {
+/// The files of a run, locked until it ends.
+struct VerifyFiles {
+  explicit VerifyFiles(const VerifyOptions& options) {
+    if (!options.resume.empty()) {
+      resume.emplace(options.resume, support::OutputFile::Use::overwriting);
+    }
+    if (!options.report.empty() && !support::same_file(options.resume, options.report)) {
+      report.emplace(options.report);
+    }
+  }
+
+  std::optional<support::OutputFile> resume;
+  std::optional<support::OutputFile> report;  ///< none if it is the same
+};
+
+void run_remaining(const VerifyOptions& options, VerifyFiles& files, verify::Report& report) {
   const auto parties = chosen_parties(options.selection);
   Progress progress;
   auto kept = std::chrono::steady_clock::now();
   const auto observe = [&](const verify::Report& state) {
     progress.show(state);
     const auto now = std::chrono::steady_clock::now();
-    if (options.resume.empty() || now - kept < checkpoint_every) return;
+    if (!files.resume || now - kept < checkpoint_every) return;
     kept = now;
     try {
-      support::replace_file(options.resume, verify::to_json(state));
+      files.resume->replace(verify::to_json(state));
     } catch (const std::runtime_error&) {
       // A failed checkpoint is no error: the disk may have space again for the final write.
     }
@@ -168,13 +181,9 @@ int verify(const VerifyOptions& options) {
   auto rows = chosen_rows(options.selection, parties);
   if (!options.words.empty()) return compare_case(options, rows);
 
+  // Before the state is read: until then another run may write it.
+  VerifyFiles files(options);
   verify::Report report = begin(options, std::move(rows), parties);
-  std::vector<std::string> files;
-  for (const std::string& file : {options.resume, options.report}) {
-    if (file.empty()) continue;
-    support::check_replaceable(file);
-    files.push_back(file);
-  }
   print_heading(options, report);
 
   // Print and keep the findings even if a party fails or a file cannot be written.
@@ -182,16 +191,17 @@ int verify(const VerifyOptions& options) {
   try {
     // Restore Ctrl-C before printing, because a write to a pipe may block on its reader.
     const support::Interrupt interrupt;
-    run_remaining(options, report);
+    run_remaining(options, files, report);
   } catch (const std::bad_alloc&) {
     party_failure = "out of memory";
   } catch (const std::exception& error) {
     party_failure = error.what();
   }
   std::string failure;
-  for (const std::string& file : files) {
+  for (auto* file : {&files.resume, &files.report}) {
+    if (!*file) continue;
     try {
-      support::replace_file(file, verify::to_json(report));
+      (*file)->replace(verify::to_json(report));
     } catch (const std::runtime_error& error) {
       failure = error.what();
     }

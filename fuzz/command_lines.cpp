@@ -165,7 +165,7 @@ void check(cases::Operation operation, const std::string& input) {
   }
 }
 
-void single_steps(x86model::Target cpu, const std::string& input) {
+void single_steps(x86model::Cpu cpu, const std::string& input) {
   const fuzz::MemoryFile file(input);
   try {
     singlestep::read_cases(file.path(), cpu,
@@ -191,7 +191,7 @@ const std::vector<Try>& tries() {
          {cases::Operation::mul, cases::Operation::div, cases::Operation::sqrt}) {
       made.emplace_back([operation](const std::string& input) { check(operation, input); });
     }
-    for (const auto cpu : {x86model::Target::i8088, x86model::Target::i386}) {
+    for (const auto cpu : {x86model::Cpu::i8088, x86model::Cpu::i386, x86model::Cpu::i286}) {
       made.emplace_back([cpu](const std::string& input) { single_steps(cpu, input); });
     }
     return made;

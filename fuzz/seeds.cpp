@@ -145,6 +145,7 @@ void write_lines(const fs::path& root, const fs::path& vectors) {
   corpus.add_file(vectors / "8088.json", "m");
   corpus.add_file(vectors / "386.json", "n");
   corpus.add_file(vectors / "386-divide.json.gz", "n");
+  corpus.add_file(vectors / "286.MOO", "o");
 }
 
 void write_files(const fs::path& root, const fs::path& scenes) {

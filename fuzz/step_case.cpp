@@ -11,6 +11,7 @@
 #include "fuzz/words.hpp"
 #include "singlestep/shown.hpp"
 #include "support/usage_error.hpp"
+#include "x86model/execute.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::fuzz {
@@ -28,6 +29,16 @@ x86::Size size_on(x86::Target cpu) {
 }
 
 x86::Register register_at(std::size_t i) { return static_cast<x86::Register>(i); }
+
+/// Whether the instruction reads or writes memory or jumps.
+bool uses_memory(const x86::Instruction& instruction) {
+  const x86::Mnemonic op = instruction.mnemonic;
+  const auto& all = instruction.operands;
+  return x86::is_control_flow(op) || op == x86::Mnemonic::push || op == x86::Mnemonic::pop ||
+         x86::detail::is_store_string(op) ||
+         std::any_of(all.begin(), all.end(),
+                     [](const x86::Operand& o) { return o.kind == x86::Operand::Kind::memory; });
+}
 
 /// Draws bytes until they form a modelled instruction, which takes some dozens of attempts.
 void draw_code(StepCase& step, cases::Draw& draw) {
@@ -80,8 +91,10 @@ void draw_register(StepCase& step, cases::Draw& draw) {
 
 std::optional<singlestep::Decoded> StepCase::decoded() const {
   try {
-    const auto result = singlestep::decode(code, cpu);
-    if (const auto* whole = std::get_if<singlestep::Decoded>(&result)) return *whole;
+    const bool i386 = cpu == x86::Target::i386;
+    const auto result = singlestep::decode(code, i386 ? x86::Cpu::i386 : x86::Cpu::i8088);
+    const auto* whole = std::get_if<singlestep::Decoded>(&result);
+    if (whole != nullptr && !uses_memory(whole->instruction)) return *whole;
   } catch (const support::UsageError&) {
     // The bytes end inside the instruction.
   }

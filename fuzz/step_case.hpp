@@ -27,7 +27,7 @@ struct StepCase {
   /// Every flag is defined. On an 8088 the upper halves of the registers are 0.
   singlestep::StepMachine machine;
 
-  /// The decoded instruction; nothing if it is invalid or not modelled.
+  /// The decoded instruction; nothing if it is invalid, not modelled, uses memory or jumps.
   [[nodiscard]] std::optional<singlestep::Decoded> decoded() const;
   /// The `fixproof step` command line that executes `instruction` on this machine.
   [[nodiscard]] std::string replay(const x86model::Instruction& instruction) const;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "player/surfaces.hpp"
-#include "support/file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/files/png.hpp"
@@ -43,9 +42,9 @@ std::uint32_t shade_of_difference(int apart) {
 
 }  // namespace
 
-BesideExact::BesideExact(const xsharp::Scene& scene, std::string file)
+BesideExact::BesideExact(const xsharp::Scene& scene, const std::string& file)
     : palette_(scene.palette),
-      file_(std::move(file)),
+      file_(file),
       stepper_(make_surfaces(scene, scene.arithmetic)),
       exact_filler_(scene),
       background_(scene.background),
@@ -56,7 +55,6 @@ BesideExact::BesideExact(const xsharp::Scene& scene, std::string file)
   if (scene.arithmetic.by == "double") {
     throw support::UsageError("--beside compares with double; choose another --arith");
   }
-  support::check_replaceable(file_);
 }
 
 void BesideExact::show(const xsharp::Picture& picture) {
@@ -71,8 +69,8 @@ void BesideExact::show(const xsharp::Picture& picture) {
   }
 }
 
-void BesideExact::finish() const {
-  if (pictures_ > 0) support::replace_file(file_, png());
+void BesideExact::finish() {
+  if (pictures_ > 0) file_.replace(png());
 }
 
 std::string BesideExact::differences() const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "support/output_file.hpp"
 #include "xsharp/picture.hpp"
 #include "xsharp/raster/exact_filler.hpp"
 #include "xsharp/raster/page.hpp"
@@ -19,12 +20,12 @@ class BesideExact {
  public:
   /// @param file the name of a PNG of the last picture: stepped, exact, and the differences
   /// @throws UsageError if the scene interpolates nothing or does not step
-  /// @throws std::runtime_error naming the file, if it cannot be written
-  BesideExact(const xsharp::Scene& scene, std::string file);
+  /// @throws std::runtime_error naming the file, if it cannot be written or another run writes it
+  BesideExact(const xsharp::Scene& scene, const std::string& file);
 
   void show(const xsharp::Picture& picture);
   /// Writes the file, if there are pictures.
-  void finish() const;
+  void finish();
   /// `3 of 230,400 pixels differ, …`; empty without pictures.
   [[nodiscard]] std::string differences() const;
 
@@ -32,7 +33,7 @@ class BesideExact {
   [[nodiscard]] std::string png() const;
 
   xsharp::PaletteKind palette_;
-  std::string file_;
+  support::OutputFile file_;
   std::unique_ptr<xsharp::SurfaceFiller> stepper_;
   xsharp::ExactFiller exact_filler_;
   std::uint8_t background_;

@@ -8,6 +8,8 @@
 
 #include "player/dump.hpp"
 #include "support/file.hpp"
+#include "support/file_lock.hpp"
+#include "support/place.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::player {
@@ -20,9 +22,9 @@ using Use = std::pair<std::string, fs::path>;
 
 /// Tells whether `file` can be the name of a frame in `folder`.
 bool is_frame_of(const fs::path& folder, const fs::path& file) {
-  const fs::path real = support::behind_links(file);
-  return support::same_file(folder, real.parent_path()) &&
-         real.filename().string().starts_with("frame_") && real.extension() == ".png";
+  const auto place = support::find_place(file);
+  return place && support::same_file(folder, place->folder_path()) &&
+         place->name().starts_with("frame_") && place->name().ends_with(".png");
 }
 
 [[noreturn]] void refuse_use(std::string_view option, const fs::path& file, std::string_view use) {
@@ -64,17 +66,21 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
 
 }  // namespace
 
+std::unique_ptr<support::OutputFile> open_output(std::string_view option, const fs::path& file,
+                                                 const std::vector<fs::path>& inputs) {
+  if (file.empty()) return nullptr;
+  refuse_inputs(option, file, inputs);
+  return std::make_unique<support::OutputFile>(file.string());
+}
+
 void check_output(std::string_view option, const fs::path& file,
                   const std::vector<fs::path>& inputs) {
-  if (file.empty()) return;
-  refuse_inputs(option, file, inputs);
-  support::check_replaceable(file);
+  open_output(option, file, inputs);
 }
 
 Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
                  double frames_per_second)
     : folder_(names.folder) {
-  refuse_clashes(names, inputs);
   if (!folder_.empty()) {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -82,14 +88,20 @@ Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
       throw support::UsageError(fmt::format("--out {}: cannot create this folder: {}", folder_,
                                             error ? error.message() : "a file has that name"));
     }
+  }
+  // Names are compared by the folders they lie in, which exist now.
+  refuse_clashes(names, inputs);
+  if (!folder_.empty()) {
+    lock_ = std::make_unique<support::FolderLock>("--out", folder_);
+    support::remove_leftovers(folder_);
     support::check_replaceable(frame_file(0));
   }
   if (!names.animation.empty()) {
     animation_ = std::make_unique<xsharp::AnimationPng>(names.animation,
                                                         xsharp::frame_time(frames_per_second));
   }
-  if (!names.dump.empty()) dump_ = std::make_unique<support::PartFile>(names.dump);
-  if (!names.digests.empty()) digests_ = std::make_unique<support::PartFile>(names.digests);
+  if (!names.dump.empty()) dump_ = std::make_unique<support::OutputFile>(names.dump);
+  if (!names.digests.empty()) digests_ = std::make_unique<support::OutputFile>(names.digests);
 }
 
 void Outputs::add(const Canvas& canvas, const xsharp::Player& player, std::uint64_t frame) {

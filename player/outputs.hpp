@@ -11,7 +11,8 @@
 
 #include "player/canvas.hpp"
 #include "player/picture_digest.hpp"
-#include "support/part_file.hpp"
+#include "support/folder_lock.hpp"
+#include "support/output_file.hpp"
 #include "xsharp/files/animation_png.hpp"
 #include "xsharp/player.hpp"
 
@@ -26,17 +27,25 @@ struct OutputNames {
   std::string beside;     ///< written by BesideExact; listed here to detect name clashes
 };
 
-/// Checks that `file`, the output of `option`, can be written. An empty name is no output.
-/// @throws UsageError if the file is one of `inputs`, std::runtime_error if it cannot be written
+/// Locks `file`, the output of `option`, until it is written. An empty name is no output: null.
+/// @throws UsageError if the file is one of `inputs`, std::runtime_error if it cannot be written or
+/// another run is writing it
+std::unique_ptr<support::OutputFile> open_output(std::string_view option,
+                                                 const std::filesystem::path& file,
+                                                 const std::vector<std::filesystem::path>& inputs);
+
+/// Does the same, but releases the lock. Only for files in a folder that the run has locked.
 void check_output(std::string_view option, const std::filesystem::path& file,
                   const std::vector<std::filesystem::path>& inputs);
 
-/// Output files for frames. A file appears or changes only when it is complete.
+/// Output files for frames, locked against another run. A file appears or changes only when it is
+/// complete.
 class Outputs {
  public:
   /// @param inputs files that must not be written
-  /// @throws UsageError if an output is another output or an input, or the folder cannot be made
-  /// @throws std::runtime_error naming the file that cannot be written
+  /// @throws UsageError if an output is another output or an input, the folder cannot be made, or
+  /// another run is writing there
+  /// @throws std::runtime_error naming the file that cannot be written, or that another run writes
   Outputs(const OutputNames& names, const std::vector<std::filesystem::path>& inputs,
           double frames_per_second);
 
@@ -53,9 +62,10 @@ class Outputs {
   [[nodiscard]] std::string frame_file(std::uint64_t frame) const;
 
   std::string folder_;
+  std::unique_ptr<support::FolderLock> lock_;  ///< of the folder
   std::unique_ptr<xsharp::AnimationPng> animation_;
-  std::unique_ptr<support::PartFile> dump_;
-  std::unique_ptr<support::PartFile> digests_;
+  std::unique_ptr<support::OutputFile> dump_;
+  std::unique_ptr<support::OutputFile> digests_;
   DigestLines digest_lines_;
 };
 

@@ -1,7 +1,9 @@
 #include "proof/process.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <boost/process/args.hpp>
@@ -12,6 +14,8 @@
 #include <boost/process/search_path.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <system_error>
@@ -27,12 +31,16 @@ namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// A file without a name, so that nothing is left if this program is killed.
+/// A file without a name, so that nothing is left if this program is killed. It lies in TMPDIR,
+/// which std::tmpfile() ignores.
 File temporary_file() {
-  File file(std::tmpfile(), std::fclose);
+  std::string name = (std::filesystem::temp_directory_path() / "fixproof.XXXXXX").string();
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor >= 0) ::unlink(name.c_str());
+  File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+"), std::fclose);
   if (!file) {
-    throw std::runtime_error(
-        fmt::format("cannot create a temporary file: {}", std::generic_category().message(errno)));
+    throw std::runtime_error(fmt::format("cannot create the temporary file {}: {}", name,
+                                         std::generic_category().message(errno)));
   }
   return file;
 }

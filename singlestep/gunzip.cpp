@@ -1,5 +1,6 @@
 #include "singlestep/gunzip.hpp"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <memory>
@@ -39,9 +40,10 @@ std::string gunzip(std::string contents) {
       if (stream.avail_in == 0) return text;
       inflateReset(&stream);  // Starts the next member. inflate() reports anything else.
     } else if (status == Z_BUF_ERROR || (status == Z_OK && stream.avail_in == 0 && no_output)) {
-      throw support::UsageError("gzip data cut short");
+      throw support::UsageError(fmt::format("gzip data cut short at byte {}", contents.size()));
     } else if (status != Z_OK) {
-      throw support::UsageError("damaged gzip data");
+      throw support::UsageError(
+          fmt::format("damaged gzip data at byte {}", contents.size() - stream.avail_in));
     }
   }
 }

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "singlestep/capture_memory.hpp"
 #include "singlestep/shown.hpp"
-#include "singlestep/step_machine.hpp"
 #include "support/usage_error.hpp"
 #include "x86model/run.hpp"
 
@@ -14,16 +14,24 @@ namespace fixproof::singlestep {
 namespace {
 
 namespace x86 = x86model;
+using x86::Cpu;
 
 constexpr std::uint8_t hlt = 0xF4;
+constexpr std::uint32_t trap_and_interrupt_flags = 0x300;
+constexpr std::uint32_t direction_flag = 0x400;
 
-/// The byte at `address` after the instruction, if the case lists it.
-std::optional<std::uint8_t> byte_at(const Case& c, std::uint32_t address) {
-  for (const State* state : {&c.final, &c.initial}) {
-    if (const auto at = state->ram.find(address); at != state->ram.end()) return at->second;
-  }
-  return std::nullopt;
-}
+/// Interrupts of faults.
+constexpr std::uint32_t divide_error = 0;
+constexpr std::uint32_t stack_fault = 12;
+constexpr std::uint32_t segment_fault = 13;
+
+/// The state that the model expects after the case.
+struct Expected {
+  std::array<std::uint32_t, place_count> registers{};
+  std::uint32_t undefined_flags = 0;
+
+  std::uint32_t& operator[](Place place) { return registers[static_cast<std::size_t>(place)]; }
+};
 
 /// The interrupt vector word that a fault reads. The case must list it.
 std::optional<std::uint32_t> vector_word(const Case& c, std::uint32_t address) {
@@ -33,111 +41,182 @@ std::optional<std::uint32_t> vector_word(const Case& c, std::uint32_t address) {
   return std::uint32_t{low->second} | std::uint32_t{high->second} << 8U;
 }
 
-/// Returns whether the listed bytes at SS:`offset` are consistent with `word`. A set lists written
-/// memory only if it changed.
-bool may_hold(const Case& c, std::uint32_t offset, std::uint32_t word, x86::Target cpu) {
-  for (std::uint32_t i = 0; i < 2; ++i) {
-    std::uint32_t address = (c.initial[Place::ss] << 4U) + ((offset + i) & 0xFFFFU);
-    // The 8088 has 20 address lines.
-    if (cpu == x86::Target::i8088) address &= 0xFFFFFU;
-    const auto byte = byte_at(c, address);
-    if (byte && *byte != (word >> (8 * i) & 0xFFU)) return false;
+/// The distance of the final instruction pointer from the address of the next instruction: the sets
+/// since the 286 end with the HLT that is there.
+std::uint32_t final_hlt(Cpu cpu) { return cpu == Cpu::i8088 ? 0 : 1; }
+
+/// Whether the case ends at the handler of an interrupt.
+bool has_fault(const Case& c, Cpu cpu, std::uint32_t interrupt) {
+  const auto offset = vector_word(c, 4 * interrupt);
+  const auto segment = vector_word(c, 4 * interrupt + 2);
+  return offset && segment && c.final[Place::cs] == *segment &&
+         c.final[Place::ip] == ((*offset + final_hlt(cpu)) & 0xFFFFU);
+}
+
+/// DS, or SS for an address in BP.
+Place data_segment(const x86::Instruction& instruction) {
+  for (const x86::Operand& o : instruction.operands) {
+    const bool based = o.addressing == x86::Addressing::base ||  //
+                       o.addressing == x86::Addressing::index;
+    if (o.kind == x86::Operand::Kind::memory && based && o.reg == x86::Register::bp) {
+      return Place::ss;
+    }
   }
-  return true;
+  return Place::ds;
 }
 
-bool has_fault(const Case& c, x86::Target cpu, std::size_t length) {
-  const bool i386 = cpu == x86::Target::i386;
-  const auto offset = vector_word(c, 0);
-  const auto segment = vector_word(c, 2);
-  if (!offset || !segment || c.final[Place::cs] != *segment) return false;
-  // The 386 sets end every case with a HLT; after a fault it is the first instruction of the
-  // handler.
-  const std::uint32_t ip = c.final[Place::ip];
-  if (ip != *offset && !(i386 && ip == *offset + 1)) return false;
-  const std::uint32_t sp = c.initial[Place::sp];
-  if (((sp - c.final[Place::sp]) & 0xFFFFU) != 6) return false;
-  const std::uint32_t back = c.initial[Place::ip] + (i386 ? 0 : static_cast<std::uint32_t>(length));
-  return !c.final.ram.empty() && may_hold(c, sp - 4, c.initial[Place::cs], cpu) &&
-         may_hold(c, sp - 6, back, cpu);
-}
-
-StepMachine machine_of(const State& state) {
-  StepMachine m;
+CaptureMachine machine_of(const Case& c, Cpu cpu, Place data) {
+  CaptureMachine m{{}, {}, CaptureMemory(c, cpu, data)};
   for (std::size_t i = 0; i < x86::register_count; ++i) {
     m.registers.write(static_cast<x86::Register>(i), x86::Size::dword,
-                      state[static_cast<Place>(i)]);
+                      c.initial[static_cast<Place>(i)]);
   }
-  m.flags = {static_cast<std::uint16_t>(state[Place::flags] & x86::arithmetic_flags), 0};
+  m.flags = {static_cast<std::uint16_t>(c.initial[Place::flags] & x86::arithmetic_flags), 0};
   return m;
 }
 
-/// Compares the registers, except for the parts that has_fault() checks if `fault` is set.
-void compare_registers(const Case& c, const StepMachine& m, x86::Target cpu, bool fault,
-                       Differences& differences) {
+/// @param next before: the address of the instruction after it; after: of the one to execute next
+x86::Outcome execute(const x86::Instruction& instruction, CaptureMachine& m, std::uint32_t& next) {
+  if (!x86::is_control_flow(instruction.mnemonic)) return x86::execute_any(instruction, m);
+  const x86::Operand& to = instruction.operands[0];
+  std::uint32_t target = next + static_cast<std::uint32_t>(to.value);
+  if (to.kind == x86::Operand::Kind::reg || to.kind == x86::Operand::Kind::memory) {
+    if (!x86::detail::read(to, to.size, m, target)) return x86::Outcome::bad_address;
+  }
+  return x86::transfer(instruction.mnemonic, m, target, next);
+}
+
+void push_frame(const Case& c, CaptureMachine& m, std::uint32_t flags, std::uint32_t back) {
+  for (const std::uint32_t word : {flags, c.initial[Place::cs], back}) x86::detail::push(m, word);
+}
+
+void compare_registers(const Case& c, const Expected& expected, Cpu cpu, Differences& differences) {
   for (std::size_t i = 0; i < place_count; ++i) {
     const auto place = static_cast<Place>(i);
-    if (place == Place::ip || place == Place::flags || !c.initial.registers[i]) continue;
-    std::uint32_t model = c.initial[place];
-    if (i < x86::register_count) {
-      model = m.registers.read(static_cast<x86::Register>(i), x86::Size::dword);
-    }
-    std::uint32_t file = c.final[place];
-    if (fault && place == Place::cs) continue;
-    // has_fault() has already checked the low half, SP.
-    if (fault && place == Place::sp) file = (file & 0xFFFF0000U) | (model & 0xFFFFU);
-    if (model == file) continue;
+    if (place == Place::flags || !c.initial.registers[i]) continue;
+    const std::uint32_t model = expected.registers[i];
+    if (model == c.final[place]) continue;
     differences.push_back(fmt::format("{0}: model {1:0{3}x}, file {2:0{3}x}", name_of(place, cpu),
-                                      model, file, bits_of(place, cpu) / 4));
+                                      model, c.final[place], bits_of(place, cpu) / 4));
   }
 }
 
-void compare_flags(const Case& c, const StepMachine& m, Differences& differences) {
-  const std::uint32_t file = c.final[Place::flags];
-  const std::uint32_t judged = x86::arithmetic_flags & ~std::uint32_t{m.flags.undefined};
-  const std::uint32_t wrong = (m.flags.value ^ file) & judged;
+void compare_flags(const Case& c, Expected& expected, Differences& differences) {
+  const std::uint32_t model = expected[Place::flags];
+  const std::uint32_t wrong = (model ^ c.final[Place::flags]) & ~expected.undefined_flags;
   for (const auto& [flag, name] : shown_flags) {
     if ((wrong & flag) == 0) continue;
-    const bool model = (m.flags.value & flag) != 0;
-    differences.push_back(fmt::format("{}: model {:d}, file {:d}", name, model, !model));
+    const bool set = (model & flag) != 0;
+    differences.push_back(fmt::format("{}: model {:d}, file {:d}", name, set, !set));
   }
-  // No instruction here changes the other bits of FLAGS, such as TF and DF.
   constexpr std::uint32_t others = ~std::uint32_t{x86::arithmetic_flags};
-  if (((file ^ c.initial[Place::flags]) & others) == 0) return;
-  differences.push_back(fmt::format("other flags: model {:x}, file {:x}",
-                                    c.initial[Place::flags] & others, file & others));
+  if ((wrong & others) == 0) return;
+  differences.push_back(fmt::format("other flags: model {:x}, file {:x}", model & others,
+                                    c.final[Place::flags] & others));
 }
 
-/// The length of the instruction. In the 386 sets a HLT may follow it.
-std::size_t length_of(const Case& c, x86::Target cpu) {
-  const bool halted = cpu == x86::Target::i386 && c.bytes.size() > 1 && c.bytes.back() == hlt;
-  return c.bytes.size() - (halted ? 1 : 0);
+std::optional<std::uint8_t> byte_in(const Ram& ram, std::uint32_t address) {
+  const auto found = ram.find(address);
+  if (found == ram.end()) return std::nullopt;
+  return found->second;
+}
+
+/// Compares the bytes that the file lists at the end, and those that the model has written.
+void compare_memory(const Case& c, const Ram& written, Differences& differences) {
+  constexpr std::size_t max_bytes = 16;
+  std::size_t wrong = 0;
+  const auto text_of = [](std::optional<std::uint8_t> byte) {
+    return byte ? fmt::format("{:02x}", *byte) : "nothing";
+  };
+  const auto compare = [&](std::uint32_t address) {
+    const auto before = byte_in(c.initial.ram, address);
+    auto model = byte_in(written, address);
+    auto file = byte_in(c.final.ram, address);
+    if (!model) model = before;
+    if (!file) file = before;
+    if (model == file || ++wrong > max_bytes) return;
+    differences.push_back(
+        fmt::format("memory {:05x}: model {}, file {}", address, text_of(model), text_of(file)));
+  };
+  for (const auto& [address, byte] : c.final.ram) compare(address);
+  for (const auto& [address, byte] : written) {
+    if (!c.final.ram.contains(address)) compare(address);
+  }
+  if (wrong > max_bytes) {
+    differences.push_back(fmt::format("memory: {} more bytes", wrong - max_bytes));
+  }
+}
+
+/// Checks that the bytes are one instruction; since the 286, a HLT may follow it.
+void check_length(const Case& c, Cpu cpu, std::size_t length) {
+  const std::size_t rest = c.bytes.size() - length;
+  if (rest == 0 || (cpu != Cpu::i8088 && rest == 1 && c.bytes.back() == hlt)) return;
+  throw support::UsageError(
+      fmt::format("there are {} bytes, but the instruction has {}", c.bytes.size(), length));
+}
+
+/// The flags after the case, other than the six arithmetic flags. Since only LOADALL sets bits 12
+/// to 15 in real mode on a 286, the first instruction clears them.
+std::uint32_t other_flags(const Case& c, Cpu cpu) {
+  const std::uint32_t kept = ~std::uint32_t{x86::arithmetic_flags};
+  return c.initial[Place::flags] & (cpu == Cpu::i286 ? kept & 0xFFFU : kept);
 }
 
 }  // namespace
 
-std::variant<Differences, Skip> judge(const Case& c, x86::Target cpu) {
+std::variant<Differences, Skip> judge(const Case& c, Cpu cpu) {
   const auto decoded = decode(c.bytes, cpu);
   if (const Skip* reason = std::get_if<Skip>(&decoded)) return *reason;
   const auto& [instruction, length] = std::get<Decoded>(decoded);
-  // F4h may also be the last byte of an immediate.
-  if (length != c.bytes.size() && length != length_of(c, cpu)) {
-    throw support::UsageError(
-        fmt::format("there are {} bytes, but the instruction has {}", c.bytes.size(), length));
+  check_length(c, cpu, length);
+  if (x86::detail::is_store_string(instruction.mnemonic) &&
+      (c.initial[Place::flags] & direction_flag) != 0) {
+    return Skip::direction;
   }
-  StepMachine m = machine_of(c.initial);
-  const x86::Outcome outcome = x86::execute_any(instruction, m);
+
+  CaptureMachine m = machine_of(c, cpu, data_segment(instruction));
+  std::uint32_t next = c.initial[Place::ip] + static_cast<std::uint32_t>(length);
+  const x86::Outcome outcome = execute(instruction, m, next);
   const bool model_faults = outcome == x86::Outcome::divide_error;
-  if (outcome != x86::Outcome::proceeds && !model_faults) return Skip::not_modelled;
-  const bool file_faults = has_fault(c, cpu, length);
-  Differences differences;
-  if (model_faults != file_faults) {
-    differences.emplace_back(model_faults ? "divide error: model yes, file no"
-                                          : "divide error: model no, file yes");
-    return differences;
+  if (m.memory.crossed_end()) {
+    if (has_fault(c, cpu, segment_fault) || has_fault(c, cpu, stack_fault))
+      return Skip::segment_end;
+    return Differences{"end of a segment: model crosses it, file has no fault"};
   }
-  compare_registers(c, m, cpu, model_faults, differences);
-  if (!model_faults) compare_flags(c, m, differences);
+  if (const auto address = m.memory.unlisted()) {
+    return Differences{
+        fmt::format("memory {:05x}: model reads it, file does not list it", *address)};
+  }
+  if (outcome != x86::Outcome::proceeds && !model_faults) return Skip::form;
+  if (model_faults != has_fault(c, cpu, divide_error)) {
+    return Differences{model_faults ? "divide error: model yes, file no"
+                                    : "divide error: model no, file yes"};
+  }
+
+  Expected expected;
+  for (std::size_t i = 0; i < place_count; ++i) {
+    expected.registers[i] = c.initial.registers[i].value_or(0);
+  }
+  std::uint32_t flags = other_flags(c, cpu) | m.flags.value;
+  expected.undefined_flags = m.flags.undefined;
+  if (model_faults) {
+    expected.undefined_flags = x86::arithmetic_flags;
+    flags = other_flags(c, cpu) | (c.final[Place::flags] & x86::arithmetic_flags);
+    const std::uint32_t back = cpu == Cpu::i8088 ? next : c.initial[Place::ip];
+    push_frame(c, m, flags, back);
+    flags &= ~trap_and_interrupt_flags;
+    expected[Place::cs] = *vector_word(c, 2);
+    next = *vector_word(c, 0);
+  }
+  expected[Place::flags] = flags;
+  expected[Place::ip] = (next + final_hlt(cpu)) & 0xFFFFU;
+  for (std::size_t i = 0; i < x86::register_count; ++i) {
+    expected.registers[i] = m.registers.read(static_cast<x86::Register>(i), x86::Size::dword);
+  }
+  Differences differences;
+  compare_registers(c, expected, cpu, differences);
+  compare_flags(c, expected, differences);
+  compare_memory(c, m.memory.written(), differences);
   return differences;
 }
 

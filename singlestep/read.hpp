@@ -1,5 +1,5 @@
 /// @file
-/// Reads single-step cases in the JSON format of SingleStepTests (8088 and 80386 sets).
+/// Reads single-step cases in the formats of SingleStepTests: JSON, and binary MOO.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "x86model/routine.hpp"
+#include "x86model/clocks.hpp"
 
 namespace fixproof::singlestep {
 
@@ -44,13 +44,19 @@ enum class Place : std::uint8_t {
 inline constexpr std::size_t place_count = static_cast<std::size_t>(Place::dr7) + 1;
 
 /// The register's name in the sets of a processor, such as `eflags` for `flags` in the 386 sets.
-std::string_view name_of(Place place, x86model::Target cpu);
+std::string_view name_of(Place place, x86model::Cpu cpu);
 /// 16 or 32.
-int bits_of(Place place, x86model::Target cpu);
+int bits_of(Place place, x86model::Cpu cpu);
+/// The number of a processor's address lines.
+int address_bits(x86model::Cpu cpu);
+/// The largest number of `bits` bits.
+constexpr std::uint32_t largest(int bits) { return 0xFFFFFFFFU >> (32 - bits); }
+
+using Ram = std::map<std::uint32_t, std::uint8_t>;
 
 struct State {
   std::array<std::optional<std::uint32_t>, place_count> registers;
-  std::map<std::uint32_t, std::uint8_t> ram;
+  Ram ram;
 
   /// The value of a register that the state lists.
   [[nodiscard]] std::uint32_t operator[](Place place) const {
@@ -67,11 +73,13 @@ struct Case {
   State final;
 };
 
-/// Calls `use` for every case of a file, plain or gzip, in order. The reader ignores queue, cycles
-/// and hash. It keeps one case at a time in memory beside the file's text.
+using UseCase = std::function<void(const Case&)>;
+
+/// Calls `use` for every case of a file, JSON or MOO, plain or gzip, in order. The contents tell
+/// the format. The reader ignores queue, cycles, exception and hash. It keeps one case at a time in
+/// memory beside the file's contents.
 /// @throws UsageError naming the file and the position if the format is wrong or there are no
 /// cases; errors that `use` throws get the same prefix
-void read_cases(const std::string& path, x86model::Target cpu,
-                const std::function<void(const Case&)>& use);
+void read_cases(const std::string& path, x86model::Cpu cpu, const UseCase& use);
 
 }  // namespace fixproof::singlestep

@@ -5,115 +5,56 @@
 #include <unistd.h>
 
 #include <array>
-#include <boost/noncopyable.hpp>
 #include <cerrno>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
-#include "support/part_file.hpp"
+#include "support/descriptor.hpp"
+#include "support/output_file.hpp"
+#include "support/place.hpp"
 
 namespace fixproof::support {
 
-namespace {
-
-constexpr std::size_t max_read = std::size_t{256} << 20U;
-
-[[noreturn]] void fail(std::string_view what, const std::string& path, int error) {
-  throw std::runtime_error(
-      fmt::format("cannot {} {}: {}", what, path, std::generic_category().message(error)));
-}
-
-class File : private boost::noncopyable {
- public:
-  File(const std::string& path, int flags)
-      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
-      : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC)) {
-    if (descriptor_ < 0) fail(flags == O_RDONLY ? "read" : "write", path_, errno);
-  }
-  ~File() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
-  void write(std::string_view contents) {
-    while (!contents.empty()) {
-      const ssize_t written = ::write(descriptor_, contents.data(), contents.size());
-      if (written >= 0) {
-        contents.remove_prefix(static_cast<std::size_t>(written));
-      } else if (errno != EINTR) {
-        fail("write", path_, errno);
-      }
-    }
-  }
-
-  /// Flushes to disk and closes. Only this reveals late write errors.
-  void finish() {
-    const bool flushed = ::fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS;
-    const int error = errno;
-    const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
-    if (!flushed) fail("write", path_, error);
-    if (!closed) fail("write", path_, errno);
-  }
-
-  std::string read() {
-    std::string contents;
-    std::array<char, 65536> buffer{};
-    for (;;) {
-      const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
-      if (got == 0) return contents;
-      if (got > 0) {
-        contents.append(buffer.data(), static_cast<std::size_t>(got));
-        if (contents.size() > max_read) fail("read", path_, EFBIG);
-      } else if (errno != EINTR) {
-        fail("read", path_, errno);
-      }
-    }
-  }
-
- private:
-  const std::string& path_;
-  int descriptor_;
-};
-
-/// Returns whether the path exists and renaming over it would destroy it, such as a device or a
-/// pipe.
-bool is_special(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
-}  // namespace
-
 void replace_file(const std::string& path, std::string_view contents) {
-  if (is_special(path)) {
-    File file(path, O_WRONLY);
-    file.write(contents);
-    file.finish();
-    return;
-  }
-  PartFile file(path);
-  file.append(contents);
-  file.finish();
+  OutputFile(path).replace(contents);
 }
 
-void check_replaceable(const std::string& path) {
-  if (is_special(path)) {
-    if (std::filesystem::is_directory(path)) fail("write", path, EISDIR);
-    // Does not open it: closing a pipe would signal end of file to its reader.
-    if (::access(path.c_str(), W_OK) != 0) fail("write", path, errno);
-    return;
-  }
-  const PartFile unfinished(path);
-}
+void check_replaceable(const std::string& path) { const OutputFile can_be_written(path); }
 
 bool same_file(const std::string& a, const std::string& b) {
   // Hard links have different paths.
   std::error_code error;
-  return behind_links(a) == behind_links(b) || std::filesystem::equivalent(a, b, error);
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  const std::optional<Place> place_a = find_place(a);
+  const std::optional<Place> place_b = find_place(b);
+  // Of files that do not exist yet.
+  return place_a && place_b && place_a->name() == place_b->name() &&
+         std::filesystem::equivalent(place_a->folder_path(), place_b->folder_path(), error);
 }
 
-std::string read_file(const std::string& path) { return File(path, O_RDONLY).read(); }
+std::string read_file(const std::string& path) {
+  constexpr std::size_t max_read = std::size_t{256} << 20U;
+  const auto refuse = [&path](int error) {
+    throw std::runtime_error(
+        fmt::format("cannot read {}: {}", path, std::generic_category().message(error)));
+  };
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) refuse(errno);
+  std::string contents;
+  std::array<char, 65536> buffer{};
+  for (;;) {
+    const ssize_t got = ::read(file.number(), buffer.data(), buffer.size());
+    if (got == 0) return contents;
+    if (got > 0) {
+      contents.append(buffer.data(), static_cast<std::size_t>(got));
+      if (contents.size() > max_read) refuse(EFBIG);
+    } else if (errno != EINTR) {
+      refuse(errno);
+    }
+  }
+}
 
 }  // namespace fixproof::support

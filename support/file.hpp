@@ -7,12 +7,12 @@
 
 namespace fixproof::support {
 
-/// Replaces the contents of `path`: writes a new file beside it, flushes it to disk and renames it.
-/// Writes directly to anything but a regular file, such as a device or a pipe.
+/// Replaces the contents of `path` as OutputFile does.
 /// @throws std::runtime_error naming the file and the reason
 void replace_file(const std::string& path, std::string_view contents);
 
-/// Checks before a long run whether replace_file() can write `path`.
+/// Checks before a long run whether replace_file() can write `path`. Only for a run that has locked
+/// the folder: another holds an OutputFile.
 /// @throws std::runtime_error naming the file and the reason
 void check_replaceable(const std::string& path);
 

@@ -3,31 +3,31 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
 
+#include "support/place.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::support {
 
-FolderLock::FolderLock(const std::string& option, const std::string& folder)
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (descriptor_ < 0) {
+FolderLock::FolderLock(const std::string& option, const std::string& folder) {
+  // The name at the end may be a link, which a slash behind it would hide.
+  const auto place = find_place(folder.substr(0, folder.find_last_not_of('/') + 1));
+  if (place) place->check_links();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
+  folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_.is_open()) {
     throw UsageError(fmt::format("{} {}: cannot open this folder: {}", option, folder,
                                  std::generic_category().message(errno)));
   }
   // On a file system without locks the folder stays unlocked.
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(descriptor_);
+  if (::flock(folder_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw UsageError(
         fmt::format("{} {}: another run writes to this folder; wait for it, or name another folder",
                     option, folder));
   }
 }
-
-FolderLock::~FolderLock() { close(descriptor_); }
 
 }  // namespace fixproof::support

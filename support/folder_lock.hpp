@@ -5,6 +5,8 @@
 #include <boost/noncopyable.hpp>
 #include <string>
 
+#include "support/descriptor.hpp"
+
 namespace fixproof::support {
 
 /// Holds an exclusive lock on a folder. The system releases it when the process ends in any way,
@@ -12,12 +14,11 @@ namespace fixproof::support {
 class FolderLock : private boost::noncopyable {
  public:
   /// @throws UsageError, beginning with `option`, if another process holds the lock or the folder
-  /// cannot be opened
+  /// cannot be opened; std::runtime_error if it is a link that Place refuses
   FolderLock(const std::string& option, const std::string& folder);
-  ~FolderLock();
 
  private:
-  int descriptor_;
+  Descriptor folder_;
 };
 
 }  // namespace fixproof::support

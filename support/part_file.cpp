@@ -6,108 +6,91 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
-#include <stdexcept>
-#include <system_error>
-#include <utility>
+#include <optional>
+
+#include "support/file_lock.hpp"
 
 namespace fixproof::support {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw std::runtime_error("cannot write " + path + ": " + reason);
-}
-
-[[noreturn]] void fail(const std::string& path, int error) {
-  fail(path, std::generic_category().message(error));
-}
+/// Without set-user-ID and its like, which any write clears.
+constexpr mode_t kept_mode = 0777;
 
 }  // namespace
 
-std::string behind_links(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  fs::path target = fs::absolute(path, error);
-  // The last link may lead to a file that does not exist yet. Follows as many links as the system
-  // does.
-  for (int links = 0; links < 40 && fs::is_symlink(target, error); ++links) {
-    target = target.parent_path() / fs::read_symlink(target, error);
+PartFile::PartFile(const Place& place)
+    : place_(place), name_(place.name() + std::string(part_ending)) {
+  const std::optional<struct stat> old = place.check_writable();
+  // Closed to others until it has the old mode. Always a new file: an existing one may be a link.
+  const mode_t mode = old ? 0600 : 0666;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): openat() is variadic
+  file_ = Descriptor(::openat(place.folder(), name_.c_str(),
+                              O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+  if (!file_.is_open()) {
+    if (errno == EEXIST) place.refuse("remove " + name_ + " beside it, unless another run lives");
+    place.refuse(errno);
   }
-  target = fs::weakly_canonical(target, error);
-  if (error) return path;
-  return (target.has_filename() ? target : target.parent_path()).string();
-}
-
-PartFile::PartFile(const std::string& path) : path_(path), target_(behind_links(path)) {
-  std::error_code error;
-  const auto status = std::filesystem::status(target_, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    fail(path_, "not a regular file");
-  }
-  // Always creates a new file: an existing one may belong to another run or be a link.
-  constexpr int max_tries = 100;
-  for (int number = 1;; ++number) {
-    part_ = target_;
-    if (number > 1) part_.append(".").append(std::to_string(number));
-    part_.append(".part");
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
-    descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) break;
-    if (errno != EEXIST) fail(path_, errno);
-    if (number == max_tries)
-      fail(path_, "remove the files that unfinished runs have left, up to " + part_);
+  is_ours_ = true;
+  try {
+    if (old) keep_owner_and_mode(*old);
+  } catch (...) {
+    ::unlinkat(place_.folder(), name_.c_str(), 0);
+    throw;
   }
 }
 
 PartFile::~PartFile() {
-  if (descriptor_ < 0) return;
-  ::close(descriptor_);
-  ::unlink(part_.c_str());
+  if (is_ours_) ::unlinkat(place_.folder(), name_.c_str(), 0);
 }
 
-void PartFile::append(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      fail(path_, errno);
-    }
-  }
-}
+void PartFile::append(std::string_view bytes) { check(file_.append(bytes)); }
 
 void PartFile::overwrite(std::uint32_t offset, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), off_t{offset});
-    if (written >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-      offset += static_cast<std::uint32_t>(written);
-    } else if (errno != EINTR) {
-      fail(path_, errno);
-    }
-  }
+  check(file_.overwrite(offset, bytes));
 }
 
 void PartFile::finish() {
-  const auto leave = [this](int error) {
-    ::unlink(part_.c_str());
-    fail(path_, error);
-  };
-  // Another process may have replaced the file of this name.
+  check(file_.flush());
+  refuse_unless_in_place();
+  if (::renameat(place_.folder(), name_.c_str(), place_.folder(), place_.name().c_str()) != 0) {
+    place_.refuse(errno);
+  }
+  is_ours_ = false;
+  // Only this makes the new name last. A folder that may not be read cannot be flushed.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): openat() is variadic
+  const Descriptor folder(::openat(place_.folder(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) check(folder.flush());
+}
+
+void PartFile::keep_owner_and_mode(const struct stat& old) {
+  struct stat now {};
+  if (::fstat(file_.number(), &now) != 0) place_.refuse(errno);
+  const bool has_owner = now.st_uid == old.st_uid && now.st_gid == old.st_gid;
+  // Changing the owner clears bits of the mode, so it comes first.
+  if (!has_owner && ::fchown(file_.number(), old.st_uid, old.st_gid) != 0) {
+    place_.refuse("its owner and group cannot be kept; remove it, or name another file");
+  }
+  if ((now.st_mode & kept_mode) != (old.st_mode & kept_mode) &&
+      ::fchmod(file_.number(), old.st_mode & kept_mode) != 0) {
+    place_.refuse(errno);
+  }
+}
+
+void PartFile::refuse_unless_in_place() {
   struct stat ours {};
   struct stat there {};
-  const bool is_in_place = ::fstat(descriptor_, &ours) == 0 &&
-                           ::lstat(part_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
-                           ours.st_dev == there.st_dev;
-  // Some file systems cannot flush; that is not a write error.
-  const bool flushed = ::fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS;
-  const int error = errno;
-  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
-  if (!is_in_place) fail(path_, "another file has taken the place of " + part_);
-  if (!flushed) leave(error);
-  if (!closed) leave(errno);
-  if (std::rename(part_.c_str(), target_.c_str()) != 0) leave(errno);
+  if (::fstat(file_.number(), &ours) == 0 &&
+      ::fstatat(place_.folder(), name_.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
+      ours.st_ino == there.st_ino && ours.st_dev == there.st_dev) {
+    return;
+  }
+  is_ours_ = false;
+  place_.refuse("another file has taken the place of " + name_);
+}
+
+void PartFile::check(int error) const {
+  if (error != 0) place_.refuse(error);
 }
 
 }  // namespace fixproof::support

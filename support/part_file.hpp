@@ -7,18 +7,19 @@
 #include <string>
 #include <string_view>
 
+#include "support/descriptor.hpp"
+#include "support/place.hpp"
+
 namespace fixproof::support {
 
-/// Resolves symbolic links to the file that writing to `path` would change, so that links survive.
-std::string behind_links(const std::string& path);
-
-/// Writes `path`.part (or .2.part and so on) as a new file. finish() renames it, and the destructor
-/// removes it otherwise. Errors name the file and the reason.
+/// Writes NAME.fixproof-part as a new file with the owner and the mode of the file that it will
+/// replace. finish() renames it, and the destructor removes it otherwise. The caller holds the
+/// FileLock of the place. Errors name the file and the reason.
 class PartFile : private boost::noncopyable {
  public:
-  /// @throws std::runtime_error if the file cannot be created, or if `path` exists and is not a
-  /// regular file: renaming would replace it, or it does not support seeking
-  explicit PartFile(const std::string& path);
+  /// @param place must outlive the part
+  /// @throws std::runtime_error if the file cannot be created or the owner and mode not be kept
+  explicit PartFile(const Place& place);
   ~PartFile();
 
   /// @throws std::runtime_error
@@ -27,14 +28,19 @@ class PartFile : private boost::noncopyable {
   /// Overwrites the bytes from `offset` on. @throws std::runtime_error
   void overwrite(std::uint32_t offset, std::string_view bytes);
 
-  /// Flushes to disk and renames. Must be the last call. @throws std::runtime_error
+  /// Flushes to disk, renames, and flushes the folder. Must be the last call.
+  /// @throws std::runtime_error
   void finish();
 
  private:
-  std::string path_;    ///< as the caller gave it
-  std::string target_;  ///< see behind_links()
-  std::string part_;
-  int descriptor_ = -1;
+  void keep_owner_and_mode(const struct stat& old);
+  void refuse_unless_in_place();
+  void check(int error) const;
+
+  const Place& place_;
+  std::string name_;
+  Descriptor file_;
+  bool is_ours_ = false;  ///< whether the destructor removes the file
 };
 
 }  // namespace fixproof::support

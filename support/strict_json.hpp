@@ -61,9 +61,11 @@ class StrictJsonCheck final : public nlohmann::json_sax<nlohmann::json> {
 
 /// Parses JSON, with comments if `comments`. Objects have sorted keys, so an object of many keys
 /// takes no quadratic time.
-/// @throws std::runtime_error for a duplicate key or excessive depth
+/// @throws std::runtime_error for a zero byte, a duplicate key or excessive depth
 /// @throws nlohmann::json::parse_error for text that is not JSON
 inline nlohmann::json parse_strictly(std::string_view text, bool comments = false) {
+  // The library would take one for the end of the text.
+  if (text.find('\0') != std::string_view::npos) throw std::runtime_error("not JSON: a zero byte");
   StrictJsonCheck check;
   nlohmann::json::sax_parse(text, &check, nlohmann::json::input_format_t::json, true, comments);
   return nlohmann::json::parse(text, nullptr, true, comments);

@@ -267,8 +267,8 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
     const Operand& amount = is_shift(op) ? second : instruction.operands[2];
     // The 386 takes the count modulo 32; a count of 0 changes nothing, not even flags.
     const int count = static_cast<int>(immediate<M>(amount) & 31U);
-    if (count == 0) return Outcome::proceeds;
     if (!read(first, size, m, a) || !read(second, size, m, b)) return Outcome::bad_address;
+    if (count == 0) return Outcome::proceeds;
     alu::Result result{};
     if constexpr (is_shift(op)) result = shift<op>(a, count, bits);
     if constexpr (op == Mnemonic::shld) result = alu::shld(a, b, count, bits);

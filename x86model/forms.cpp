@@ -60,7 +60,7 @@ std::vector<Instruction> instructions_of(Target target) {
   return all;
 }
 
-/// The forms of these instructions and of the loops.
+/// The forms of these instructions and of the loops, sorted and without duplicates.
 std::vector<Form> forms_of(Target target) {
   std::vector<Instruction> all = instructions_of(target);
   for (const LoopForm& form : all_loop_forms()) {
@@ -68,11 +68,13 @@ std::vector<Form> forms_of(Target target) {
   }
   std::vector<Form> forms;
   for (const Instruction& i : all) forms.push_back(form_of(i));
+  std::sort(forms.begin(), forms.end());
+  forms.erase(std::unique(forms.begin(), forms.end()), forms.end());
   return forms;
 }
 
 bool contains(const std::vector<Form>& forms, const Form& form) {
-  return std::find(forms.begin(), forms.end(), form) != forms.end();
+  return std::binary_search(forms.begin(), forms.end(), form);
 }
 
 }  // namespace

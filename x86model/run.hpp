@@ -41,6 +41,24 @@ Outcome execute_any(const Instruction& instruction, M& m) {
   return handlers[static_cast<std::size_t>(instruction.mnemonic)](instruction, m);
 }
 
+/// Executes an instruction that is control flow.
+/// @param target where it goes if it jumps; RET takes that from the stack
+/// @param next before: the address of the instruction after it; after: of the one to execute next
+template <class M>
+X86MODEL_INLINE Outcome transfer(Mnemonic op, M& m, std::uint32_t target, std::uint32_t& next) {
+  if (op == Mnemonic::ret) return detail::pop(m, next) ? Outcome::proceeds : Outcome::bad_address;
+  bool taken = false;
+  Outcome outcome = Outcome::proceeds;
+  if (op == Mnemonic::loop) {
+    taken = count_down(m);
+  } else {
+    outcome = jump_taken(op, m.flags, taken);
+  }
+  if (op == Mnemonic::call && !detail::push(m, next)) outcome = Outcome::bad_address;
+  if (taken && outcome == Outcome::proceeds) next = target;
+  return outcome;
+}
+
 /// Runs `code` from its first instruction until it returns to its caller, faults, reads an
 /// undefined flag, leaves memory, or has taken `limit` steps. The caller sets up stack, arguments
 /// and SP.
@@ -59,31 +77,19 @@ Ending run(std::span<const Instruction> code, M& m, Observer&& observe,
     }
     const Instruction& instruction = code[position];
     const Mnemonic op = instruction.mnemonic;
-    std::size_t next = position + 1;
+    auto next = static_cast<std::uint32_t>(position + 1);
     Outcome outcome = Outcome::proceeds;
-    if (op == Mnemonic::ret) {
-      std::uint32_t to = 0;
-      if (!detail::pop(m, to)) return {Outcome::bad_address, position, steps};
-      if (to == return_to_caller<M::word_bits>) {
+    if (is_control_flow(op)) {
+      const Operand& to = instruction.operands[0];
+      const auto target = static_cast<std::uint32_t>(
+          to.kind == Operand::Kind::reg
+              ? position_at(code, m.registers.read(to.reg, to.size) - code_address)
+              : static_cast<std::size_t>(to.value));
+      outcome = transfer(op, m, target, next);
+      if (op == Mnemonic::ret && outcome == Outcome::proceeds &&
+          next == return_to_caller<M::word_bits>) {
         observe(position, std::as_const(m));
         return {Outcome::returned, position, steps + 1};
-      }
-      next = to;
-    } else if (is_control_flow(op)) {
-      const Operand& to = instruction.operands[0];
-      bool taken = false;
-      if (op == Mnemonic::loop) {
-        taken = count_down(m);
-      } else {
-        outcome = jump_taken(op, m.flags, taken);
-      }
-      if (op == Mnemonic::call && !detail::push(m, static_cast<std::uint32_t>(next))) {
-        outcome = Outcome::bad_address;
-      }
-      if (taken) {
-        next = to.kind == Operand::Kind::reg
-                   ? position_at(code, m.registers.read(to.reg, to.size) - code_address)
-                   : static_cast<std::size_t>(to.value);
       }
     } else {
       outcome = execute_any(instruction, m);

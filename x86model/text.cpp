@@ -44,7 +44,8 @@ std::string address_text(const Operand& o) {
     text += name_of(o.reg, o.addressing == Addressing::base ? Size::word : Size::dword);
     if (o.addressing == Addressing::index_twice) text += "*2";
   }
-  if (o.value != 0) text.append(1, '+').append(std::to_string(o.value));
+  if (o.value > 0 && !text.ends_with('[')) text += '+';
+  if (o.value != 0) text += std::to_string(o.value);
   return text + ']';
 }
 

@@ -14,6 +14,7 @@
 #include "player/outputs.hpp"
 #include "support/build_info/build_info.hpp"
 #include "support/file.hpp"
+#include "support/file_lock.hpp"
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
@@ -62,7 +63,7 @@ void check_outputs(const ReportRequest& request, const std::vector<xsharp::Scene
 
 void make_folder(const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder + "/data", error);
+  std::filesystem::create_directories(folder, error);
   if (error) {
     throw support::UsageError(
         fmt::format("--out {}: cannot create this folder: {}", folder, error.message()));
@@ -99,6 +100,8 @@ int make_report(const ReportRequest& request) {
   const std::vector<xsharp::Scene> scenes = read_scenes(request.scenes);
   make_folder(request.folder);
   const support::FolderLock lock("--out", request.folder);
+  make_folder(request.folder + "/data");
+  for (const char* part : {"", "/data"}) support::remove_leftovers(request.folder + part);
   const std::vector<ReportStep> steps = report_steps(request, scenes);
   check_outputs(request, scenes, steps);
 

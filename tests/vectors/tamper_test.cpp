@@ -1,6 +1,7 @@
 // Changes cases one bit at a time. Each change must be reported if that part is compared.
 #include <fmt/format.h>
 
+#include "tests/cli/bitwise.hpp"
 #include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
@@ -89,20 +90,49 @@ TEST(Tampered, AnUndefinedFlagIsNotReported) {
   tampered.expect_none_reported();
 }
 
-TEST(Tampered, TheInstructionPointerAndFlagsAfterAFaultAreNotReported) {
+TEST(Tampered, TheInstructionPointerIsReported) {
   Tampered tampered;
+  unsigned bit = 0;
   each_case([&](const Json& c, std::string_view cpu) {
-    if (!vectors::is_fault(c)) {
-      tampered.of(cpu).push_back(flipped(c, vectors::name_in_set("ip", cpu), 3));
-      return;
-    }
-    tampered.of(cpu).push_back(flipped(c, vectors::name_in_set("flags", cpu), 6));
-    Json pushed = c;
-    // The first byte on the stack is the low byte of the flags.
-    pushed["final"]["ram"][0][1] = pushed["final"]["ram"][0][1].get<unsigned>() ^ 0x40U;
-    tampered.of(cpu).push_back(pushed);
+    tampered.of(cpu).push_back(flipped(c, vectors::name_in_set("ip", cpu), ++bit % 16));
   });
-  tampered.expect_none_reported();
+  tampered.expect_all_reported();
+}
+
+/// The first byte on the stack is the low byte of the flags.
+Json with_pushed_flags_flipped(Json c, unsigned bit) {
+  Json& byte = c["final"]["ram"][bit / 8][1];
+  byte = byte.get<unsigned>() ^ 1U << bit % 8;
+  return c;
+}
+
+TEST(Tampered, FlagsAfterAFaultAreThoseThatItPushes) {
+  Tampered one;
+  Tampered both;
+  each_case([&](const Json& c, std::string_view cpu) {
+    if (!vectors::is_fault(c)) return;
+    const std::string flags = vectors::name_in_set("flags", cpu);
+    for (unsigned bit = 0; bit < 16; ++bit) {
+      one.of(cpu).push_back(flipped(c, flags, bit));
+      one.of(cpu).push_back(with_pushed_flags_flipped(c, bit));
+      const Json twice = with_pushed_flags_flipped(flipped(c, flags, bit), bit);
+      const bool undefined = (bitwise::all_six >> bit & 1U) != 0;
+      (undefined ? both : one).of(cpu).push_back(twice);
+    }
+  });
+  one.expect_all_reported();
+  both.expect_none_reported();
+}
+
+TEST(Tampered, AByteThatTheInstructionDoesNotWriteIsReported) {
+  Tampered tampered;
+  each_case([&](Json c, std::string_view cpu) {
+    Json byte = c["initial"]["ram"].back();
+    byte[1] = byte[1].get<unsigned>() ^ 0x20U;
+    c["final"]["ram"].push_back(byte);
+    tampered.of(cpu).push_back(c);
+  });
+  tampered.expect_all_reported();
 }
 
 TEST(Tampered, AFaultTurnedIntoAValueIsReported) {
@@ -121,12 +151,12 @@ TEST(Tampered, AFaultTurnedIntoAValueIsReported) {
       << run.out;
 }
 
-/// Faults with one wrong byte of the return address or one wrong part of the jump.
+/// Faults with one wrong byte of the pushed state or one wrong part of the jump.
 TEST(Tampered, AFaultThatIsNotWholeIsReported) {
   Tampered tampered;
   each_case([&](const Json& c, std::string_view cpu) {
     if (!vectors::is_fault(c)) return;
-    for (std::size_t byte = 2; byte < 6; ++byte) {
+    for (std::size_t byte = 0; byte < 6; ++byte) {
       Json wrong = c;
       wrong["final"]["ram"][byte][1] = wrong["final"]["ram"][byte][1].get<unsigned>() ^ 1U;
       tampered.of(cpu).push_back(wrong);
@@ -168,7 +198,7 @@ TEST(Tampered, TheReturnAddressIsFoundWhereTheStackWraps) {
       c["final"]["ram"][i][0] = (stack.ss * 16 + offset) & 0xFFFFFU;
     }
     moved.i8088.push_back(c);
-    for (std::size_t i = 2; i < below.size(); ++i) {
+    for (std::size_t i = 0; i < below.size(); ++i) {
       Json bad = c;
       bad["final"]["ram"][i][1] = bad["final"]["ram"][i][1].get<unsigned>() ^ 0x10U;
       wrong.i8088.push_back(bad);

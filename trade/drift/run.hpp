@@ -56,11 +56,11 @@ struct DriftResult {
   DriftCase of{};
   Distortion worst{};
   /// Point i is the worst of frames i * frames_a_point() and following; the last may have fewer.
-  std::vector<Distortion> series;
+  std::vector<Distortion> series{};
   /// First frames at which a vertex is a pixel off; an edge 2 %, 10 % too long or short.
-  std::optional<std::uint64_t> pixel;
-  std::optional<std::uint64_t> some;
-  std::optional<std::uint64_t> much;
+  std::optional<std::uint64_t> pixel{};
+  std::optional<std::uint64_t> some{};
+  std::optional<std::uint64_t> much{};
 };
 
 struct DriftFigures {

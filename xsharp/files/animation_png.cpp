@@ -71,7 +71,8 @@ FrameTime frame_time(double frames_per_second) {
   return best;
 }
 
-AnimationPng::AnimationPng(const std::string& path, FrameTime time) : file_(path), time_(time) {}
+AnimationPng::AnimationPng(const std::string& path, FrameTime time)
+    : file_(path, fixproof::support::OutputFile::Use::overwriting), time_(time) {}
 
 std::string AnimationPng::frame_control(std::string_view header) {
   // Width and height are the first eight bytes of IHDR's data, after its length and type.

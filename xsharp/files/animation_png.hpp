@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "support/part_file.hpp"
+#include "support/output_file.hpp"
 
 namespace xsharp {
 
@@ -47,7 +47,7 @@ class AnimationPng {
  private:
   [[nodiscard]] std::string frame_control(std::string_view header);
 
-  fixproof::support::PartFile file_;
+  fixproof::support::OutputFile file_;
   FrameTime time_;
   std::uint32_t frames_ = 0;
   std::uint32_t sequence_ = 0;  ///< number of the next fcTL or fdAT chunk

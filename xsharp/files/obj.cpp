@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "xsharp/files/read_text.hpp"
+#include "support/bounded_file.hpp"
 #include "xsharp/text_of.hpp"
 #include "xsharp/validate_mesh.hpp"
 
@@ -114,6 +114,7 @@ void add_face(Mesh& mesh, std::span<const tinyobj::index_t> corners) {
 }  // namespace
 
 Mesh parse_obj(const std::string& text) {
+  if (text.find('\0') != std::string::npos) throw SceneError("a zero byte in the text");
   check_numbers(text);
   Mesh mesh;
   tinyobj::callback_t callbacks;
@@ -134,11 +135,11 @@ Mesh parse_obj(const std::string& text) {
   return mesh;
 }
 
-Mesh read_obj(const std::filesystem::path& file) {
+Mesh read_obj(const std::filesystem::path& folder, const std::string& file) {
   try {
-    return parse_obj(read_text(file, std::size_t{4} << 20U));
-  } catch (const SceneError& error) {
-    throw SceneError(file.string() + ": " + error.what());
+    return parse_obj(fixproof::support::read_beneath(folder.string(), file, std::size_t{4} << 20U));
+  } catch (const std::runtime_error& error) {
+    throw SceneError((folder / file).string() + ": " + error.what());
   }
 }
 

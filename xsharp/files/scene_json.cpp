@@ -4,15 +4,17 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "support/bounded_file.hpp"
 #include "xsharp/files/json_node.hpp"
 #include "xsharp/files/obj.hpp"
 #include "xsharp/files/parse_json.hpp"
-#include "xsharp/files/read_text.hpp"
 #include "xsharp/files/surface_json.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/shapes.hpp"
@@ -162,10 +164,10 @@ struct Shape {
   std::optional<std::size_t> faces_around{};
 };
 
-/// The folder of the files that the text names, and the names so far.
+/// The folder of the files that the text names, and the bodies of those read so far.
 struct Files {
   std::filesystem::path folder;
-  std::vector<std::filesystem::path> read{};
+  std::map<std::string, Mesh> read{};
 };
 
 Shape shape(const JsonNode& node, Files& files) {
@@ -179,10 +181,12 @@ Shape shape(const JsonNode& node, Files& files) {
                 }},
                {"obj",
                 [&](const JsonNode& value) {
-                  const std::filesystem::path file = files.folder / value.text();
+                  const std::string file = value.text();
                   try {
-                    read.push_back({read_obj(file)});
-                    files.read.push_back(file);
+                    if (!files.read.contains(file)) {
+                      files.read.emplace(file, read_obj(files.folder, file));
+                    }
+                    read.push_back({files.read.at(file)});
                   } catch (const SceneError& error) {
                     value.refuse(error.what());
                   }
@@ -355,7 +359,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
             if (objects.size() > max_objects || faces > max_faces_in_scene) break;
           }
         }}});
-  read.files = std::move(files.read);
+  for (const auto& [file, mesh] : files.read) read.files.push_back(files.folder / file);
   return read;
 }
 
@@ -372,11 +376,12 @@ Scene parse_scene(std::string_view text, const std::string& name,
 
 Scene read_scene(const std::filesystem::path& file) {
   try {
-    Scene read = parse_scene(read_text(file, std::size_t{1} << 20U), file.stem().string(),
-                             file.parent_path());
+    const std::string text = fixproof::support::read_bounded(file.string(), std::size_t{1} << 20U);
+    Scene read =
+        parse_scene(text, file.stem().string(), file.has_parent_path() ? file.parent_path() : ".");
     read.files.push_back(file);
     return read;
-  } catch (const SceneError& error) {
+  } catch (const std::runtime_error& error) {
     throw SceneError(file.string() + ": " + error.what());
   }
 }

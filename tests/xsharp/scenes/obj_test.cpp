@@ -79,9 +79,15 @@ TEST(Obj, StopsAtTheLimits) {
   EXPECT_EQ(said_of_obj(text + "f 1 1 1"), "more than 4096 faces");
 }
 
+TEST(Obj, HasNoZeroByte) {
+  EXPECT_EQ(said_of_obj(tetrahedron + std::string(1, '\0')), "a zero byte in the text");
+}
+
 TEST(Obj, NamesTheFile) {
   const auto file = std::filesystem::path(testing::TempDir()) / "xsharp_obj_test.obj";
-  const auto read = [&] { return refusal([&] { read_obj(file); }); };
+  const auto read = [&] {
+    return refusal([&] { read_obj(file.parent_path(), file.filename().string()); });
+  };
   std::filesystem::remove(file);
   EXPECT_EQ(read(), file.string() + ": there is no such file");
   std::ofstream(file) << "v 0 0 0\n";
@@ -91,7 +97,7 @@ TEST(Obj, NamesTheFile) {
   std::ofstream(file, std::ios::app) << '\n';
   EXPECT_EQ(read(), file.string() + ": longer than 4 MiB");
   std::filesystem::remove(file);
-  EXPECT_EQ(refusal([] { read_obj("/dev/zero"); }), "/dev/zero: not a regular file");
+  EXPECT_EQ(refusal([] { read_obj("/dev", "zero"); }), "/dev/zero: not a regular file");
 }
 
 TEST(Obj, OutlivesAnyBytes) {

@@ -333,6 +333,21 @@ TEST(SceneJson, SaysWhereItIsNotJson) {
             "not JSON: number overflow");
   EXPECT_EQ(said_of_scene("// all of it\n{\"objects\": /* none */ []}"), "accepted");
   EXPECT_EQ(said_of_scene("[[[[[[[[[[").substr(0, 9), "not JSON:");
+  // The library would end there and accept what is before it.
+  EXPECT_EQ(said_of_scene(std::string("{\"objects\": []}") + '\0'), "not JSON: a zero byte");
+}
+
+TEST(SceneJson, NamesOnlyFilesOfItsFolder) {
+  const auto said_of_file = [](const std::string& file) {
+    return said_of_scene(R"({"defaults": {"shape": {"obj": ")" + file + R"("}}, "objects": []})");
+  };
+  EXPECT_EQ(said_of_file("dodecahedron.obj"), "accepted");
+  const std::string scenes = (root / "scenes").string();
+  EXPECT_EQ(said_of_file("../README.md"),
+            "defaults.shape.obj: " + scenes + "/../README.md: leads out of the folder");
+  for (const std::string& file : {scenes + "/dodecahedron.obj", std::string("/proc/kmsg")}) {
+    EXPECT_EQ(said_of_file(file), "defaults.shape.obj: " + file + ": leads out of the folder");
+  }
 }
 
 TEST(SceneJson, ASmallTextMakesNoHugeScene) {

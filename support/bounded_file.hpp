@@ -1,0 +1,29 @@
+/// @file
+/// Reads files that others have named: regular ones only, of bounded size.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "support/descriptor.hpp"
+
+namespace fixproof::support {
+
+/// Returns the contents of a file.
+/// @throws std::runtime_error with the reason, without the file name, if it is not a regular file,
+/// cannot be read, is longer than `max_bytes`, or is empty, as a file of /proc seems to be, whose
+/// end might never come
+std::string read_bounded(const std::string& file, std::size_t max_bytes);
+
+/// The same for a file in or below a folder, named relative to it. Neither `..` nor a symbolic link
+/// may lead out of the folder.
+/// @throws std::runtime_error also if it does
+std::string read_beneath(const std::string& folder, const std::string& file, std::size_t max_bytes);
+
+/// Opens a file for read_beneath(). The second form is for kernels older than 5.6, and sandboxes,
+/// that lack openat2(): it trusts that nobody replaces a folder of the path at the same time.
+/// @throws std::runtime_error with the reason
+Descriptor open_beneath(const std::string& folder, const std::string& file);
+Descriptor open_beneath_by_names(const std::string& folder, const std::string& file);
+
+}  // namespace fixproof::support
