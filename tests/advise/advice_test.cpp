@@ -1,6 +1,7 @@
 // Tests which of the tried choices the advice takes.
 #include "trade/advice/advice.hpp"
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "cli/advice_text.hpp"

@@ -1,4 +1,5 @@
 // Tests bits of values and results outside 16.16 against the oracle's unbounded results.
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "oracle/unbounded.hpp"
