@@ -30,10 +30,10 @@ struct Proof {
   Standing standing = Standing::open;
   std::size_t questions = 0;  ///< the number of questions for the solver
   double seconds = 0;
-  std::vector<std::string> remarks;  ///< one for each question that is not decided, and why
-  std::vector<std::uint32_t> counterexample;  ///< operands; empty unless disproven
-  parties::Answer given;                      ///< the program's answer to the counterexample
-  parties::Answer wanted;                     ///< the oracle's answer to it
+  std::vector<std::string> remarks{};  ///< one for each question that is not decided, and why
+  std::vector<std::uint32_t> counterexample{};  ///< operands; empty unless disproven
+  parties::Answer given{};                      ///< the program's answer to the counterexample
+  parties::Answer wanted{};                     ///< the oracle's answer to it
 };
 
 /// Proves that `program` does one turn of an inner loop: see step_questions(). Only memory is

@@ -142,7 +142,7 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
   std::vector<DriftResult> results;
   for (const DriftCase& c : cases) {
     runs.push_back(motions_of(scene, c));
-    results.push_back({.of = c});
+    results.emplace_back().of = c;
   }
   const RotationStyle exact{scene.trigonometry, scene.conversion, true, 0};
   MotionsOf<double> reference(scene, exact);
