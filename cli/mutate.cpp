@@ -183,12 +183,14 @@ int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
 }
 
 int run(const MutateOptions& options) {
-  std::vector<Trial> trials = trials_of(options.selection);
+  std::vector<Trial> trials;
   const auto begin = std::chrono::steady_clock::now();
   {
     // Restore Ctrl-C before printing, because the output may block on its reader.
     const support::Interrupt interrupt;
+    // Before the mutants, which take seconds to make.
     const proof::Solver solver(options.solver.name);
+    trials = trials_of(options.selection);
     std::cout << fmt::format("{} mutants, seed {}, {}\n\n", support::grouped(trials.size()),
                              options.seed, solver.version())
               << std::flush;
