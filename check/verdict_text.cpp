@@ -52,7 +52,7 @@ std::string wrong_cases(const Judge& judge) {
   std::string text = "\n";
   for (const JudgedCase& one : wrong.shown()) text += text_of(one, judge.rules()) + '\n';
   if (wrong.shown().size() < wrong.count()) {
-    text += fmt::format("These are the first {} of {} wrong results; --show N shows more.\n",
+    text += fmt::format("Shown: {} of {} wrong results; --show N shows more.\n",
                         wrong.shown().size(), support::grouped(wrong.count()));
   }
   return text;

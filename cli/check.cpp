@@ -109,9 +109,9 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
     if (cases.count() && judge.cases() % 4096 == 0) progress.show(judge.cases());
   }
   if (!support::Interrupt::flag() && results.next()) {
-    throw support::UsageError(fmt::format(
-        "{}, line {}: one result too many, there are {} cases; give check the options of gen",
-        results.name(), results.line(), support::grouped(judge.cases())));
+    throw support::UsageError(
+        fmt::format("{}, line {}: one result too many for {} cases; give check the options of gen",
+                    results.name(), results.line(), support::grouped(judge.cases())));
   }
 }
 

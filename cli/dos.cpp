@@ -30,7 +30,7 @@ void write(const DosOptions& options) {
   const auto bytes = machine_code::dos_command(key);
   if (bytes.empty())
     throw support::UsageError(
-        fmt::format("there is no DOS program of {}", machine_code::name_of(key)));
+        fmt::format("there is no DOS program for {}", machine_code::name_of(key)));
   const std::string contents(bytes.begin(), bytes.end());
   if (!options.file.empty()) return support::replace_file(options.file, contents);
   if (isatty(STDOUT_FILENO) != 0) {

@@ -42,7 +42,7 @@ void add_merge(CLI::App& app, int& status) {
   auto options = std::make_shared<MergeOptions>();
   CLI::App* command =
       app.add_subcommand("merge", "add up the reports of the shards of one verification");
-  command->add_option("reports", options->files, "files that verify --report has written")
+  command->add_option("reports", options->files, "files that verify --report or --resume wrote")
       ->required();
   command->add_option("--report", options->report, "write the sum to this file as JSON")
       ->check(not_empty());
@@ -50,9 +50,9 @@ void add_merge(CLI::App& app, int& status) {
                     "add parts of other builds or other parties; the sum lists them");
   command->footer(
       R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
-a chunk. This build must have made them all, with the same libraries and processors behind the
-parties. If chunks are missing, merge prints the table of the others, names the missing shards
-and exits with status 2, or 1 if there are mismatches. `verify --resume SUM` runs the rest.
+a chunk. They must all come from this build, and from the same libraries and processors behind
+the parties. If chunks are missing, merge prints the table of the others, names the missing
+shards, and exits with status 2, or 1 if there are mismatches. `verify --resume SUM` runs the rest.
 
 Example:
   fixproof verify --shard 1/2 --report a.json     # on one machine

@@ -220,10 +220,10 @@ which it differs from the oracle or raises an unexpected error. The solver prove
 others are equivalent to the routine for all operands. The rest are gaps in the verification.
 Inner loops run spans of every length up to 320 pixels.
 
-A mutant that the solver does not decide is a gap too; with --solver both that is one on which
-z3 and cvc5 do not agree. `fixproof prove --help` says how solvers are tested.
+A mutant that the solver does not decide is a gap too. With --solver both, so is one on which z3
+and cvc5 do not agree. `fixproof prove --help` says how solvers are tested.
 
-Exit status: 0 no gap, 1 a gap, 2 bad usage, or a solver is refused, 130 interrupted.
+Exit status: 0 no gap, 1 a gap, 2 bad usage or a solver is refused, 130 interrupted.
 
 Examples:
   fixproof mutate mul div

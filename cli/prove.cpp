@@ -301,13 +301,13 @@ memory and preserves the caller's registers. Products and quotients stay abstrac
 about integers justify this. For the repaired 8088 concat it also proves where the printed
 routine differs. docs/proofs.md says what is proven and what is not.
 
-Before the first question each solver answers test questions whose answers are known, and a
+Before the first question, each solver answers test questions whose answers are known. Every
 model that it returns must satisfy its question. With --solver both a goal is proven only if
 z3 and cvc5 agree. It is one-sided if only one of them decides a question, and DISPUTED if they
 contradict each other.
 
-Exit status: 0 all proven, 1 a counterexample, 2 not decided, one-sided or disputed, or a solver
-failed or is refused, or bad usage, 130 interrupted.
+Exit status: 0 all goals are proven, 1 a counterexample, 2 a goal is not decided, one-sided or
+disputed, a solver fails or is refused, or bad usage, 130 interrupted.
 
 Examples:
   fixproof prove

@@ -231,15 +231,15 @@ void add_render(CLI::App& app, int& status) {
   options->surfaces.add_to(*command);
   command
       ->add_option("--threads", options->threads,
-                   "number of threads; small pictures are no faster with more, pictures are the "
-                   "same with any number, and the model takes 1")
+                   "number of threads; more do not speed up small pictures, and change no picture; "
+                   "the model takes 1")
       ->transform(whole_number(1, max_threads))
       ->capture_default_str();
   command->add_option("--size", options->size, "size of the picture, as in 640x480")
       ->check(not_empty());
   command
       ->add_option("--switch-spot", options->switched_spots,
-                   "switch this spotlight, counted from 0, on if the scene has it off, else off")
+                   "turn this spotlight on if the scene has it off, else off; counted from 0")
       ->allow_extra_args(false)
       ->transform(whole_number(0, xsharp::max_spots - 1));
   CLI::Option* true_color = command->add_flag("--true-color", options->true_color,

@@ -212,9 +212,9 @@ void add_step(CLI::App& app, int& status) {
       ->excludes(clocks);
   command->footer(
       R"(A line is an instruction and all registers. The answer is the state after it, then the flags that
-it leaves undefined. DE is a divide error. unmodelled means that no routine uses the instruction
-or that it reads memory. With --cpu 386 a register may be given with 8 digits, as in eax=; it is
-then printed with 8. Jumps are not taken; LOOP decrements its counter.
+it leaves undefined. DE is a divide error. `unmodelled` means that no routine uses the
+instruction or that it reads memory. With --cpu 386 a register may be given with 8 digits, as in
+eax=; it is then printed with 8. Jumps are not taken; LOOP decrements its counter.
 
 --clocks appends clocks=N to every state, clocks=MIN-MAX if Intel's tables give a range, and
 clocks=- if that processor does not have the instruction. A jump has the clocks of a jump not
@@ -225,12 +225,12 @@ Example:
     fixproof step --cpu 8088
 
 --singlestep reads the captured states of SingleStepTests, JSON or MOO: the 8088, 8086, 80286 and
-80386 sets in real mode. A case has registers and memory before and after one instruction. Cases
-whose instruction, addressing and prefixes a listing uses are run; the others are counted by
-reason. Everything is compared except undefined flags: registers, the instruction pointer, each
-byte of memory, and after a divide error the pushed FLAGS, CS and return address. For each file
-the command prints the first 20 cases that differ and one line of counts. Exit status: 1 a case
-differs, 2 a file is damaged or none of the cases can be run.
+80386 sets in real mode. A case has registers and memory before and after one instruction. A case
+runs if some listing uses its instruction, addressing mode and prefix; the others are skipped and
+counted by reason. Everything is compared except undefined flags: registers, the instruction
+pointer, each byte of memory, and after a divide error the pushed FLAGS, CS and return address.
+For each file the command prints the first 20 cases that differ and one line of counts. Exit
+status: 0 no case differs, 1 a case differs, 2 a file is damaged or no case can be run.
 
 Examples:
   fixproof step --cpu 8086 --singlestep 8086/v1_binary/*.MOO.gz

@@ -1,5 +1,5 @@
-# Sets fixproof_hardening and fixproof_hardening_link: options that make an error in memory hard to exploit, as far as
-# the compiler and the linker have them. For optimised builds of the command only: _FORTIFY_SOURCE needs optimisation and
+# Sets fixproof_hardening and fixproof_hardening_link: options that make memory errors hard to exploit, as far as the
+# compiler and the linker support them. For optimised builds of the command only: _FORTIFY_SOURCE needs optimisation and
 # hides errors from the sanitizers.
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)

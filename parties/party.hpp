@@ -31,8 +31,8 @@ struct Batch {
   std::span<Ending> endings;          ///< one per case
 };
 
-/// A party has no answers for a reason of its own: its machine has no memory, say. That is no
-/// answer, so it is never a mismatch, and no case of its batch counts as compared.
+/// A party cannot answer, for a reason outside the cases, such as lack of memory. That is never a
+/// mismatch, and no case of its batch counts as compared.
 class PartyFailure : public std::runtime_error {
  public:
   PartyFailure(std::string_view party, std::string_view reason);

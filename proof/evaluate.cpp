@@ -27,7 +27,7 @@ unsigned number_in(std::string_view text) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size() || number > max_width) {
-    refuse(fmt::format("'{}' is no size", text));
+    refuse(fmt::format("'{}' is not a size", text));
   }
   return number;
 }
@@ -43,7 +43,7 @@ Value bits(unsigned width, const cpp_int& number) {
 }
 
 bool is_true(const Value& value) {
-  if (value.sort != boolean) refuse("no Boolean where one is needed");
+  if (value.sort != boolean) refuse("not a Boolean, where one is needed");
   return value.number != 0;
 }
 
@@ -64,7 +64,7 @@ cpp_int signed_quotient(const Value& a, const Value& b) {
 
 /// SMT-LIB's division of integers: the remainder is never negative.
 cpp_int remainder(const cpp_int& a, const cpp_int& b) {
-  if (b == 0) refuse("a division of integers by zero");
+  if (b == 0) refuse("an integer division by zero");
   const cpp_int rest = a % b;
   return rest < 0 ? cpp_int(rest + abs(b)) : rest;
 }
@@ -233,7 +233,7 @@ cpp_int digits_in(std::string_view digits, unsigned bits_each) {
   cpp_int number = 0;
   for (const char c : digits) {
     const std::size_t digit = std::string_view("0123456789abcdef").find(static_cast<char>(c | ' '));
-    if (digit >= std::size_t{1} << bits_each) refuse(fmt::format("'{}' is no number", digits));
+    if (digit >= std::size_t{1} << bits_each) refuse(fmt::format("'{}' is not a number", digits));
     number = (number << bits_each) + digit;
   }
   return number;
@@ -264,11 +264,11 @@ Function defined_function(const Expression& command) {
   const std::vector<Expression>& parts = command.list;
   if (parts.size() != 5 || parts[0].atom != "define-fun" || !parts[1].is_atom() ||
       parts[2].is_atom()) {
-    refuse(fmt::format("no definition: {}", text_of(command).substr(0, 60)));
+    refuse(fmt::format("not a definition: {}", text_of(command).substr(0, 60)));
   }
   Function function{.parameters = {}, .result = sort_of(parts[3]), .body = &parts[4]};
   for (const Expression& parameter : parts[2].list) {
-    if (parameter.list.size() != 2) refuse("no parameter");
+    if (parameter.list.size() != 2) refuse("not a parameter");
     function.parameters.emplace_back(parameter.list[0].atom, sort_of(parameter.list[1]));
   }
   return function;
@@ -316,7 +316,7 @@ Value Evaluator::value_of_list(const std::vector<Expression>& list, const Scope&
   if (list[0].atom == "let" && list.size() == 3) {
     Scope inner = scope;
     for (const Expression& binding : list[1].list) {
-      if (binding.list.size() != 2) refuse("no binding of let");
+      if (binding.list.size() != 2) refuse("not a binding of let");
       inner.emplace_back(binding.list[0].atom, value_of(binding.list[1], scope));
     }
     return value_of(list[2], inner);

@@ -34,7 +34,7 @@ Question question_in(const std::vector<Expression>& script) {
   Question question;
   for (const Expression& command : script) {
     const std::vector<Expression>& parts = command.list;
-    if (parts.empty()) throw std::invalid_argument("no command: " + text_of(command));
+    if (parts.empty()) throw std::invalid_argument("not a command: " + text_of(command));
     const std::string& name = parts[0].atom;
     if (name == "declare-const" || name == "declare-fun") {
       question.functions[parts.at(1).atom] = declared_function(parts);
@@ -53,7 +53,7 @@ Question question_in(const std::vector<Expression>& script) {
 /// Adds the definitions of a model. @throws std::invalid_argument if it is none
 void add_model(const std::vector<Expression>& model, Question& question) {
   if (model.size() != 1 || model[0].is_atom())
-    throw std::invalid_argument("no list of definitions");
+    throw std::invalid_argument("not a list of definitions");
   for (const Expression& definition : model[0].list) {
     // Before SMT-LIB 2.6 a model began with this word.
     if (definition.atom == "model" && &definition == model[0].list.data()) continue;

@@ -22,7 +22,7 @@ std::vector<Expression> read_expressions(std::string_view text) {
       open.emplace_back();
       text.remove_prefix(1);
     } else if (first == ')') {
-      if (open.size() == 1) throw std::invalid_argument("a ) too many");
+      if (open.size() == 1) throw std::invalid_argument("one ) too many");
       Expression list{.list = std::move(open.back())};
       open.pop_back();
       open.back().push_back(std::move(list));

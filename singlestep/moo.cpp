@@ -171,7 +171,7 @@ void read_moo(std::string_view bytes, Cpu cpu, const UseCase& use) {
     Case c = case_in(chunk.body, cpu, index++);
     finish(c, cpu, use);
   }
-  if (index != count) file.fail(fmt::format("{} cases, the header says {}", index, count));
+  if (index != count) file.fail(fmt::format("{} cases, but the header says {}", index, count));
   if (index == 0) throw support::UsageError("the file has no cases");
 }
 

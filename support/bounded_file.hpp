@@ -11,8 +11,8 @@ namespace fixproof::support {
 
 /// Returns the contents of a file.
 /// @throws std::runtime_error with the reason, without the file name, if it is not a regular file,
-/// cannot be read, is longer than `max_bytes`, or is empty, as a file of /proc seems to be, whose
-/// end might never come
+/// cannot be read, is longer than `max_bytes`, or is empty. A file of /proc seems empty, and
+/// reading it might never end
 std::string read_bounded(const std::string& file, std::size_t max_bytes);
 
 /// The same for a file in or below a folder, named relative to it. Neither `..` nor a symbolic link

@@ -7,7 +7,7 @@
 namespace fixproof::support {
 
 /// Writes `text` to stderr in one call. If stderr is full, closed or a pipe without a reader, the
-/// text is lost and the program goes on: its exit status says the same.
+/// text is lost and the program goes on: its exit status does not change.
 void write_error(std::string_view text) noexcept;
 
 /// Opens the null device on every descriptor of stdin, stdout and stderr that is closed. Otherwise

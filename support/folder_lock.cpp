@@ -13,7 +13,7 @@
 namespace fixproof::support {
 
 FolderLock::FolderLock(const std::string& option, const std::string& folder) {
-  // The name at the end may be a link, which a slash behind it would hide.
+  // The name at the end may be a link, which a slash after it would hide.
   const auto place = find_place(folder.substr(0, folder.find_last_not_of('/') + 1));
   if (place) place->check_links();
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic

@@ -29,7 +29,8 @@ PartFile::PartFile(const Place& place)
   file_ = Descriptor(::openat(place.folder(), name_.c_str(),
                               O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
   if (!file_.is_open()) {
-    if (errno == EEXIST) place.refuse("remove " + name_ + " beside it, unless another run lives");
+    if (errno == EEXIST)
+      place.refuse(name_ + " is beside it; remove that, unless another run is writing");
     place.refuse(errno);
   }
   is_ours_ = true;

@@ -52,7 +52,7 @@ Place::Place(std::string path) : path_(std::move(path)) {
       const char* const end = name_.data() + name_.size();
       if (::stat("/proc/self/fd", &own) != 0 || own.st_ino != around.st_ino ||
           std::from_chars(name_.data(), end, number).ptr != end) {
-        refuse("a link of /proc, name the file itself");
+        refuse("a link of /proc; name the file itself");
       }
       open_descriptor_ = number;
       return;

@@ -54,7 +54,7 @@ std::string difference(const Maker& a, const Maker& b) {
 
 std::string other_build(std::string_view file, std::string_view differs) {
   return fmt::format(
-      "{} is from another build: {}; run it with one build and the same parties, or give "
+      "{} is from another build: {}; run all parts with one build and the same parties, or give "
       "--accept-other-builds",
       file, differs);
 }

@@ -236,7 +236,7 @@ int level_in(const Document& json) {
   return static_cast<int>(level);
 }
 
-/// Refuses other files, other formats, and a text that its digest does not fit.
+/// Refuses other files, other formats, and a text that does not match its digest.
 void check_seal(const Document& json, std::string_view text) {
   const auto format = json.is_object() ? json.find("format") : json.end();
   if (format == json.end() || *format != std::string(format_name))
@@ -247,7 +247,7 @@ void check_seal(const Document& json, std::string_view text) {
     const std::size_t sealed = text.size() - std::min(text.size(), seal_of("").size());
     if (text.substr(sealed) != seal_of(text.substr(0, sealed))) {
       refuse(
-          "the text does not have the digest at its end: it was damaged or edited; run the "
+          "the digest at its end is missing or does not match: it was damaged or edited; run the "
           "verification again");
     }
   }

@@ -95,7 +95,7 @@ std::optional<Instruction> parse(std::string_view line) {
   const std::string_view name = line.substr(0, line.find_first_of(" \t"));
   if (name.empty()) throw ParseError("no instruction");
   if (name.find_first_not_of(name_characters) != std::string_view::npos) {
-    throw ParseError(quoted(name) + " is no mnemonic");
+    throw ParseError(quoted(name) + " is not a mnemonic");
   }
   const auto operands = split_operands(trimmed(line.substr(name.size())));
   const auto mnemonic = mnemonic_named(name);
@@ -124,7 +124,7 @@ std::optional<Instruction> parse(std::string_view line) {
     } else if (is_unmodelled_name(text)) {
       known = false;
     } else {
-      throw ParseError(quoted(text) + " is no operand");
+      throw ParseError(quoted(text) + " is not an operand");
     }
   }
   if (!known) return std::nullopt;

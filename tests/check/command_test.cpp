@@ -38,7 +38,7 @@ TEST(CheckCommand, WrongResults) {
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);
-  expect_contains(run.out, "first 1 of 2 wrong results");
+  expect_contains(run.out, "Shown: 1 of 2 wrong results");
 }
 
 TEST(CheckCommand, ResultsInAFile) {
@@ -59,7 +59,7 @@ TEST(CheckCommand, TooFewResults) {
 
 TEST(CheckCommand, TooManyResults) {
   expect_usage_error(check_two("--rounding half-up", "0003c000\n00000000\n# end\n00000000\n"),
-                     "standard input, line 4: one result too many, there are 2 cases");
+                     "standard input, line 4: one result too many for 2 cases");
 }
 
 TEST(CheckCommand, NoResultsAtAll) {

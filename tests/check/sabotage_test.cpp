@@ -218,7 +218,7 @@ TEST(CheckVerdict, NamesTheFirstWrongCases) {
   const std::string text = fixproof::check::verdict_text(judge);
   EXPECT_NE(text.find("case 1 (product_ties): ffffffff 00008000 (-0.00002 0.5): 00000000 expected, "
                       "ffffffff said; exact -1 + 1/2 ulp, tie\n"
-                      "These are the first 1 of 2 wrong results; --show N shows more.\n"),
+                      "Shown: 1 of 2 wrong results; --show N shows more.\n"),
             std::string::npos)
       << text;
 }

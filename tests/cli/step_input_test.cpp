@@ -104,15 +104,15 @@ TEST(StepInput, RefusesOtherDigits) {
 
 TEST(StepInput, RefusesWhatIsNoInstruction) {
   for (const auto& [instruction, part] : std::initializer_list<std::array<const char*, 2>>{
-           {"MOV ax, bx", "'MOV' is no mnemonic"},
-           {"mov AX, bx", "'AX' is no operand"},
-           {"mov ax bx", "'ax bx' is no operand"},
+           {"MOV ax, bx", "'MOV' is not a mnemonic"},
+           {"mov AX, bx", "'AX' is not an operand"},
+           {"mov ax bx", "'ax bx' is not an operand"},
            {"mov ax,", "an operand is missing"},
            {"mov , bx", "an operand is missing"},
            {"mov ax, bx, cx, dx", "more than three operands"},
-           {"add ax, 0x", "'0x' is no operand"},
-           {"add ax, 8000h", "'8000h' is no operand"},
-           {"add ax, --1", "'--1' is no operand"},
+           {"add ax, 0x", "'0x' is not an operand"},
+           {"add ax, 8000h", "'8000h' is not an operand"},
+           {"add ax, --1", "'--1' is not an operand"},
            {"add ax, 0x10000", "does not fit the operand"},
            {"add ax, -32769", "does not fit the operand"},
            {"add eax, -2147483649", "does not fit the operand"},
@@ -129,12 +129,12 @@ TEST(StepInput, RefusesWhatIsNoInstruction) {
 
 TEST(StepInput, RefusesNoiseAndEndlessLines) {
   expect_step_refused("\0\0\0"s, "'|'");
-  expect_step_refused(line("\0"s), "is no mnemonic");
+  expect_step_refused(line("\0"s), "is not a mnemonic");
   expect_step_refused(std::string(4'000, 'a'), "'|'");
-  expect_step_refused(line(std::string(3'000, 'A')), "is no mnemonic");
-  expect_step_refused(line("mov ax, " + std::string(3'000, 'A')), "is no operand");
+  expect_step_refused(line(std::string(3'000, 'A')), "is not a mnemonic");
+  expect_step_refused(line("mov ax, " + std::string(3'000, 'A')), "is not an operand");
   expect_step_refused(std::string(10'000'000, 'a'), "longer than 4096 characters");
-  expect_step_refused(line("\x1b[31mmov"), "is no mnemonic");
+  expect_step_refused(line("\x1b[31mmov"), "is not a mnemonic");
 }
 
 TEST(StepInput, OutputThatCannotBeWritten) {

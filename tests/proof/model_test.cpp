@@ -105,17 +105,17 @@ TEST(Model, NamesWhatIsWrong) {
   const std::string claim = question("(= twice #x0a)");
   EXPECT_EQ(fault_of_model(claim, a_is("#x05")), "");
   const std::vector<std::pair<std::string, std::string>> wrong{
-      {"", "no list of definitions"},
+      {"", "not a list of definitions"},
       {"()", "it does not satisfy assertion 1 of 1"},
       {a_is("#x04"), "it does not satisfy assertion 1 of 1"},
       {a_is("#x0005"), "a is of another sort"},
-      {a_is("#x0g"), "'0g' is no number"},
+      {a_is("#x0g"), "'0g' is not a number"},
       {a_is("5"), "a is of another sort"},
       {a_is("a"), "nested too deeply"},
       {a_is("junk"), "unknown name junk"},
       {a_is("(bvfoo #x05)"), "cannot apply bvfoo to 1 arguments"},
       {"((define-fun a () (_ BitVec 8) #x05)", "a ) is missing"},
-      {"((define-fun a () (_ BitVec 8) #x05)))", "a ) too many"},
+      {"((define-fun a () (_ BitVec 8) #x05)))", "one ) too many"},
       {"((define-fun a () (_ BitVec 9) #b000000101))", "a is of another sort"},
       {"((define-fun a () Real 5))", "unknown sort Real"},
       {"((define-fun b () (_ BitVec 8) #x05))", "it does not satisfy assertion 1 of 1"},
@@ -125,7 +125,7 @@ TEST(Model, NamesWhatIsWrong) {
        "it does not satisfy assertion 1 of 1"},
       {"((define-fun f () (_ BitVec 8) #x05))", "f is of another sort"},
       {"((define-fum a () (_ BitVec 8) #x05))",
-       "no definition: (define-fum a () (_ BitVec 8) #x05)"},
+       "not a definition: (define-fum a () (_ BitVec 8) #x05)"},
       {std::string(5000, '('), "nested too deeply"}};
   for (const auto& [model, fault] : wrong) EXPECT_EQ(fault_of_model(claim, model), fault) << model;
 }

@@ -99,8 +99,8 @@ TEST(Moo, RefusesEveryLengthThatIsCutShort) {
   // The end of a chunk is no end of the file.
   const std::string more = vectors::moo_of(Json::array({cases[0], cases[0]}), "286");
   const std::size_t one = whole.size();
-  expect_moo_refused(more.substr(0, one), fmt::format("byte {}: 1 cases, the header says 2", one),
-                     "286");
+  expect_moo_refused(more.substr(0, one),
+                     fmt::format("byte {}: 1 cases, but the header says 2", one), "286");
 }
 
 TEST(Moo, AnyByteChangedCrashesNothing) {

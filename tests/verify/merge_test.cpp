@@ -78,9 +78,10 @@ TEST(Merging, PartsOfAnotherBuildAreRefusedUnlessAccepted) {
       verify::merged(changed);
       ADD_FAILURE() << "merged";
     } catch (const std::runtime_error& error) {
-      EXPECT_EQ(std::string(error.what()),
-                "part 1 is from another build: " + wanted +
-                    "; run it with one build and the same parties, or give --accept-other-builds");
+      EXPECT_EQ(
+          std::string(error.what()),
+          "part 1 is from another build: " + wanted +
+              "; run all parts with one build and the same parties, or give --accept-other-builds");
     }
     const verify::Report sum = verify::from_json(verify::to_json(verify::merged(changed, true)));
     ASSERT_EQ(sum.makers.size(), 2U);
