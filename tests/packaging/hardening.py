@@ -55,7 +55,8 @@ processor = re.search(r"Machine: +(.*)", headers)[1]
 if "X86-64" in processor:
     # The linker keeps the property of control-flow protection only if the C library's start files have it too, so
     # look at each object of the project.
-    archives = sorted(path for path in folder.glob("*/lib*.a") if path.parent.name not in ("fuzz", "tests"))
+    archives = sorted(path for path in folder.glob("**/lib*.a")
+                      if path.relative_to(folder).parts[0] not in ("fuzz", "tests", "examples", "bench"))
     objects = 0
     for path in [*archives, *folder.glob("cli/CMakeFiles/fixproof.dir/**/*.o")]:
         notes = output_of("readelf", "-nW", str(path))
