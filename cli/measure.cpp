@@ -85,7 +85,7 @@ void add_measure(CLI::App& app, int& status) {
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command =
       app.add_subcommand("measure", "measure errors, clocks and times of the arithmetic");
-  CLI::Option_group* what = command->add_option_group("what", "one of these options is required");
+  CLI::Option_group* what = command->add_option_group("what", "what to measure");
   CLI::Option* accuracy = what->add_flag(
       "--accuracy", options->accuracy,
       "measure the errors of every operation in every variant, in units of the last place");

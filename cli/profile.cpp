@@ -80,7 +80,9 @@ void add_profile(CLI::App& app, int& status) {
   // The profile records instructions, which only the listings have.
   command->remove_option(command->get_option("--arith"));
   options->scene.by = "model";
-  command->get_option("--target")->description("rules of i386 or i8088");
+  command->remove_option(command->get_option("--target"));
+  command->add_option("--target", options->scene.target, "rules of i386 or i8088")
+      ->check(CLI::IsMember({"i386", "i8088"}));
   options->surfaces.add_to(*command);
   command->add_option("--json", options->json, "write the profile to this file as JSON")
       ->check(not_empty());
