@@ -77,7 +77,7 @@ int run(std::vector<std::string> arguments) {
   } catch (const std::exception& error) {
     std::cout.flush();
     print_error(support::printable(error.what()));
-    return 2;
+    return support::Interrupt::flag() ? support::interrupted_status : 2;
   }
   // Flushing reveals a full disk or a closed pipe.
   std::cout.flush();

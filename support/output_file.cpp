@@ -4,8 +4,30 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
+
+#include "support/interrupt.hpp"
 
 namespace fixproof::support {
+
+namespace {
+
+constexpr int write_flags = O_WRONLY | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC;
+
+// NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): fcntl() and openat() are variadic
+/// Opens a pipe when it has a reader, or a device. A plain open would wait through an interrupt.
+Descriptor open_special(const Place& place) {
+  Descriptor opened(::openat(place.folder(), place.name().c_str(), write_flags | O_NONBLOCK));
+  while (!opened.is_open() && errno == ENXIO && !Interrupt::flag()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    opened = Descriptor(::openat(place.folder(), place.name().c_str(), write_flags | O_NONBLOCK));
+  }
+  if (opened.is_open()) ::fcntl(opened.number(), F_SETFL, 0);
+  return opened;
+}
+
+}  // namespace
 
 OutputFile::OutputFile(const std::string& path, Use use) : place_(path) {
   const std::optional<struct stat> file = place_.check_writable();
@@ -23,11 +45,9 @@ void OutputFile::begin() {
     part_.emplace(place_);
     return;
   }
-  // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): fcntl() and openat() are variadic
-  special_ =
-      Descriptor(place_.open_descriptor() ? ::fcntl(*place_.open_descriptor(), F_DUPFD_CLOEXEC, 0)
-                                          : ::openat(place_.folder(), place_.name().c_str(),
-                                                     O_WRONLY | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC));
+  special_ = place_.open_descriptor()
+                 ? Descriptor(::fcntl(*place_.open_descriptor(), F_DUPFD_CLOEXEC, 0))
+                 : open_special(place_);
   // NOLINTEND(cppcoreguidelines-pro-type-vararg)
   if (!special_.is_open()) place_.refuse(errno);
 }

@@ -70,9 +70,11 @@ void check_numbers(std::string_view text) {
         if (!is_place(word)) refuse("a vertex must have three numbers", word);
       }
     } else if (kind == "f") {
-      for (auto word = next_word(line); !word.empty(); word = next_word(line)) {
+      std::string_view word = next_word(line);
+      do {
         if (!is_corner(word)) refuse("a face must have vertex numbers", word);
-      }
+        word = next_word(line);
+      } while (!word.empty());
     }
   }
 }
@@ -136,6 +138,8 @@ Mesh parse_obj(const std::string& text) {
 }
 
 Mesh read_obj(const std::filesystem::path& folder, const std::string& file) {
+  if (file.find('\0') != std::string::npos)
+    throw SceneError("the name of an OBJ file has a zero byte");
   try {
     return parse_obj(fixproof::support::read_beneath(folder.string(), file, std::size_t{4} << 20U));
   } catch (const std::runtime_error& error) {

@@ -58,6 +58,8 @@ TEST(Obj, SaysWhatIsWrong) {
   EXPECT_EQ(said_of_obj(places + "f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2"),
             "face 0 has 17 vertices, must have 3 to 16");
   EXPECT_EQ(said_of_obj(places + "f 1 2 3\nf 1 2 4"), "face 1 has vertex 4 of 3 so far");
+  EXPECT_EQ(said_of_obj(places + "f 1 2 3\nf "),
+            "line 5: a face must have vertex numbers, not \"\"");
   EXPECT_EQ(said_of_obj(places + "f 1 2 0"), "line 4: a face must have vertex numbers, not \"0\"");
   EXPECT_EQ(said_of_obj(places + "f 1 2 -4"), "face 0 has vertex -4 of 3 so far");
   EXPECT_EQ(said_of_obj(places + "f 1/2 2//1 3/-1/2"), "accepted");
@@ -81,6 +83,8 @@ TEST(Obj, StopsAtTheLimits) {
 
 TEST(Obj, HasNoZeroByte) {
   EXPECT_EQ(said_of_obj(tetrahedron + std::string(1, '\0')), "a zero byte in the text");
+  EXPECT_EQ(refusal([] { read_obj(".", std::string("a.obj\0", 6)); }),
+            "the name of an OBJ file has a zero byte");
 }
 
 TEST(Obj, NamesTheFile) {
