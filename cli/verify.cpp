@@ -258,7 +258,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
       command.add_option("--report", options.report, "write the results to this file as JSON")
           ->check(not_empty());
   command.add_option("--max-reports", options.max_reports, "number of mismatches to show per row")
-      ->transform(whole_number(0, 1000))
+      ->transform(whole_number(0, verify::max_reports))
       ->capture_default_str();
   command.add_option("--case", options.words, "compare only this case, given as words in hex")
       ->check(not_empty())

@@ -18,6 +18,7 @@ void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine rou
   thread_local std::vector<std::uint8_t> loaded;
   if (!emulator || !std::equal(code.begin(), code.end(), loaded.begin(), loaded.end())) {
     emulator.reset();
+    loaded.clear();  // if memory runs out below, `loaded` names no code that the emulator lacks
     emulator = std::make_unique<machine_code::Emulator>(code);
     loaded.assign(code.begin(), code.end());
   }

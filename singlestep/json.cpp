@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "singlestep/formats.hpp"
 #include "support/plain_text.hpp"
+#include "support/strict_json.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::singlestep {
@@ -85,7 +87,11 @@ class Scanner {
       expect(':');
       const std::string_view text = value();
       for (std::size_t i = 0; i < members.size(); ++i) {
-        if (name == member_names.at(i)) members.at(i) = text;
+        if (name != member_names.at(i)) continue;
+        if (!members.at(i).empty()) {
+          throw support::UsageError(fmt::format("case {}: {} occurs twice", cases_, name));
+        }
+        members.at(i) = text;
       }
       if (at_ - begin > max_size) {
         throw support::UsageError(fmt::format("case {} is too long", cases_));
@@ -96,11 +102,13 @@ class Scanner {
 
   Json parse(std::string_view part) const {
     try {
-      return Json::parse(part);
+      return support::parse_strictly(part);
     } catch (const Json::parse_error& error) {
       damaged(static_cast<std::size_t>(part.data() - text_.data()) + error.byte - 1);
     } catch (const Json::out_of_range&) {
       throw support::UsageError("a number is too large for any field");
+    } catch (const std::runtime_error& error) {
+      throw support::UsageError(error.what());
     }
   }
 

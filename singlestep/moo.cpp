@@ -79,8 +79,13 @@ void read_registers(Bytes body, std::span<const Place> order, std::size_t width,
   if ((mask & ~largest(static_cast<int>(order.size()))) != 0) body.fail("no such register");
   for (std::size_t i = 0; i < order.size(); ++i) {
     if ((mask >> i & 1U) == 0) continue;
-    state.registers[static_cast<std::size_t>(order[i])] =
-        body.number(width, name_of(order[i], cpu)) & largest(bits_of(order[i], cpu));
+    const std::string_view name = name_of(order[i], cpu);
+    const std::uint32_t value = body.number(width, name);
+    // RG32 has 32 bits for each register.
+    if (value > largest(bits_of(order[i], cpu))) {
+      body.fail(fmt::format("{:x} is too large for {}", value, name));
+    }
+    state.registers[static_cast<std::size_t>(order[i])] = value;
   }
 }
 
@@ -157,7 +162,8 @@ void read_moo(std::string_view bytes, Cpu cpu, const UseCase& use) {
   Bytes header = file.chunk().body;
   const std::uint32_t version = header.number(1, "the version");
   if (version != 1) header.fail(fmt::format("MOO version {}; this reads version 1", version));
-  header.take(3, "the minor version");
+  header.take(1, "the minor version");
+  header.take(2, "what is reserved");
   const std::uint32_t count = header.number(4, "the number of cases");
   const std::string_view id = header.take(4, "the processor").rest();
   if (!is_captured_on(id, cpu)) {

@@ -52,11 +52,18 @@ std::string printable(const std::string& text) {
   return result;
 }
 
+std::string printable_ascii(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return result;
+}
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string result = "'";
-  for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
-  return result + (text.size() > longest ? "...'" : "'");
+  return fmt::format("'{}{}'", printable_ascii(text.substr(0, longest)),
+                     text.size() > longest ? "..." : "");
 }
 
 }  // namespace fixproof::support

@@ -18,6 +18,9 @@ std::string duration(double seconds);
 /// the text cannot control a terminal.
 std::string printable(const std::string& text);
 
+/// Replaces each byte that is not printable ASCII by `?`.
+std::string printable_ascii(std::string_view text);
+
 /// Quotes foreign text for an error message: at most 40 characters, on one line, printable.
 std::string quoted(std::string_view text);
 

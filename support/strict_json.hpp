@@ -59,6 +59,13 @@ class StrictJsonCheck final : public nlohmann::json_sax<nlohmann::json> {
   int depth_ = 0;
 };
 
+/// Returns the library's message without its label, "[json.exception...] ".
+inline std::string json_message(const nlohmann::json::exception& error) {
+  const std::string_view message = error.what();
+  const std::size_t label = message.find("] ");
+  return std::string(label == std::string_view::npos ? message : message.substr(label + 2));
+}
+
 /// Parses JSON, with comments if `comments`. Objects have sorted keys, so an object of many keys
 /// takes no quadratic time.
 /// @throws std::runtime_error for a zero byte, a duplicate key or excessive depth

@@ -89,13 +89,14 @@ void ChunkRunner::compare(const cases::Variant& variant,
   const auto view = [out](const Answers& answers, std::size_t i) {
     return parties::AnswerView{answers.endings[i], std::span(answers.out).subspan(i * out, out)};
   };
-  for (const parties::Party* party : parties.subspan(1)) {
-    ask(*party, other_);
+  for (std::size_t party = 1; party < parties.size(); ++party) {
+    ask(*parties[party], other_);
     for (std::size_t i = 0; i < cases; ++i) {
       if (parties::agree(view(judged_, i), view(other_, i))) continue;
       differs_[i] = 1;
-      const std::array<std::uint64_t, 2> place{i, static_cast<std::uint64_t>(other_.endings[i])};
-      digest_.add(std::span<const std::uint64_t>(place));
+      const std::array<std::uint64_t, 3> given{party, i,
+                                               static_cast<std::uint64_t>(other_.endings[i])};
+      digest_.add(std::span<const std::uint64_t>(given));
       if (other_.endings[i] == parties::Ending::value) digest_.add(view(other_, i).words);
     }
   }

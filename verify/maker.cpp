@@ -5,14 +5,15 @@
 #include <algorithm>
 
 #include "support/build_info/build_info.hpp"
+#include "support/plain_text.hpp"
 
 namespace fixproof::verify {
 
 Maker this_build() {
-  return {.version = std::string(support::program_version()),
-          .commit = std::string(support::source_commit()),
-          .build_type = std::string(support::build_type()),
-          .compiler = support::compiler_name(),
+  return {.version = support::printable_ascii(support::program_version()),
+          .commit = support::printable_ascii(support::source_commit()),
+          .build_type = support::printable_ascii(support::build_type()),
+          .compiler = support::printable_ascii(support::compiler_name()),
           .executable = support::executable_digest(),
           .parties = {}};
 }
@@ -24,7 +25,7 @@ Maker this_maker(const cases::Plan& plan, std::span<const parties::Party* const>
       return std::find(row.parties.begin(), row.parties.end(), party->name()) != row.parties.end();
     };
     if (std::any_of(plan.rows().begin(), plan.rows().end(), names_it)) {
-      maker.parties.emplace(party->name(), party->identity());
+      maker.parties.emplace(party->name(), support::printable_ascii(party->identity()));
     }
   }
   return maker;

@@ -12,7 +12,8 @@
 
 namespace fixproof::verify {
 
-/// The texts are those of support/build_info/build_info.hpp and of Party::identity().
+/// The texts are those of support/build_info/build_info.hpp and of Party::identity(), in
+/// printable ASCII, so that a report can hold them.
 struct Maker {
   std::string version;
   std::string commit;

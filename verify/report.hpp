@@ -12,6 +12,9 @@
 
 namespace fixproof::verify {
 
+/// The largest Report::max_shown.
+inline constexpr std::uint64_t max_reports = 1000;
+
 struct Mismatch {
   std::uint64_t chunk = 0;
   std::uint64_t index = 0;  ///< position of the case in its stream

@@ -18,9 +18,6 @@ namespace {
 /// Its keys are sorted, so that finding one of many is fast.
 using Document = nlohmann::json;
 
-/// The maximum that `verify` accepts for --max-reports.
-constexpr std::uint64_t max_reports = 1000;
-
 [[noreturn]] void refuse(const std::string& reason) { throw std::runtime_error(reason); }
 
 /// 64-bit numbers are strings because many JSON readers keep only 53 bits.
@@ -308,9 +305,7 @@ Report from_json(std::string_view text) {
   } catch (const Document::parse_error&) {
     refuse(text.empty() ? "empty" : "not JSON, or cut short, or followed by other text");
   } catch (const Document::exception& error) {
-    // The library's message begins with its own error number in brackets.
-    const std::string_view message = error.what();
-    refuse(fmt::format("damaged report: {}", message.substr(message.find("] ") + 2)));
+    refuse(fmt::format("damaged report: {}", support::json_message(error)));
   } catch (const std::invalid_argument& error) {
     refuse(fmt::format("damaged report: {}", error.what()));
   }

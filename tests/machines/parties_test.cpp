@@ -1,5 +1,8 @@
 // Tests the parties that run machine code: they agree with the model, they detect one wrong byte,
 // and faults in several threads do not interfere.
+#include <cstdlib>
+#include <new>
+#include <optional>
 #include <thread>
 
 #include "cases/streams.hpp"
@@ -8,6 +11,24 @@
 #include "parties/machines.hpp"
 #include "tests/support/test.hpp"
 #include "verify/engine.hpp"
+
+namespace {
+
+/// The number of allocations of this thread that still succeed; none: all do.
+thread_local std::optional<int> allocations;
+
+}  // namespace
+
+// NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory): this is the allocator
+void* operator new(std::size_t size) {
+  const bool fails = allocations && --*allocations < 0;
+  void* const memory = fails ? nullptr : std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
+// NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory)
 
 namespace {
 
@@ -254,5 +275,36 @@ INSTANTIATE_TEST_SUITE_P(On, MachineParty,
                          testing::Values(Machine{"silicon", parties::answer_on_silicon},
                                          Machine{"unicorn", parties::answer_on_unicorn}),
                          [](const auto& test) { return test.param.name; });
+
+/// Whichever allocation fails as other code is loaded, the code before it still answers as before.
+TEST(Unicorn, RunsTheRightCodeAfterALackOfMemory) {
+  const parties::Party& unicorn = find("unicorn");
+  if (!unicorn.absence().empty()) GTEST_SKIP() << unicorn.absence();
+  Cases small({.operation = cases::Operation::mul});
+  Cases large({.operation = cases::Operation::cossin});
+  for (Cases* both : {&small, &large}) both->add(cases::Stream::uniform, 0, 1);
+  const auto other = machine_code::machine_code(machine_code::key_of(large.variant));
+  ASSERT_GT(other.size(), machine_code::machine_code(machine_code::key_of(small.variant)).size());
+  const Answers right = answers_of(small, unicorn);
+  bool failed = true;
+  for (int enough = 0; failed && enough < 100; ++enough) {
+    // In a new thread nothing is loaded, and the list of loaded code has no memory yet.
+    std::thread([&] {
+      EXPECT_EQ(answers_of(small, unicorn), right);
+      Answers said{std::vector<std::uint32_t>(2), std::vector<parties::Ending>(1)};
+      failed = false;
+      allocations = enough;
+      try {
+        parties::answer_on_unicorn(other, x86model::Routine::cossin,
+                                   {large.words, said.out, said.endings});
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+      allocations.reset();
+      EXPECT_EQ(answers_of(small, unicorn), right) << enough;
+    }).join();
+  }
+  EXPECT_FALSE(failed);
+}
 
 }  // namespace

@@ -79,6 +79,23 @@ TEST(SinglestepInput, RefusesMissingFields) {
   }
 }
 
+TEST(SinglestepInput, RefusesWhatOccursTwice) {
+  const auto refused = [](const std::string& from, const std::string& to,
+                          std::string_view message) {
+    std::string text = Json::array({sound()}).dump();
+    const auto place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    expect_refused(text.replace(place, from.size(), to), message);
+  };
+  const std::string name = sound()["name"];
+  refused(R"("regs":{)", R"("regs":{"ax":1,)",
+          fmt::format("case 0 '{}': the key \"ax\" occurs twice in one object", name));
+  refused(R"("regs":{)", R"("regs":{"a\u0078":1,)",
+          fmt::format("case 0 '{}': the key \"ax\" occurs twice in one object", name));
+  refused(R"("initial":)", R"("initial":{},"initial":)", "case 0: \"initial\" occurs twice");
+  refused(R"("name":)", R"("name":"","name":)", "case 0: \"name\" occurs twice");
+}
+
 TEST(SinglestepInput, RefusesOtherTypes) {
   expect_refused_case([](Json& c) { c["bytes"] = "01c8"; }, "bytes is string instead of array");
   expect_refused_case([](Json& c) { c["initial"] = 1; }, "initial is number instead of object");

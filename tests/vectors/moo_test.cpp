@@ -54,6 +54,10 @@ TEST(Moo, RefusesOtherProcessorsAndVersions) {
   expect_moo_refused(file, "byte 20: captured on 'C286', not on a 8088; see --cpu");
   expect_moo_refused(header(1, "V20 "), "byte 20: captured on 'V20 ', not on a 8088; see --cpu");
   expect_moo_refused(header(1, "8088", 2), "byte 9: MOO version 2; this reads version 1");
+  expect_moo_refused(chunk("MOO ", number(1, 1)),
+                     "byte 9: cut short: the minor version has 1 bytes, 0 are left");
+  expect_moo_refused(chunk("MOO ", number(1, 3)),
+                     "byte 10: cut short: what is reserved has 2 bytes, 1 are left");
   expect_moo_refused(header(0), "the file has no cases");
 }
 
@@ -74,6 +78,9 @@ TEST(Moo, RefusesDamagedChunksByTheirPlace) {
                      "byte 52: cut short: bx has 2 bytes, 0 are left");
   expect_moo_refused(with(chunk("INIT", chunk("RG32", number(0, 4)))),
                      "byte 48: registers RG32 are not those of the 8088");
+  const std::string wide = chunk("RG32", number(1U << 10U, 4) + number(0x10000, 4));
+  expect_moo_refused(header(1, "386E") + chunk("TEST", number(0, 4) + chunk("INIT", wide)),
+                     "byte 56: 10000 is too large for cs", "386");
   expect_moo_refused(with(chunk("INIT", chunk("RAM ", number(0xFFFFFFFF, 4) + "abcde"))),
                      "byte 56: address 64636261 is too large for the 8088");
   expect_moo_refused(with(chunk("INIT", chunk("RAM ", number(2, 4) + number(1, 5)))),

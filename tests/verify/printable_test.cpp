@@ -32,4 +32,8 @@ TEST(Printable, WritingIsNotTurnedRound) {
   EXPECT_EQ(fixproof::support::printable("\xe2\x80"), "\xe2\x80");  // truncated
 }
 
+TEST(Printable, InAsciiOneQuestionMarkStandsForEachOtherByte) {
+  EXPECT_EQ(fixproof::support::printable_ascii(" a~\x7f\n\xc3\xb6\xff"), " a~?????");
+}
+
 }  // namespace

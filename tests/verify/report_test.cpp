@@ -206,7 +206,7 @@ TEST(Reports, AContradictionIsFoundUnderARightDigest) {
 TEST(Reports, NothingFollowsThem) {
   const std::string good = verify::to_json(finished({1, 20}));
   for (const char* more : {" ", "\n", "x", "{}"}) EXPECT_NE(reason(good + more), "");
-  EXPECT_NE(reason(good + '\0'), "");
+  EXPECT_EQ(reason(good + '\0'), "not JSON: a zero byte");
 }
 
 TEST(Reports, OldOnesAreRefusedWithWhatToDo) {
@@ -243,6 +243,28 @@ TEST(Reports, SayWhatMadeThem) {
                                                                {"saboteur", "a saboteur"}}));
 }
 
+/// Answers like the fast party and has a name that is not UTF-8.
+class Foreign final : public parties::Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "foreign"; }
+  [[nodiscard]] std::string identity() const override { return "Z\xfcse CPU\n\x1b~"; }
+  [[nodiscard]] bool answers(const cases::Variant& v) const override {
+    return parties::party_named("fast").answers(v);
+  }
+  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
+    parties::party_named("fast").answer(v, batch);
+  }
+};
+
+TEST(Reports, NameAForeignProcessorInAscii) {
+  const Foreign foreign;
+  verify::Report report(cases::Plan(1, 5, {{div, {"fast", "foreign"}}}), {1, 1000}, 1);
+  verify::run(report,
+              std::array<const parties::Party*, 2>{&foreign, &parties::party_named("fast")});
+  const verify::Report read = verify::from_json(verify::to_json(report));
+  EXPECT_EQ(read.makers.at(0).parties.at("foreign"), "Z?se CPU??~");
+}
+
 /// The report of two parties that answer alike.
 verify::Report report_of_two(const test::Saboteur::Spoil& spoil) {
   const test::Saboteur one("one", parties::party_named("fast"), spoil);
@@ -275,6 +297,27 @@ TEST(Reports, OneBitOfOneAnswerChangesTheDigestOfItsChunk) {
     }
     EXPECT_EQ(differing, 1U);
   }
+}
+
+TEST(Reports, ExchangedAnswersOfTwoPartiesChangeTheDigestOfTheirChunk) {
+  const auto result_if_one_errs = [](std::string_view wrong) {
+    const auto party = [&](const char* name) {
+      const bool errs = wrong == name;
+      return test::Saboteur(name, parties::party_named("fast"),
+                            [errs](Words in, std::span<std::uint32_t> out, parties::Ending&) {
+                              const bool is_one = in[0] == 0x8001U && in[1] == 0x55555555U;
+                              if (errs && is_one) out[0] ^= 1U;
+                            });
+    };
+    const test::Saboteur one = party("one");
+    const test::Saboteur two = party("two");
+    verify::Report report(cases::Plan(1, 5, {{div, {"fast", "one", "two"}}}), {}, 3);
+    verify::run(report,
+                std::array<const parties::Party*, 3>{&parties::party_named("fast"), &one, &two});
+    EXPECT_EQ(report.mismatches(), 1U);
+    return report.chunks;
+  };
+  EXPECT_NE(result_if_one_errs("one"), result_if_one_errs("two"));
 }
 
 TEST(Reports, ChunksRunAgainFindChangedResults) {

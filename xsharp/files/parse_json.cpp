@@ -1,8 +1,6 @@
 #include "xsharp/files/parse_json.hpp"
 
-#include <algorithm>
 #include <stdexcept>
-#include <string>
 
 #include "support/strict_json.hpp"
 #include "xsharp/scene_error.hpp"
@@ -13,9 +11,7 @@ nlohmann::json parse_json(std::string_view text) {
   try {
     return fixproof::support::parse_strictly(text, true);
   } catch (const nlohmann::json::exception& error) {
-    // Removes the library's label, "[json.exception...] ".
-    const std::string what = error.what();
-    throw SceneError("not JSON: " + what.substr(std::min(what.find("] ") + 2, what.size())));
+    throw SceneError("not JSON: " + fixproof::support::json_message(error));
   } catch (const std::runtime_error& error) {
     throw SceneError(error.what());
   }
