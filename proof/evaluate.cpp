@@ -18,7 +18,7 @@ using Values = std::vector<Value>;
 
 constexpr Sort boolean{Kind::boolean, 0};
 constexpr Sort integer{Kind::integer, 0};
-/// Far wider than any vector of the questions.
+/// Of every bit vector: far more than any of the questions has.
 constexpr unsigned max_width = 1024;
 
 [[noreturn]] void refuse(std::string_view what) { throw std::invalid_argument(std::string(what)); }
@@ -34,8 +34,15 @@ unsigned number_in(std::string_view text) {
 
 Value truth(bool is) { return {boolean, is ? 1 : 0}; }
 
+/// Refuses a bit vector that has no bits, or too many.
+unsigned checked_width(std::size_t width) {
+  if (width == 0 || width > max_width) refuse(fmt::format("a bit vector has {} bits", width));
+  return static_cast<unsigned>(width);
+}
+
 /// Keeps the lower `width` bits of any integer.
 Value bits(unsigned width, const cpp_int& number) {
+  checked_width(width);
   const cpp_int modulus = cpp_int(1) << width;
   cpp_int rest = number % modulus;
   if (rest < 0) rest += modulus;
@@ -239,6 +246,16 @@ cpp_int digits_in(std::string_view digits, unsigned bits_each) {
   return number;
 }
 
+bool is_decimal(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+cpp_int decimal_in(std::string_view text) {
+  // To cpp_int, a leading 0 means octal.
+  const std::size_t first = text.find_first_not_of('0');
+  return first == std::string_view::npos ? 0 : cpp_int(std::string(text.substr(first)));
+}
+
 }  // namespace
 
 bool Function::has_sorts_of(const Function& other) const {
@@ -292,16 +309,13 @@ Value Evaluator::value_of_atom(const std::string& atom, const Scope& scope) {
   if (atom.size() > 2 && (atom.starts_with("#b") || atom.starts_with("#x"))) {
     const unsigned each = atom[1] == 'b' ? 1 : 4;
     const std::string_view digits = std::string_view(atom).substr(2);
-    return bits(static_cast<unsigned>(digits.size()) * each, digits_in(digits, each));
+    const unsigned width = checked_width(digits.size() * each);
+    return bits(width, digits_in(digits, each));
   }
-  if (!std::all_of(atom.begin(), atom.end(), [](char c) { return c >= '0' && c <= '9'; })) {
-    const auto found = functions_.find(atom);
-    if (found == functions_.end()) refuse(fmt::format("unknown name {}", atom));
-    return call(atom, found->second, {});
-  }
-  return {integer, cpp_int(atom.find_first_not_of('0') == std::string::npos
-                               ? "0"
-                               : atom.substr(atom.find_first_not_of('0')))};
+  if (is_decimal(atom)) return {integer, decimal_in(atom)};
+  const auto found = functions_.find(atom);
+  if (found == functions_.end()) refuse(fmt::format("unknown name {}", atom));
+  return call(atom, found->second, {});
 }
 
 Value Evaluator::value_of_list(const std::vector<Expression>& list, const Scope& scope) {
@@ -309,9 +323,12 @@ Value Evaluator::value_of_list(const std::vector<Expression>& list, const Scope&
   if (list[0].atom == "_") {
     // A literal, (_ bvNUMBER WIDTH).
     const std::string& name = list.size() == 3 ? list[1].atom : list[0].atom;
-    if (!name.starts_with("bv")) refuse(fmt::format("unknown literal {}", text_of({.list = list})));
-    const Value number = value_of_atom(name.substr(2), {});
-    return bits(number_in(list[2].atom), number.number);
+    const std::string_view digits =
+        std::string_view(name).substr(std::min<std::size_t>(2, name.size()));
+    if (!name.starts_with("bv") || !is_decimal(digits)) {
+      refuse(fmt::format("unknown literal {}", text_of({.list = list})));
+    }
+    return bits(number_in(list[2].atom), decimal_in(digits));
   }
   if (list[0].atom == "let" && list.size() == 3) {
     Scope inner = scope;

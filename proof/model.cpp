@@ -100,10 +100,7 @@ std::string fault_of_model(std::string_view script, std::string_view model) {
 std::uint32_t word_in_model(std::string_view model, std::string_view name) {
   const auto definitions = read_expressions(model);
   Question all;
-  for (const Expression& definition : definitions.at(0).list) {
-    if (definition.is_atom()) continue;
-    all.functions[definition.list.at(1).atom] = defined_function(definition);
-  }
+  add_model(definitions, all);
   const auto found = all.functions.find(std::string(name));
   if (found == all.functions.end()) return 0;
   return static_cast<std::uint32_t>(

@@ -22,6 +22,7 @@
 #include <thread>
 
 #include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
 
 namespace fixproof::proof {
 
@@ -31,10 +32,22 @@ namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// A file without a name, so that nothing is left if this program is killed. It lies in TMPDIR,
-/// which std::tmpfile() ignores.
+/// The folder for temporary files. @throws std::runtime_error if there is none; std::system_error
+/// would mean that the program cannot be started
+std::filesystem::path temporary_folder() {
+  try {
+    return std::filesystem::temp_directory_path();
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw std::runtime_error(fmt::format("TMPDIR names no folder for temporary files: {}: {}",
+                                         support::quoted(error.path1().string()),
+                                         error.code().message()));
+  }
+}
+
+/// A file in TMPDIR, which std::tmpfile() ignores. It loses its name at once, so that nothing is
+/// left if this program is killed later.
 File temporary_file() {
-  std::string name = (std::filesystem::temp_directory_path() / "fixproof.XXXXXX").string();
+  std::string name = (temporary_folder() / "fixproof.XXXXXX").string();
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor >= 0) ::unlink(name.c_str());
   File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+"), std::fclose);
