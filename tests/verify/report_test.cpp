@@ -9,6 +9,7 @@
 #include "support/build_info/build_info.hpp"
 #include "support/file.hpp"
 #include "support/sha256.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "tests/verify/sealed.hpp"
@@ -241,6 +242,19 @@ TEST(Reports, SayWhatMadeThem) {
       support::sha256_hex(support::read_file(std::filesystem::read_symlink("/proc/self/exe"))));
   EXPECT_EQ(maker.parties, (std::map<std::string, std::string>{{"fast", "built-in integers"},
                                                                {"saboteur", "a saboteur"}}));
+}
+
+// A build with debugging information may be that large.
+TEST(Reports, DigestFilesOfAnySize) {
+  const ScratchFolder folder;
+  constexpr std::uintmax_t more_than_read_file_takes = (std::uintmax_t{256} << 20U) + 1;
+  std::filesystem::resize_file(folder.write("zeros", ""), more_than_read_file_takes);
+  EXPECT_EQ(support::sha256_hex_of_file(folder.path("zeros")),
+            "da6ce8755151acd05195db67ebce3ee0fb5f4012e71e821cc5750f3304eaf41e");
+  EXPECT_EQ(support::sha256_hex_of_file(folder.write("text", "text")), support::sha256_hex("text"));
+  EXPECT_EQ(support::sha256_hex_of_file(folder.write("empty", "")), support::sha256_hex(""));
+  EXPECT_THROW(support::sha256_hex_of_file(folder.path("none")), std::runtime_error);
+  EXPECT_THROW(support::sha256_hex_of_file(folder.path()), std::runtime_error);
 }
 
 /// The report of two parties that answer alike.
