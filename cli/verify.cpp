@@ -5,7 +5,9 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
@@ -136,7 +138,8 @@ struct VerifyFiles {
     if (!options.resume.empty()) {
       resume.emplace(options.resume, support::OutputFile::Use::overwriting);
     }
-    if (!options.report.empty() && !support::same_file(options.resume, options.report)) {
+    if (!options.report.empty() &&
+        (options.resume.empty() || !support::same_file(options.resume, options.report))) {
       report.emplace(options.report);
     }
   }
@@ -197,20 +200,21 @@ int verify(const VerifyOptions& options) {
   } catch (const std::exception& error) {
     party_failure = error.what();
   }
-  std::string failure;
+  std::vector<std::string> failures;
   for (auto* file : {&files.resume, &files.report}) {
     if (!*file) continue;
     try {
       (*file)->replace(verify::to_json(report));
     } catch (const std::runtime_error& error) {
-      failure = error.what();
+      failures.emplace_back(error.what());
     }
   }
   std::cout << table(report);
   if (!report.complete()) std::cout << resume_hint(options);
   std::cout.flush();
   if (!party_failure.empty()) print_error(support::printable(party_failure));
-  if (!failure.empty()) throw std::runtime_error(failure);
+  for (const std::string& failure : failures) print_error(support::printable(failure));
+  if (!failures.empty()) return 2;
   // A mismatch counts even if the run is incomplete.
   if (report.mismatches() > 0) return 1;
   if (!party_failure.empty()) return 2;

@@ -94,7 +94,7 @@ Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
   if (!folder_.empty()) {
     lock_ = std::make_unique<support::FolderLock>("--out", folder_);
     support::remove_leftovers(folder_);
-    support::check_replaceable(frame_file(0));
+    check_output("--out", frame_file(0), {});
   }
   if (!names.animation.empty()) {
     animation_ = std::make_unique<xsharp::AnimationPng>(names.animation,

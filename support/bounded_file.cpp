@@ -20,6 +20,9 @@ namespace {
 /// Does not wait for the writer of a pipe.
 constexpr int read_flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
 
+/// Of opening a file while others are renamed. Each takes microseconds.
+constexpr int max_attempts = 1000;
+
 [[noreturn]] void refuse_open(int error) {
   if (error == ENOENT) throw std::runtime_error("there is no such file");
   if (error == EXDEV) throw std::runtime_error("leads out of the folder");
@@ -60,10 +63,14 @@ Descriptor open_beneath(const std::string& folder, const std::string& file) {
   open_how how{};
   how.flags = read_flags;
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
-  const auto number =
-      static_cast<int>(::syscall(SYS_openat2, base.number(), file.c_str(), &how, sizeof how));
+  // The kernel gives up with EAGAIN if any file is renamed while it follows `..`.
+  for (int attempts = 0; attempts < max_attempts; ++attempts) {
+    const auto number =
+        static_cast<int>(::syscall(SYS_openat2, base.number(), file.c_str(), &how, sizeof how));
+    if (number >= 0) return Descriptor(number);
+    if (errno != EAGAIN && errno != EINTR) break;
+  }
   // NOLINTEND(cppcoreguidelines-pro-type-vararg)
-  if (number >= 0) return Descriptor(number);
   // Sandboxes answer EPERM to calls that they do not know.
   if (errno == ENOSYS || errno == EPERM) return open_beneath_by_names(folder, file);
   refuse_open(errno);

@@ -21,8 +21,6 @@ void replace_file(const std::string& path, std::string_view contents) {
   OutputFile(path).replace(contents);
 }
 
-void check_replaceable(const std::string& path) { const OutputFile can_be_written(path); }
-
 bool same_file(const std::string& a, const std::string& b) {
   // Hard links have different paths.
   std::error_code error;

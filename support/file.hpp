@@ -11,11 +11,6 @@ namespace fixproof::support {
 /// @throws std::runtime_error naming the file and the reason
 void replace_file(const std::string& path, std::string_view contents);
 
-/// Checks before a long run whether replace_file() can write `path`. Only for a run that has locked
-/// the folder: another holds an OutputFile.
-/// @throws std::runtime_error naming the file and the reason
-void check_replaceable(const std::string& path);
-
 /// Returns whether two paths lead to the same file, through symbolic or hard links.
 bool same_file(const std::string& a, const std::string& b);
 

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,28 +43,23 @@ FileLock::FileLock(const Place& place)
       // A file system without locks. Leaves unfinished files, because a live run may write them.
       return;
     }
-  } while (!is_in_place());
+  } while (!place.holds(name_, file_));
   ::unlinkat(place.folder(), fmt::format("{}{}", place.name(), part_ending).c_str(), 0);
 }
 
 FileLock::~FileLock() {
   // Before the lock ends: the next run may make this file anew.
-  if (is_in_place()) ::unlinkat(place_.folder(), name_.c_str(), 0);
-}
-
-bool FileLock::is_in_place() const {
-  struct stat ours {};
-  struct stat there {};
-  return ::fstat(file_.number(), &ours) == 0 &&
-         ::fstatat(place_.folder(), name_.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
-         ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
+  if (place_.holds(name_, file_)) ::unlinkat(place_.folder(), name_.c_str(), 0);
 }
 
 void remove_leftovers(const std::string& folder) {
   std::set<std::string> names;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
+  // A range-based for would throw at a folder that cannot be read to its end.
+  const std::filesystem::directory_iterator end;
+  for (std::filesystem::directory_iterator entry(folder, error); !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
     for (const std::string_view ending : {lock_ending, part_ending}) {
       if (name.size() > ending.size() && name.ends_with(ending)) {
         names.insert(name.substr(0, name.size() - ending.size()));
@@ -75,6 +69,8 @@ void remove_leftovers(const std::string& folder) {
   for (const std::string& name : names) {
     try {
       const Place place(folder + "/" + name);
+      // A link leads elsewhere, to what another user may have chosen.
+      if (place.folder_path() + place.name() != place.path()) continue;
       const FileLock removes_them(place);
     } catch (const std::runtime_error&) {
       // A live run's, or another user's.

@@ -26,14 +26,13 @@ class FileLock : private boost::noncopyable {
   ~FileLock();
 
  private:
-  [[nodiscard]] bool is_in_place() const;
-
   const Place& place_;
   std::string name_;
   Descriptor file_;
 };
 
-/// Removes from a folder what killed runs have left there. Leaves the files of live runs.
+/// Removes from a folder what killed runs have left there. Leaves the files of live runs, and
+/// those of a name that is a link.
 void remove_leftovers(const std::string& folder);
 
 }  // namespace fixproof::support

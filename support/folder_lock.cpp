@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <system_error>
 
 #include "support/place.hpp"
@@ -14,10 +16,11 @@ namespace fixproof::support {
 
 FolderLock::FolderLock(const std::string& option, const std::string& folder) {
   // The name at the end may be a link, which a slash after it would hide.
-  const auto place = find_place(folder.substr(0, folder.find_last_not_of('/') + 1));
-  if (place) place->check_links();
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): open() is variadic
-  folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const Place place(folder.substr(0, std::max<std::size_t>(1, folder.find_last_not_of('/') + 1)));
+  place.check_links();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): openat() is variadic
+  folder_ = Descriptor(::openat(place.folder(), place.name().c_str(),
+                                O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!folder_.is_open()) {
     throw UsageError(fmt::format("{} {}: cannot open this folder: {}", option, folder,
                                  std::generic_category().message(errno)));

@@ -14,7 +14,7 @@ namespace fixproof::support {
 class FolderLock : private boost::noncopyable {
  public:
   /// @throws UsageError, beginning with `option`, if another process holds the lock or the folder
-  /// cannot be opened; std::runtime_error if it is a link that Place refuses
+  /// cannot be opened; std::runtime_error if Place refuses it
   FolderLock(const std::string& option, const std::string& folder);
 
  private:

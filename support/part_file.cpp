@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <optional>
 
 #include "support/file_lock.hpp"
@@ -54,7 +53,10 @@ void PartFile::overwrite(std::uint32_t offset, std::string_view bytes) {
 
 void PartFile::finish() {
   check(file_.flush());
-  refuse_unless_in_place();
+  if (!place_.holds(name_, file_)) {
+    is_ours_ = false;
+    place_.refuse("another file has taken the place of " + name_);
+  }
   if (::renameat(place_.folder(), name_.c_str(), place_.folder(), place_.name().c_str()) != 0) {
     place_.refuse(errno);
   }
@@ -77,18 +79,6 @@ void PartFile::keep_owner_and_mode(const struct stat& old) {
       ::fchmod(file_.number(), old.st_mode & kept_mode) != 0) {
     place_.refuse(errno);
   }
-}
-
-void PartFile::refuse_unless_in_place() {
-  struct stat ours {};
-  struct stat there {};
-  if (::fstat(file_.number(), &ours) == 0 &&
-      ::fstatat(place_.folder(), name_.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
-      ours.st_ino == there.st_ino && ours.st_dev == there.st_dev) {
-    return;
-  }
-  is_ours_ = false;
-  place_.refuse("another file has taken the place of " + name_);
 }
 
 void PartFile::check(int error) const {

@@ -34,7 +34,6 @@ class PartFile : private boost::noncopyable {
 
  private:
   void keep_owner_and_mode(const struct stat& old);
-  void refuse_unless_in_place();
   void check(int error) const;
 
   const Place& place_;

@@ -34,6 +34,7 @@ bool is_foreign(const struct stat& file, const struct stat& folder) {
 }  // namespace
 
 Place::Place(std::string path) : path_(std::move(path)) {
+  if (path_.empty()) refuse(ENOENT);
   go_to(path_);
   for (int links = 0;; ++links) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): openat() is variadic
@@ -121,6 +122,14 @@ std::optional<struct stat> Place::check_writable() const {
   }
   if (::faccessat(folder(), name_.c_str(), W_OK, AT_EACCESS) != 0) refuse(errno);
   return file;
+}
+
+bool Place::holds(const std::string& name, const Descriptor& file) const {
+  struct stat ours {};
+  struct stat there {};
+  return ::fstat(file.number(), &ours) == 0 &&
+         ::fstatat(folder(), name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
+         ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
 void Place::refuse(const std::string& reason) const {

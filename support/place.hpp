@@ -15,7 +15,8 @@ namespace fixproof::support {
 /// that change later do not move it.
 class Place {
  public:
-  /// @throws std::runtime_error naming the path and the reason, such as a loop of links
+  /// @throws std::runtime_error naming the path and the reason, such as a loop of links; an empty
+  /// path names no file
   explicit Place(std::string path);
 
   [[nodiscard]] const std::string& path() const { return path_; }  ///< as the caller gave it
@@ -27,7 +28,8 @@ class Place {
   [[nodiscard]] std::optional<int> open_descriptor() const { return open_descriptor_; }
 
   /// Refuses links of other users in folders where everyone may write, as the kernel does with
-  /// fs.protected_symlinks.
+  /// fs.protected_symlinks, but only links at the end: the path itself and what such a link leads
+  /// to. A link among the folders of a path passes.
   /// @throws std::runtime_error naming the path and the reason
   void check_links() const;
 
@@ -36,6 +38,9 @@ class Place {
   /// fs.protected_fifos and protected_regular, and files that no one may write.
   /// @throws std::runtime_error naming the path and the reason
   [[nodiscard]] std::optional<struct stat> check_writable() const;
+
+  /// Tells whether `name` in the folder is the open file, rather than another one or a link.
+  [[nodiscard]] bool holds(const std::string& name, const Descriptor& file) const;
 
   /// @throws std::runtime_error "cannot write PATH: REASON"
   [[noreturn]] void refuse(const std::string& reason) const;

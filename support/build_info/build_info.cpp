@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "support/file.hpp"
 #include "support/sha256.hpp"
 
 namespace fixproof::support {
@@ -29,7 +28,7 @@ std::string compiler_name() {
 const std::string& executable_digest() {
   static const std::string digest = [] {
     try {
-      return sha256_hex(read_file("/proc/self/exe"));
+      return sha256_hex_of_file("/proc/self/exe");
     } catch (const std::runtime_error&) {
       return std::string("unknown");
     }

@@ -75,5 +75,31 @@ TEST(Leftovers, OnlyThoseOfLiveRunsStay) {
   EXPECT_EQ(folder.read("live"), "half");
 }
 
+// Whoever may add files to the folder may not choose what is removed elsewhere.
+TEST(Leftovers, BehindALinkStay) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder.path("out"));
+  std::filesystem::create_directories(folder.path("home"));
+  for (const std::string& target : {std::string("../home/y"), folder.path("home/y")}) {
+    folder.write("out/x.fixproof-part", "planted");
+    folder.write("home/y.fixproof-part", "precious");
+    std::filesystem::create_symlink(target, folder.path("out/x"));
+    support::remove_leftovers(folder.path("out"));
+    EXPECT_EQ(folder.read("home/y.fixproof-part"), "precious");
+    std::filesystem::remove(folder.path("out/x"));
+  }
+  // Names that lead to the folder itself and to the one above it.
+  folder.write("out/..fixproof-part", "planted");
+  folder.write("out/...fixproof-part", "planted");
+  folder.write("..fixproof-part", "precious");
+  support::remove_leftovers(folder.path("out"));
+  EXPECT_EQ(folder.read("..fixproof-part"), "precious");
+}
+
+TEST(Leftovers, OfNoFolderAreNone) {
+  const ScratchFolder folder;
+  EXPECT_NO_THROW(support::remove_leftovers(folder.path("none")));
+}
+
 }  // namespace
 }  // namespace fixproof

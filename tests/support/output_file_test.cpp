@@ -216,7 +216,7 @@ TEST(OutputFile, DoesNotWriteThroughALinkNamedLikeItsPart) {
   EXPECT_EQ(folder.read("a"), "xyz");
   EXPECT_EQ(folder.read("other"), "kept");
   std::filesystem::create_directory(folder.path("a.fixproof-part"));
-  EXPECT_NE(write_refusal(folder.path("a")).find("remove a.fixproof-part beside it"),
+  EXPECT_NE(write_refusal(folder.path("a")).find("a.fixproof-part is beside it"),
             std::string::npos);
 }
 

@@ -1,5 +1,6 @@
 #include "support/place.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -46,6 +47,25 @@ TEST(Place, IsBehindLinks) {
   EXPECT_TRUE(fs::equivalent(place.folder_path(), folder.path()));
   EXPECT_TRUE(support::same_file(folder.path("first"), folder.path("end")));
   EXPECT_FALSE(support::same_file(folder.path("first"), folder.path("other")));
+}
+
+TEST(Place, IsNoEmptyPath) {
+  EXPECT_EQ(refusal(""), "cannot write : No such file or directory");
+  EXPECT_FALSE(support::same_file("", "/"));
+  EXPECT_TRUE(support::same_file("/", "//"));
+  EXPECT_NO_THROW(support::FolderLock("--out", "/"));
+  EXPECT_NO_THROW(support::FolderLock("--out", "//"));
+  EXPECT_THROW(support::FolderLock("--out", ""), std::runtime_error);
+}
+
+TEST(Place, HoldsAFileUntilAnotherTakesItsName) {
+  const ScratchFolder folder;
+  const support::Place place(folder.path("a"));
+  const support::Descriptor file(::open(folder.write("a", "").c_str(), O_RDONLY));
+  EXPECT_TRUE(place.holds("a", file));
+  EXPECT_FALSE(place.holds("b", file));
+  fs::rename(folder.write("b", ""), folder.path("a"));
+  EXPECT_FALSE(place.holds("a", file));
 }
 
 TEST(Place, RefusesALoopOfLinks) {

@@ -9,6 +9,7 @@
 #include "support/build_info/build_info.hpp"
 #include "support/file.hpp"
 #include "support/sha256.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "tests/verify/sealed.hpp"
@@ -263,6 +264,19 @@ TEST(Reports, NameAForeignProcessorInAscii) {
               std::array<const parties::Party*, 2>{&foreign, &parties::party_named("fast")});
   const verify::Report read = verify::from_json(verify::to_json(report));
   EXPECT_EQ(read.makers.at(0).parties.at("foreign"), "Z?se CPU??~");
+}
+
+// A build with debugging information may be that large.
+TEST(Reports, DigestFilesOfAnySize) {
+  const ScratchFolder folder;
+  constexpr std::uintmax_t more_than_read_file_takes = (std::uintmax_t{256} << 20U) + 1;
+  std::filesystem::resize_file(folder.write("zeros", ""), more_than_read_file_takes);
+  EXPECT_EQ(support::sha256_hex_of_file(folder.path("zeros")),
+            "da6ce8755151acd05195db67ebce3ee0fb5f4012e71e821cc5750f3304eaf41e");
+  EXPECT_EQ(support::sha256_hex_of_file(folder.write("text", "text")), support::sha256_hex("text"));
+  EXPECT_EQ(support::sha256_hex_of_file(folder.write("empty", "")), support::sha256_hex(""));
+  EXPECT_THROW(support::sha256_hex_of_file(folder.path("none")), std::runtime_error);
+  EXPECT_THROW(support::sha256_hex_of_file(folder.path()), std::runtime_error);
 }
 
 /// The report of two parties that answer alike.
