@@ -35,13 +35,13 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// The folder for temporary files. @throws std::runtime_error if there is none; std::system_error
 /// would mean that the program cannot be started
 std::filesystem::path temporary_folder() {
-  try {
-    return std::filesystem::temp_directory_path();
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw std::runtime_error(fmt::format("TMPDIR names no folder for temporary files: {}: {}",
-                                         support::quoted(error.path1().string()),
-                                         error.code().message()));
-  }
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (!error) return folder;
+  const char* const named = std::getenv("TMPDIR");
+  throw std::runtime_error(fmt::format("TMPDIR names no folder for temporary files: {}: {}",
+                                       support::quoted(named == nullptr ? "" : named),
+                                       error.message()));
 }
 
 /// A file in TMPDIR, which std::tmpfile() ignores. It loses its name at once, so that nothing is
