@@ -8,7 +8,8 @@ namespace fixproof::proof {
 
 std::vector<Expression> read_expressions(std::string_view text) {
   constexpr std::string_view space = " \t\r\n";
-  // The questions and models nest far less. More would be a deep recursion for whoever uses it.
+  // Questions and models nest far less deeply. The limit bounds the recursion of every function
+  // that walks an expression.
   constexpr std::size_t max_depth = 1000;
   std::vector<std::vector<Expression>> open(1);
   while (!text.empty()) {

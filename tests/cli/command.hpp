@@ -64,7 +64,7 @@ void expect_usage_error(const Run& run, std::string_view part);
 /// Expects the same, and no output.
 void expect_refused(std::string_view arguments, std::string_view part, std::string_view input = {});
 
-/// Expects a usage error for standard output that is full and for one that nobody reads.
+/// Expects status 2 if standard output is full, and if it is a pipe without a reader.
 void expect_output_needed(std::string_view arguments, std::string_view input = {});
 
 bool has(std::string_view program);

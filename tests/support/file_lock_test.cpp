@@ -75,7 +75,7 @@ TEST(Leftovers, OnlyThoseOfLiveRunsStay) {
   EXPECT_EQ(folder.read("live"), "half");
 }
 
-// Whoever may add files to the folder may not choose what is removed elsewhere.
+// Another user of a shared folder could plant the link, and must not choose what is removed.
 TEST(Leftovers, BehindALinkStay) {
   const ScratchFolder folder;
   std::filesystem::create_directories(folder.path("out"));

@@ -18,7 +18,7 @@ struct CallNames {
 };
 
 const CallNames& names_of(cases::Operation routine) {
-  // In the order of the operations, of which the routines are the first.
+  // In the order of cases::Operation, which begins with the five routines.
   static const std::array<CallNames, x86model::routine_count> names{
       {{{"first factor", "second factor"}, {"product"}},
        {{"dividend", "divisor"}, {"quotient"}},
