@@ -49,7 +49,9 @@ void OutputFile::begin() {
                  ? Descriptor(::fcntl(*place_.open_descriptor(), F_DUPFD_CLOEXEC, 0))
                  : open_special(place_);
   // NOLINTEND(cppcoreguidelines-pro-type-vararg)
-  if (!special_.is_open()) place_.refuse(errno);
+  if (special_.is_open()) return;
+  if (errno == ENXIO) place_.refuse("interrupted before a reader opened the pipe");
+  place_.refuse(errno);
 }
 
 void OutputFile::append(std::string_view bytes) {
