@@ -108,9 +108,9 @@ std::string damaged(std::string bytes, char kind, std::size_t at) {
 }
 
 [[noreturn]] void report(const std::string& what, const Reading& plain, const Reading& other) {
-  fuzz::report_finding(fmt::format(
-      "{}\n  plain: {} cases, refused: '{}'\n  other: {} cases, refused: '{}'", what,
-      plain.cases.size(), plain.refused, other.cases.size(), other.refused));
+  fuzz::report_finding(
+      fmt::format("{}\n  plain: {} cases, refused: '{}'\n  other: {} cases, refused: '{}'", what,
+                  plain.cases.size(), plain.refused, other.cases.size(), other.refused));
 }
 
 void check(std::string_view content, Cpu cpu, char damage, std::size_t at) {
@@ -122,8 +122,7 @@ void check(std::string_view content, Cpu cpu, char damage, std::size_t at) {
     report("compressed, it is read otherwise", plain, other);
   }
   const std::size_t cut = at % (content.size() + 1);
-  const std::string members =
-      compressed(content.substr(0, cut)) + compressed(content.substr(cut));
+  const std::string members = compressed(content.substr(0, cut)) + compressed(content.substr(cut));
   if (const Reading other = read(members, cpu); other != plain) {
     report(fmt::format("in two members, cut at {}, it is read otherwise", cut), plain, other);
   }

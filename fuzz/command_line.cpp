@@ -3,6 +3,8 @@
 // The run must end with a documented status, and with a message on one line for status 2.
 // Arguments that lead out of the folder of the run are not tried. No solver is found, because no
 // run may start a process.
+#include "cli/command_line.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -27,7 +29,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/command_line.hpp"
 #include "fuzz/finding.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"

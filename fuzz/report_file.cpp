@@ -1,7 +1,7 @@
 // Target `report_file`: the input as a report of `verify --report`. It must raise the documented
 // std::runtime_error or be exactly what is written from it. The target then seals the text, as it
-// is and in the writer's layout, so that changed counts reach the checks behind the digest. A report
-// that is read must not merge with itself, and its two halves must add up to it.
+// is and in the writer's layout, so that changed counts reach the checks behind the digest. A
+// report that is read must not merge with itself, and its two halves must add up to it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,9 @@ std::optional<verify::Report> read(const std::string& text) {
   return std::nullopt;
 }
 
-std::string content_of(const std::string& text) { return text.substr(0, text.rfind(" \"digest\"")); }
+std::string content_of(const std::string& text) {
+  return text.substr(0, text.rfind(" \"digest\""));
+}
 
 void check_written(const verify::Report& report, const std::string& text) {
   const std::string written = verify::to_json(report);
@@ -122,7 +124,8 @@ std::optional<std::string> laid_out(const std::string& text) {
   }
 }
 
-/// Whether laying the text out, which is recursive, would need much stack. from_json() refuses less.
+/// Whether laying the text out, which is recursive, would need much stack. from_json() refuses
+/// less.
 bool is_deep(std::string_view text) {
   constexpr int deepest = 200;
   int depth = 0;

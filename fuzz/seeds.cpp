@@ -185,22 +185,42 @@ void write_spans(const fs::path& root) {
 /// Writes at least one line for each command; see command_line.cpp.
 void write_command_lines(const fs::path& root) {
   Corpus corpus(root, "command_line");
-  for (const char* line :
-       {"", "--help", "--version", "verify --help", "verify mul --level 1 --report r.json",
-        "verify div --by type --against oracle --max-reports 3 --threads 2",
-        "verify mul --case 00018000 --case 00028000", "verify --level 2 --resume r.json --shard 1/9",
-        "merge file --report sum.json", "gen div --level 1 --cases 20 -o cases",
-        "gen mul --level 3", "check mul --rounding half-up --from file", "check sqrt file --show 2",
-        "eval mul --by oracle", "eval xformvec --target i8088", "step --cpu 8088",
-        "step --singlestep file --cpu 386", "trace div 00018000 00028000 --target i386",
-        "trace texture --loop unrolled", "list", "list div --target i8088", "prove mul",
-        "prove div --solver both --write queries", "mutate sqrt --verbose", "dos mul -o mul.com",
-        "render scene.json --frames 2 --out frames", "render scene.json --frames 2 --digests d",
-        "render scene.json --animate a.png --size 64x48 --true-color",
-        "drift scene.json --frames 9 --json d.json", "measure --accuracy", "measure --clocks",
-        "measure --host --rounds 1", "measure --stepping scene.json --json m.json",
-        "profile scene.json --frames 2 --target i8088 --json p.json",
-        "advise scene.json --budget 40 --minutes 1", "report --quick --out page"}) {
+  for (const char* line : {"",
+                           "--help",
+                           "--version",
+                           "verify --help",
+                           "verify mul --level 1 --report r.json",
+                           "verify div --by type --against oracle --max-reports 3 --threads 2",
+                           "verify mul --case 00018000 --case 00028000",
+                           "verify --level 2 --resume r.json --shard 1/9",
+                           "merge file --report sum.json",
+                           "gen div --level 1 --cases 20 -o cases",
+                           "gen mul --level 3",
+                           "check mul --rounding half-up --from file",
+                           "check sqrt file --show 2",
+                           "eval mul --by oracle",
+                           "eval xformvec --target i8088",
+                           "step --cpu 8088",
+                           "step --singlestep file --cpu 386",
+                           "trace div 00018000 00028000 --target i386",
+                           "trace texture --loop unrolled",
+                           "list",
+                           "list div --target i8088",
+                           "prove mul",
+                           "prove div --solver both --write queries",
+                           "mutate sqrt --verbose",
+                           "dos mul -o mul.com",
+                           "render scene.json --frames 2 --out frames",
+                           "render scene.json --frames 2 --digests d",
+                           "render scene.json --animate a.png --size 64x48 --true-color",
+                           "drift scene.json --frames 9 --json d.json",
+                           "measure --accuracy",
+                           "measure --clocks",
+                           "measure --host --rounds 1",
+                           "measure --stepping scene.json --json m.json",
+                           "profile scene.json --frames 2 --target i8088 --json p.json",
+                           "advise scene.json --budget 40 --minutes 1",
+                           "report --quick --out page"}) {
     std::string arguments(line);
     std::replace(arguments.begin(), arguments.end(), ' ', '\n');
     corpus.add(arguments + "\n--\n00018000 00028000\n--\n00018000 00028000\n0003c000\n");
@@ -224,7 +244,8 @@ void write_reports(const fs::path& root) {
            ++number) {
         if (!shard.has(number) || number % 7 == 6) continue;
         const cases::Chunk chunk = report.plan.chunk(number);
-        verify::Findings found{.cases = chunk.cases, .faults = number, .mismatches = 0, .shown = {}};
+        verify::Findings found{
+            .cases = chunk.cases, .faults = number, .mismatches = 0, .shown = {}};
         // Two at most, of the three that each row keeps.
         if (number == 1 || number == 2) {
           found.mismatches = 1;
@@ -254,7 +275,8 @@ void write_captures(const fs::path& root, const fs::path& vectors) {
 /// Right and wrong answers to the questions of solver_answer.cpp.
 void write_solver_answers(const fs::path& root) {
   Corpus corpus(root, "solver_answer");
-  for (const char* said : {"unsat\n", "sat\n", "unknown\n", "timeout\n", "(error \"line 1\")\n", ""}) {
+  for (const char* said :
+       {"unsat\n", "sat\n", "unknown\n", "timeout\n", "(error \"line 1\")\n", ""}) {
     corpus.add(said);
   }
   const auto model = [&](const std::string& a, const std::string& b, const std::string& more = "") {
@@ -268,7 +290,8 @@ void write_solver_answers(const fs::path& root) {
   model("#x00000003", "#x00000004",
         " (define-fun n () Int 4) (define-fun f ((x!0 (_ BitVec 32))) (_ BitVec 32)"
         " (ite (= x!0 #x00000003) #x00000004 #x00000003))");
-  model("((_ extract 31 0) ((_ sign_extend 32) #x7ffffffe))", "(let ((c #b1)) (concat #x0000000 #b00 c c))",
+  model("((_ extract 31 0) ((_ sign_extend 32) #x7ffffffe))",
+        "(let ((c #b1)) (concat #x0000000 #b00 c c))",
         " (define-fun twice () (_ BitVec 32) #x00000001)");
 }
 

@@ -78,8 +78,8 @@ struct Range {
 
 struct Layout {
   Call call = Call::multiply;
-  std::size_t count = 0;                              ///< elements that the function computes
-  std::array<std::size_t, most_spans> in{};           ///< first numbers
+  std::size_t count = 0;                     ///< elements that the function computes
+  std::array<std::size_t, most_spans> in{};  ///< first numbers
   std::array<std::size_t, most_spans> out{};
   std::array<std::size_t, 2 * most_spans> surplus{};  ///< elements of each span beyond `count`
   bool marked = false;
@@ -163,7 +163,8 @@ Layout read_layout(Bytes& bytes) {
     first = place(bytes, taken, (layout.count + 4) * width);
     taken.push_back({first, first + layout.count * width});
   };
-  for (std::size_t i = 0; i < layout.shape().inputs; ++i) add(layout.shape().in_width, layout.in[i]);
+  for (std::size_t i = 0; i < layout.shape().inputs; ++i)
+    add(layout.shape().in_width, layout.in[i]);
   for (std::size_t o = 0; o < layout.shape().outputs; ++o) {
     add(layout.shape().out_width, layout.out[o]);
   }
@@ -281,7 +282,8 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
   for (std::size_t i = 0; i < layout.count; ++i) {
     // Of vertices the three numbers lie side by side, of columns in spans of their own.
     const auto x = [&](std::size_t k) {
-      return quiet_of(shape.in_width == 1 ? from[layout.in[k] + i] : from[layout.in[0] + 3 * i + k]);
+      return quiet_of(shape.in_width == 1 ? from[layout.in[k] + i]
+                                          : from[layout.in[0] + 3 * i + k]);
     };
     const auto put = [&](std::size_t k, Q value) {
       const std::size_t at =
@@ -393,9 +395,10 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
       }
     }
     if (permitted && got != ending) {
-      fuzz::report_finding(fmt::format("{}: another report, mark, sum or exception than on copies: "
-                                       "'{}', not '{}'",
-                                       where(), got.thrown, ending.thrown));
+      fuzz::report_finding(
+          fmt::format("{}: another report, mark, sum or exception than on copies: "
+                      "'{}', not '{}'",
+                      where(), got.thrown, ending.thrown));
     }
   }
 }

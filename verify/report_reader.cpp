@@ -227,8 +227,9 @@ void check_counts(const Report& report) {
         found.cases == sums[i].cases && found.faults == sums[i].faults &&
         found.mismatches == sums[i].mismatches &&
         found.shown.size() == std::min<std::uint64_t>(found.mismatches, report.max_shown);
-    if (!counted || !std::all_of(found.shown.begin(), found.shown.end(),
-                                 [&](const Mismatch& m) { return fits(m, report, i); }) ||
+    if (!counted ||
+        !std::all_of(found.shown.begin(), found.shown.end(),
+                     [&](const Mismatch& m) { return fits(m, report, i); }) ||
         !in_order(found.shown, report)) {
       refuse(fmt::format("the counts of row {} do not fit the chunks done", i + 1));
     }

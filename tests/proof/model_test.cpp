@@ -154,12 +154,14 @@ TEST(Model, MustNotUseTheNamesOfTheQuestion) {
   const std::string claim = question("(and (= a #x05) (= n (ite (= twice #x0a) 7 8)))");
   EXPECT_EQ(fault_of_model(claim, "((define-fun a () (_ BitVec 8) #x05) (define-fun n () Int 7))"),
             "");
-  EXPECT_EQ(fault_of_model(claim, "((define-fun a () (_ BitVec 8) #x05)"
-                                  " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
+  EXPECT_EQ(fault_of_model(claim,
+                           "((define-fun a () (_ BitVec 8) #x05)"
+                           " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
             "unknown name twice");
-  EXPECT_EQ(fault_of_model(claim, "((define-fun a () (_ BitVec 8) #x05)"
-                                  " (define-fun twice () (_ BitVec 8) #x00)"
-                                  " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
+  EXPECT_EQ(fault_of_model(claim,
+                           "((define-fun a () (_ BitVec 8) #x05)"
+                           " (define-fun twice () (_ BitVec 8) #x00)"
+                           " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
             "n has another value in the question");
 }
 
@@ -171,8 +173,8 @@ TEST(Model, IsEvaluatedInBoundedTime) {
     squares += " (define-fun s" + std::to_string(i) + " () Int (* s" + std::to_string(i - 1) +
                " s" + std::to_string(i - 1) + "))";
     const std::string before = "(c" + std::to_string(i - 1) + " x)";
-    calls += " (define-fun c" + std::to_string(i) + " ((x Int)) Int (+ " + before + " " + before +
-             "))";
+    calls +=
+        " (define-fun c" + std::to_string(i) + " ((x Int)) Int (+ " + before + " " + before + "))";
   }
   const std::string claim = question("(= n 0)");
   EXPECT_EQ(fault_of_model(claim, squares + " (define-fun n () Int s59))"),
