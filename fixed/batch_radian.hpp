@@ -34,7 +34,7 @@ void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64
 namespace fixed::batch {
 
 /// results[i] = fixed::sin(angles[i]), up to the length of the shorter span. The spans may be the
-/// same, but must not overlap otherwise.
+/// same. If they overlap otherwise, the results are unspecified.
 ///
 ///     std::vector<fixed::q16_16> angles(1000), sines(1000);
 ///     fixed::batch::sin(angles, sines);

@@ -2,6 +2,7 @@
 // format. usage: fuzz_seeds FOLDER SCENES VECTORS; FOLDER gets one folder per target.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
@@ -10,8 +11,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "cases/draw.hpp"
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
 #include "cases/words.hpp"
@@ -21,6 +24,8 @@
 #include "oracle/decimal.hpp"
 #include "support/error_text.hpp"
 #include "support/file.hpp"
+#include "verify/maker.hpp"
+#include "verify/report_json.hpp"
 
 using namespace fixproof;
 namespace fs = std::filesystem;
@@ -114,9 +119,9 @@ void write_decimals(const fs::path& root) {
   }
 }
 
-/// Writes a command letter and input lines; see command_lines.cpp.
-void write_lines(const fs::path& root, const fs::path& vectors) {
-  Corpus corpus(root, "command_lines");
+/// Writes a command letter and input lines; see input_lines.cpp.
+void write_lines(const fs::path& root) {
+  Corpus corpus(root, "input_lines");
   const std::array<cases::Operation, 8> evaluated{
       cases::Operation::mul,      cases::Operation::mul,   cases::Operation::div,
       cases::Operation::div,      cases::Operation::div,   cases::Operation::cossin,
@@ -142,10 +147,6 @@ void write_lines(const fs::path& root, const fs::path& vectors) {
   corpus.add("k00030000 00020000\n00010000 00000000\n--\n00018000\nDE\n");
   corpus.add("l00020000\nffff0000\n--\n00016a0a\nDE\n");
   corpus.add("j# a comment\r\n\n00018000 00028000\r\n--\n0003c001\n");
-  corpus.add_file(vectors / "8088.json", "m");
-  corpus.add_file(vectors / "386.json", "n");
-  corpus.add_file(vectors / "386-divide.json.gz", "n");
-  corpus.add_file(vectors / "286.MOO", "o");
 }
 
 void write_files(const fs::path& root, const fs::path& scenes) {
@@ -160,6 +161,138 @@ void write_files(const fs::path& root, const fs::path& scenes) {
   in_obj.add("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   in_obj.add(
       "# comment\r\nv 0 0 0 1\nv 1e0 0 0\nv 0 1.5 -0\nvt 0 0\nvn 0 0 1\nf -3/1/1 2//1 3/1\n");
+}
+
+/// Writes the functions and types of spans.cpp, with a layout of random bytes.
+void write_spans(const fs::path& root) {
+  Corpus corpus(root, "spans");
+  constexpr std::uint8_t functions = 12;
+  constexpr std::uint8_t types = 4;
+  constexpr std::size_t size = 64;
+  std::uint64_t state = seed;
+  for (std::uint8_t function = 0; function < functions; ++function) {
+    for (std::uint8_t type = 0; type < types; ++type) {
+      std::array<std::uint8_t, size> bytes{type, function};
+      for (std::size_t i = 2; i < bytes.size(); ++i) {
+        state = cases::mix(state);
+        bytes[i] = static_cast<std::uint8_t>(state);
+      }
+      corpus.add(bytes);
+    }
+  }
+}
+
+/// Writes at least one line for each command; see command_line.cpp.
+void write_command_lines(const fs::path& root) {
+  Corpus corpus(root, "command_line");
+  for (const char* line : {"",
+                           "--help",
+                           "--version",
+                           "verify --help",
+                           "verify mul --level 1 --report r.json",
+                           "verify div --by type --against oracle --max-reports 3 --threads 2",
+                           "verify mul --case 00018000 --case 00028000",
+                           "verify --level 2 --resume r.json --shard 1/9",
+                           "merge file --report sum.json",
+                           "gen div --level 1 --cases 20 -o cases",
+                           "gen mul --level 3",
+                           "check mul --rounding half-up --from file",
+                           "check sqrt file --show 2",
+                           "eval mul --by oracle",
+                           "eval xformvec --target i8088",
+                           "step --cpu 8088",
+                           "step --singlestep file --cpu 386",
+                           "trace div 00018000 00028000 --target i386",
+                           "trace texture --loop unrolled",
+                           "list",
+                           "list div --target i8088",
+                           "prove mul",
+                           "prove div --solver both --write queries",
+                           "mutate sqrt --verbose",
+                           "dos mul -o mul.com",
+                           "render scene.json --frames 2 --out frames",
+                           "render scene.json --frames 2 --digests d",
+                           "render scene.json --animate a.png --size 64x48 --true-color",
+                           "drift scene.json --frames 9 --json d.json",
+                           "measure --accuracy",
+                           "measure --clocks",
+                           "measure --host --rounds 1",
+                           "measure --stepping scene.json --json m.json",
+                           "profile scene.json --frames 2 --target i8088 --json p.json",
+                           "advise scene.json --budget 40 --minutes 1",
+                           "report --quick --out page"}) {
+    std::string arguments(line);
+    std::replace(arguments.begin(), arguments.end(), ' ', '\n');
+    corpus.add(arguments + "\n--\n00018000 00028000\n--\n00018000 00028000\n0003c000\n");
+  }
+}
+
+/// Whole and unfinished reports, one with mismatches.
+void write_reports(const fs::path& root) {
+  Corpus corpus(root, "report_file");
+  const cases::Variant mul{.operation = cases::Operation::mul};
+  const cases::Variant half{.operation = cases::Operation::div, .fraction_bits = 8};
+  for (const int level : {1, 3}) {
+    for (const cases::Shard shard : {cases::Shard{1, 1}, cases::Shard{2, 5}}) {
+      verify::Report report(
+          cases::Plan(level, seed, {{level == 3 ? half : mul, {"model", "oracle"}}}), shard, 3);
+      corpus.add(verify::to_json(report));
+      verify::Maker maker = verify::this_build();
+      maker.parties = {{"model", "a"}, {"oracle", "b"}};
+      report.add(maker);
+      for (std::uint64_t number = 0; number < std::min<std::uint64_t>(report.done.size(), 20);
+           ++number) {
+        if (!shard.has(number) || number % 7 == 6) continue;
+        const cases::Chunk chunk = report.plan.chunk(number);
+        verify::Findings found{
+            .cases = chunk.cases, .faults = number, .mismatches = 0, .shown = {}};
+        // Two at most, of the three that each row keeps.
+        if (number == 1 || number == 2) {
+          found.mismatches = 1;
+          found.shown.push_back(
+              {number, chunk.first, {1, 2}, {1, 0}, {{"model", "1"}, {"oracle", "2"}}});
+        }
+        report.add(number, {found, number});
+      }
+      corpus.add(verify::to_json(report));
+    }
+  }
+}
+
+/// A letter for the processor, a damage and its place before each file; see capture_file.cpp.
+void write_captures(const fs::path& root, const fs::path& vectors) {
+  Corpus corpus(root, "capture_file");
+  for (const char* damage : {"n00", "f 5", "f19", "c 1", "c@!"}) {
+    for (const auto& [letter, name] : {std::pair{'m', "8088.json"},
+                                       {'n', "386.json"},
+                                       {'n', "386-divide.json.gz"},
+                                       {'o', "286.MOO"}}) {
+      corpus.add_file(vectors / name, std::string(1, letter) + damage);
+    }
+  }
+}
+
+/// Right and wrong answers to the questions of solver_answer.cpp.
+void write_solver_answers(const fs::path& root) {
+  Corpus corpus(root, "solver_answer");
+  for (const char* said :
+       {"unsat\n", "sat\n", "unknown\n", "timeout\n", "(error \"line 1\")\n", ""}) {
+    corpus.add(said);
+  }
+  const auto model = [&](const std::string& a, const std::string& b, const std::string& more = "") {
+    corpus.add("((define-fun a () (_ BitVec 32) " + a + ")\n (define-fun b () (_ BitVec 32) " + b +
+               ")" + more + ")\n");
+  };
+  model("#x00000001", "#x0000f423");
+  model("#x00000002", "#x8000f423");
+  model("(_ bv2147483647 32)", "(_ bv1 32)");
+  model("#x7fffffff", "(bvlshr twice #x00000001)");
+  model("#x00000003", "#x00000004",
+        " (define-fun n () Int 4) (define-fun f ((x!0 (_ BitVec 32))) (_ BitVec 32)"
+        " (ite (= x!0 #x00000003) #x00000004 #x00000003))");
+  model("((_ extract 31 0) ((_ sign_extend 32) #x7ffffffe))",
+        "(let ((c #b1)) (concat #x0000000 #b00 c c))",
+        " (define-fun twice () (_ BitVec 32) #x00000001)");
 }
 
 }  // namespace
@@ -179,7 +312,12 @@ int main(int argc, char** argv) {
     write_steps(root);
     write_decimals(root);
     write_files(root, argv[2]);
-    write_lines(root, argv[3]);
+    write_lines(root);
+    write_spans(root);
+    write_command_lines(root);
+    write_reports(root);
+    write_captures(root, argv[3]);
+    write_solver_answers(root);
   } catch (const std::exception& error) {
     support::write_error(fmt::format("fuzz_seeds: {}\n", error.what()));
     return 2;

@@ -20,6 +20,10 @@ constexpr Sort boolean{Kind::boolean, 0};
 constexpr Sort integer{Kind::integer, 0};
 /// Of every bit vector: far more than any of the questions has.
 constexpr unsigned max_width = 1024;
+/// Of every integer, in bits and in digits. A few definitions that square each other would fill the
+/// memory.
+constexpr unsigned max_integer_bits = 4096;
+constexpr std::size_t max_digits = 1233;
 
 [[noreturn]] void refuse(std::string_view what) { throw std::invalid_argument(std::string(what)); }
 
@@ -184,6 +188,9 @@ bool apply_to_integers(std::string_view name, const Values& of, Value& result) {
     if (name == "*") result.number = before * n;
     if (name == "mod") result.number = remainder(before, n);
     if (name == "div") result.number = (before - remainder(before, n)) / n;
+    if (result.number != 0 && msb(abs(result.number)) >= max_integer_bits) {
+      refuse(fmt::format("an integer has more than {} bits", max_integer_bits));
+    }
   }
   return name == "+" || name == "*" ||
          (of.size() > 1 && (name == "-" || name == "mod" || name == "div"));
@@ -253,7 +260,11 @@ bool is_decimal(std::string_view text) {
 cpp_int decimal_in(std::string_view text) {
   // To cpp_int, a leading 0 means octal.
   const std::size_t first = text.find_first_not_of('0');
-  return first == std::string_view::npos ? 0 : cpp_int(std::string(text.substr(first)));
+  if (first == std::string_view::npos) return 0;
+  if (text.size() - first > max_digits) {
+    refuse(fmt::format("a number has more than {} digits", max_digits));
+  }
+  return cpp_int(std::string(text.substr(first)));
 }
 
 }  // namespace
@@ -296,6 +307,9 @@ Value Evaluator::value_of(const Expression& term) { return value_of(term, {}); }
 Value Evaluator::value_of(const Expression& term, const Scope& scope) {
   constexpr int max_depth = 1000;
   if (++depth_ > max_depth) refuse("nested too deeply");
+  // A model may define functions that call each other so often that the value is never known.
+  constexpr int max_steps = 1 << 20;
+  if (++steps_ > max_steps) refuse("its evaluation takes too many steps");
   Value value = term.is_atom() ? value_of_atom(term.atom, scope) : value_of_list(term.list, scope);
   --depth_;
   return value;

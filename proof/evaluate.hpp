@@ -49,7 +49,8 @@ class Evaluator {
   explicit Evaluator(const std::map<std::string, Function>& functions) : functions_(functions) {}
 
   /// @throws std::invalid_argument for an unknown name or operation, or sorts that do not match,
-  /// and for terms and calls that nest too deeply
+  /// for terms and calls that nest too deeply, integers of more than 4096 bits, and more than 2^20
+  /// terms in all
   Value value_of(const Expression& term);
 
  private:
@@ -62,6 +63,7 @@ class Evaluator {
 
   const std::map<std::string, Function>& functions_;
   int depth_ = 0;  ///< of nested terms and calls: a model may define a function by itself
+  int steps_ = 0;  ///< terms evaluated so far
   std::map<std::string, Value> constants_;  ///< those evaluated so far
 };
 

@@ -89,6 +89,16 @@ std::string fault_of_model(std::string_view script, std::string_view model) {
                            question.assertions.size());
       }
     }
+    // word_in_model() reads the model without the script.
+    Question alone;
+    add_model(definitions, alone);
+    Evaluator own(alone.functions);
+    for (const auto& [name, function] : question.functions) {
+      if (!function.parameters.empty() || !alone.functions.contains(name)) continue;
+      if (own.value_of({.atom = name}) != evaluator.value_of({.atom = name})) {
+        return fmt::format("{} has another value in the question", name);
+      }
+    }
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();

@@ -85,8 +85,15 @@ SolverProgram::SolverProgram(const std::string& name) : name_(name) {
 SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) const {
   const auto begin = std::chrono::steady_clock::now();
   const Output output = output_for(name_, max_seconds, script);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  SolverAnswer answer = answer_in(output, name_, script);
+  answer.seconds = seconds;
+  return answer;
+}
+
+SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script) {
   SolverAnswer answer;
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!output.in_time) return answer;
   const std::string said = first_output_line(output);
   if (said == "unknown" || said == "timeout" || said == "cvc5 interrupted by timeout.") {
@@ -94,7 +101,7 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) cons
   }
   if (output.status != 0) {
     throw SolverError(
-        fmt::format("{} fails with status {}: {}", name_, output.status, support::quoted(said)));
+        fmt::format("{} fails with status {}: {}", name, output.status, support::quoted(said)));
   }
   if (said == "sat") {
     answer.verdict = Satisfiability::satisfiable;
@@ -102,11 +109,11 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) cons
     const std::string fault = fault_of_model(script, answer.model);
     if (fault.empty()) return answer;
     throw SolverError(
-        fmt::format("{} says sat, but its model is wrong: {}", name_, support::printable(fault)));
+        fmt::format("{} says sat, but its model is wrong: {}", name, support::printable(fault)));
   }
   if (output.out != "unsat\n") {
     constexpr std::size_t most = 100;
-    throw SolverError(fmt::format("{} gives an unknown answer: {}", name_,
+    throw SolverError(fmt::format("{} gives an unknown answer: {}", name,
                                   support::quoted(output.out.substr(0, most))));
   }
   answer.verdict = Satisfiability::unsatisfiable;

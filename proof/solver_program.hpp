@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "proof/process.hpp"
+
 namespace fixproof::proof {
 
 /// A solver that fails, or whose answer is damaged or wrong. The message names the solver.
@@ -51,5 +53,10 @@ class SolverProgram {
   std::string name_;
   std::string version_;
 };
+
+/// Judges what the solver `name` printed about `script`.
+/// @return an answer without `seconds`, and with a model if it is satisfiable
+/// @throws SolverError as SolverProgram::ask() does
+SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script);
 
 }  // namespace fixproof::proof

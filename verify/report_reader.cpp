@@ -192,6 +192,20 @@ bool fits(const Mismatch& m, const Report& report, std::size_t row) {
          std::all_of(m.said.begin(), m.said.end(), plain);
 }
 
+/// Returns whether the mismatches are in the order of the plan, without repetitions, and none of a
+/// chunk that counts fewer.
+bool in_order(const std::vector<Mismatch>& shown, const Report& report) {
+  std::uint64_t of_chunk = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const bool same_chunk = i > 0 && shown[i].chunk == shown[i - 1].chunk;
+    if (i > 0 && shown[i].chunk < shown[i - 1].chunk) return false;
+    if (same_chunk && shown[i].index <= shown[i - 1].index) return false;
+    of_chunk = same_chunk ? of_chunk + 1 : 1;
+    if (of_chunk > report.chunks[shown[i].chunk].mismatches) return false;
+  }
+  return true;
+}
+
 /// Refuses counts that the finished chunks cannot produce.
 void check_counts(const Report& report) {
   std::vector<Findings> sums(report.findings.size());
@@ -213,8 +227,10 @@ void check_counts(const Report& report) {
         found.cases == sums[i].cases && found.faults == sums[i].faults &&
         found.mismatches == sums[i].mismatches &&
         found.shown.size() == std::min<std::uint64_t>(found.mismatches, report.max_shown);
-    if (!counted || !std::all_of(found.shown.begin(), found.shown.end(),
-                                 [&](const Mismatch& m) { return fits(m, report, i); })) {
+    if (!counted ||
+        !std::all_of(found.shown.begin(), found.shown.end(),
+                     [&](const Mismatch& m) { return fits(m, report, i); }) ||
+        !in_order(found.shown, report)) {
       refuse(fmt::format("the counts of row {} do not fit the chunks done", i + 1));
     }
   }

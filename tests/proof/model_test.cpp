@@ -149,6 +149,42 @@ TEST(Model, UsesTheFirstOfTwoDefinitions) {
   EXPECT_EQ(proof::word_in_model(model, "a"), 5U);
 }
 
+// The counterexample is read without the question.
+TEST(Model, MustNotUseTheNamesOfTheQuestion) {
+  const std::string claim = question("(and (= a #x05) (= n (ite (= twice #x0a) 7 8)))");
+  EXPECT_EQ(fault_of_model(claim, "((define-fun a () (_ BitVec 8) #x05) (define-fun n () Int 7))"),
+            "");
+  EXPECT_EQ(fault_of_model(claim,
+                           "((define-fun a () (_ BitVec 8) #x05)"
+                           " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
+            "unknown name twice");
+  EXPECT_EQ(fault_of_model(claim,
+                           "((define-fun a () (_ BitVec 8) #x05)"
+                           " (define-fun twice () (_ BitVec 8) #x00)"
+                           " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
+            "n has another value in the question");
+}
+
+// Each of these takes more time or memory than there is, unless it is refused.
+TEST(Model, IsEvaluatedInBoundedTime) {
+  std::string squares = "((define-fun s0 () Int 9)";
+  std::string calls = "((define-fun c0 ((x Int)) Int x)";
+  for (int i = 1; i < 60; ++i) {
+    squares += " (define-fun s" + std::to_string(i) + " () Int (* s" + std::to_string(i - 1) +
+               " s" + std::to_string(i - 1) + "))";
+    const std::string before = "(c" + std::to_string(i - 1) + " x)";
+    calls +=
+        " (define-fun c" + std::to_string(i) + " ((x Int)) Int (+ " + before + " " + before + "))";
+  }
+  const std::string claim = question("(= n 0)");
+  EXPECT_EQ(fault_of_model(claim, squares + " (define-fun n () Int s59))"),
+            "an integer has more than 4096 bits");
+  EXPECT_EQ(fault_of_model(claim, calls + " (define-fun n () Int (c59 0)))"),
+            "its evaluation takes too many steps");
+  EXPECT_EQ(fault_of_model(claim, "((define-fun n () Int 1" + std::string(1233, '0') + "))"),
+            "a number has more than 1233 digits");
+}
+
 TEST(Model, TakesVectorsOfUpTo1024Bits) {
   EXPECT_EQ(fault_of_model(question("(= #x" + std::string(256, 'f') + " #b" +
                                     std::string(1024, '1') + " ((_ sign_extend 1016) #xff))"),

@@ -387,6 +387,36 @@ TEST(Reports, ChunksDoneMustFitTheCounts) {
   EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
 }
 
+// merged() sorts them, so that another order would come back changed.
+TEST(Reports, MismatchesMustBeInOrderAndCounted) {
+  verify::Report report = finished();
+  std::vector<verify::Mismatch>& shown = report.findings[0].shown;
+  ASSERT_GE(shown.size(), 2U);
+  EXPECT_NO_THROW(verify::from_json(verify::to_json(report)));
+  std::swap(shown[0], shown[1]);
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
+  std::swap(shown[0], shown[1]);
+  shown[1] = shown[0];
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
+}
+
+TEST(Reports, MismatchesMustBeOfAChunkThatCountsThem) {
+  verify::Report report(cases::Plan(1, 5, {{mul, {"saboteur", "fast"}}}), {}, 3);
+  verify::Maker maker = verify::this_build();
+  maker.parties = {{"fast", ""}, {"saboteur", ""}};
+  report.add(maker);
+  const auto add = [&](std::uint64_t number, std::uint64_t mismatches) {
+    const cases::Chunk chunk = report.plan.chunk(number);
+    report.add(number, {{chunk.cases, 0, mismatches, {}}, 0});
+  };
+  add(0, 0);
+  add(1, 1);
+  report.findings[0].shown = {{1, report.plan.chunk(1).first, {1, 2}, {}, {}}};
+  EXPECT_NO_THROW(verify::from_json(verify::to_json(report)));
+  report.findings[0].shown = {{0, report.plan.chunk(0).first, {1, 2}, {}, {}}};
+  EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
+}
+
 TEST(Reports, DifferencesAreNamed) {
   const verify::Report report = finished();
   EXPECT_EQ(verify::difference(report, fresh()), "");

@@ -1,4 +1,4 @@
-// Target `command_lines`: the first byte chooses a command, the rest is its input. Bad lines must
+// Target `input_lines`: the first byte chooses a command, the rest is its input. Bad lines must
 // raise a UsageError. Also checks answers: eval must agree for model and oracle, step for an 8088
 // and a 386, and check must pass the oracle's results.
 #include <fmt/format.h>
@@ -22,7 +22,6 @@
 #include "fuzz/finding.hpp"
 #include "fuzz/memory_file.hpp"
 #include "oracle/exact.hpp"
-#include "singlestep/judge.hpp"
 #include "support/usage_error.hpp"
 
 using namespace fixproof;
@@ -165,18 +164,6 @@ void check(cases::Operation operation, const std::string& input) {
   }
 }
 
-void single_steps(x86model::Cpu cpu, const std::string& input) {
-  const fuzz::MemoryFile file(input);
-  try {
-    singlestep::read_cases(file.path(), cpu,
-                           [cpu](const singlestep::Case& c) { singlestep::judge(c, cpu); });
-  } catch (const support::UsageError&) {
-    // A UsageError is allowed.
-  } catch (const std::exception& error) {
-    fuzz::report_finding(fmt::format("--singlestep: not a UsageError: {}", error.what()));
-  }
-}
-
 using Try = std::function<void(const std::string& input)>;
 
 const std::vector<Try>& tries() {
@@ -190,9 +177,6 @@ const std::vector<Try>& tries() {
     for (const cases::Operation operation :
          {cases::Operation::mul, cases::Operation::div, cases::Operation::sqrt}) {
       made.emplace_back([operation](const std::string& input) { check(operation, input); });
-    }
-    for (const auto cpu : {x86model::Cpu::i8088, x86model::Cpu::i386, x86model::Cpu::i286}) {
-      made.emplace_back([cpu](const std::string& input) { single_steps(cpu, input); });
     }
     return made;
   }();
