@@ -77,7 +77,8 @@ std::string fault_of_model(std::string_view script, std::string_view model) {
   try {
     const auto commands = read_expressions(script);
     const auto definitions = read_expressions(model);
-    Question question = question_in(commands);
+    const Question asked = question_in(commands);
+    Question question = asked;
     add_model(definitions, question);
     Evaluator evaluator(question.functions);
     // In the order of the script, so that no long chain of definitions becomes a deep recursion.
@@ -89,12 +90,13 @@ std::string fault_of_model(std::string_view script, std::string_view model) {
                            question.assertions.size());
       }
     }
-    // word_in_model() reads the model without the script.
+    // word_in_model() reads the constants that the script declares without the script.
     Question alone;
     add_model(definitions, alone);
     Evaluator own(alone.functions);
-    for (const auto& [name, function] : question.functions) {
-      if (!function.parameters.empty() || !alone.functions.contains(name)) continue;
+    for (const auto& [name, function] : asked.functions) {
+      if (function.body != nullptr || !function.parameters.empty()) continue;
+      if (!alone.functions.contains(name)) continue;
       if (own.value_of({.atom = name}) != evaluator.value_of({.atom = name})) {
         return fmt::format("{} has another value in the question", name);
       }

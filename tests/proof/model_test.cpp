@@ -163,6 +163,11 @@ TEST(Model, MustNotUseTheNamesOfTheQuestion) {
                            " (define-fun twice () (_ BitVec 8) #x00)"
                            " (define-fun n () Int (ite (= twice #x0a) 7 8)))"),
             "n has another value in the question");
+  // z3 repeats definitions of the question with names of its own that nothing else can read.
+  EXPECT_EQ(fault_of_model(claim,
+                           "((define-fun a () (_ BitVec 8) #x05) (define-fun n () Int 7)"
+                           " (define-fun twice () (_ BitVec 8) (bvadd (_ fold-rec-2 0) a)))"),
+            "");
 }
 
 // Each of these takes more time or memory than there is, unless it is refused.
