@@ -184,14 +184,16 @@ void add_advise(CLI::App& app, int& status) {
       ->add_flag("--host", options->host,
                  "measure the cost in nanoseconds on this processor instead")
       ->excludes(command->get_option("--cpu"));
-  command->add_flag("--repaired", options->repaired,
-                    "use the 8088 ConcatXforms that keeps its carry; see docs/findings.md, 18");
+  command->add_flag(
+      "--repaired", options->repaired,
+      "use the repaired 8088 ConcatXforms, which keeps a carry that the printed one loses; see "
+      "docs/findings.md, 18");
   command->add_option("--json", options->json, "write the results to this file as JSON")
       ->check(not_empty());
   command->footer(
-      R"(Tries the routines of both processors with multiplies and divides rounded or not. Orientations
-are computed from scratch, or by appending rotations and restoring orthogonality never or after
-every 600, 60, 10 or 1 rotations. Among choices of equal cost, advise takes the most accurate.
+      R"(Tries every routine that the processor can run, with and without rounding of multiplies and of
+divides. Orientations are computed from scratch, or by appending rotations and restoring
+orthogonality never or after every 600, 60, 10 or 1 rotations. Among choices of equal cost, advise takes the most accurate.
 With --host, costs are equal if the medians differ by less than the interquartile range of the
 rounds. The cost includes stepping along surfaces; the budget applies to corners only.
 render --beside shows the error that stepping adds at the pixels.

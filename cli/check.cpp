@@ -233,8 +233,8 @@ word or does not exist:
   zero        0
   de          DE, a divide error
   any         every result is accepted and counted
-A square root has no ties, so the three half-... rules are the same. So are floor and
-toward-zero, except under mirror, where floor rounds away from zero. Under saturate and
+A square root is never a tie, so half-up, half-away and half-even agree. floor and toward-zero
+agree too, except under mirror, where floor rounds away from zero. Under saturate and
 symmetric, 0 / 0 may also be 0.
 
 Exit status: 0 all results are right, 1 a wrong result, 2 bad usage or input, 130 interrupted.

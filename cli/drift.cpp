@@ -188,7 +188,8 @@ void add_drift(CLI::App& app, int& status) {
   command
       ->add_option(
           "--minutes", options->request.minutes,
-          "length of the animation at 60 frames a second; at 15 it lasts four times as long")
+          "minutes of animation at 60 frames a second; at 15 frames a second the same frames last "
+          "four times as long")
       ->transform(whole_number(1, 10'000))
       ->capture_default_str();
   command

@@ -50,9 +50,9 @@ void add_merge(CLI::App& app, int& status) {
                     "add parts of other builds or other parties; the sum lists them");
   command->footer(
       R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
-a chunk. They must all come from this build, and from the same libraries and processors behind
-the parties. If chunks are missing, merge prints the table of the others, names the missing
-shards, and exits with status 2, or 1 if there are mismatches. `verify --resume SUM` runs the rest.
+a chunk. All parts must come from this build, and their parties must have used the same libraries
+and processors. If chunks are missing, merge prints a table of those that it has and names the
+missing shards. It then exits with status 1 if there are mismatches, otherwise with 2. `verify --resume SUM` runs the rest.
 
 Example:
   fixproof verify --shard 1/2 --report a.json     # on one machine

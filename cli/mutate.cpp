@@ -205,7 +205,7 @@ int run(const MutateOptions& options) {
 void add_mutate(CLI::App& app, int& status) {
   auto options = std::make_shared<MutateOptions>();
   CLI::App* command = app.add_subcommand(
-      "mutate", "change instructions one at a time, and test that level 1 detects it");
+      "mutate", "change one instruction at a time, and test that level 1 detects the change");
   add_programs_to(*command, options->selection);
   add_seed(*command, options->seed);
   options->solver.add_to(*command);

@@ -56,7 +56,7 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
                       ->check(CLI::IsMember({"52", "54"}));
   command
       .add_flag("--repaired", repaired,
-                "use the 8088 concat that keeps the carry that its listing loses; see "
+                "use the repaired 8088 concat, which keeps a carry that the printed one loses; see "
                 "docs/findings.md, 18")
       ->excludes(printed)
       ->excludes(chapter);

@@ -45,8 +45,8 @@ other file and no network, report.json with all figures, and a JSON file or pict
 each step in the subfolder `data`.
 
 Exit status: 0 the page is written, 1 the page is written and shows that parties differ,
-2 bad usage, an invalid scene, or a measured value that breaks its own rule or bound,
-130 interrupted.
+2 bad usage, an invalid scene, a timed implementation that breaks its own rounding rule, or a
+stepped value that exceeds its derived bound, 130 interrupted.
 
 Examples:
   fixproof report

@@ -29,9 +29,10 @@ void SceneOptions::add_to(CLI::App& command) {
                   "rules of i386 or i8088; the type also has standard, saturating and trapping")
       ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
   add_rounding_options(command, mul_round, div_round);
-  command.add_flag("--repaired", repaired,
-                   "use the 8088 ConcatXforms that keeps the carry that its listing loses; see "
-                   "docs/findings.md, 18");
+  command.add_flag(
+      "--repaired", repaired,
+      "use the repaired 8088 ConcatXforms, which keeps a carry that the printed one loses; see "
+      "docs/findings.md, 18");
   command
       .add_option(
           "--reortho", restore_every,

@@ -185,8 +185,8 @@ void add_trace(CLI::App& app, int& status) {
       ->transform(whole_number(1, 100'000));
   command->footer(
       R"(Flags are 0, 1, or ? where Intel leaves them undefined. [0054] is the word at that address.
-With --mutant, registers start with random contents, and a last line lists the registers of a C
-caller that the routine does not preserve.
+With --mutant, registers start with random contents. The last line names the registers that a C
+caller needs and the routine does not preserve.
 
 The words of an inner loop are the number of pixels (1 to 140, hexadecimal), its value and its
 step (EDX, EBP); texture also takes a row and a row step. Pixels are drawn at address 2800. The

@@ -228,7 +228,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
       "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; by default all");
   command
       .add_option("--level", selection.level,
-                  "1 takes seconds, 2 minutes; 3 is exhaustive, see below")
+                  "1 takes seconds, 2 takes minutes, 3 is exhaustive; see below")
       ->transform(whole_number(1, 3))
       ->capture_default_str();
   add_seed(command, options.seed);

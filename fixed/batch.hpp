@@ -18,9 +18,9 @@
 ///
 /// **Spans** are vectors, arrays, std::span and anything else with std::data and std::size. The
 /// shortest argument, marks included, sets the length of the batch; nothing beyond it is read or
-/// written. An output may be the same span as an input. If it overlaps an input in any other way,
-/// or another output, the results, report and marks are unspecified, but nothing is written outside
-/// the outputs and marks. Marks must overlap nothing. No alignment is required.
+/// written. An output may be the same span as an input. Any other overlap with an input or output
+/// leaves the results, report and marks unspecified, but the batch writes nothing outside the
+/// outputs and marks. Marks must not overlap any other span. No alignment is required.
 ///
 /// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
 /// struct that contains only them.

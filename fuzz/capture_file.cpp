@@ -1,7 +1,7 @@
 // Target `capture_file`: a file of captured instructions, JSON or MOO, plain or gzip. The first
-// byte chooses the processor, the second a damage, and two more where it is done. The file must be
-// refused with a UsageError or give cases; compressed it must give the same cases and verdicts, and
-// damaged compressed data must be refused or give the same too.
+// byte chooses the processor, the second the kind of damage, the next two its position. A file must
+// give cases or raise a UsageError. Compressed, it must give the same cases and verdicts.
+// Compressed and damaged, it must give the same or raise a UsageError.
 #include <fmt/format.h>
 #include <zlib.h>
 

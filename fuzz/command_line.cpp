@@ -1,6 +1,6 @@
-// Target `command_line`: a whole run of `fixproof`, in this process. The input is one argument a
-// line; behind a line `--` standard input, and behind another one the contents of the file `file`.
-// The run must end with a documented status, and with a message on one line for status 2.
+// Target `command_line`: a whole run of `fixproof`, in this process. Each line of the input is one
+// argument. After a line `--` comes standard input, and after a second one the contents of the file
+// `file`. The run must end with a documented status, and with a message on one line for status 2.
 // Arguments that lead out of the folder of the run are not tried. No solver is found, because no
 // run may start a process.
 #include "cli/command_line.hpp"
@@ -78,7 +78,7 @@ bool stays_in_folder(const std::string& argument) {
          argument.find('\0') == std::string::npos;
 }
 
-/// The empty folder of the runs, which exists as long as the program.
+/// The folder of the runs. enter() clears it and writes the input files; the destructor removes it.
 class Folder {
  public:
   Folder() : back_(open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -117,8 +117,9 @@ using Handler = void (*)(int);
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler reaches it
 volatile std::sig_atomic_t interruptions = 0;
 
-/// Passes SIGINT to the handler of the command, once it has one. Without one the signal would end
-/// the program, and a second one, much later, ends a command that goes on.
+/// Passes SIGINT to the handler of the command, once it has one. Without a handler the signal would
+/// end the program. It is sent once only, because the handler ends the program at a second signal
+/// more than a second later.
 extern "C" void interrupt_command(int /*signal*/) {
   struct sigaction current {};
   sigaction(SIGINT, nullptr, &current);

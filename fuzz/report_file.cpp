@@ -1,7 +1,8 @@
-// Target `report_file`: the input as a report of `verify --report`. It must raise the documented
-// std::runtime_error or be exactly what is written from it. The target then seals the text, as it
-// is and in the writer's layout, so that changed counts reach the checks behind the digest. A
-// report that is read must not merge with itself, and its two halves must add up to it.
+// Target `report_file`: reads the input as a report of `verify --report`. The reader must throw the
+// documented std::runtime_error, or the writer must reproduce the input byte for byte. The target
+// then seals the text, as it is and in the writer's layout, so that changed counts reach the checks
+// behind the digest. A report that is read must not merge with itself, and its two halves must add
+// up to it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ using namespace fixproof;
 
 namespace {
 
-/// Written here once more, so that a reader and a writer without a seal are found.
+/// Computes the digest independently, so that the target notices if reader and writer both omit it.
 std::string seal(std::string_view content) {
   return fmt::format(" \"digest\": \"{}\"\n}}\n", support::sha256_hex(content));
 }
@@ -91,7 +92,7 @@ void check_merge(const verify::Report& report) {
                           verify::NamedReport{"b", half(report, 2)}};
   try {
     const verify::Report sum = verify::merged(halves, true);
-    // A report without a build is one without chunks. All others come back in every byte.
+    // The halves must add up to the report, byte for byte.
     if (verify::to_json(sum) != verify::to_json(report)) {
       fuzz::report_finding("its halves give another report:\n" + verify::to_json(sum));
     }
@@ -124,8 +125,8 @@ std::optional<std::string> laid_out(const std::string& text) {
   }
 }
 
-/// Whether laying the text out, which is recursive, would need much stack. from_json() refuses
-/// less.
+/// Returns whether the text nests so deeply that laying it out, which is recursive, could overflow
+/// the stack. from_json() already refuses more than 16 levels.
 bool is_deep(std::string_view text) {
   constexpr int deepest = 200;
   int depth = 0;

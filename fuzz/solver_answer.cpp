@@ -1,7 +1,7 @@
 // Target `solver_answer`: the input is what a solver prints about a few questions whose answer is
-// known. Such a text must be refused with a SolverError or be an answer that is right: no model may
-// pass for a question that has none, the words of a model must satisfy the question in C++, and no
-// model may satisfy a claim and its contrary.
+// known. The text must raise a SolverError or be a correct answer. No question without a solution
+// may get a model, the words of a model must satisfy the question in C++, and no model may satisfy
+// a claim and its negation.
 #include <fmt/format.h>
 
 #include <array>
@@ -93,7 +93,7 @@ void check(const Claim& claim, const std::string& said) {
     fuzz::report_finding(fmt::format("a = {:08x}, b = {:08x} for {}", a, b, claim.text));
   }
   if (proof::fault_of_model(question(fmt::format("(not {})", claim.text)), *model).empty()) {
-    fuzz::report_finding(fmt::format("a model for {} and its contrary", claim.text));
+    fuzz::report_finding(fmt::format("a model for {} and its negation", claim.text));
   }
 }
 
@@ -115,7 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string said(data, data + size);
   check_expressions(said);
   for (const Claim& claim : claims()) check(claim, said);
-  // Most texts are a model: the verdict before it need not be found first.
+  // Supplies the verdict, so that the fuzzer need not guess it before a model is read.
   for (const Claim& claim : claims()) check(claim, "sat\n" + said);
   return 0;
 }

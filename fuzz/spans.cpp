@@ -26,7 +26,7 @@ using fixed::batch::path;
 
 namespace {
 
-/// What a function takes: so many spans of elements of so many numbers.
+/// The spans that a function takes, and how many numbers make up one element of each.
 struct Shape {
   std::string_view name;
   std::size_t inputs;
@@ -280,7 +280,7 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
   const Shape& shape = layout.shape();
   const auto quiet_of = [](N x) { return Q::from_raw(x.raw()); };
   for (std::size_t i = 0; i < layout.count; ++i) {
-    // Of vertices the three numbers lie side by side, of columns in spans of their own.
+    // The three numbers of a vertex lie side by side; in columns, each coordinate has its own span.
     const auto x = [&](std::size_t k) {
       return quiet_of(shape.in_width == 1 ? from[layout.in[k] + i]
                                           : from[layout.in[0] + 3 * i + k]);

@@ -20,8 +20,8 @@ constexpr Sort boolean{Kind::boolean, 0};
 constexpr Sort integer{Kind::integer, 0};
 /// Of every bit vector: far more than any of the questions has.
 constexpr unsigned max_width = 1024;
-/// Of every integer, in bits and in digits. A few definitions that square each other would fill the
-/// memory.
+/// The largest integer, in bits and in decimal digits. Without a limit, a few definitions that each
+/// square the one before would fill the memory.
 constexpr unsigned max_integer_bits = 4096;
 constexpr std::size_t max_digits = 1233;
 

@@ -90,7 +90,8 @@ std::string fault_of_model(std::string_view script, std::string_view model) {
                            question.assertions.size());
       }
     }
-    // word_in_model() reads the constants that the script declares without the script.
+    // word_in_model() reads the model without the script. A constant that the script declares must
+    // therefore have the same value without the script.
     Question alone;
     add_model(definitions, alone);
     Evaluator own(alone.functions);

@@ -55,7 +55,7 @@ class SolverProgram {
 };
 
 /// Judges what the solver `name` printed about `script`.
-/// @return an answer without `seconds`, and with a model if it is satisfiable
+/// @return the verdict, with the model if the question is satisfiable; `seconds` stays 0
 /// @throws SolverError as SolverProgram::ask() does
 SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script);
 

@@ -192,8 +192,8 @@ bool fits(const Mismatch& m, const Report& report, std::size_t row) {
          std::all_of(m.said.begin(), m.said.end(), plain);
 }
 
-/// Returns whether the mismatches are in the order of the plan, without repetitions, and none of a
-/// chunk that counts fewer.
+/// Returns whether the mismatches follow the order of the plan without repetition, and no chunk
+/// shows more of them than it counts.
 bool in_order(const std::vector<Mismatch>& shown, const Report& report) {
   std::uint64_t of_chunk = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) {

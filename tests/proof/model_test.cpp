@@ -170,7 +170,7 @@ TEST(Model, MustNotUseTheNamesOfTheQuestion) {
             "");
 }
 
-// Each of these takes more time or memory than there is, unless it is refused.
+// Each of these models would exhaust time or memory if the evaluator did not refuse it.
 TEST(Model, IsEvaluatedInBoundedTime) {
   std::string squares = "((define-fun s0 () Int 9)";
   std::string calls = "((define-fun c0 ((x Int)) Int x)";

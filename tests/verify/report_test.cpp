@@ -387,7 +387,7 @@ TEST(Reports, ChunksDoneMustFitTheCounts) {
   EXPECT_THROW(verify::from_json(verify::to_json(report)), std::runtime_error);
 }
 
-// merged() sorts them, so that another order would come back changed.
+// merged() sorts the mismatches, so it would change a report that has them in another order.
 TEST(Reports, MismatchesMustBeInOrderAndCounted) {
   verify::Report report = finished();
   std::vector<verify::Mismatch>& shown = report.findings[0].shown;
