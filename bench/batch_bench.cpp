@@ -22,8 +22,8 @@
 namespace {
 
 using namespace batch_bench;
-using fixed::q16_16;
-using fixed::batch::path;
+using fixproof::q16_16;
+using fixproof::batch::path;
 
 template <class T>
 Words words_for(const Operands<T>& x) {
@@ -61,7 +61,7 @@ template <class Function>
 void on_every_path(const Function& function) {
   using enum path;
   for (const path p : {portable, neon, avx2, avx512}) {
-    if (fixed::batch::has(p)) function(p, name_of(p));
+    if (fixproof::batch::has(p)) function(p, name_of(p));
   }
 }
 
@@ -71,7 +71,7 @@ void add_operation(const std::string& name, const Call& call) {
     add(name + "/batch_" + path_name, [p, call](std::size_t count) {
       const auto x = operands<q16_16>(count);
       return Loop{[x, p, call] {
-                    call(*x, fixed::batch::options{p, {}});
+                    call(*x, fixproof::batch::options{p, {}});
                   },
                   [x] { return right_elements<Operation>(words_for(*x), x->out); }};
     });
@@ -102,13 +102,13 @@ void add_plain_vertices(const std::string& contender) {
 
 void add_vertices() {
   on_every_path([](path p, const std::string& path_name) {
-    const fixed::batch::options how{p, {}};
-    const bool far = p == fixed::batch::best();
+    const fixproof::batch::options how{p, {}};
+    const bool far = p == fixproof::batch::best();
     add(
         "transform/batch_" + path_name,
         [how](std::size_t count) {
           const auto x = operands<q16_16>(count);
-          return Loop{[x, how] { fixed::batch::transform(x->rows, x->vertices, x->moved, how); },
+          return Loop{[x, how] { fixproof::batch::transform(x->rows, x->vertices, x->moved, how); },
                       [x] { return right_vertices(words_for(*x), x->moved); }};
         },
         far);
@@ -117,8 +117,8 @@ void add_vertices() {
         [how](std::size_t count) {
           const auto x = operands<q16_16>(count);
           return Loop{[x, how] {
-                        fixed::batch::transform(x->rows, x->a, x->c, x->b, x->out, x->out_y,
-                                                x->out_z, how);
+                        fixproof::batch::transform(x->rows, x->a, x->c, x->b, x->out, x->out_y,
+                                                   x->out_z, how);
                       },
                       [x, count] {
                         for (std::size_t i = 0; i < count; ++i) {
@@ -130,7 +130,7 @@ void add_vertices() {
         far);
     add("project/batch_" + path_name, [how](std::size_t count) {
       const auto x = operands<q16_16>(count);
-      return Loop{[x, how] { fixed::batch::project(x->vertices, x->constant, x->points, how); },
+      return Loop{[x, how] { fixproof::batch::project(x->vertices, x->constant, x->points, how); },
                   [x] { return right_points(words_for(*x), x->points); }};
     });
   });
@@ -155,13 +155,13 @@ void add_dot() {
   on_every_path([&](path p, const std::string& path_name) {
     add("dot/batch_" + path_name, [p](std::size_t count) {
       const auto x = operands<q16_16>(count);
-      return Loop{[x, p] { x->out[0] = fixed::batch::dot(x->a, x->small, p); },
+      return Loop{[x, p] { x->out[0] = fixproof::batch::dot(x->a, x->small, p); },
                   [x] { return right_dot(words_for(*x), x->out[0]); }};
     });
   });
   add("dot/q16_16", [](std::size_t count) {
     const auto x = operands<q16_16>(count);
-    return Loop{[x] { x->out[0] = fixed::dot(x->a, x->small); },
+    return Loop{[x] { x->out[0] = fixproof::dot(x->a, x->small); },
                 [x] { return right_dot(words_for(*x), x->out[0]); }};
   });
 }
@@ -169,15 +169,16 @@ void add_dot() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  add_operation<Multiply>(
-      "multiply", [](auto& x, const auto& how) { fixed::batch::multiply(x.a, x.b, x.out, how); });
+  add_operation<Multiply>("multiply", [](auto& x, const auto& how) {
+    fixproof::batch::multiply(x.a, x.b, x.out, how);
+  });
   add_operation<MulAdd>("mul_add", [](auto& x, const auto& how) {
-    fixed::batch::mul_add(x.a, x.b, x.c, x.out, how);
+    fixproof::batch::mul_add(x.a, x.b, x.c, x.out, how);
   });
   add_operation<Divide>(
-      "divide", [](auto& x, const auto& how) { fixed::batch::divide(x.a, x.b, x.out, how); });
+      "divide", [](auto& x, const auto& how) { fixproof::batch::divide(x.a, x.b, x.out, how); });
   add_operation<Root>("sqrt",
-                      [](auto& x, const auto& how) { fixed::batch::sqrt(x.c, x.out, how); });
+                      [](auto& x, const auto& how) { fixproof::batch::sqrt(x.c, x.out, how); });
   add_dot();
   add_vertices();
   add("copy", [](std::size_t count) {

@@ -19,7 +19,7 @@ namespace batch_bench {
 using Wide = exact::integer;
 
 struct Rules {
-  fixed::policy by;
+  fixproof::policy by;
   int bits = 16;  ///< number of integer bits and of fraction bits
 
   [[nodiscard]] constexpr Wide one() const { return Wide{1} << bits; }
@@ -39,9 +39,10 @@ struct Rules {
 /// half up and truncates quotients as the processor does.
 template <class T>
 inline constexpr Rules rules_of{
-    {.divide = std::is_integral_v<T> ? fixed::rounding::truncate : fixed::rounding::half_up}, 16};
-template <int F, fixed::policy P>
-inline constexpr Rules rules_of<fixed::number<F, P>>{P, F};
+    {.divide = std::is_integral_v<T> ? fixproof::rounding::truncate : fixproof::rounding::half_up},
+    16};
+template <int F, fixproof::policy P>
+inline constexpr Rules rules_of<fixproof::number<F, P>>{P, F};
 
 struct Multiply {
   template <class T>
@@ -62,7 +63,7 @@ struct MulAdd {
     } else if constexpr (std::is_floating_point_v<T>) {
       return a * b + c;
     } else {
-      return fixed::mul_add(a, b, c);
+      return fixproof::mul_add(a, b, c);
     }
   }
   static Wide right(const Rules& rules, Wide a, Wide b, Wide c) {
@@ -79,9 +80,10 @@ struct Divide {
     }
   }
   static Wide right(const Rules& rules, Wide a, Wide b, Wide /*c*/) {
-    const bool whole = rules.by.divisor == fixed::divisor_width::whole_part;
+    const bool whole = rules.by.divisor == fixproof::divisor_width::whole_part;
     const Wide divisor = whole ? b / rules.one() * rules.one() : b;
-    if (divisor == 0) return exact::narrowed(a << 64U, 2 * rules.bits, fixed::overflow::saturate);
+    if (divisor == 0)
+      return exact::narrowed(a << 64U, 2 * rules.bits, fixproof::overflow::saturate);
     return rules.narrowed(exact::round(exact::ratio(a * rules.one(), divisor), rules.by.divide));
   }
 };
@@ -91,7 +93,7 @@ struct Root {
     if constexpr (std::is_floating_point_v<T>) {
       return std::sqrt(c);
     } else {
-      return fixed::sqrt(c);
+      return fixproof::sqrt(c);
     }
   }
   /// The r with (r - 1/2)^2 < c 2^bits < (r + 1/2)^2, by bisection; 0 for negative c.

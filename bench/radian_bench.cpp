@@ -21,7 +21,7 @@
 
 namespace {
 
-using fixed::q16_16;
+using fixproof::q16_16;
 
 /// More elements than libfixmath's result cache holds.
 constexpr std::size_t count = 16384;
@@ -57,20 +57,21 @@ std::int32_t sine_in(std::int32_t raw) {
 
 std::vector<Contender> contenders() {
   std::vector<Contender> all{
-      {"sin/q16_16", each([](std::int32_t raw) { return fixed::sin(q16_16::from_raw(raw)).raw(); }),
-       false, 0, 0},
-      {"sin/q16_16_batch", [](Arrays& a) { fixed::batch::sin(a.angles, a.sines); }, false, 0, 0},
+      {"sin/q16_16",
+       each([](std::int32_t raw) { return fixproof::sin(q16_16::from_raw(raw)).raw(); }), false, 0,
+       0},
+      {"sin/q16_16_batch", [](Arrays& a) { fixproof::batch::sin(a.angles, a.sines); }, false, 0, 0},
       {"sin_cos/q16_16",
        [](Arrays& a) {
          for (std::size_t i = 0; i < count; ++i) {
-           const auto both = fixed::sin_cos(a.angles[i]);
+           const auto both = fixproof::sin_cos(a.angles[i]);
            a.cosines[i] = both.cos;
            a.sines[i] = both.sin;
          }
        },
        true, 0, 0},
       {"sin_cos/q16_16_batch",
-       [](Arrays& a) { fixed::batch::sin_cos(a.angles, a.cosines, a.sines); }, true, 0, 0},
+       [](Arrays& a) { fixproof::batch::sin_cos(a.angles, a.cosines, a.sines); }, true, 0, 0},
       {"sin/double", each(sine_in<double>), false, 1, 1},
       {"sin/float", each(sine_in<float>), false, 1, 100},
   };

@@ -24,7 +24,7 @@
 
 namespace {
 
-using Type = fixed::q16_16_i386;
+using Type = fixproof::q16_16_i386;
 
 constexpr std::int64_t vertices = 114;
 

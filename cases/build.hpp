@@ -10,7 +10,8 @@ namespace fixproof::cases {
 enum class Target : std::uint8_t {
   i386,
   i8088,
-  standard,  ///< the rules of fixed::q16_16: rounds half up and wraps; #DE only for a zero divisor
+  standard,  ///< the rules of fixproof::q16_16: rounds half up and wraps; #DE only for a zero
+             ///< divisor
 };
 
 /// One set of rules. `mul_round` and `div_round` tell whether the code rounds. The printed switches

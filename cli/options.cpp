@@ -41,7 +41,7 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
   command
       .add_option_function<std::string>(
           "--target", [this](const std::string& t) { targets = targets_of_rows.at(t); },
-          of_rows ? "rules of i386, of i8088, of both, or standard, those of fixed::q16_16"
+          of_rows ? "rules of i386, of i8088, of both, or standard, those of fixproof::q16_16"
                   : "half of the listing: i386 or i8088")
       ->check(named(of_rows ? targets_of_rows : targets_of_programs));
   add_rounding_options(command, mul_round, div_round);

@@ -284,7 +284,7 @@ void add_verify(CLI::App& app, int& status) {
   interpreter     the listings, step by step
   oracle          big integers
   fast            the same answers from 64-bit integers
-  type            fixed::number
+  type            fixproof::number
   silicon         the assembled listings, on this processor
   unicorn         the assembled listings, on an emulator
   batch           fixed/batch.hpp and batch_radian.hpp on the fastest path;

@@ -5,8 +5,8 @@
 ///
 ///     #include "fixed/batch.hpp"
 ///
-///     std::vector<fixed::q16_16> a, b, quotients;                // of equal length
-///     const auto report = fixed::batch::divide(a, b, quotients);
+///     std::vector<fixproof::q16_16> a, b, quotients;                // of equal length
+///     const auto report = fixproof::batch::divide(a, b, quotients);
 ///     if (!report.clean()) std::cout << report.divide_errors << " zero divisors\n";
 ///
 /// **Results** are those of the number type under its policy, element by element. If elements have
@@ -48,7 +48,7 @@
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
 
-namespace fixed::batch {
+namespace fixproof::batch {
 
 /// Options of a batch operation.
 struct options {
@@ -58,9 +58,9 @@ struct options {
   std::span<bool> marks = {};
 };
 
-}  // namespace fixed::batch
+}  // namespace fixproof::batch
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 template <class... Ranges>
 std::size_t batch_length(const batch::options& how, const Ranges&... ranges) noexcept {
@@ -108,9 +108,9 @@ std::array<typename N::raw_type, 3> tuple_at(const std::array<const N*, 3>& from
   return {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()};
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail
 
-namespace fixed::batch {
+namespace fixproof::batch {
 
 /// out[i] = a[i] * b[i].
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
@@ -198,8 +198,8 @@ report sqrt(const X& x, Out&& out,
       [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); }, detail::store_at(to));
 }
 
-/// fixed::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum can
-/// be out of range; the policy decides the result. Throws as fixed::dot does.
+/// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
+/// can be out of range; the policy decides the result. Throws as fixproof::dot does.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
 detail::element_t<A> dot(const A& a, const B& b,
                          path use = best()) noexcept(detail::element_t<A>::never_throws) {
@@ -325,4 +325,4 @@ report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& 
       });
 }
 
-}  // namespace fixed::batch
+}  // namespace fixproof::batch

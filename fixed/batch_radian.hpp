@@ -15,7 +15,7 @@
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The sines of `count` angles, each advanced by `ahead` / 2^64 turns.
 template <class N>
@@ -28,30 +28,30 @@ void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64
   }
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail
 
 /// Functions over many numbers.
-namespace fixed::batch {
+namespace fixproof::batch {
 
-/// results[i] = fixed::sin(angles[i]), up to the length of the shorter span. The spans may be the
-/// same. If they overlap otherwise, the results are unspecified.
+/// results[i] = fixproof::sin(angles[i]), up to the length of the shorter span. The spans may be
+/// the same. If they overlap otherwise, the results are unspecified.
 ///
-///     std::vector<fixed::q16_16> angles(1000), sines(1000);
-///     fixed::batch::sin(angles, sines);
+///     std::vector<fixproof::q16_16> angles(1000), sines(1000);
+///     fixproof::batch::sin(angles, sines);
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void sin(const Angles& angles, Results&& results, path use = best()) noexcept {
   const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, 0);
 }
 
-/// results[i] = fixed::cos(angles[i]); see sin().
+/// results[i] = fixproof::cos(angles[i]); see sin().
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
 void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
   const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
 
-/// cosines[i] and sines[i] = fixed::sin_cos(angles[i]); see sin(). One result may overwrite the
+/// cosines[i] and sines[i] = fixproof::sin_cos(angles[i]); see sin(). One result may overwrite the
 /// angles.
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Cosines,
           detail::output_of<detail::element_t<Angles>> Sines>
@@ -73,4 +73,4 @@ void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = 
   }
 }
 
-}  // namespace fixed::batch
+}  // namespace fixproof::batch

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace fixed {
+namespace fixproof {
 
 /// The result is outside the range of the type.
 class overflow_error : public std::overflow_error {
@@ -21,4 +21,4 @@ class domain_error : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
-}  // namespace fixed
+}  // namespace fixproof

@@ -23,7 +23,7 @@
 #include <format>
 #endif
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The common part of both formatters; Error is the library's format_error.
 template <int FractionBits, policy P, class Error>
@@ -71,19 +71,19 @@ class text_formatter {
   std::size_t width_ = 0;
 };
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail
 
 #if defined(__cpp_lib_format)
-template <int FractionBits, fixed::policy P>
-struct std::formatter<fixed::number<FractionBits, P>, char>
-    : fixed::detail::text_formatter<FractionBits, P, std::format_error> {};
+template <int FractionBits, fixproof::policy P>
+struct std::formatter<fixproof::number<FractionBits, P>, char>
+    : fixproof::detail::text_formatter<FractionBits, P, std::format_error> {};
 #endif
 
 #endif
 
 #if defined(FMT_VERSION) && !defined(FIXED_FMT_FORMATTER)
 #define FIXED_FMT_FORMATTER
-template <int FractionBits, fixed::policy P>
-struct fmt::formatter<fixed::number<FractionBits, P>, char>
-    : fixed::detail::text_formatter<FractionBits, P, fmt::format_error> {};
+template <int FractionBits, fixproof::policy P>
+struct fmt::formatter<fixproof::number<FractionBits, P>, char>
+    : fixproof::detail::text_formatter<FractionBits, P, fmt::format_error> {};
 #endif

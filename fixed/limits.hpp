@@ -11,20 +11,20 @@
 
 /// The limits of a number type. `min` is the smallest positive number, as for floating point, and
 /// `epsilon` is the step to the next number.
-template <int FractionBits, fixed::policy P>
-class std::numeric_limits<fixed::number<FractionBits, P>> {
-  using number = fixed::number<FractionBits, P>;
+template <int FractionBits, fixproof::policy P>
+class std::numeric_limits<fixproof::number<FractionBits, P>> {
+  using number = fixproof::number<FractionBits, P>;
   using raw_limits = std::numeric_limits<typename number::raw_type>;
 
-  static constexpr bool to_nearest(fixed::rounding r) noexcept {
-    return r == fixed::rounding::half_up || r == fixed::rounding::half_away;
+  static constexpr bool to_nearest(fixproof::rounding r) noexcept {
+    return r == fixproof::rounding::half_up || r == fixproof::rounding::half_away;
   }
 
   static constexpr std::float_round_style style() noexcept {
     if (to_nearest(P.multiply) && to_nearest(P.divide)) return std::round_to_nearest;
     if (P.multiply != P.divide) return std::round_indeterminate;
-    return P.multiply == fixed::rounding::floor ? std::round_toward_neg_infinity
-                                                : std::round_toward_zero;
+    return P.multiply == fixproof::rounding::floor ? std::round_toward_neg_infinity
+                                                   : std::round_toward_zero;
   }
 
  public:
@@ -39,7 +39,7 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
   static constexpr bool is_bounded = true;
   static constexpr bool is_iec559 = false;
   /// Whether sums and products wrap.
-  static constexpr bool is_modulo = P.range == fixed::overflow::wrap;
+  static constexpr bool is_modulo = P.range == fixproof::overflow::wrap;
   /// Whether any operation throws.
   static constexpr bool traps = !number::divide_never_throws;
   static constexpr bool tinyness_before = false;
@@ -97,10 +97,10 @@ class std::numeric_limits<fixed::number<FractionBits, P>> {
 };
 
 /// The hash of the stored integer, so that equal numbers have equal hashes.
-template <int FractionBits, fixed::policy P>
-struct std::hash<fixed::number<FractionBits, P>> {
+template <int FractionBits, fixproof::policy P>
+struct std::hash<fixproof::number<FractionBits, P>> {
   /// The hash of x.raw().
-  std::size_t operator()(fixed::number<FractionBits, P> x) const noexcept {
-    return std::hash<typename fixed::number<FractionBits, P>::raw_type>{}(x.raw());
+  std::size_t operator()(fixproof::number<FractionBits, P> x) const noexcept {
+    return std::hash<typename fixproof::number<FractionBits, P>::raw_type>{}(x.raw());
   }
 };

@@ -16,7 +16,7 @@
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/number.hpp"
 
-namespace fixed {
+namespace fixproof {
 
 /// x rounded to an integer by rule R. Always in range.
 ///
@@ -215,4 +215,4 @@ constexpr detail::element_t<A> dot(const A& a,
   }
 }
 
-}  // namespace fixed
+}  // namespace fixproof

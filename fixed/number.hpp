@@ -17,7 +17,7 @@
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
-namespace fixed {
+namespace fixproof {
 
 /// A two's complement number with FractionBits bits before and after the binary point.
 ///
@@ -235,7 +235,7 @@ constexpr std::optional<number<FractionBits, P>> try_divide(number<FractionBits,
 
 /// 16.16: every operation rounds to nearest, ties up; overflow wraps.
 using q16_16 = number<16>;
-/// \name 16.16 under the other policies of fixed::policies
+/// \name 16.16 under the other policies of fixproof::policies
 /// \{
 
 /// 16.16 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
@@ -253,7 +253,7 @@ using q16_16_i8088_unrounded = number<16, policies::i8088_unrounded>;
 
 /// 8.8 under the policy of q16_16.
 using q8_8 = number<8>;
-/// \name 8.8 under the other policies of fixed::policies
+/// \name 8.8 under the other policies of fixproof::policies
 /// \{
 
 /// 8.8 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
@@ -269,4 +269,4 @@ using q8_8_i8088_div_rounded = number<8, policies::i8088_div_rounded>;
 using q8_8_i8088_unrounded = number<8, policies::i8088_unrounded>;
 /// \}
 
-}  // namespace fixed
+}  // namespace fixproof

@@ -2,7 +2,7 @@
 /// The rules for rounding, overflow and division, and the named policies.
 #pragma once
 
-namespace fixed {
+namespace fixproof {
 
 /// The rule that chooses between the two neighbours of an inexact result.
 enum class rounding {
@@ -16,7 +16,7 @@ enum class rounding {
 enum class overflow {
   wrap,      ///< reduces it modulo 2^32 (2^16 for 8.8)
   saturate,  ///< replaces it by the nearest value in range
-  trap,      ///< throws fixed::overflow_error
+  trap,      ///< throws fixproof::overflow_error
 };
 
 /// The part of the divisor that a divide uses.
@@ -25,7 +25,7 @@ enum class divisor_width {
   whole_part,  ///< the truncated divisor: 2.75 counts as 2, -0.5 as 0
 };
 
-/// When a divide throws fixed::divide_error (#DE), whatever `overflow` says. The check precedes
+/// When a divide throws fixproof::divide_error (#DE), whatever `overflow` says. The check precedes
 /// wrapping and saturation.
 enum class divide_fault {
   none,               ///< only for a zero divisor under overflow::trap
@@ -108,4 +108,4 @@ inline constexpr policy i8088_unrounded{.multiply = rounding::truncate,
                                         .fault = divide_fault::zero_divisor};
 
 }  // namespace policies
-}  // namespace fixed
+}  // namespace fixproof

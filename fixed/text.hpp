@@ -16,7 +16,7 @@
 #include "fixed/detail/decimal.hpp"
 #include "fixed/number.hpp"
 
-namespace fixed {
+namespace fixproof {
 
 /// A buffer size that is enough for to_chars() of any number of the type.
 template <class Number>
@@ -102,4 +102,4 @@ std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& i
   return in;
 }
 
-}  // namespace fixed
+}  // namespace fixproof

@@ -11,7 +11,7 @@
 #include "fixed/detail/radian.hpp"
 #include "fixed/number.hpp"
 
-namespace fixed {
+namespace fixproof {
 
 /// The result of sin_cos().
 template <class Number>
@@ -26,9 +26,9 @@ struct cos_sin {
 /// The cosine and the sine of an angle in tenths of a degree, each rounded to nearest. Accepts any
 /// value of any integer type; the period is 3600. The same under every policy.
 ///
-///     const auto [cos, sin] = fixed::sin_cos<fixed::q16_16>(450);
+///     const auto [cos, sin] = fixproof::sin_cos<fixproof::q16_16>(450);
 ///     static_assert(sin_cos<q16_16>(-3300) == sin_cos<q16_16>(300));  // the period is 3600
-///     static_assert(fixed::sin<q16_16>(300) == q16_16(0.5));
+///     static_assert(fixproof::sin<q16_16>(300) == q16_16(0.5));
 template <class Number>
 constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
   constexpr int turn = 3600;
@@ -87,10 +87,10 @@ constexpr number<F, P> cos(number<F, P> angle) noexcept {
 
 /// cos() and sin() of an angle in radians.
 ///
-///     const auto [cos, sin] = fixed::sin_cos(fixed::q16_16(0.5));
+///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
 template <int F, policy P>
 constexpr cos_sin<number<F, P>> sin_cos(number<F, P> angle) noexcept {
   return {cos(angle), sin(angle)};
 }
 
-}  // namespace fixed
+}  // namespace fixproof

@@ -68,7 +68,7 @@ template <class Number>
 void read_text(std::string_view text) {
   const Number before = Number::from_raw(0x55);
   Number read = before;
-  const auto result = fixed::from_chars(text.data(), text.data() + text.size(), read);
+  const auto result = fixproof::from_chars(text.data(), text.data() + text.size(), read);
   const std::size_t length = number_at_start(text);
   const auto expected = expected_word<Number>(text.substr(0, length));
   std::errc error{};
@@ -122,15 +122,15 @@ void write_word(Word word) {
                                      word_of(x), Number::fraction_bits / 2, Number::fraction_bits,
                                      shown(text), expected));
   };
-  demand("to_string", fixed::to_string(x));
+  demand("to_string", fixproof::to_string(x));
   demand("format", fmt::format("{}", x));
   std::ostringstream out;
   out << x;
   demand("<<", out.str());
-  std::array<char, fixed::max_chars<Number>> buffer{};
+  std::array<char, fixproof::max_chars<Number>> buffer{};
   for (std::size_t room = 0; room <= buffer.size(); ++room) {
     buffer.fill('#');
-    const auto written = fixed::to_chars(buffer.data(), buffer.data() + room, x);
+    const auto written = fixproof::to_chars(buffer.data(), buffer.data() + room, x);
     const auto length = static_cast<std::size_t>(written.ptr - buffer.data());
     if (room >= expected.size()) {
       demand("to_chars", {buffer.data(), length});
@@ -145,17 +145,17 @@ void write_word(Word word) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // The oracle's time is quadratic in the number of digits.
   const std::string text(data, data + std::min(size, max_text));
-  read_text<fixed::q16_16>(text);
-  read_text<fixed::q16_16_saturating>(text);
-  read_text<fixed::q16_16_i8088>(text);
-  read_text<fixed::q16_16_i386_unrounded>(text);
-  read_text<fixed::q16_16_i8088_unrounded>(text);
-  read_text<fixed::q8_8>(text);
-  read_stream<fixed::q16_16>(text);
-  read_stream<fixed::q8_8_i8088>(text);
+  read_text<fixproof::q16_16>(text);
+  read_text<fixproof::q16_16_saturating>(text);
+  read_text<fixproof::q16_16_i8088>(text);
+  read_text<fixproof::q16_16_i386_unrounded>(text);
+  read_text<fixproof::q16_16_i8088_unrounded>(text);
+  read_text<fixproof::q8_8>(text);
+  read_stream<fixproof::q16_16>(text);
+  read_stream<fixproof::q8_8_i8088>(text);
   std::array<std::uint32_t, 1> word{};
   fuzz::read_words({data, size}, word);
-  write_word<fixed::q16_16>(word[0]);
-  write_word<fixed::q8_8>(word[0]);
+  write_word<fixproof::q16_16>(word[0]);
+  write_word<fixproof::q8_8>(word[0]);
   return 0;
 }

@@ -7,15 +7,15 @@
 
 namespace fixproof::fuzz {
 
-constexpr oracle::Rounding oracle_rule(fixed::rounding rule) {
+constexpr oracle::Rounding oracle_rule(fixproof::rounding rule) {
   switch (rule) {
-    case fixed::rounding::half_up:
+    case fixproof::rounding::half_up:
       return oracle::Rounding::half_up;
-    case fixed::rounding::half_away:
+    case fixproof::rounding::half_away:
       return oracle::Rounding::half_away;
-    case fixed::rounding::floor:
+    case fixproof::rounding::floor:
       return oracle::Rounding::floor;
-    case fixed::rounding::truncate:
+    case fixproof::rounding::truncate:
       break;
   }
   return oracle::Rounding::truncate;

@@ -39,7 +39,7 @@ std::optional<xsharp::Scene> scene_of(const std::string& text) {
 }
 
 void draw(const xsharp::Scene& scene) {
-  xsharp::Animation<fixed::q16_16> animation(scene);
+  xsharp::Animation<fixproof::q16_16> animation(scene);
   for (int frame = 0; frame < 2; ++frame) {
     xsharp::Picture picture;
     animation.draw(picture);

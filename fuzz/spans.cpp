@@ -22,7 +22,7 @@
 #include "fuzz/words.hpp"
 
 using namespace fixproof;
-using fixed::batch::path;
+using fixproof::batch::path;
 
 namespace {
 
@@ -176,7 +176,7 @@ using Rows = std::array<std::array<N, 4>, 3>;
 
 /// What a call leaves, beside the buffer.
 struct Ending {
-  fixed::batch::report report;
+  fixproof::batch::report report;
   std::vector<bool> marks;
   std::string thrown;
   std::int64_t sum = 0;  ///< of dot
@@ -191,8 +191,8 @@ std::span<std::array<N, size>> tuples(std::span<N> numbers) {
 }
 
 template <class N>
-fixed::batch::report call(const Layout& layout, std::span<N> buffer, const Rows<N>& rows,
-                          const fixed::batch::options& how, Ending& ending) {
+fixproof::batch::report call(const Layout& layout, std::span<N> buffer, const Rows<N>& rows,
+                             const fixproof::batch::options& how, Ending& ending) {
   const Shape& shape = layout.shape();
   const auto in = [&](std::size_t i) {
     return buffer.subspan(layout.in[i], (layout.count + layout.surplus[i]) * shape.in_width);
@@ -201,7 +201,7 @@ fixed::batch::report call(const Layout& layout, std::span<N> buffer, const Rows<
     return buffer.subspan(layout.out[o],
                           (layout.count + layout.surplus[shape.inputs + o]) * shape.out_width);
   };
-  namespace batch = fixed::batch;
+  namespace batch = fixproof::batch;
   switch (layout.call) {
     case Call::multiply:
       return batch::multiply(in(0), in(1), out(0), how);
@@ -236,9 +236,9 @@ fixed::batch::report call(const Layout& layout, std::span<N> buffer, const Rows<
 
 /// Whether a policy can throw it.
 bool is_of_the_type(const std::exception& error) {
-  return dynamic_cast<const fixed::divide_error*>(&error) != nullptr ||
-         dynamic_cast<const fixed::overflow_error*>(&error) != nullptr ||
-         dynamic_cast<const fixed::domain_error*>(&error) != nullptr;
+  return dynamic_cast<const fixproof::divide_error*>(&error) != nullptr ||
+         dynamic_cast<const fixproof::overflow_error*>(&error) != nullptr ||
+         dynamic_cast<const fixproof::domain_error*>(&error) != nullptr;
 }
 
 template <class N>
@@ -247,7 +247,7 @@ Ending run(const Layout& layout, std::span<N> buffer, const Rows<N>& rows, path 
   const std::size_t guarded = layout.count + 1;
   const auto marks = std::make_unique<bool[]>(guarded);  // NOLINT(*-avoid-c-arrays): for a span
   std::fill_n(marks.get(), guarded, true);
-  fixed::batch::options how{use, {}};
+  fixproof::batch::options how{use, {}};
   if (layout.marked) how.marks = {marks.get(), layout.count};
   try {
     ending.report = call(layout, buffer, rows, how, ending);
@@ -266,9 +266,9 @@ Ending run(const Layout& layout, std::span<N> buffer, const Rows<N>& rows, path 
 }
 
 /// Throws nothing, and gives what a batch writes for an element with an error.
-constexpr fixed::policy quiet(fixed::policy p) {
-  if (p.range == fixed::overflow::trap) p.range = fixed::overflow::wrap;
-  p.fault = fixed::divide_fault::none;
+constexpr fixproof::policy quiet(fixproof::policy p) {
+  if (p.range == fixproof::overflow::trap) p.range = fixproof::overflow::wrap;
+  p.fault = fixproof::divide_fault::none;
   return p;
 }
 
@@ -276,7 +276,7 @@ constexpr fixed::policy quiet(fixed::policy p) {
 template <class N>
 void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>& rows,
                     std::span<N> to) {
-  using Q = fixed::number<N::fraction_bits, quiet(N::rules)>;
+  using Q = fixproof::number<N::fraction_bits, quiet(N::rules)>;
   const Shape& shape = layout.shape();
   const auto quiet_of = [](N x) { return Q::from_raw(x.raw()); };
   for (std::size_t i = 0; i < layout.count; ++i) {
@@ -296,13 +296,13 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
         put(0, x(0) * x(1));
         break;
       case Call::mul_add:
-        put(0, fixed::mul_add(x(0), x(1), x(2)));
+        put(0, fixproof::mul_add(x(0), x(1), x(2)));
         break;
       case Call::divide:
         put(0, x(0) / x(1));
         break;
       case Call::sqrt:
-        put(0, fixed::sqrt(x(0)));
+        put(0, fixproof::sqrt(x(0)));
         break;
       case Call::transform:
       case Call::transform_columns:
@@ -315,14 +315,14 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
         for (std::size_t k = 0; k < 2; ++k) put(k, x(k) / x(2) * row(0, 3));
         break;
       case Call::sin:
-        put(0, fixed::sin(x(0)));
+        put(0, fixproof::sin(x(0)));
         break;
       case Call::cos:
-        put(0, fixed::cos(x(0)));
+        put(0, fixproof::cos(x(0)));
         break;
       case Call::sin_cos:
-        put(0, fixed::cos(x(0)));
-        put(1, fixed::sin(x(0)));
+        put(0, fixproof::cos(x(0)));
+        put(1, fixproof::sin(x(0)));
         break;
       default:
         break;
@@ -373,14 +373,14 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
     ending = run_apart<N>(layout, before, rows);
     if constexpr (N::never_throws) {
       if (layout.call == Call::dot) {
-        ending.sum = fixed::dot(std::span(before).subspan(layout.in[0], layout.count),
-                                std::span(before).subspan(layout.in[1], layout.count))
+        ending.sum = fixproof::dot(std::span(before).subspan(layout.in[0], layout.count),
+                                   std::span(before).subspan(layout.in[1], layout.count))
                          .raw();
       }
     }
   }
   for (const path use : {path::portable, path::neon, path::avx2, path::avx512}) {
-    if (!fixed::batch::has(use)) continue;
+    if (!fixproof::batch::has(use)) continue;
     std::vector<N> buffer = before;
     const Ending got = run<N>(layout, buffer, rows, use);
     const auto where = [&] {
@@ -415,16 +415,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::read_words(bytes.left(), words);
   switch (type % 4) {
     case 0:
-      check<fixed::q16_16>(layout, words);
+      check<fixproof::q16_16>(layout, words);
       break;
     case 1:
-      check<fixed::q16_16_trapping>(layout, words);
+      check<fixproof::q16_16_trapping>(layout, words);
       break;
     case 2:
-      check<fixed::q16_16_saturating>(layout, words);
+      check<fixproof::q16_16_saturating>(layout, words);
       break;
     default:
-      check<fixed::q8_8>(layout, words);
+      check<fixproof::q8_8>(layout, words);
       break;
   }
   return 0;

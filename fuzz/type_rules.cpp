@@ -18,8 +18,8 @@ namespace fixproof::fuzz {
 
 namespace {
 
-using fixed::overflow;
-using fixed::policy;
+using fixproof::overflow;
+using fixproof::policy;
 using oracle::Integer;
 using oracle::Word;
 /// A word, or nothing for an exception.
@@ -70,13 +70,13 @@ double exact_double(Word word, int bits) {
 template <int F, policy P>
 class TypeAnswers {
  public:
-  using Number = fixed::number<F, P>;
-  using Other = fixed::number<24 - F, P>;
+  using Number = fixproof::number<F, P>;
+  using Other = fixproof::number<24 - F, P>;
 
   static std::vector<Answer> quotients(Words words) {
     const Number a = number(words[0]);
     const Number b = number(words[1]);
-    const auto tried = fixed::try_divide(a, b);
+    const auto tried = fixproof::try_divide(a, b);
     return {said([=] { return a / b; }), tried ? Answer(word(*tried)) : Answer(),
             said([=] { return Number(a) /= b; })};
   }
@@ -103,12 +103,12 @@ class TypeAnswers {
     add(said([=] { return round(a); }));
     add(said([=] { return abs(a); }));
     add(said([=] { return sqrt(a); }));
-    add(static_cast<Word>(fixed::to_integer<P.multiply>(a)));
+    add(static_cast<Word>(fixproof::to_integer<P.multiply>(a)));
     add(static_cast<Word>(static_cast<int>(a)));
     add(a < b ? 1 : 0);
     add(a == b ? 1 : 0);
-    add(word(fixed::min(a, b)));
-    add(word(fixed::max(a, b)));
+    add(word(fixproof::min(a, b)));
+    add(word(fixproof::max(a, b)));
     const double exact = exact_double(words[0], F);
     add(static_cast<double>(a) == exact ? 1 : 0);
     add(static_cast<float>(a) == static_cast<float>(exact) ? 1 : 0);
@@ -131,9 +131,9 @@ class TypeAnswers {
   static Answer said(Make make) {
     try {
       return word(make());
-    } catch (const fixed::overflow_error&) {
-    } catch (const fixed::divide_error&) {
-    } catch (const fixed::domain_error&) {
+    } catch (const fixproof::overflow_error&) {
+    } catch (const fixproof::divide_error&) {
+    } catch (const fixproof::domain_error&) {
     }
     return std::nullopt;
   }
@@ -245,7 +245,7 @@ std::optional<std::string> difference(int fraction_bits, const policy& rules, Wo
   for (std::size_t i = 0; i < type.size(); ++i) {
     if (type[i] == oracle[i]) continue;
     return fmt::format(
-        "fixed::number<{}, policy{{.multiply = rounding({}), .divide = rounding({}), .range = "
+        "fixproof::number<{}, policy{{.multiply = rounding({}), .divide = rounding({}), .range = "
         "overflow({})}}>: {}\n  a b c      {:08x} {:08x} {:08x}\n  type       {}\n  must be    {}",
         fraction_bits, static_cast<int>(rules.multiply), static_cast<int>(rules.divide),
         static_cast<int>(rules.range), operation_names.at(i), words[0], words[1], words[2],
@@ -265,8 +265,8 @@ std::optional<std::string> difference_of(Words words, bool quotients_only) {
 
 /// Compares quotients under every policy, and all operations under the policy that c chooses.
 std::optional<std::string> first_difference(Words words, bool quotients_only) {
-  using fixed::rounding;
-  using namespace fixed::policies;
+  using fixproof::rounding;
+  using namespace fixproof::policies;
   constexpr policy saturating_away{
       .multiply = rounding::half_away, .divide = rounding::half_away, .range = overflow::saturate};
   constexpr policy trapping_floor{

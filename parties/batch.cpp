@@ -26,12 +26,12 @@ class Marks {
   [[nodiscard]] std::span<bool> all() const { return {marks_.get(), size_}; }
 
   /// Tells whether the report has the number of marked elements and the first of them.
-  [[nodiscard]] bool agree(const fixed::batch::report& report) const {
+  [[nodiscard]] bool agree(const fixproof::batch::report& report) const {
     const auto first = std::find(all().begin(), all().end(), true);
     const bool none = first == all().end();
     return report.divide_errors + report.overflows + report.domain_errors ==
                static_cast<std::size_t>(std::count(all().begin(), all().end(), true)) &&
-           report.first == (none ? fixed::batch::report::nowhere
+           report.first == (none ? fixproof::batch::report::nowhere
                                  : static_cast<std::size_t>(first - all().begin()));
   }
 
@@ -51,23 +51,23 @@ std::vector<Number> column(const Batch& batch, std::size_t words, std::size_t wh
 
 /// Answers all cases in one batch. All of them are broken if the report disagrees with the marks.
 template <class Number>
-void answer_column(cases::Operation operation, fixed::batch::path path, const Batch& batch) {
+void answer_column(cases::Operation operation, fixproof::batch::path path, const Batch& batch) {
   const std::size_t words = cases::words_in(operation);
   const auto a = column<Number>(batch, words, 0);
   std::vector<Number> results(a.size());
   const Marks marks(a.size());
-  const fixed::batch::options how{path, marks.all()};
-  fixed::batch::report report;
+  const fixproof::batch::options how{path, marks.all()};
+  fixproof::batch::report report;
   if (operation == cases::Operation::mul) {
-    report = fixed::batch::multiply(a, column<Number>(batch, words, 1), results, how);
+    report = fixproof::batch::multiply(a, column<Number>(batch, words, 1), results, how);
   } else if (operation == cases::Operation::div) {
-    report = fixed::batch::divide(a, column<Number>(batch, words, 1), results, how);
+    report = fixproof::batch::divide(a, column<Number>(batch, words, 1), results, how);
   } else if (operation == cases::Operation::sqrt) {
-    report = fixed::batch::sqrt(a, results, how);
+    report = fixproof::batch::sqrt(a, results, how);
   } else if (operation == cases::Operation::sin) {
-    fixed::batch::sin(a, results, path);
+    fixproof::batch::sin(a, results, path);
   } else {
-    fixed::batch::cos(a, results, path);
+    fixproof::batch::cos(a, results, path);
   }
   const bool sound = marks.agree(report);
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -81,7 +81,7 @@ void answer_column(cases::Operation operation, fixed::batch::path path, const Ba
 /// and those of the cases after it. The place of the vertex rotates, and blocks alternate between
 /// interleaved vertices and separate arrays. The policies wrap, so any report or mark is an error.
 template <class Number>
-void answer_transforms(fixed::batch::path path, const Batch& batch) {
+void answer_transforms(fixproof::batch::path path, const Batch& batch) {
   constexpr std::size_t block = 16;  // the lanes of the widest registers
   constexpr std::size_t words = 15;
   const std::size_t cases = batch.endings.size();
@@ -103,13 +103,13 @@ void answer_transforms(fixed::batch::path path, const Batch& batch) {
       }
     }
     const bool interleaved = i / block % 2 == 0;
-    const fixed::batch::options how{path, marks.all()};
-    fixed::batch::report report;
+    const fixproof::batch::options how{path, marks.all()};
+    fixproof::batch::report report;
     if (interleaved) {
-      report = fixed::batch::transform(rows, in, in, how);
+      report = fixproof::batch::transform(rows, in, in, how);
     } else {
       auto& [x, y, z] = columns;
-      report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
+      report = fixproof::batch::transform(rows, x, y, z, x, y, z, how);
     }
     for (std::size_t c = 0; c < 3; ++c) {
       batch.out[3 * i + c] = word_of(interleaved ? in[place][c] : columns[c][place]);
@@ -120,16 +120,16 @@ void answer_transforms(fixed::batch::path path, const Batch& batch) {
 }
 
 struct NamedPath {
-  fixed::batch::path path;
+  fixproof::batch::path path;
   const char* name;
 };
 
-constexpr std::array paths{NamedPath{fixed::batch::path::portable, "portable"},
-                           NamedPath{fixed::batch::path::neon, "neon"},
-                           NamedPath{fixed::batch::path::avx2, "avx2"},
-                           NamedPath{fixed::batch::path::avx512, "avx512"}};
+constexpr std::array paths{NamedPath{fixproof::batch::path::portable, "portable"},
+                           NamedPath{fixproof::batch::path::neon, "neon"},
+                           NamedPath{fixproof::batch::path::avx2, "avx2"},
+                           NamedPath{fixproof::batch::path::avx512, "avx512"}};
 
-std::string_view name_of(fixed::batch::path path) {
+std::string_view name_of(fixproof::batch::path path) {
   return std::find_if(paths.begin(), paths.end(),
                       [path](const NamedPath& named) { return named.path == path; })
       ->name;
@@ -137,14 +137,14 @@ std::string_view name_of(fixed::batch::path path) {
 
 class BatchParty final : public Party {
  public:
-  BatchParty(std::string name, fixed::batch::path path) : name_(std::move(name)), path_(path) {}
+  BatchParty(std::string name, fixproof::batch::path path) : name_(std::move(name)), path_(path) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] std::string identity() const override {
     return fmt::format("{}, path {}", fixed_version(), name_of(path_));
   }
   [[nodiscard]] std::string absence() const override {
-    return fixed::batch::has(path_) ? "" : "this processor or this build does not have it";
+    return fixproof::batch::has(path_) ? "" : "this processor or this build does not have it";
   }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     using enum cases::Operation;
@@ -164,14 +164,14 @@ class BatchParty final : public Party {
 
  private:
   std::string name_;
-  fixed::batch::path path_;
+  fixproof::batch::path path_;
 };
 
 }  // namespace
 
 std::vector<std::unique_ptr<Party>> make_batch_parties() {
   std::vector<std::unique_ptr<Party>> made;
-  made.push_back(std::make_unique<BatchParty>("batch", fixed::batch::best()));
+  made.push_back(std::make_unique<BatchParty>("batch", fixproof::batch::best()));
   for (const auto& [path, name] : paths) {
     made.push_back(std::make_unique<BatchParty>(fmt::format("batch-{}", name), path));
   }

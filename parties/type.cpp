@@ -19,12 +19,12 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
   if constexpr (operation == cases::Operation::mul) {
     out[0] = word_of(operand(0) * operand(1));
   } else if constexpr (operation == cases::Operation::div) {
-    const auto quotient = fixed::try_divide(operand(0), operand(1));
+    const auto quotient = fixproof::try_divide(operand(0), operand(1));
     if (!quotient) return false;
     out[0] = word_of(*quotient);
   } else if constexpr (operation == cases::Operation::cossin) {
     const auto angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(in[0]));
-    const auto [cos, sin] = fixed::sin_cos<Number>(angle);
+    const auto [cos, sin] = fixproof::sin_cos<Number>(angle);
     out[0] = word_of(cos);
     out[1] = word_of(sin);
   } else if constexpr (operation == cases::Operation::xformvec) {
@@ -46,16 +46,16 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
       }
     }
   } else if constexpr (operation == cases::Operation::sqrt) {
-    out[0] = word_of(fixed::sqrt(operand(0)));
+    out[0] = word_of(fixproof::sqrt(operand(0)));
   } else if constexpr (operation == cases::Operation::sin) {
-    out[0] = word_of(fixed::sin(operand(0)));
+    out[0] = word_of(fixproof::sin(operand(0)));
   } else if constexpr (operation == cases::Operation::cos) {
-    out[0] = word_of(fixed::cos(operand(0)));
+    out[0] = word_of(fixproof::cos(operand(0)));
   } else if constexpr (operation == cases::Operation::decimal) {
-    std::array<char, fixed::max_chars<Number>> text{};
-    const auto written = fixed::to_chars(text.data(), text.data() + text.size(), operand(0));
+    std::array<char, fixproof::max_chars<Number>> text{};
+    const auto written = fixproof::to_chars(text.data(), text.data() + text.size(), operand(0));
     Number back;
-    const auto read = fixed::from_chars(text.data(), written.ptr, back);
+    const auto read = fixproof::from_chars(text.data(), written.ptr, back);
     if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
     out[0] = word_of(back);
   } else {

@@ -21,10 +21,10 @@ inline std::string fixed_version() {
 }
 
 /// Returns the policy whose results are bit-identical to those of a build.
-constexpr fixed::policy policy_of(const cases::Build& build) {
-  namespace p = fixed::policies;
-  const auto choose = [&build](const fixed::policy& both, const fixed::policy& mul_only,
-                               const fixed::policy& div_only, const fixed::policy& neither) {
+constexpr fixproof::policy policy_of(const cases::Build& build) {
+  namespace p = fixproof::policies;
+  const auto choose = [&build](const fixproof::policy& both, const fixproof::policy& mul_only,
+                               const fixproof::policy& div_only, const fixproof::policy& neither) {
     if (build.mul_round) return build.div_round ? both : mul_only;
     return build.div_round ? div_only : neither;
   };
@@ -41,7 +41,7 @@ constexpr fixed::policy policy_of(const cases::Build& build) {
 }
 
 template <cases::Build build, int fraction_bits = 16>
-using NumberOf = fixed::number<fraction_bits, policy_of(build)>;
+using NumberOf = fixproof::number<fraction_bits, policy_of(build)>;
 
 /// Calls call.operator()<B>(), where B has the target and the roundings of `build`. B omits the
 /// chapter and the repair, because they change ConcatXforms but not the numbers.

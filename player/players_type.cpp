@@ -17,8 +17,8 @@ template <class Make>
 auto with_type(const ArithmeticChoice& choice, const Make& make)
     -> decltype(make(std::type_identity<double>())) {
   if (const auto build = build_of(choice)) return parties::with_number(*build, make);
-  if (choice.target == "saturating") return make(std::type_identity<fixed::q16_16_saturating>());
-  if (choice.target == "trapping") return make(std::type_identity<fixed::q16_16_trapping>());
+  if (choice.target == "saturating") return make(std::type_identity<fixproof::q16_16_saturating>());
+  if (choice.target == "trapping") return make(std::type_identity<fixproof::q16_16_trapping>());
   return nullptr;
 }
 

@@ -13,7 +13,7 @@
 #include "fixed/number.hpp"
 #include "fixed/text.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// Raw values where fixed-point arithmetic tends to fail: 0, the ends of the range, one, a half,
 /// and the carry out of the fraction, each with its neighbours and both signs.
@@ -53,20 +53,20 @@ rc::Gen<Raw> uniform_raw(int min_dropped, int max_dropped) {
       rc::gen::noShrink(rc::gen::inRange(min_dropped, max_dropped + 1)));
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail
 
 /// Generates numbers, many of them edge cases. They shrink toward zero: first to simpler whole
 /// numbers, then in raw units.
-template <int FractionBits, fixed::policy P>
-struct rc::Arbitrary<fixed::number<FractionBits, P>> {
-  static Gen<fixed::number<FractionBits, P>> arbitrary() {
-    using number = fixed::number<FractionBits, P>;
+template <int FractionBits, fixproof::policy P>
+struct rc::Arbitrary<fixproof::number<FractionBits, P>> {
+  static Gen<fixproof::number<FractionBits, P>> arbitrary() {
+    using number = fixproof::number<FractionBits, P>;
     using raw = typename number::raw_type;
     constexpr int bits = std::numeric_limits<raw>::digits;
-    auto raws = gen::weightedOneOf<raw>({{2, gen::noShrink(fixed::detail::edge_raw<raw>())},
-                                         {2, gen::noShrink(fixed::detail::power_raw<raw>())},
-                                         {3, fixed::detail::uniform_raw<raw>(0, 0)},
-                                         {3, fixed::detail::uniform_raw<raw>(0, bits)}});
+    auto raws = gen::weightedOneOf<raw>({{2, gen::noShrink(fixproof::detail::edge_raw<raw>())},
+                                         {2, gen::noShrink(fixproof::detail::power_raw<raw>())},
+                                         {3, fixproof::detail::uniform_raw<raw>(0, 0)},
+                                         {3, fixproof::detail::uniform_raw<raw>(0, bits)}});
     return gen::map(gen::shrink(raws, [](raw value) { return shrink_raw(value); }),
                     [](raw value) { return number::from_raw(value); });
   }
@@ -80,7 +80,7 @@ struct rc::Arbitrary<fixed::number<FractionBits, P>> {
   }
 };
 
-namespace fixed {
+namespace fixproof {
 
 /// Prints a counterexample: the value and the stored integer.
 template <int FractionBits, policy P>
@@ -88,4 +88,4 @@ void showValue(number<FractionBits, P> value, std::ostream& out) {
   out << value << " (raw " << value.raw() << ')';
 }
 
-}  // namespace fixed
+}  // namespace fixproof

@@ -18,7 +18,7 @@ namespace fixproof::property {
 
 /// Whether the function satisfies its rules for random operands; prints the smallest failing ones.
 inline bool property_holds(const Subject& subject) {
-  using Number = fixed::q16_16;
+  using Number = fixproof::q16_16;
   const auto check = [&](std::span<const std::uint32_t> words) {
     if (holds(subject, words)) return;
     check::JudgedCase kept{1, "RapidCheck", {}, subject.ask(words)};

@@ -41,15 +41,15 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
 
 /// a + b as the 8088 ConcatXforms computes it: fractions and whole parts are added separately,
 /// without a carry. If the fractions add up to 1 or more, the result is 1 too low.
-template <int F, fixed::policy P>
-constexpr fixed::number<F, P> sum_in_parts(fixed::number<F, P> a, fixed::number<F, P> b) {
-  const fixed::number<F, P> sum = a + b;
-  return fixed::floor(a) + fixed::floor(b) + (sum - fixed::floor(sum));
+template <int F, fixproof::policy P>
+constexpr fixproof::number<F, P> sum_in_parts(fixproof::number<F, P> a, fixproof::number<F, P> b) {
+  const fixproof::number<F, P> sum = a + b;
+  return fixproof::floor(a) + fixproof::floor(b) + (sum - fixproof::floor(sum));
 }
 
 /// Whether the policy is one of the four 8088 builds of FIXED.ASM.
-constexpr bool is_i8088_build(const fixed::policy& p) {
-  using namespace fixed::policies;
+constexpr bool is_i8088_build(const fixproof::policy& p) {
+  using namespace fixproof::policies;
   return p == i8088_rounded || p == i8088_mul_rounded || p == i8088_div_rounded ||
          p == i8088_unrounded;
 }
@@ -72,19 +72,19 @@ template <class N>
 struct Arithmetic;
 
 /// The verified type, under any of its policies.
-template <fixed::policy P>
-struct Arithmetic<fixed::number<16, P>> {
-  using N = fixed::number<16, P>;
+template <fixproof::policy P>
+struct Arithmetic<fixproof::number<16, P>> {
+  using N = fixproof::number<16, P>;
 
   static constexpr std::int32_t raw(N x) { return x.raw(); }
   static constexpr N from_raw(std::int32_t raw) { return N::from_raw(raw); }
   static N constant(double value, Conversion conversion) {
     return N::from_raw(raw_constant(value, conversion));
   }
-  static constexpr std::optional<N> divide(N n, N d) { return fixed::try_divide(n, d); }
-  static constexpr bool divides_by_whole_part = P.divisor == fixed::divisor_width::whole_part;
+  static constexpr std::optional<N> divide(N n, N d) { return fixproof::try_divide(n, d); }
+  static constexpr bool divides_by_whole_part = P.divisor == fixproof::divisor_width::whole_part;
   static constexpr Turn<N> turn(std::int32_t tenths) {
-    const auto [cos, sin] = fixed::sin_cos<N>(tenths);
+    const auto [cos, sin] = fixproof::sin_cos<N>(tenths);
     return {cos, sin};
   }
   static constexpr N midpoint(N a, N b) { return N::from_raw(std::midpoint(a.raw(), b.raw())); }

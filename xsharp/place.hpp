@@ -58,12 +58,12 @@ Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertic
 /// Places vertices with fixed/batch.hpp, in blocks that fit the first-level cache, to the same
 /// bits. Vertices that a batch marks are recomputed one by one, so that they fault, saturate or
 /// throw as the type does.
-template <fixed::policy P>
-Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
-                          std::span<const Vec3<fixed::number<16, P>>> vertices,
-                          const Projection<fixed::number<16, P>>& projection,
-                          const Places<fixed::number<16, P>>& places) {
-  using N = fixed::number<16, P>;
+template <fixproof::policy P>
+Unplaced place_in_batches(const Transform<fixproof::number<16, P>>& to_view,
+                          std::span<const Vec3<fixproof::number<16, P>>> vertices,
+                          const Projection<fixproof::number<16, P>>& projection,
+                          const Places<fixproof::number<16, P>>& places) {
+  using N = fixproof::number<16, P>;
   constexpr std::size_t block = 256;
   std::array<std::array<N, 2>, block> points;
   std::array<bool, block> marks{};
@@ -71,14 +71,15 @@ Unplaced place_in_batches(const Transform<fixed::number<16, P>>& to_view,
   for (std::size_t first = 0; first < vertices.size(); first += block) {
     const auto from = vertices.subspan(first, std::min(block, vertices.size() - first));
     const Places<N> to = places.part(first, from.size());
-    const fixed::batch::options marked{.marks = marks};
-    if (!fixed::batch::transform(to_view.rows, from, to.view, marked).clean()) {
+    const fixproof::batch::options marked{.marks = marks};
+    if (!fixproof::batch::transform(to_view.rows, from, to.view, marked).clean()) {
       const Unplaced some = place_each(to_view, from, projection, to);
       unplaced.outside += some.outside;
       unplaced.faults += some.faults;
       continue;
     }
-    const bool clean = fixed::batch::project(to.view, projection.constant, points, marked).clean();
+    const bool clean =
+        fixproof::batch::project(to.view, projection.constant, points, marked).clean();
     for (std::size_t i = 0; i < from.size(); ++i) {
       if (!inside(to.view[i], projection.slope)) {
         to.screen[i] = std::nullopt;
@@ -102,11 +103,11 @@ void transform_to_view(const Transform<N>& to_view, std::span<const Vec3<N>> poi
     view[i] = Arithmetic<N>::apply(to_view, points[i]);
   }
 }
-template <fixed::policy P>
-void transform_to_view(const Transform<fixed::number<16, P>>& to_view,
-                       std::span<const Vec3<fixed::number<16, P>>> points,
-                       std::span<Vec3<fixed::number<16, P>>> view) {
-  fixed::batch::transform(to_view.rows, points, view);
+template <fixproof::policy P>
+void transform_to_view(const Transform<fixproof::number<16, P>>& to_view,
+                       std::span<const Vec3<fixproof::number<16, P>>> points,
+                       std::span<Vec3<fixproof::number<16, P>>> view) {
+  fixproof::batch::transform(to_view.rows, points, view);
 }
 
 /// Uses batches if the arithmetic is the type.
@@ -115,11 +116,11 @@ Unplaced place(const Transform<N>& to_view, std::span<const Vec3<N>> vertices,
                const Projection<N>& projection, const Places<N>& places) {
   return place_each(to_view, vertices, projection, places);
 }
-template <fixed::policy P>
-Unplaced place(const Transform<fixed::number<16, P>>& to_view,
-               std::span<const Vec3<fixed::number<16, P>>> vertices,
-               const Projection<fixed::number<16, P>>& projection,
-               const Places<fixed::number<16, P>>& places) {
+template <fixproof::policy P>
+Unplaced place(const Transform<fixproof::number<16, P>>& to_view,
+               std::span<const Vec3<fixproof::number<16, P>>> vertices,
+               const Projection<fixproof::number<16, P>>& projection,
+               const Places<fixproof::number<16, P>>& places) {
   return place_in_batches(to_view, vertices, projection, places);
 }
 

@@ -6,7 +6,7 @@
 /// of range.
 
 #if defined(FIXED_LANES)
-namespace fixed::detail::FIXED_LANES {
+namespace fixproof::detail::FIXED_LANES {
 
 /// Adds detail::bias() to 64-bit sums of 2^-32 whose last 16 bits will be dropped.
 template <rounding R>
@@ -213,5 +213,5 @@ FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_record
   }
 }
 
-}  // namespace fixed::detail::FIXED_LANES
+}  // namespace fixproof::detail::FIXED_LANES
 #endif

@@ -15,7 +15,7 @@
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The faults that a batch report counts. An element with several faults counts for the first.
 enum class fault : std::uint8_t { none, divide_error, overflow, domain_error };
@@ -141,4 +141,4 @@ constexpr outcome<std::array<raw_t<F>, 2>> projected_point(
   return {{x.raw, y.raw}, error ? fault::divide_error : first_of(x.what, y.what)};
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -13,7 +13,7 @@
 #if defined(FIXED_LANES)
 #define FIXED_LANE_FUNCTION FIXED_LANE_TARGET __attribute__((always_inline)) inline
 
-namespace fixed::detail::FIXED_LANES {
+namespace fixproof::detail::FIXED_LANES {
 
 inline constexpr std::size_t width = FIXED_LANE_BYTES / 4;
 
@@ -346,5 +346,5 @@ FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x) {
   }
 }
 
-}  // namespace fixed::detail::FIXED_LANES
+}  // namespace fixproof::detail::FIXED_LANES
 #endif

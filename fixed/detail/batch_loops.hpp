@@ -6,7 +6,7 @@
 /// exact doubles do nothing if detail::hardware_double is false.
 
 #if defined(FIXED_LANES)
-namespace fixed::detail::FIXED_LANES {
+namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
@@ -198,5 +198,5 @@ struct loops {
   }
 };
 
-}  // namespace fixed::detail::FIXED_LANES
+}  // namespace fixproof::detail::FIXED_LANES
 #endif

@@ -11,7 +11,7 @@
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// Computes elements `i` to `count` with the number type.
 /// \param element (index) -> outcome
@@ -51,4 +51,4 @@ std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to, std::siz
   return i;
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

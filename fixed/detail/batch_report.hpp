@@ -15,7 +15,7 @@
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"
 
-namespace fixed::batch {
+namespace fixproof::batch {
 
 /// How many elements or vertices had which fault, and where the first was. An element counts once,
 /// for the first fault of its calculation.
@@ -23,7 +23,7 @@ struct report {
   /// The value of `first` if there is no fault.
   static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-  /// Quotients for which fixed::try_divide returns nothing, except mere overflows: zero divisors
+  /// Quotients for which fixproof::try_divide returns nothing, except mere overflows: zero divisors
   /// and other errors by policy::fault.
   std::size_t divide_errors = 0;
   /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Always
@@ -40,9 +40,9 @@ struct report {
   friend constexpr bool operator==(const report&, const report&) = default;
 };
 
-}  // namespace fixed::batch
+}  // namespace fixproof::batch
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The number of faults of one kind in a batch; an operand of raise().
 struct fault_count {
@@ -112,4 +112,4 @@ class fault_recorder {
   std::span<bool> marks_;
 };
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -13,7 +13,7 @@
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// A range to which numbers N can be written.
 template <class Range, class N>
@@ -75,4 +75,4 @@ void store_tuple(void* base, std::size_t index, const std::array<raw_t<F>, size>
   }
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -20,7 +20,7 @@
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/policy.hpp"
 
-namespace fixed::batch {
+namespace fixproof::batch {
 
 /// How a batch is computed. All paths give the same results and reports.
 enum class path : std::uint8_t {
@@ -30,7 +30,7 @@ enum class path : std::uint8_t {
   avx512,    ///< x86-64 processors with AVX-512 F, BW, DQ and VL
 };
 
-}  // namespace fixed::batch
+}  // namespace fixproof::batch
 
 // Requires g++ 12 or clang: vector types, their conversions, and per-function targets. Other
 // compilers take the portable path.
@@ -66,7 +66,7 @@ enum class path : std::uint8_t {
 #include "fixed/detail/batch_parts.hpp"
 #endif
 
-namespace fixed::batch {
+namespace fixproof::batch {
 
 /// Whether the compiler and the processor both support a path.
 inline bool has(path which) noexcept {
@@ -102,9 +102,9 @@ inline path best() noexcept {
   return found;
 }
 
-}  // namespace fixed::batch
+}  // namespace fixproof::batch
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// Calls call(loops) with the loops of a path and returns its result. Returns 0, for no element
 /// done, on the portable path and on unavailable paths.
@@ -121,4 +121,4 @@ std::size_t on_path(batch::path which, const Call& call) {
   return 0;
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

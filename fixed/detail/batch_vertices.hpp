@@ -2,7 +2,7 @@
 /// Vertices and points in vector registers; see fixed/detail/batch_lanes.hpp.
 
 #if defined(FIXED_LANES)
-namespace fixed::detail::FIXED_LANES {
+namespace fixproof::detail::FIXED_LANES {
 
 /// \name Conversion between interleaved (x y z ..., x y ...) and per-coordinate blocks
 /// \{
@@ -260,5 +260,5 @@ FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant,
   }
 }
 
-}  // namespace fixed::detail::FIXED_LANES
+}  // namespace fixproof::detail::FIXED_LANES
 #endif

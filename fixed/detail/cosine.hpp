@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// floor(a * b / 2^64).
 constexpr std::uint64_t multiply_high(std::uint64_t a, std::uint64_t b) noexcept {
@@ -39,4 +39,4 @@ constexpr std::int64_t cosine(std::uint64_t angle) noexcept {
          static_cast<std::int64_t>(multiply_high(square, factor) << 1);
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

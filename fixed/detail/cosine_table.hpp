@@ -9,7 +9,7 @@
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/storage.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// cos(step / steps * pi / 2) in units of 2^-62, for 0 <= step <= steps < 2^31. The error is below
 /// 2^-56.
@@ -39,4 +39,4 @@ inline constexpr auto cosine_table = [] {
   return table;
 }();
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

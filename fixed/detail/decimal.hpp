@@ -11,7 +11,7 @@
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The longest decimal text: sign, whole part, point, and one fraction digit per fraction bit.
 template <int FractionBits>
@@ -136,4 +136,4 @@ class decimal_reader {
   std::int64_t fraction_ = 0;
 };
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -10,7 +10,7 @@
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The outcome of a division.
 enum class division { done, divide_error, out_of_range };
@@ -92,4 +92,4 @@ constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) no
   return ending_of<FractionBits, P>(n, divisor, rounded_quotient<P.divide, shift>(n, divisor));
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -11,7 +11,7 @@
 
 #include "fixed/detail/rounding.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The supported floating-point types: IEEE binary32 and binary64.
 template <class T>
@@ -78,4 +78,4 @@ constexpr float to_float(std::int64_t raw, int fraction_bits) noexcept {
          static_cast<float>(std::int64_t{1} << fraction_bits);
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

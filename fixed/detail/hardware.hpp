@@ -9,7 +9,7 @@
 #include <cmath>
 #endif
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// True if double is IEEE binary64 and the compiler evaluates it as written, without excess
 /// precision, reciprocals or reassociation. If false, integers give the same bits, so translation
@@ -36,4 +36,4 @@ double copysign(double magnitude, double sign) noexcept;
 double sqrt(double x) noexcept;
 #endif
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

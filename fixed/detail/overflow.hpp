@@ -10,7 +10,7 @@
 
 #include "fixed/policy.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// Whether a Raw can hold the value.
 template <class Raw, class Wide>
@@ -47,4 +47,4 @@ constexpr std::int64_t clamp_far(Int value) noexcept {
   }
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -10,7 +10,7 @@
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/rounding.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// numerator * 2^Shift / divisor rounded by rule R, in integers. \pre divisor is not zero, Shift <=
 /// 16
@@ -113,4 +113,4 @@ constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t d
                                                         : quotient);
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -11,7 +11,7 @@
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/storage.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// 2^-16 radians in units of 2^-64 of a turn, that is 2^48 / (2 pi), to nearest; then the remainder
 /// in units of 2^-96 of a turn. The error of the first alone is at most 2^-38.5 of a turn.
@@ -95,4 +95,4 @@ constexpr std::int32_t nearest_sine(raw_t<FractionBits> raw, std::uint64_t ahead
   return turns < half_turn ? magnitude : -magnitude;
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -4,7 +4,7 @@
 /// The even and the odd lanes of a block are computed in separate registers of 64-bit lanes.
 
 #if defined(FIXED_LANES)
-namespace fixed::detail::FIXED_LANES {
+namespace fixproof::detail::FIXED_LANES {
 
 /// The `turns` of detail::nearest_sine().
 struct turn_lanes {
@@ -61,5 +61,5 @@ FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint
   return raw;
 }
 
-}  // namespace fixed::detail::FIXED_LANES
+}  // namespace fixproof::detail::FIXED_LANES
 #endif

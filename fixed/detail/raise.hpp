@@ -23,7 +23,7 @@
 #include "fixed/error.hpp"
 #endif
 
-namespace fixed {
+namespace fixproof {
 
 class overflow_error;
 class divide_error;
@@ -91,4 +91,4 @@ template <int FractionBits, class... Raws>
 }
 
 }  // namespace detail
-}  // namespace fixed
+}  // namespace fixproof

@@ -6,7 +6,7 @@
 
 #include "fixed/policy.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule R.
 /// \param negative whether the value is below zero
@@ -38,4 +38,4 @@ constexpr Int floor_divide(Int numerator, Int divisor) noexcept {
   return numerator / divisor - Int{numerator % divisor < 0};
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

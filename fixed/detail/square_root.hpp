@@ -7,7 +7,7 @@
 
 #include "fixed/detail/hardware.hpp"
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// floor(sqrt(n)), one bit at a time from the top, for 0 <= n < 2^48.
 constexpr std::int64_t floor_sqrt_by_bits(std::int64_t n) noexcept {
@@ -42,4 +42,4 @@ constexpr std::int64_t nearest_sqrt(std::int64_t n) noexcept {
   return root + (n - root * root > root ? 1 : 0);
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// The types for one format: 8.8 in 16 bits, 16.16 in 32.
 template <int FractionBits>
@@ -31,4 +31,4 @@ using raw_t = typename storage<FractionBits>::raw;
 template <int FractionBits>
 using wide_t = typename storage<FractionBits>::wide;
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #endif
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// Throws Error(text); without exceptions (-fno-exceptions) writes the text to stderr and aborts.
 template <class Error>
@@ -21,4 +21,4 @@ template <class Error>
 #endif
 }
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace fixed::detail {
+namespace fixproof::detail {
 
 /// A 128-bit two's complement sum in two words, with room for 2^64 terms of 63 bits.
 class wide_sum {
@@ -44,4 +44,4 @@ class wide_sum {
   std::int64_t high_ = 0;
 };
 
-}  // namespace fixed::detail
+}  // namespace fixproof::detail

@@ -21,8 +21,8 @@ namespace operations {
 inline constexpr auto product = []<class N>(const N* x) { return x[0] * x[1]; };
 /// Empty for a divide error.
 inline constexpr auto quotient = []<class N>(const N* x) -> std::optional<N> {
-  if constexpr (requires { fixed::try_divide(x[0], x[1]); }) {
-    return fixed::try_divide(x[0], x[1]);
+  if constexpr (requires { fixproof::try_divide(x[0], x[1]); }) {
+    return fixproof::try_divide(x[0], x[1]);
   } else {
     return x[0] / x[1];
   }

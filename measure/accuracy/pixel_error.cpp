@@ -26,7 +26,7 @@ std::int32_t edge(const PageProjection& page, std::int32_t z) {
 template <class N>
 double pixels_off(const PageProjection& page, std::int32_t x, std::int32_t z) {
   const N depth = N::from_raw(-z);
-  const auto quotient = fixed::try_divide(N::from_raw(x), depth);
+  const auto quotient = fixproof::try_divide(N::from_raw(x), depth);
   // No divide faults, because |z| is at least 1 and |x| is less than |z|.
   const N drawn = *quotient * N(page.constant);
   const std::int64_t off =
@@ -87,7 +87,7 @@ std::int32_t safe_distance(ErrorOf error_of, const PageProjection& page,
 
 std::vector<PixelErrors> measure_pixel_errors(const PageProjection& page, std::uint64_t seed,
                                               std::uint64_t cases, const std::atomic<bool>& stop) {
-  using namespace fixed;
+  using namespace fixproof;
   std::vector<PixelErrors> all;
   for (const auto& [name, error_of] : std::initializer_list<std::pair<const char*, ErrorOf*>>{
            {"q16_16_i8088", pixels_off<q16_16_i8088>},

@@ -18,7 +18,7 @@ constexpr int digits = 48;
 
 /// Only the type has it.
 constexpr auto rounded_sum = []<class N>(const N* x) {
-  return fixed::dot(std::array{x[0], x[1], x[2]}, std::array{x[3], x[4], x[5]});
+  return fixproof::dot(std::array{x[0], x[1], x[2]}, std::array{x[3], x[4], x[5]});
 };
 
 Integer units(CaseWords in, std::size_t i) { return oracle::ulps(in[i], 16); }
@@ -58,7 +58,7 @@ std::optional<ExactResult> exact_dot(CaseWords in) {
 /// @param alike presets that return the same as `q16_16`
 template <class Operation>
 std::vector<Subject> by_product(Operation o, const char* alike) {
-  using namespace fixed;
+  using namespace fixproof;
   return {
       subject_of<q16_16>(o, "q16_16", alike),
       subject_of<q16_16_i386_unrounded>(o, "q16_16_i386_unrounded", "_i386_div_rounded"),
@@ -69,7 +69,7 @@ std::vector<Subject> by_product(Operation o, const char* alike) {
 
 /// The presets that differ in the divide.
 std::vector<Subject> by_divide() {
-  using namespace fixed;
+  using namespace fixproof;
   using operations::quotient;
   return {
       subject_of<q16_16>(quotient, "q16_16", "_saturating _trapping"),
@@ -83,7 +83,7 @@ std::vector<Subject> by_divide() {
 /// One subject for all presets, because all return the same.
 template <class Operation>
 std::vector<Subject> by_none(Operation o) {
-  return {subject_of<fixed::q16_16>(o, "q16_16", "every preset")};
+  return {subject_of<fixproof::q16_16>(o, "q16_16", "every preset")};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using oracle::Rounding;
 /// template arguments.
 template <class Make>
 std::vector<HostContender> by_product(Make make) {
-  using namespace fixed;
+  using namespace fixproof;
   using enum HostKind;
   return {
       make.template operator()<q16_16, Rounding::half_up>("q16_16", "_i386 _i386_mul_rounded",
@@ -43,7 +43,7 @@ template <class N>
 constexpr auto& divider = array_contender<N, HostQuotient>;
 
 std::vector<HostContender> dividers() {
-  using namespace fixed;
+  using namespace fixproof;
   using enum HostKind;
   using enum Rounding;
   const std::string up = rounding_text(half_up);
@@ -68,8 +68,8 @@ std::vector<HostContender> dividers() {
 /// The type, for which every preset runs the same code.
 template <class Operation>
 std::vector<HostContender> every_preset(HostJudgement (*judge)(const HostCase&)) {
-  return {array_contender<fixed::q16_16, Operation>("q16_16", "every preset", HostKind::type,
-                                                    "to nearest", judge)};
+  return {array_contender<fixproof::q16_16, Operation>("q16_16", "every preset", HostKind::type,
+                                                       "to nearest", judge)};
 }
 
 template <template <class> class Loop>

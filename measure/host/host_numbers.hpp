@@ -33,16 +33,16 @@ struct PlainNumber {
 template <class N>
 struct MeasuredNumber;
 
-template <fixed::policy P>
-struct MeasuredNumber<fixed::number<16, P>> {
-  using N = fixed::number<16, P>;
+template <fixproof::policy P>
+struct MeasuredNumber<fixproof::number<16, P>> {
+  using N = fixproof::number<16, P>;
   static N of_word(std::uint32_t word) { return N::from_raw(static_cast<std::int32_t>(word)); }
   static double in_units(N x) { return x.raw(); }
-  static N root(N x) { return fixed::sqrt(x); }
+  static N root(N x) { return fixproof::sqrt(x); }
   /// The cosine of as many tenths of a degree as `x` has units.
-  static N cosine(N x) { return fixed::cos<N>(x.raw()); }
-  static N sine(N x) { return fixed::sin<N>(x.raw()); }
-  static N sine_of_radians(N x) { return fixed::sin(x); }
+  static N cosine(N x) { return fixproof::cos<N>(x.raw()); }
+  static N sine(N x) { return fixproof::sin<N>(x.raw()); }
+  static N sine_of_radians(N x) { return fixproof::sin(x); }
 };
 
 template <>

@@ -88,7 +88,7 @@ HostOperands cosine_operands(std::uint64_t seed, std::size_t blocks) {
 }
 
 HostOperands vertex_operands(std::uint64_t seed, std::size_t blocks) {
-  using N = fixed::q16_16;
+  using N = fixproof::q16_16;
   using xsharp::Axis;
   const auto vertices = [](cases::Draw& draw) {
     std::vector<std::int64_t> all;

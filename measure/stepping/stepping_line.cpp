@@ -76,17 +76,17 @@ StepWords line_words(LineRule rule, const LineEnds& ends, const SpanPlace& place
                      unsigned dropped) {
   switch (rule) {
     case LineRule::cut:
-      return stepped_words<fixed::q16_16_i386_unrounded>(ends, place, dropped);
+      return stepped_words<fixproof::q16_16_i386_unrounded>(ends, place, dropped);
     case LineRule::i8088:
-      return stepped_words<fixed::q16_16_i8088>(ends, place, dropped);
+      return stepped_words<fixproof::q16_16_i8088>(ends, place, dropped);
     case LineRule::at_end:
-      return stepped_words<fixed::q16_16>(ends, place, dropped, true);
+      return stepped_words<fixproof::q16_16>(ends, place, dropped, true);
     case LineRule::whole_words:
       return whole_words(ends, place, dropped);
     case LineRule::rounded:
       break;
   }
-  return stepped_words<fixed::q16_16>(ends, place, dropped);
+  return stepped_words<fixproof::q16_16>(ends, place, dropped);
 }
 
 std::int64_t line_bound(LineRule rule, const LineEnds& ends, const SpanPlace& place,

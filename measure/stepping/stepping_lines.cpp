@@ -71,7 +71,7 @@ void step_depth(LineRule rule, const LineFormat& format, const SpanPlace& place,
   xsharp::DepthBuffer buffer(format.dropped == xsharp::dropped_bits ? DepthBuffering::on
                                                                     : DepthBuffering::no_clear);
   buffer.begin(static_cast<std::int32_t>(place.pixels), 1);
-  const std::uint32_t nothing = buffer.words(xsharp::Step<fixed::q16_16>{}).start;
+  const std::uint32_t nothing = buffer.words(xsharp::Step<fixproof::q16_16>{}).start;
   const auto depths = buffer.pixels(0, 0, place.pixels);
   std::array<std::uint8_t, xsharp::longest_span> pixels{};
   xsharp::PlainLoops().depth(std::span(pixels).first(place.pixels), depths, 1,

@@ -249,9 +249,9 @@ std::vector<SteppingVariant> phong_variants() {
          [rule](const SpanPlace& place, Ends which, cases::Draw draw, SteppedSpan& out) {
            const PhongEnds ends = choose_normals(which, draw);
            if (rule.rule == LineRule::cut) {
-             step_phong<fixed::q16_16_i386_unrounded>(rule.rule, rule.form, ends, place, out);
+             step_phong<fixproof::q16_16_i386_unrounded>(rule.rule, rule.form, ends, place, out);
            } else {
-             step_phong<fixed::q16_16>(rule.rule, rule.form, ends, place, out);
+             step_phong<fixproof::q16_16>(rule.rule, rule.form, ends, place, out);
            }
          }});
   }

@@ -196,9 +196,9 @@ void step_perspective(const PerspectiveRule& rule, const SpanPlace& place, Ends 
     if (rule.every == 0) {
       step_affine(ends, place, places);
     } else if (rule.rule == LineRule::cut) {
-      step_places<fixed::q16_16_i386_unrounded>(rule.rule, rule.every, ends, place, places);
+      step_places<fixproof::q16_16_i386_unrounded>(rule.rule, rule.every, ends, place, places);
     } else {
-      step_places<fixed::q16_16>(rule.rule, rule.every, ends, place, places);
+      step_places<fixproof::q16_16>(rule.rule, rule.every, ends, place, places);
     }
   }
   const auto& [columns, rows] = both;

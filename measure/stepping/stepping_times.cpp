@@ -19,7 +19,7 @@ namespace fixproof::measure {
 
 namespace {
 
-using N = fixed::q16_16;
+using N = fixproof::q16_16;
 constexpr std::size_t row_pixels = xsharp::longest_span;
 /// Spans per pass of the setup loop.
 constexpr std::size_t begun_spans = 256;

@@ -1,4 +1,4 @@
-"""Shows numbers of namespace fixed in gdb by value: q16_16 -0.75 (0xffff4000).
+"""Shows numbers of namespace fixproof in gdb by value: q16_16 -0.75 (0xffff4000).
 
 (gdb) source fixproof_gdb.py
 """
@@ -27,23 +27,23 @@ SUFFIXES = {
 
 def type_name(value_type, fraction_bits):
     """The alias the value was declared with; else the preset, as far as the name of the type tells."""
-    alias = re.fullmatch(r"(?:const |volatile )*(?:fixed::)?(q(?:16_16|8_8)\w*)", str(value_type))
+    alias = re.fullmatch(r"(?:const |volatile )*(?:fixproof::)?(q(?:16_16|8_8)\w*)", str(value_type))
     if alias:
         return alias[1]
-    # "fixed::number<16, fixed::policy{(fixed::rounding)1, ...}>" of g++, "{1, ...}" of clang.
+    # "fixproof::number<16, fixproof::policy{(fixproof::rounding)1, ...}>" of g++, "{1, ...}" of clang.
     policy = str(value_type.strip_typedefs()).partition("{")[2]
-    rules = re.findall(r"(?:^|, )(?:\(fixed::\w+\))?(\d)", policy)
+    rules = re.findall(r"(?:^|, )(?:\(fixproof::\w+\))?(\d)", policy)
     suffix = SUFFIXES.get(tuple(map(int, rules)), "")
     return f"q{fraction_bits}_{fraction_bits}{suffix}"
 
 
 class NumberPrinter:
-    """One fixed::number."""
+    """One fixproof::number."""
 
     def __init__(self, value):
         self.value = value
         tag = value.type.strip_typedefs().unqualified().name
-        self.fraction_bits = int(re.match(r"fixed::number<(\d+)", tag)[1])
+        self.fraction_bits = int(re.match(r"fixproof::number<(\d+)", tag)[1])
 
     def to_string(self):
         bits = self.fraction_bits
@@ -57,7 +57,7 @@ class NumberPrinter:
 
 def printers():
     collection = gdb.printing.RegexpCollectionPrettyPrinter("fixproof")
-    collection.add_printer("number", r"^fixed::number<(8|16),.*>$", NumberPrinter)
+    collection.add_printer("number", r"^fixproof::number<(8|16),.*>$", NumberPrinter)
     return collection
 
 

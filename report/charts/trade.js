@@ -1,7 +1,7 @@
 // The chart of speed and accuracy.
 
 const kinds = { host: ["type", "library", "plain", "floating"], clocks: ["386 listing", "8088 listing"] };
-const kindNames = { type: "fixed::number", library: "libraries", plain: "64-bit product or quotient in C++", floating: "floating point" };
+const kindNames = { type: "fixproof::number", library: "libraries", plain: "64-bit product or quotient in C++", floating: "floating point" };
 const cpus = ["486", "386", "286", "8088"];
 
 // All presets that return what a row returns: `alike` has the suffixes of their names.

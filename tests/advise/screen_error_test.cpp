@@ -138,7 +138,7 @@ int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& 
 }
 
 TEST(ScreenCorners, AreWhatIsDrawn) {
-  using namespace fixed;
+  using namespace fixproof;
   for (const char* file : {SCENES "/ball_and_cubes.json", SCENES "/shaded_ball.json", PASSING_BY}) {
     EXPECT_GT(compare_with_drawn<q16_16_i386>(file, {"type", "i386", true, true}), 1000) << file;
     EXPECT_GT(compare_with_drawn<q16_16_i386_unrounded>(file, {"type", "i386", false, false}), 1000)

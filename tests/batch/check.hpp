@@ -11,9 +11,9 @@ namespace batch_test {
 
 /// Checks `call(out, options)`, which computes the results of `want`, on every path.
 template <class Number>
-void check(
-    const std::vector<Expected<Number>>& want,
-    const std::function<fixed::batch::report(std::span<Number>, fixed::batch::options)>& call) {
+void check(const std::vector<Expected<Number>>& want,
+           const std::function<fixproof::batch::report(std::span<Number>,
+                                                       fixproof::batch::options)>& call) {
   std::vector<Fault> faults;
   for (const auto& one : want) faults.push_back(one.fault);
   for (const auto on : paths()) {
@@ -34,8 +34,8 @@ void check(
 template <class Number, std::size_t size>
 void check(
     const std::vector<Coordinates<Number, size>>& want,
-    const std::function<std::pair<fixed::batch::report, std::vector<std::array<Number, size>>>(
-        fixed::batch::options)>& call) {
+    const std::function<std::pair<fixproof::batch::report, std::vector<std::array<Number, size>>>(
+        fixproof::batch::options)>& call) {
   std::vector<Fault> faults;
   for (const auto& one : want) faults.push_back(one.fault);
   for (const auto path : paths()) {

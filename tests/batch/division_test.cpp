@@ -11,7 +11,7 @@ namespace {
 
 template <class Number>
 class Quotients : public testing::Test {};
-TYPED_TEST_SUITE(Quotients, fixed::all_types);
+TYPED_TEST_SUITE(Quotients, fixproof::all_types);
 
 TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
   std::vector<TypeParam> n;
@@ -31,7 +31,7 @@ TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
       const auto how = marked.how(path);
       {
         const RoundingMode set(mode);
-        fixed::batch::divide(n, d, out, how);
+        fixproof::batch::divide(n, d, out, how);
       }
       for (std::size_t i = 0; i < count; ++i) {
         if (want[i].throws) {
@@ -53,7 +53,7 @@ void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want)
     for (const int mode : RoundingMode::all) {
       {
         const RoundingMode set(mode);
-        fixed::batch::sqrt(x, out, {path, {}});
+        fixproof::batch::sqrt(x, out, {path, {}});
       }
       for (std::size_t i = 0; i < x.size(); ++i) {
         ASSERT_EQ(out[i].raw(), want[i]) << x[i] << ", path " << static_cast<int>(path);
@@ -64,7 +64,7 @@ void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want)
 
 // The root of r (r + 1) lies nearest to r + 1/2, and the root of a square is exact.
 TEST(Roots, AreNearestInEveryRoundingMode) {
-  using N = fixed::q16_16;
+  using N = fixproof::q16_16;
   std::vector<N> x;
   std::vector<std::int64_t> want;
   std::mt19937_64 random(22);
@@ -86,7 +86,7 @@ TEST(Roots, AreNearestInEveryRoundingMode) {
 }
 
 TEST(Roots, OfEvery88WordInEveryRoundingMode) {
-  using N = fixed::q8_8;
+  using N = fixproof::q8_8;
   std::vector<N> x;
   std::vector<std::int64_t> want;
   int root = 0;

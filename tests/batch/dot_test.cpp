@@ -9,7 +9,7 @@ namespace {
 
 template <class Number>
 class Dots : public testing::Test {};
-TYPED_TEST_SUITE(Dots, fixed::some_types);
+TYPED_TEST_SUITE(Dots, fixproof::some_types);
 
 template <class Number>
 void check(std::span<const Number> a, std::span<const Number> b) {
@@ -17,7 +17,7 @@ void check(std::span<const Number> a, std::span<const Number> b) {
   for (std::size_t i = 0; i < a.size(); ++i) sum += exact::integer{a[i].raw()} * b[i].raw();
   const auto want = exact::result<Number>({sum, exact::one<Number>});
   for (const auto path : paths()) {
-    const auto got = exact::run<Number>([&] { return fixed::batch::dot(a, b, path); });
+    const auto got = exact::run<Number>([&] { return fixproof::batch::dot(a, b, path); });
     ASSERT_EQ(got, want) << a.size() << " terms, path " << static_cast<int>(path);
   }
 }

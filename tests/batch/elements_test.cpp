@@ -8,7 +8,7 @@
 namespace batch_test {
 namespace {
 
-using fixed::batch::path;
+using fixproof::batch::path;
 
 /// Checks `batch(a, b, c, out, options)` at every length against `expect`, which takes an element
 /// of each operand. The operand arrays have different alignments.
@@ -31,14 +31,14 @@ void check_every_length(const std::function<Expected<Number>(Number, Number, Num
 
 template <class Number>
 class Elements : public testing::Test {};
-TYPED_TEST_SUITE(Elements, fixed::all_types);
+TYPED_TEST_SUITE(Elements, fixproof::all_types);
 
 TYPED_TEST(Elements, Multiply) {
   using N = TypeParam;
   check_every_length<N>(
       [](N a, N b, N) { return expected<N>([](auto x, auto y) { return x * y; }, a, b); },
       [](auto a, auto b, auto, auto out, auto how) {
-        return fixed::batch::multiply(a, b, out, how);
+        return fixproof::batch::multiply(a, b, out, how);
       });
 }
 
@@ -46,22 +46,23 @@ TYPED_TEST(Elements, Divide) {
   using N = TypeParam;
   check_every_length<N>([](N a, N b, N) { return expected_quotient(a, b); },
                         [](auto a, auto b, auto, auto out, auto how) {
-                          return fixed::batch::divide(a, b, out, how);
+                          return fixproof::batch::divide(a, b, out, how);
                         });
 }
 
 template <class Number>
 class SomeElements : public testing::Test {};
-TYPED_TEST_SUITE(SomeElements, fixed::some_types);
+TYPED_TEST_SUITE(SomeElements, fixproof::some_types);
 
 TYPED_TEST(SomeElements, MulAdd) {
   using N = TypeParam;
   check_every_length<N>(
       [](N a, N b, N c) {
-        return expected<N>([](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a, b, c);
+        return expected<N>([](auto x, auto y, auto z) { return fixproof::mul_add(x, y, z); }, a, b,
+                           c);
       },
       [](auto a, auto b, auto c, auto out, auto how) {
-        return fixed::batch::mul_add(a, b, c, out, how);
+        return fixproof::batch::mul_add(a, b, c, out, how);
       });
 }
 
@@ -69,16 +70,16 @@ TYPED_TEST(SomeElements, SquareRoot) {
   using N = TypeParam;
   check_every_length<N>(
       [](N a, N, N) {
-        auto one = expected<N>([](auto x) { return fixed::sqrt(x); }, a);
+        auto one = expected<N>([](auto x) { return fixproof::sqrt(x); }, a);
         if (a.raw() < 0) one.fault = Fault::domain_error;
         return one;
       },
-      [](auto a, auto, auto, auto out, auto how) { return fixed::batch::sqrt(a, out, how); });
+      [](auto a, auto, auto, auto out, auto how) { return fixproof::batch::sqrt(a, out, how); });
 }
 
 // Covers every 8.8 pair in which one operand is near a value where the behaviour changes.
 TEST(AllOf88, MultiplyAndDivide) {
-  using fixed::q8_8;
+  using fixproof::q8_8;
   std::vector<q8_8> all;
   for (int raw = -32768; raw <= 32767; raw += 1) {
     all.push_back(q8_8::from_raw(static_cast<std::int16_t>(raw)));
@@ -90,11 +91,11 @@ TEST(AllOf88, MultiplyAndDivide) {
     const auto b = q8_8::from_raw(static_cast<std::int16_t>(raw));
     std::fill(other.begin(), other.end(), b);
     for (const path on : paths()) {
-      fixed::batch::multiply(all, other, out, {on, {}});
+      fixproof::batch::multiply(all, other, out, {on, {}});
       for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(out[i], all[i] * b);
-      fixed::batch::divide(all, other, out, {on, {}});
+      fixproof::batch::divide(all, other, out, {on, {}});
       for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(out[i], all[i] / b);
-      fixed::batch::divide(other, all, out, {on, {}});
+      fixproof::batch::divide(other, all, out, {on, {}});
       for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(out[i], b / all[i]);
     }
   }

@@ -18,36 +18,36 @@ struct Expected {
 };
 
 /// The policy without exceptions. It gives the value that a batch writes for a faulty element.
-constexpr fixed::policy quiet(fixed::policy p) {
-  if (p.range == fixed::overflow::trap) p.range = fixed::overflow::wrap;
-  p.fault = fixed::divide_fault::none;
+constexpr fixproof::policy quiet(fixproof::policy p) {
+  if (p.range == fixproof::overflow::trap) p.range = fixproof::overflow::wrap;
+  p.fault = fixproof::divide_fault::none;
   return p;
 }
 
 /// The policy that throws on every fault that a report counts.
-constexpr fixed::policy loud(fixed::policy p) {
-  if (p.range == fixed::overflow::saturate) p.range = fixed::overflow::trap;
+constexpr fixproof::policy loud(fixproof::policy p) {
+  if (p.range == fixproof::overflow::saturate) p.range = fixproof::overflow::trap;
   return p;
 }
 
-template <class Number, fixed::policy P>
+template <class Number, fixproof::policy P>
 auto as(Number x) {
-  return fixed::number<Number::fraction_bits, P>::from_raw(x.raw());
+  return fixproof::number<Number::fraction_bits, P>::from_raw(x.raw());
 }
 
 /// Expects `operation` of the numbers. The callable receives them under both policies.
 template <class Number, class Operation, class... Numbers>
 Expected<Number> expected(const Operation& operation, Numbers... numbers) {
-  constexpr fixed::policy P = Number::rules;
-  Expected<Number> result{as<fixed::number<Number::fraction_bits, quiet(P)>, P>(
+  constexpr fixproof::policy P = Number::rules;
+  Expected<Number> result{as<fixproof::number<Number::fraction_bits, quiet(P)>, P>(
       operation(as<Number, quiet(P)>(numbers)...))};
   try {
     static_cast<void>(operation(as<Number, loud(P)>(numbers)...));
-  } catch (const fixed::divide_error&) {
+  } catch (const fixproof::divide_error&) {
     result.fault = Fault::divide_error;
-  } catch (const fixed::overflow_error&) {
+  } catch (const fixproof::overflow_error&) {
     result.fault = Fault::overflow;
-  } catch (const fixed::domain_error&) {
+  } catch (const fixproof::domain_error&) {
     result.fault = Fault::domain_error;
   }
   return result;
@@ -57,8 +57,8 @@ Expected<Number> expected(const Operation& operation, Numbers... numbers) {
 template <class Number>
 Expected<Number> expected_quotient(Number n, Number d) {
   auto result = expected<Number>([](auto a, auto b) { return a / b; }, n, d);
-  if constexpr (Number::rules.range == fixed::overflow::wrap) {
-    if (!fixed::try_divide(n, d)) result.fault = Fault::divide_error;
+  if constexpr (Number::rules.range == fixproof::overflow::wrap) {
+    if (!fixproof::try_divide(n, d)) result.fault = Fault::divide_error;
   }
   return result;
 }
@@ -78,11 +78,11 @@ class Marked {
   explicit Marked(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {
     for (std::size_t i = 0; i < count; ++i) marks_[i] = i % 3 == 0;
   }
-  fixed::batch::options how(fixed::batch::path path) { return {path, {marks_.get(), size_}}; }
+  fixproof::batch::options how(fixproof::batch::path path) { return {path, {marks_.get(), size_}}; }
 
   /// Compares the marks and the report with the expected faults.
-  void check(const fixed::batch::report& report, const std::vector<Fault>& faults) const {
-    fixed::batch::report whole;
+  void check(const fixproof::batch::report& report, const std::vector<Fault>& faults) const {
+    fixproof::batch::report whole;
     for (std::size_t i = 0; i < faults.size(); ++i) {
       ASSERT_EQ(marks_[i], faults[i] != Fault::none) << "element " << i;
       if (faults[i] == Fault::none) continue;
@@ -102,11 +102,11 @@ class Marked {
   std::unique_ptr<bool[]> marks_;
 };
 
-inline std::vector<fixed::batch::path> paths() {
-  using enum fixed::batch::path;
-  std::vector<fixed::batch::path> there;
+inline std::vector<fixproof::batch::path> paths() {
+  using enum fixproof::batch::path;
+  std::vector<fixproof::batch::path> there;
   for (const auto path : {portable, neon, avx2, avx512}) {
-    if (fixed::batch::has(path)) there.push_back(path);
+    if (fixproof::batch::has(path)) there.push_back(path);
   }
   return there;
 }

@@ -97,8 +97,8 @@ void each_block(Operation operation, const Compare& compare) {
 
 template <class Number>
 class LevelTwo : public testing::Test {};
-using policies = testing::Types<fixed::q16_16_saturating, fixed::q16_16_trapping,
-                                fixed::q16_16_i386, fixed::q16_16_i8088>;
+using policies = testing::Types<fixproof::q16_16_saturating, fixproof::q16_16_trapping,
+                                fixproof::q16_16_i386, fixproof::q16_16_i8088>;
 TYPED_TEST_SUITE(LevelTwo, policies, );
 
 TYPED_TEST(LevelTwo, Multiply) {
@@ -110,7 +110,7 @@ TYPED_TEST(LevelTwo, Multiply) {
       want.push_back(expected<TypeParam>([](auto x, auto y) { return x * y; }, a[i], b[i]));
     }
     check<TypeParam>(want,
-                     [&](auto out, auto how) { return fixed::batch::multiply(a, b, out, how); });
+                     [&](auto out, auto how) { return fixproof::batch::multiply(a, b, out, how); });
   });
 }
 
@@ -123,10 +123,10 @@ TYPED_TEST(LevelTwo, MulAdd) {
     std::vector<Expected<TypeParam>> want;
     for (std::size_t i = 0; i < a.size(); ++i) {
       want.push_back(expected<TypeParam>(
-          [](auto x, auto y, auto z) { return fixed::mul_add(x, y, z); }, a[i], b[i], c[i]));
+          [](auto x, auto y, auto z) { return fixproof::mul_add(x, y, z); }, a[i], b[i], c[i]));
     }
-    check<TypeParam>(want,
-                     [&](auto out, auto how) { return fixed::batch::mul_add(a, b, c, out, how); });
+    check<TypeParam>(
+        want, [&](auto out, auto how) { return fixproof::batch::mul_add(a, b, c, out, how); });
   });
 }
 
@@ -137,7 +137,7 @@ TYPED_TEST(LevelTwo, Divide) {
     std::vector<Expected<TypeParam>> want;
     for (std::size_t i = 0; i < n.size(); ++i) want.push_back(expected_quotient(n[i], d[i]));
     check<TypeParam>(want,
-                     [&](auto out, auto how) { return fixed::batch::divide(n, d, out, how); });
+                     [&](auto out, auto how) { return fixproof::batch::divide(n, d, out, how); });
   });
 }
 
@@ -152,11 +152,12 @@ void check_transform(const Rows<Number>& rows, const Vertex<Number>& vertex, std
   check<Number, 3>(want, [&](auto how) {
     std::vector<Vertex<Number>> all(block);
     all[place % block] = vertex;
-    if (place / block % 2 == 0) return std::pair(fixed::batch::transform(rows, all, all, how), all);
+    if (place / block % 2 == 0)
+      return std::pair(fixproof::batch::transform(rows, all, all, how), all);
     std::array<std::array<Number, block>, 3> columns{};
     auto& [x, y, z] = columns;
     for (std::size_t c = 0; c < 3; ++c) columns[c][place % block] = vertex[c];
-    const auto report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
+    const auto report = fixproof::batch::transform(rows, x, y, z, x, y, z, how);
     for (std::size_t i = 0; i < block; ++i) all[i] = {x[i], y[i], z[i]};
     return std::pair(report, all);
   });
@@ -169,7 +170,7 @@ Vertex<Number> vertex_of(const Cases& cases, std::size_t i) {
 
 // The party `batch` of `verify` covers the wrapping policies.
 TYPED_TEST(LevelTwo, Transform) {
-  if (TypeParam::rules.range == fixed::overflow::wrap) GTEST_SKIP() << "fixproof verify does it";
+  if (TypeParam::rules.range == fixproof::overflow::wrap) GTEST_SKIP() << "fixproof verify does it";
   each_block(Operation::xformvec, [](const Cases& cases) {
     for (std::size_t i = 0; i < cases.count(); ++i) {
       Rows<TypeParam> rows;
@@ -194,7 +195,7 @@ TYPED_TEST(LevelTwo, Project) {
       }
       check<TypeParam, 2>(want, [&](auto how) {
         std::vector<Point<TypeParam>> out(vertices.size());
-        return std::pair(fixed::batch::project(vertices, constant, out, how), out);
+        return std::pair(fixproof::batch::project(vertices, constant, out, how), out);
       });
     }
   });

@@ -6,11 +6,11 @@
 namespace batch_test {
 namespace {
 
-using fixed::q16_16;
-using fixed::q16_16_i386;
-using fixed::q16_16_saturating;
-using fixed::q16_16_trapping;
-using Report = fixed::batch::report;
+using fixproof::q16_16;
+using fixproof::q16_16_i386;
+using fixproof::q16_16_saturating;
+using fixproof::q16_16_trapping;
+using Report = fixproof::batch::report;
 
 template <class Number>
 std::vector<Number> numbers(std::initializer_list<double> values) {
@@ -33,7 +33,7 @@ TEST(BatchReports, CountZeroDivisorsOfATypeThatDoesNotThrow) {
   const auto n = numbers<q16_16>({1, 0, -1, 3});
   const auto d = numbers<q16_16>({0, 0, 0, 2});
   std::vector<q16_16> out(4);
-  const Report report = fixed::batch::divide(n, d, out);
+  const Report report = fixproof::batch::divide(n, d, out);
   EXPECT_EQ(report, (Report{.divide_errors = 3, .first = 0}));
   EXPECT_FALSE(report.clean());
   using limits = std::numeric_limits<q16_16>;
@@ -43,14 +43,14 @@ TEST(BatchReports, CountZeroDivisorsOfATypeThatDoesNotThrow) {
 TEST(BatchReports, CountWhatIsSaturated) {
   const auto a = numbers<q16_16_saturating>({1, 300, 2, -300});
   std::vector<q16_16_saturating> out(4);
-  EXPECT_EQ(fixed::batch::multiply(a, numbers<q16_16_saturating>({1, 300, 3, 300}), out),
+  EXPECT_EQ(fixproof::batch::multiply(a, numbers<q16_16_saturating>({1, 300, 3, 300}), out),
             (Report{.overflows = 2, .first = 1}));
 }
 
 TEST(BatchReports, AreCleanUnderOverflowThatWraps) {
   const auto a = numbers<q16_16>({300, 300});
   std::vector<q16_16> out(2);
-  EXPECT_TRUE(fixed::batch::multiply(a, a, out).clean());
+  EXPECT_TRUE(fixproof::batch::multiply(a, a, out).clean());
 }
 
 TEST(BatchErrors, NameTheFirstElementOnEveryPath) {
@@ -59,10 +59,10 @@ TEST(BatchErrors, NameTheFirstElementOnEveryPath) {
   a[37] = a[61] = q16_16_trapping(300);
   for (const auto path : paths()) {
     std::fill(out.begin(), out.end(), q16_16_trapping());
-    expect_error<fixed::overflow_error>("fixed-point overflow: multiply(element 37, 2 in all)",
-                                        [&] {
-                                          fixed::batch::multiply(a, a, out, {path, {}});
-                                        });
+    expect_error<fixproof::overflow_error>("fixed-point overflow: multiply(element 37, 2 in all)",
+                                           [&] {
+                                             fixproof::batch::multiply(a, a, out, {path, {}});
+                                           });
     EXPECT_EQ(out[99], q16_16_trapping(4)) << "the batch is finished first";
   }
 }
@@ -73,9 +73,10 @@ TEST(BatchErrors, NameTheFirstElementOfMulAdd) {
   a[37] = a[61] = N(300);
   for (const auto path : paths()) {
     std::vector<N> out(100);
-    expect_error<fixed::overflow_error>("fixed-point overflow: mul_add(element 37, 2 in all)", [&] {
-      fixed::batch::mul_add(a, a, a, out, {path, {}});
-    });
+    expect_error<fixproof::overflow_error>("fixed-point overflow: mul_add(element 37, 2 in all)",
+                                           [&] {
+                                             fixproof::batch::mul_add(a, a, a, out, {path, {}});
+                                           });
     EXPECT_EQ(out[99], N(6));
   }
 }
@@ -91,16 +92,16 @@ TEST(BatchErrors, NameTheFirstVertexOfTransform) {
   const std::string text = "fixed-point overflow: transform(element 37, 2 in all)";
   for (const auto path : paths()) {
     std::vector<std::array<N, 3>> out(100);
-    expect_error<fixed::overflow_error>(text, [&] {
-      fixed::batch::transform(rows, vertices, out, {path, {}});
+    expect_error<fixproof::overflow_error>(text, [&] {
+      fixproof::batch::transform(rows, vertices, out, {path, {}});
     });
     EXPECT_EQ(out[99], (std::array{N(200), N(400), N(600)}));
     auto replaced = columns;
     auto& x = replaced[0];
     auto& y = replaced[1];
     auto& z = replaced[2];
-    expect_error<fixed::overflow_error>(text, [&] {
-      fixed::batch::transform(rows, x, y, z, x, y, z, {path, {}});
+    expect_error<fixproof::overflow_error>(text, [&] {
+      fixproof::batch::transform(rows, x, y, z, x, y, z, {path, {}});
     });
     EXPECT_EQ((std::array{x[99], y[99], z[99]}), out[99]);
   }
@@ -116,16 +117,16 @@ TEST(BatchErrors, NameTheFirstVertexOfProject) {
   const std::string text = "fixed-point divide error: project(element 37, 1 in all)";
   for (const auto path : paths()) {
     std::vector<std::array<N, 2>> out(100);
-    expect_error<fixed::divide_error>(text, [&] {
-      fixed::batch::project(vertices, N(3), out, {path, {}});
+    expect_error<fixproof::divide_error>(text, [&] {
+      fixproof::batch::project(vertices, N(3), out, {path, {}});
     });
     EXPECT_EQ(out[99], (std::array{N(3), N(6)}));
     auto replaced = columns;
     auto& x = replaced[0];
     auto& y = replaced[1];
     const auto& z = replaced[2];
-    expect_error<fixed::divide_error>(text, [&] {
-      fixed::batch::project(x, y, z, N(3), x, y, {path, {}});
+    expect_error<fixproof::divide_error>(text, [&] {
+      fixproof::batch::project(x, y, z, N(3), x, y, {path, {}});
     });
     EXPECT_EQ((std::array{x[99], y[99]}), out[99]);
   }
@@ -136,16 +137,17 @@ TEST(BatchErrors, AreThoseOfTheType) {
   std::vector<q16_16_i386> d(20, q16_16_i386(2));
   d[19] = q16_16_i386();
   for (const auto path : paths()) {
-    expect_error<fixed::divide_error>("fixed-point divide error: divide(element 19, 1 in all)",
-                                      [&] {
-                                        fixed::batch::divide(n, d, n, {path, {}});
-                                      });
+    expect_error<fixproof::divide_error>("fixed-point divide error: divide(element 19, 1 in all)",
+                                         [&] {
+                                           fixproof::batch::divide(n, d, n, {path, {}});
+                                         });
     std::fill(n.begin(), n.end(), q16_16_i386(7));
     const auto x = numbers<q16_16_trapping>({4, -1});
     std::vector<q16_16_trapping> out(2);
-    expect_error<fixed::domain_error>("fixed-point domain error: sqrt(element 1, 1 in all)", [&] {
-      fixed::batch::sqrt(x, out, {path, {}});
-    });
+    expect_error<fixproof::domain_error>("fixed-point domain error: sqrt(element 1, 1 in all)",
+                                         [&] {
+                                           fixproof::batch::sqrt(x, out, {path, {}});
+                                         });
   }
 }
 
@@ -157,13 +159,15 @@ TEST(BatchErrors, ComeInTheOrderOfTheElements) {
   for (const auto path : paths()) {
     d[5] = q16_16_trapping(0.5);
     d[9] = q16_16_trapping();
-    expect_error<fixed::overflow_error>("fixed-point overflow: divide(element 5, 1 in all)", [&] {
-      fixed::batch::divide(n, d, out, {path, {}});
-    });
+    expect_error<fixproof::overflow_error>("fixed-point overflow: divide(element 5, 1 in all)",
+                                           [&] {
+                                             fixproof::batch::divide(n, d, out, {path, {}});
+                                           });
     std::swap(d[5], d[9]);
-    expect_error<fixed::divide_error>("fixed-point divide error: divide(element 5, 1 in all)", [&] {
-      fixed::batch::divide(n, d, out, {path, {}});
-    });
+    expect_error<fixproof::divide_error>("fixed-point divide error: divide(element 5, 1 in all)",
+                                         [&] {
+                                           fixproof::batch::divide(n, d, out, {path, {}});
+                                         });
     d[5] = d[9] = q16_16_trapping(1);
   }
 }
@@ -179,7 +183,7 @@ TEST(Marks, KeepFromThrowing) {
   for (const auto path : paths()) {
     std::array<bool, 40> marks{};
     std::vector<q16_16_trapping> out(40);
-    EXPECT_EQ(fixed::batch::divide(n, d, out, {path, marks}),
+    EXPECT_EQ(fixproof::batch::divide(n, d, out, {path, marks}),
               (Report{.divide_errors = 2, .overflows = 1, .first = 3}));
     EXPECT_EQ(marks, faults);
   }
@@ -190,12 +194,12 @@ TEST(Lengths, TheShortestCounts) {
   const std::vector<q16_16> b(40, q16_16(3));
   for (const auto path : paths()) {
     std::vector<q16_16> out(45);
-    fixed::batch::multiply(a, b, out, {path, {}});
+    fixproof::batch::multiply(a, b, out, {path, {}});
     EXPECT_EQ(out[39], q16_16(6));
     EXPECT_EQ(out[40], q16_16());
     std::array<bool, 20> marks{};
     std::fill(out.begin(), out.end(), q16_16());
-    fixed::batch::multiply(a, b, out, {path, marks});
+    fixproof::batch::multiply(a, b, out, {path, marks});
     EXPECT_EQ(out[19], q16_16(6));
     EXPECT_EQ(out[20], q16_16());
   }
@@ -220,34 +224,34 @@ TEST(Lengths, MayHaveASign) {
   const std::vector<N> b(30, N(2));
   SignedSize<N> out(std::vector<N>(25));
   const auto last = [&out] { return std::pair(out.data()[19], out.data()[20]); };
-  fixed::batch::multiply(a, b, out);
+  fixproof::batch::multiply(a, b, out);
   EXPECT_EQ(last(), std::pair(N(12), N()));
-  fixed::batch::mul_add(a, b, b, out);
+  fixproof::batch::mul_add(a, b, b, out);
   EXPECT_EQ(last(), std::pair(N(14), N()));
-  fixed::batch::divide(a, b, out);
+  fixproof::batch::divide(a, b, out);
   EXPECT_EQ(last(), std::pair(N(3), N()));
-  fixed::batch::sqrt(b, out);
-  EXPECT_EQ(out.data()[24], fixed::sqrt(N(2)));
-  fixed::batch::sin(a, out);
-  fixed::batch::sin_cos(b, out, std::vector<N>(30));
-  EXPECT_EQ(out.data()[24], fixed::cos(N(2)));
-  EXPECT_EQ(fixed::batch::dot(a, b), N(240));
+  fixproof::batch::sqrt(b, out);
+  EXPECT_EQ(out.data()[24], fixproof::sqrt(N(2)));
+  fixproof::batch::sin(a, out);
+  fixproof::batch::sin_cos(b, out, std::vector<N>(30));
+  EXPECT_EQ(out.data()[24], fixproof::cos(N(2)));
+  EXPECT_EQ(fixproof::batch::dot(a, b), N(240));
 
   const std::array<std::array<N, 4>, 3> rows{{{N(2)}, {N(), N(2)}, {N(), N(), N(2)}}};
   const SignedSize<std::array<N, 3>> in(std::vector<std::array<N, 3>>(20, {N(4), N(6), N(2)}));
   std::vector<std::array<N, 3>> vertices(30);
-  fixed::batch::transform(rows, in, vertices);
+  fixproof::batch::transform(rows, in, vertices);
   EXPECT_EQ(vertices[19], (std::array{N(8), N(12), N(4)}));
   EXPECT_EQ(vertices[20], (std::array<N, 3>{}));
   SignedSize<std::array<N, 2>> points(std::vector<std::array<N, 2>>(20));
-  fixed::batch::project(vertices, N(3), points);
+  fixproof::batch::project(vertices, N(3), points);
   EXPECT_EQ(points.data()[19], (std::array{N(6), N(9)}));
   std::vector<N> x(30);
   std::vector<N> y(30);
-  fixed::batch::transform(rows, a, b, a, x, y, out);
+  fixproof::batch::transform(rows, a, b, a, x, y, out);
   EXPECT_EQ((std::array{x[19], y[19], out.data()[19], x[20]}),
             (std::array{N(12), N(4), N(12), N()}));
-  fixed::batch::project(b, a, b, N(3), x, out);
+  fixproof::batch::project(b, a, b, N(3), x, out);
   EXPECT_EQ((std::array{x[19], out.data()[19], x[20]}), (std::array{N(3), N(9), N()}));
 }
 
@@ -255,20 +259,20 @@ TEST(Outputs, MayBeInputs) {
   const auto a = operands<q16_16>(100, 1);
   const auto b = operands<q16_16>(100, 2);
   for (const auto path : paths()) {
-    const fixed::batch::options how{path, {}};
+    const fixproof::batch::options how{path, {}};
     auto first = a;
     auto second = b;
-    fixed::batch::multiply(first, b, first, how);
-    fixed::batch::divide(a, second, second, how);
+    fixproof::batch::multiply(first, b, first, how);
+    fixproof::batch::divide(a, second, second, how);
     auto third = b;
-    fixed::batch::mul_add(a, third, third, third, how);
+    fixproof::batch::mul_add(a, third, third, third, how);
     auto root = a;
-    fixed::batch::sqrt(root, root, how);
+    fixproof::batch::sqrt(root, root, how);
     for (std::size_t i = 0; i < a.size(); ++i) {
       ASSERT_EQ(first[i], a[i] * b[i]);
       ASSERT_EQ(second[i], a[i] / b[i]);
-      ASSERT_EQ(third[i], fixed::mul_add(a[i], b[i], b[i]));
-      ASSERT_EQ(root[i], fixed::sqrt(a[i]));
+      ASSERT_EQ(third[i], fixproof::mul_add(a[i], b[i], b[i]));
+      ASSERT_EQ(root[i], fixproof::sqrt(a[i]));
     }
   }
 }
@@ -276,13 +280,13 @@ TEST(Outputs, MayBeInputs) {
 // The portable path replaces a path that the processor lacks.
 TEST(BatchPaths, ThatAreMissingAreReplaced) {
   const auto a = operands<q16_16>(100, 1);
-  for (const auto path : {fixed::batch::path::neon, fixed::batch::path::avx512}) {
+  for (const auto path : {fixproof::batch::path::neon, fixproof::batch::path::avx512}) {
     std::vector<q16_16> out(100);
-    fixed::batch::multiply(a, a, out, {path, {}});
+    fixproof::batch::multiply(a, a, out, {path, {}});
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(out[i], a[i] * a[i]);
   }
-  EXPECT_TRUE(fixed::batch::has(fixed::batch::path::portable));
-  EXPECT_TRUE(fixed::batch::has(fixed::batch::best()));
+  EXPECT_TRUE(fixproof::batch::has(fixproof::batch::path::portable));
+  EXPECT_TRUE(fixproof::batch::has(fixproof::batch::best()));
 }
 
 }  // namespace

@@ -9,18 +9,18 @@
 namespace batch_test {
 namespace {
 
-/// Whether rows of fixed::q16_16 can transform a vector of V.
+/// Whether rows of fixproof::q16_16 can transform a vector of V.
 template <class V>
-concept transformed_by_q16_16 = requires(const Rows<fixed::q16_16>& rows, std::vector<V>& v) {
-  fixed::batch::transform(rows, v, v);
+concept transformed_by_q16_16 = requires(const Rows<fixproof::q16_16>& rows, std::vector<V>& v) {
+  fixproof::batch::transform(rows, v, v);
 };
 struct Named {
-  fixed::q16_16 x, y, z;
+  fixproof::q16_16 x, y, z;
 };
-static_assert(transformed_by_q16_16<Vertex<fixed::q16_16>> && transformed_by_q16_16<Named>);
+static_assert(transformed_by_q16_16<Vertex<fixproof::q16_16>> && transformed_by_q16_16<Named>);
 static_assert(!transformed_by_q16_16<Vertex<float>>);
-static_assert(!transformed_by_q16_16<Vertex<fixed::q16_16_saturating>>);
-static_assert(!transformed_by_q16_16<Point<fixed::q16_16>>);
+static_assert(!transformed_by_q16_16<Vertex<fixproof::q16_16_saturating>>);
+static_assert(!transformed_by_q16_16<Point<fixproof::q16_16>>);
 
 /// Vertices, both interleaved and as three arrays.
 template <class Number>
@@ -56,7 +56,7 @@ Rows<Number> rows_of(const std::vector<Number>& drawn) {
 
 template <class Number>
 class Transforms : public testing::Test {};
-TYPED_TEST_SUITE(Transforms, fixed::some_types);
+TYPED_TEST_SUITE(Transforms, fixproof::some_types);
 
 TYPED_TEST(Transforms, EveryLayout) {
   for (const unsigned seed : {1U, 2U, 3U}) {
@@ -67,13 +67,13 @@ TYPED_TEST(Transforms, EveryLayout) {
       for (const auto& vertex : v.all) want.push_back(expected_vertex(rows, vertex));
       check<TypeParam, 3>(want, [&](auto how) {
         Guarded<Vertex<TypeParam>> out(n);
-        const auto report = fixed::batch::transform(rows, v.all, out.inside(), how);
+        const auto report = fixproof::batch::transform(rows, v.all, out.inside(), how);
         EXPECT_TRUE(out.intact());
         return std::pair(report, out.copy());
       });
       check<TypeParam, 3>(want, [&](auto how) {
         auto in_place = v.all;
-        const auto report = fixed::batch::transform(rows, in_place, in_place, how);
+        const auto report = fixproof::batch::transform(rows, in_place, in_place, how);
         return std::pair(report, in_place);
       });
       check<TypeParam, 3>(want, [&](auto how) {
@@ -82,15 +82,15 @@ TYPED_TEST(Transforms, EveryLayout) {
         Guarded<TypeParam> to_y(n, 2);
         Guarded<TypeParam> to_z(n, 3);
         const auto& [x, y, z] = v.columns;
-        const auto report = fixed::batch::transform(rows, x, y, z, to_x.inside(), to_y.inside(),
-                                                    to_z.inside(), how);
+        const auto report = fixproof::batch::transform(rows, x, y, z, to_x.inside(), to_y.inside(),
+                                                       to_z.inside(), how);
         EXPECT_TRUE(to_x.intact() && to_y.intact() && to_z.intact());
         return std::pair(report, gathered<TypeParam, 3>({to_x.copy(), to_y.copy(), to_z.copy()}));
       });
       check<TypeParam, 3>(want, [&](auto how) {
         auto columns = v.columns;
         auto& [x, y, z] = columns;
-        const auto report = fixed::batch::transform(rows, x, y, z, x, y, z, how);
+        const auto report = fixproof::batch::transform(rows, x, y, z, x, y, z, how);
         return std::pair(report, gathered<TypeParam, 3>(columns));
       });
     }
@@ -109,7 +109,7 @@ void check_many() {
   for (const std::size_t before : {1U, 2U, 16U}) {
     check<Number, 3>(want, [&](auto how) {
       Guarded<Vertex<Number>> out(n, before);
-      const auto report = fixed::batch::transform(rows, v.all, out.inside(), how);
+      const auto report = fixproof::batch::transform(rows, v.all, out.inside(), how);
       EXPECT_TRUE(out.intact());
       return std::pair(report, out.copy());
     });
@@ -117,44 +117,44 @@ void check_many() {
       const auto& [x, y, z] = v.columns;
       std::array<Guarded<Number>, 3> to{Guarded<Number>(n, before), Guarded<Number>(n, before),
                                         Guarded<Number>(n, before + 16)};
-      const auto report = fixed::batch::transform(rows, x, y, z, to[0].inside(), to[1].inside(),
-                                                  to[2].inside(), how);
+      const auto report = fixproof::batch::transform(rows, x, y, z, to[0].inside(), to[1].inside(),
+                                                     to[2].inside(), how);
       for (const auto& out : to) EXPECT_TRUE(out.intact());
       return std::pair(report, gathered<Number, 3>({to[0].copy(), to[1].copy(), to[2].copy()}));
     });
   }
   check<Number, 3>(want, [&](auto how) {
     auto in_place = v.all;
-    const auto report = fixed::batch::transform(rows, in_place, in_place, how);
+    const auto report = fixproof::batch::transform(rows, in_place, in_place, how);
     return std::pair(report, in_place);
   });
   check<Number, 3>(want, [&](auto how) {
     auto [x, y, z] = v.columns;
-    const auto report = fixed::batch::transform(rows, x, y, z, y, z, x, how);
+    const auto report = fixproof::batch::transform(rows, x, y, z, y, z, x, how);
     return std::pair(report, gathered<Number, 3>({y, z, x}));
   });
 }
 
 TEST(ManyVertices, GoPastTheCaches) {
-  check_many<fixed::q16_16>();
-  check_many<fixed::q16_16_saturating>();
+  check_many<fixproof::q16_16>();
+  check_many<fixproof::q16_16_saturating>();
 }
 
 template <class Number>
 class Projections : public testing::Test {};
-TYPED_TEST_SUITE(Projections, fixed::all_types);
+TYPED_TEST_SUITE(Projections, fixproof::all_types);
 
 TYPED_TEST(Projections, EveryLayout) {
   for (const double factor : {-160.0, 0.5, 1.0 / 256}) {
-    const auto constant =
-        TypeParam(fixed::number<TypeParam::fraction_bits, fixed::policies::saturating>(factor));
+    const auto constant = TypeParam(
+        fixproof::number<TypeParam::fraction_bits, fixproof::policies::saturating>(factor));
     for (const std::size_t n : lengths()) {
       const Vertices<TypeParam> v(n);
       std::vector<Coordinates<TypeParam, 2>> want;
       for (const auto& vertex : v.all) want.push_back(expected_point(vertex, constant));
       check<TypeParam, 2>(want, [&](auto how) {
         Guarded<Point<TypeParam>> out(n);
-        const auto report = fixed::batch::project(v.all, constant, out.inside(), how);
+        const auto report = fixproof::batch::project(v.all, constant, out.inside(), how);
         EXPECT_TRUE(out.intact());
         return std::pair(report, out.copy());
       });
@@ -163,13 +163,13 @@ TYPED_TEST(Projections, EveryLayout) {
         Guarded<TypeParam> to_y(n, 2);
         const auto& [x, y, z] = v.columns;
         const auto report =
-            fixed::batch::project(x, y, z, constant, to_x.inside(), to_y.inside(), how);
+            fixproof::batch::project(x, y, z, constant, to_x.inside(), to_y.inside(), how);
         EXPECT_TRUE(to_x.intact() && to_y.intact());
         return std::pair(report, gathered<TypeParam, 2>({to_x.copy(), to_y.copy()}));
       });
       check<TypeParam, 2>(want, [&](auto how) {
         auto [x, y, z] = v.columns;
-        const auto report = fixed::batch::project(x, y, z, constant, z, x, how);
+        const auto report = fixproof::batch::project(x, y, z, constant, z, x, how);
         return std::pair(report, gathered<TypeParam, 2>({z, x}));
       });
     }

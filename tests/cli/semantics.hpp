@@ -8,7 +8,7 @@
 
 namespace semantics {
 
-using fixed::rounding;
+using fixproof::rounding;
 
 inline constexpr exact::integer one = 65536;
 

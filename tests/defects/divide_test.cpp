@@ -23,12 +23,12 @@ TEST(Defects, VanishingFault) {
   EXPECT_EQ(ask<div>(i386, defects::rounded, {0x10000, 1}), defects::divide_error);
 
   const auto quotient = []<class Number>(Number) {
-    return fixed::try_divide(Number::from_raw(0x8001), Number::from_raw(1));
+    return fixproof::try_divide(Number::from_raw(0x8001), Number::from_raw(1));
   };
-  EXPECT_EQ(quotient(fixed::q16_16_i386())->raw(), static_cast<std::int32_t>(0x80010000));
-  EXPECT_FALSE(quotient(fixed::q16_16_i386_mul_rounded()));
-  EXPECT_FALSE(quotient(fixed::q16_16_trapping()));
-  EXPECT_EQ(quotient(fixed::q16_16_saturating())->raw(), 0x7FFFFFFF);
+  EXPECT_EQ(quotient(fixproof::q16_16_i386())->raw(), static_cast<std::int32_t>(0x80010000));
+  EXPECT_FALSE(quotient(fixproof::q16_16_i386_mul_rounded()));
+  EXPECT_FALSE(quotient(fixproof::q16_16_trapping()));
+  EXPECT_EQ(quotient(fixproof::q16_16_saturating())->raw(), 0x7FFFFFFF);
 }
 
 constexpr double pixels_of_unit_slope = 320;
@@ -60,7 +60,7 @@ TEST(Defects, HalfRangeDivisor) {
   EXPECT_EQ(ask<div>(i8088, defects::rounded, {0xFFFF, 0x1FFFF}), value(0xFFFF));
   EXPECT_EQ(ask<div>(i386, defects::rounded, {0xFFFF, 0x1FFFF}), value(0x8000));
 
-  using On8088 = fixed::q16_16_i8088;
+  using On8088 = fixproof::q16_16_i8088;
   EXPECT_NEAR(pixels_off_before<On8088>(2), 160, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(3), 80, 0.01);
   EXPECT_NEAR(pixels_off_before<On8088>(11), 16, 0.01);
@@ -79,8 +79,8 @@ TEST(Defects, HalfRangeDivisor) {
   }
   // With the whole divisor, the error is at most half a unit of the quotient, 320 / 131072 pixels.
   for (int distance = 2; distance <= 1000; ++distance) {
-    EXPECT_LE(pixels_off_before<fixed::q16_16>(distance), 320.0 / 131072) << distance;
-    EXPECT_LE(pixels_off_before<fixed::q16_16_i386>(distance), 320.0 / 131072) << distance;
+    EXPECT_LE(pixels_off_before<fixproof::q16_16>(distance), 320.0 / 131072) << distance;
+    EXPECT_LE(pixels_off_before<fixproof::q16_16_i386>(distance), 320.0 / 131072) << distance;
   }
 }
 
@@ -134,8 +134,8 @@ TEST(Defects, ClobberedArguments) {
   EXPECT_EQ(arguments_after(i386, operands), (defects::Words{0xC000, 0xFFFF, 0x4000, 0xFFFD}));
   EXPECT_EQ(arguments_after(i8088, {0x4000, 0x2C000}), (defects::Words{0x4000, 0, 0xC000, 0x0002}));
   // The type works on its own copies of the operands.
-  const auto n = fixed::q16_16_i8088::from_raw(-0x4000);
-  const auto d = fixed::q16_16_i8088::from_raw(-0x2C000);
+  const auto n = fixproof::q16_16_i8088::from_raw(-0x4000);
+  const auto d = fixproof::q16_16_i8088::from_raw(-0x2C000);
   EXPECT_EQ((n / d).raw(), 0x2000);
   EXPECT_EQ(n.raw(), -0x4000);
   EXPECT_EQ(d.raw(), -0x2C000);

@@ -17,22 +17,22 @@ std::int32_t add_half_and_truncate(double x) {
 
 TEST(Defects, DoubleToFixed) {
   EXPECT_EQ(add_half_and_truncate(-1.0), -65535);  // ffff0001h, not ffff0000h
-  EXPECT_EQ(fixed::q16_16(-1.0).raw(), -65536);
+  EXPECT_EQ(fixproof::q16_16(-1.0).raw(), -65536);
   // Every negative number of the format is wrong, although none needs rounding.
   for (std::int32_t raw = -200'000; raw < 200'000; ++raw) {
     const double exact = raw / 65536.0;
     EXPECT_EQ(add_half_and_truncate(exact), raw < 0 ? raw + 1 : raw);
-    EXPECT_EQ(fixed::q16_16(exact).raw(), raw);
+    EXPECT_EQ(fixproof::q16_16(exact).raw(), raw);
   }
   // Between them it is wrong too, except for exact halves and above minus half a unit.
   EXPECT_EQ(add_half_and_truncate(-2.75 / 65536), -2);
   EXPECT_EQ(add_half_and_truncate(-2.25 / 65536), -1);
   EXPECT_EQ(add_half_and_truncate(-2.5 / 65536), -2);
   EXPECT_EQ(add_half_and_truncate(-0.25 / 65536), 0);
-  EXPECT_EQ(fixed::q16_16(-2.75 / 65536).raw(), -3);
-  EXPECT_EQ(fixed::q16_16(-2.25 / 65536).raw(), -2);
-  EXPECT_EQ(fixed::q16_16(-2.5 / 65536).raw(), -2);
-  EXPECT_EQ(fixed::q16_16(-0.25 / 65536).raw(), 0);
+  EXPECT_EQ(fixproof::q16_16(-2.75 / 65536).raw(), -3);
+  EXPECT_EQ(fixproof::q16_16(-2.25 / 65536).raw(), -2);
+  EXPECT_EQ(fixproof::q16_16(-2.5 / 65536).raw(), -2);
+  EXPECT_EQ(fixproof::q16_16(-0.25 / 65536).raw(), 0);
 }
 
 TEST(Defects, NotAn8088Instruction) {

@@ -6,7 +6,7 @@
 namespace {
 
 TEST(Defects, HalfTheWidth) {
-  using N = fixed::q16_16_i386;
+  using N = fixproof::q16_16_i386;
   const xsharp::Scene scene;  // 320 pixels wide, a ratio of -2
   const auto projection = xsharp::projection_of<N>(scene);
   const auto from_middle = [&projection](std::int32_t x) {

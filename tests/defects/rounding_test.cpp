@@ -36,9 +36,9 @@ TEST(Defects, InvertedSwitch) {
   }
   // The type's name states its rounding.
   const auto two_thirds = []<class Number>(Number) { return (Number(2) / Number(3)).raw(); };
-  EXPECT_EQ(two_thirds(fixed::q16_16_i386_mul_rounded()), 0xAAAA);
-  EXPECT_EQ(two_thirds(fixed::q16_16_i8088_mul_rounded()), 0xAAAA);
-  EXPECT_EQ(two_thirds(fixed::q16_16_i8088()), 0xAAAB);
+  EXPECT_EQ(two_thirds(fixproof::q16_16_i386_mul_rounded()), 0xAAAA);
+  EXPECT_EQ(two_thirds(fixproof::q16_16_i8088_mul_rounded()), 0xAAAA);
+  EXPECT_EQ(two_thirds(fixproof::q16_16_i8088()), 0xAAAB);
 }
 
 TEST(Defects, Ties) {
@@ -58,11 +58,11 @@ TEST(Defects, Ties) {
   const auto product = []<class Number>(Number) {
     return (Number::from_raw(-1) * Number::from_raw(0x8000)).raw();
   };
-  EXPECT_EQ(product(fixed::q16_16()), 0);
-  EXPECT_EQ(product(fixed::q16_16_i386()), 0);
-  EXPECT_EQ(product(fixed::q16_16_i8088()), -1);
-  EXPECT_EQ(product(fixed::q16_16_i386_unrounded()), -1);
-  EXPECT_EQ(product(fixed::q16_16_i8088_unrounded()), 0);
+  EXPECT_EQ(product(fixproof::q16_16()), 0);
+  EXPECT_EQ(product(fixproof::q16_16_i386()), 0);
+  EXPECT_EQ(product(fixproof::q16_16_i8088()), -1);
+  EXPECT_EQ(product(fixproof::q16_16_i386_unrounded()), -1);
+  EXPECT_EQ(product(fixproof::q16_16_i8088_unrounded()), 0);
 }
 
 // Rounding adds 2^-17: products of 2^-17 and more become a unit, smaller ones 0. If it added 2^-16,
@@ -72,8 +72,8 @@ TEST(Defects, Comments) {
     EXPECT_EQ(ask<mul>(target, defects::rounded, {1, 0x8000}), value(1));
     EXPECT_EQ(ask<mul>(target, defects::rounded, {1, 0x7FFF}), value(0));
   }
-  EXPECT_EQ((fixed::q16_16::from_raw(1) * fixed::q16_16::from_raw(0x8000)).raw(), 1);
-  EXPECT_EQ((fixed::q16_16::from_raw(1) * fixed::q16_16::from_raw(0x7FFF)).raw(), 0);
+  EXPECT_EQ((fixproof::q16_16::from_raw(1) * fixproof::q16_16::from_raw(0x8000)).raw(), 1);
+  EXPECT_EQ((fixproof::q16_16::from_raw(1) * fixproof::q16_16::from_raw(0x7FFF)).raw(), 0);
 }
 
 }  // namespace

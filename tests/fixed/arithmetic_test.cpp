@@ -10,7 +10,7 @@ namespace {
 
 template <class Number>
 class Arithmetic : public testing::Test {};
-TYPED_TEST_SUITE(Arithmetic, fixed::all_types);
+TYPED_TEST_SUITE(Arithmetic, fixproof::all_types);
 
 /// Returns the name of the first operation on a and b with a wrong result, or null.
 template <class Number>
@@ -28,7 +28,7 @@ template <class Number>
   if (differs(exact::result<Number>({x * y, unit}), [&] { return a * b; })) return "a * b";
   const auto quotient = exact::quotient(a, b);
   if (differs(quotient, [&] { return a / b; })) return "a / b";
-  const auto tried = fixed::try_divide(a, b);
+  const auto tried = fixproof::try_divide(a, b);
   if (tried.has_value() != !(quotient.throws || exact::no_quotient(a, b))) return "try_divide";
   if (tried && tried->raw() != quotient.raw) return "*try_divide";
   if ((a < b) != (x < y) || (a == b) != (x == y) || (a >= b) != (x >= y)) return "a <=> b";
@@ -56,7 +56,7 @@ TYPED_TEST(Arithmetic, Properties) {
 
 template <class Number>
 class Assignment : public testing::Test {};
-TYPED_TEST_SUITE(Assignment, fixed::some_types);
+TYPED_TEST_SUITE(Assignment, fixproof::some_types);
 
 TYPED_TEST(Assignment, IsTheOperator) {
   EXPECT_TRUE(property::for_all<TypeParam>([](TypeParam a, TypeParam b) {
@@ -76,9 +76,9 @@ TYPED_TEST(Assignment, IsTheOperator) {
 /// Tests all 8.8 numbers against operands that reach every rule.
 template <class Number>
 class Exhaustive : public testing::Test {};
-using half_width =
-    testing::Types<fixed::q8_8, fixed::q8_8_saturating, fixed::q8_8_i386,
-                   fixed::q8_8_i386_unrounded, fixed::q8_8_i8088, fixed::q8_8_i8088_unrounded>;
+using half_width = testing::Types<fixproof::q8_8, fixproof::q8_8_saturating, fixproof::q8_8_i386,
+                                  fixproof::q8_8_i386_unrounded, fixproof::q8_8_i8088,
+                                  fixproof::q8_8_i8088_unrounded>;
 TYPED_TEST_SUITE(Exhaustive, half_width);
 
 TYPED_TEST(Exhaustive, EveryOperandAgainstEdges) {

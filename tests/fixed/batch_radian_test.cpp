@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 
 /// All paths. The library replaces those that the processor lacks.
 constexpr std::array paths{batch::path::portable, batch::path::neon, batch::path::avx2,
@@ -31,8 +31,8 @@ void expect_same_bits() {
   std::vector<Number> sines;
   std::vector<Number> cosines;
   for (const Number angle : angles) {
-    sines.push_back(fixed::sin(angle));
-    cosines.push_back(fixed::cos(angle));
+    sines.push_back(fixproof::sin(angle));
+    cosines.push_back(fixproof::cos(angle));
   }
   for (const batch::path path : paths) {
     std::vector<Number> results(angles.size());
@@ -74,8 +74,8 @@ void expect_every_length(batch::path path) {
     batch::cos(angles, cosines, path);
     batch::sin_cos(angles, cosines_of_both, sines_of_both, path);
     for (std::size_t i = 0; i < count; ++i) {
-      const Number sine = fixed::sin(angles[i]);
-      const Number cosine = fixed::cos(angles[i]);
+      const Number sine = fixproof::sin(angles[i]);
+      const Number cosine = fixproof::cos(angles[i]);
       ASSERT_EQ(sines[i], sine);
       ASSERT_EQ(sines_of_both[i], sine);
       ASSERT_EQ(cosines[i], cosine);
@@ -117,7 +117,7 @@ TEST(BatchRadian, InPlace) {
   std::vector<q16_16> cosines_elsewhere(angles.size());
   batch::sin_cos(sines_there, cosines_elsewhere, sines_there);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const auto [cos, sin] = fixed::sin_cos(angles[i]);
+    const auto [cos, sin] = fixproof::sin_cos(angles[i]);
     ASSERT_EQ(sines[i], sin);
     ASSERT_EQ(sines_elsewhere[i], sin);
     ASSERT_EQ(sines_there[i], sin);

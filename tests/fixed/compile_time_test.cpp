@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 
 static_assert(sizeof(q16_16) == 4 && sizeof(q8_8) == 2);
 static_assert(std::is_trivially_copyable_v<q16_16> && std::is_standard_layout_v<q16_16>);

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 
 /// Significand and exponent of a finite float or double: value = m 2^e.
 struct parts {

@@ -10,7 +10,7 @@ namespace {
 
 template <class Number>
 class Division : public testing::Test {};
-TYPED_TEST_SUITE(Division, fixed::all_types);
+TYPED_TEST_SUITE(Division, fixproof::all_types);
 
 TYPED_TEST(Division, IsExactInEveryRoundingMode) {
   for (const auto& [n, d] : exact::near_misses<TypeParam>()) {
@@ -43,22 +43,22 @@ void divide_all(const std::vector<exact::Quotient<Number>>& pairs) {
 }
 
 TEST(DivisionLoop, WrappingAndSaturating) {
-  divide_all(exact::near_misses<fixed::q16_16>());
-  divide_all(exact::near_misses<fixed::q16_16_saturating>());
-  divide_all(exact::near_misses<fixed::q8_8>());
-  divide_all(exact::near_misses<fixed::q8_8_saturating>());
+  divide_all(exact::near_misses<fixproof::q16_16>());
+  divide_all(exact::near_misses<fixproof::q16_16_saturating>());
+  divide_all(exact::near_misses<fixproof::q8_8>());
+  divide_all(exact::near_misses<fixproof::q8_8_saturating>());
 }
 
 TEST(DivisionByZero, GivesTheEndOnTheNumeratorsSide) {
-  using fixed::q16_16;
-  using fixed::q16_16_saturating;
+  using fixproof::q16_16;
+  using fixproof::q16_16_saturating;
   EXPECT_EQ((q16_16(1) / q16_16()).raw(), 0x7fffffff);
   EXPECT_EQ((q16_16::from_raw(-1) / q16_16()).raw(), -0x7fffffff - 1);
   EXPECT_EQ((q16_16() / q16_16()).raw(), 0);
   EXPECT_EQ((q16_16_saturating(-5) / q16_16_saturating()).raw(), -0x7fffffff - 1);
   EXPECT_EQ((q16_16_saturating() / q16_16_saturating()).raw(), 0);
-  EXPECT_EQ((fixed::q8_8(-1) / fixed::q8_8()).raw(), -0x8000);
-  EXPECT_EQ((fixed::q8_8(1) / fixed::q8_8()).raw(), 0x7fff);
+  EXPECT_EQ((fixproof::q8_8(-1) / fixproof::q8_8()).raw(), -0x8000);
+  EXPECT_EQ((fixproof::q8_8(1) / fixproof::q8_8()).raw(), 0x7fff);
 }
 
 }  // namespace

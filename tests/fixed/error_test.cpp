@@ -4,7 +4,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 using trapping = q16_16_trapping;
 
 template <class Error, class Call>

@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 
 constexpr std::size_t block = 1 << 16;
 

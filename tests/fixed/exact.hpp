@@ -34,7 +34,7 @@ template <class Number>
 outcome<Number> in_range(integer value) {
   using raw = typename Number::raw_type;
   constexpr int bits = std::numeric_limits<raw>::digits + 1;
-  if (Number::rules.range == fixed::overflow::trap && wrapped(value, bits) != value) {
+  if (Number::rules.range == fixproof::overflow::trap && wrapped(value, bits) != value) {
     return {true, 0};
   }
   return {false, static_cast<raw>(narrowed(value, bits, Number::rules.range))};
@@ -52,10 +52,10 @@ inline constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
 /// Whether n / d is an error, by the definition of each divide_fault.
 template <class Number>
 bool no_quotient(Number n, Number d) {
-  const fixed::policy rules = Number::rules;
+  const fixproof::policy rules = Number::rules;
   integer divisor = d.raw();
-  if (rules.divisor == fixed::divisor_width::whole_part) divisor = divisor / one<Number>;
-  return divisor == 0 || (rules.fault == fixed::divide_fault::unsigned_quotient &&
+  if (rules.divisor == fixproof::divisor_width::whole_part) divisor = divisor / one<Number>;
+  return divisor == 0 || (rules.fault == fixproof::divide_fault::unsigned_quotient &&
                           (n.raw() < 0 ? -integer{n.raw()} : integer{n.raw()}) / one<Number> >=
                               (divisor < 0 ? -divisor : divisor));
 }
@@ -65,21 +65,21 @@ bool no_quotient(Number n, Number d) {
 template <class Number>
 outcome<Number> quotient(Number n, Number d) {
   using raw = typename Number::raw_type;
-  const fixed::policy rules = Number::rules;
+  const fixproof::policy rules = Number::rules;
   integer numerator = integer{n.raw()} * one<Number>;
   integer divisor = d.raw();
-  if (rules.divisor == fixed::divisor_width::whole_part) {
+  if (rules.divisor == fixproof::divisor_width::whole_part) {
     numerator = n.raw();
     divisor = divisor / one<Number>;
   }
-  if (divisor == 0 && rules.fault == fixed::divide_fault::none &&
-      rules.range != fixed::overflow::trap) {
+  if (divisor == 0 && rules.fault == fixproof::divide_fault::none &&
+      rules.range != fixproof::overflow::trap) {
     if (n.raw() == 0) return {false, 0};
     return {false, n.raw() > 0 ? std::numeric_limits<raw>::max() : std::numeric_limits<raw>::min()};
   }
   if (no_quotient(n, d)) return {true, 0};
   const integer value = round(ratio(numerator, divisor), rules.divide);
-  if (rules.fault == fixed::divide_fault::signed_quotient &&
+  if (rules.fault == fixproof::divide_fault::signed_quotient &&
       (value < std::numeric_limits<raw>::min() || value > std::numeric_limits<raw>::max())) {
     return {true, 0};
   }
@@ -91,9 +91,9 @@ template <class Number, class Call>
 outcome<Number> run(const Call& call) {
   try {
     return {false, call().raw()};
-  } catch (const fixed::overflow_error&) {
-  } catch (const fixed::divide_error&) {
-  } catch (const fixed::domain_error&) {
+  } catch (const fixproof::overflow_error&) {
+  } catch (const fixproof::divide_error&) {
+  } catch (const fixproof::domain_error&) {
   }
   return {true, 0};
 }

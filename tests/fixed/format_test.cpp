@@ -8,8 +8,8 @@
 
 namespace {
 
-using fixed::q16_16;
-using fixed::q8_8_saturating;
+using fixproof::q16_16;
+using fixproof::q8_8_saturating;
 
 TEST(Format, ExactValueInAField) {
   EXPECT_EQ(fmt::format("{}", q16_16(-1.5)), "-1.5");

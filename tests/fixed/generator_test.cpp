@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 
 template <class Number>
 std::set<std::int64_t> generated(int count) {

@@ -4,7 +4,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 template <class Number>
 using limits = std::numeric_limits<Number>;
 

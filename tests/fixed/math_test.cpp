@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 using exact::integer;
 
 template <class Number>

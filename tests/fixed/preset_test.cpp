@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 using worked::Answer;
 using worked::Row;
 

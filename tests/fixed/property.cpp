@@ -10,8 +10,8 @@ namespace property {
 
 namespace {
 
-using Wide = fixed::q16_16;
-using Narrow = fixed::q8_8;
+using Wide = fixproof::q16_16;
+using Narrow = fixproof::q8_8;
 
 template <class Number>
 Raws raws_of(const std::vector<Number>& numbers) {

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 using real = boost::multiprecision::cpp_bin_float_50;
 
 /// The integer nearest to x in units of 2^-bits. No tie occurs; see fixed/detail/radian.hpp.
@@ -19,8 +19,8 @@ template <class Number>
 void expect_nearest(Number angle) {
   constexpr int bits = Number::fraction_bits;
   const real exact = ldexp(real(angle.raw()), -bits);
-  EXPECT_EQ(fixed::sin(angle).raw(), nearest(sin(exact), bits)) << angle.raw();
-  EXPECT_EQ(fixed::cos(angle).raw(), nearest(cos(exact), bits)) << angle.raw();
+  EXPECT_EQ(fixproof::sin(angle).raw(), nearest(sin(exact), bits)) << angle.raw();
+  EXPECT_EQ(fixproof::cos(angle).raw(), nearest(cos(exact), bits)) << angle.raw();
 }
 
 /// Some of the angles whose sine or cosine lies within 2^-43 of a half, from an exhaustive search.
@@ -66,16 +66,16 @@ TEST(Radian, EveryAngleOf8_8) {
   };
   for (int raw = INT16_MIN; raw <= INT16_MAX; ++raw) {
     const q8_8 angle = q8_8::from_raw(static_cast<std::int16_t>(raw));
-    ASSERT_EQ(fixed::sin(angle).raw(), expected(std::sin(raw / 256.0))) << raw;
-    ASSERT_EQ(fixed::cos(angle).raw(), expected(std::cos(raw / 256.0))) << raw;
+    ASSERT_EQ(fixproof::sin(angle).raw(), expected(std::sin(raw / 256.0))) << raw;
+    ASSERT_EQ(fixproof::cos(angle).raw(), expected(std::cos(raw / 256.0))) << raw;
   }
 }
 
 TEST(Radian, OddAndEven) {
   for (std::int64_t raw = 0; raw <= INT32_MAX; raw += 40'961) {
     const q16_16 angle = q16_16::from_raw(static_cast<std::int32_t>(raw));
-    ASSERT_EQ(fixed::sin(-angle), -fixed::sin(angle)) << raw;
-    ASSERT_EQ(fixed::cos(-angle), fixed::cos(angle)) << raw;
+    ASSERT_EQ(fixproof::sin(-angle), -fixproof::sin(angle)) << raw;
+    ASSERT_EQ(fixproof::cos(-angle), fixproof::cos(angle)) << raw;
   }
 }
 
@@ -84,8 +84,8 @@ TEST(Radian, MonotoneUpToAQuarterTurnAndNoStepIsLeftOut) {
   for (std::int32_t raw = 0; raw < quarter; ++raw) {
     const q16_16 here = q16_16::from_raw(raw);
     const q16_16 next = q16_16::from_raw(raw + 1);
-    const std::int32_t up = fixed::sin(next).raw() - fixed::sin(here).raw();
-    const std::int32_t down = fixed::cos(here).raw() - fixed::cos(next).raw();
+    const std::int32_t up = fixproof::sin(next).raw() - fixproof::sin(here).raw();
+    const std::int32_t down = fixproof::cos(here).raw() - fixproof::cos(next).raw();
     ASSERT_TRUE(up == 0 || up == 1) << raw;
     ASSERT_TRUE(down == 0 || down == 1) << raw;
   }
@@ -95,10 +95,10 @@ template <class Number>
 void expect_as_q16_16() {
   for (const q16_16 angle : exact::edges<q16_16>()) {
     const Number same = Number::from_raw(angle.raw());
-    ASSERT_EQ(fixed::sin(same).raw(), fixed::sin(angle).raw());
-    ASSERT_EQ(fixed::cos(same).raw(), fixed::cos(angle).raw());
-    const cos_sin<Number> both = fixed::sin_cos(same);
-    ASSERT_EQ(both, (cos_sin<Number>{fixed::cos(same), fixed::sin(same)}));
+    ASSERT_EQ(fixproof::sin(same).raw(), fixproof::sin(angle).raw());
+    ASSERT_EQ(fixproof::cos(same).raw(), fixproof::cos(angle).raw());
+    const cos_sin<Number> both = fixproof::sin_cos(same);
+    ASSERT_EQ(both, (cos_sin<Number>{fixproof::cos(same), fixproof::sin(same)}));
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 using boost::multiprecision::cpp_int;
 
 /// The decimal expansion raw / 2^F = raw 5^F / 10^F without trailing zeros.

@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 using decimal_real = boost::multiprecision::cpp_dec_float_50;
 
 /// cos(step / steps of a right angle), rounded to nearest in units of 2^-bits.
@@ -55,8 +55,8 @@ void expect_every_angle() {
     const auto result = sin_cos<Number>(static_cast<std::int16_t>(angle));
     ASSERT_EQ(result.cos.raw(), cos) << angle;
     ASSERT_EQ(result.sin.raw(), sin) << angle;
-    ASSERT_EQ(fixed::cos<Number>(static_cast<std::int16_t>(angle)), result.cos);
-    ASSERT_EQ(fixed::sin<Number>(static_cast<std::int16_t>(angle)), result.sin);
+    ASSERT_EQ(fixproof::cos<Number>(static_cast<std::int16_t>(angle)), result.cos);
+    ASSERT_EQ(fixproof::sin<Number>(static_cast<std::int16_t>(angle)), result.sin);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "fixed/number.hpp"
 #include "tests/support/test.hpp"
 
-namespace fixed {
+namespace fixproof {
 
 /// Policies that no preset has. With the aliases they cover each rounding under each overflow.
 inline constexpr policy floor_and_saturate{
@@ -48,4 +48,4 @@ using some_types =
                    number<16, truncate_and_trap>, number<16, away_and_saturate>, q8_8,
                    q8_8_saturating, q8_8_trapping, q8_8_i8088, q8_8_i8088_unrounded>;
 
-}  // namespace fixed
+}  // namespace fixproof

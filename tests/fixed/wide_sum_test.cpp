@@ -11,7 +11,7 @@ TEST(WideSum, IsThe128BitSum) {
   constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
   constexpr std::int64_t highest = std::numeric_limits<std::int64_t>::max();
   for (int run = 0; run < 300; ++run) {
-    fixed::detail::wide_sum sum;
+    fixproof::detail::wide_sum sum;
     exact::integer expected = 0;
     for (int term = 0; term < 50; ++term) {
       std::int64_t value = static_cast<std::int64_t>(random()) >> (random() % 64);

@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace fixed;
+using namespace fixproof;
 
 /// Counts what is wrong.
 class expectation {

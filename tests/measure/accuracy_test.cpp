@@ -186,7 +186,7 @@ void expect_same_products_and_quotients(bool quotients) {
 }
 
 TEST(Accuracy, PresetsThatAreSaidToBeAlikeAre) {
-  using namespace fixed;
+  using namespace fixproof;
   expect_same_products_and_quotients<q16_16, q16_16_saturating>(true);
   expect_same_products_and_quotients<q16_16, q16_16_trapping>(true);
   expect_same_products_and_quotients<q16_16, q16_16_i386>(false);
@@ -203,7 +203,7 @@ N difference_of_products() {
 }
 
 TEST(Accuracy, AlikeWhereTheSumFitsAreThoseThatWrap) {
-  using namespace fixed;
+  using namespace fixproof;
   EXPECT_EQ(difference_of_products<q16_16>(), q16_16(30000));
   EXPECT_EQ(difference_of_products<q16_16_i386>(), q16_16_i386(30000));
   EXPECT_EQ(difference_of_products<q16_16_i386_mul_rounded>(), q16_16_i386_mul_rounded(30000));

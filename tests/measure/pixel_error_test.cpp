@@ -38,20 +38,20 @@ TEST(PixelError, HalfAPixelAtTheDistanceOfThePage) {
 // correct result is 10518240 / 21037055 * 320 = 159.99563.
 TEST(PixelError, HalfAPixelJustBelow321) {
   constexpr std::int32_t z = 0x0140FFFF;
-  EXPECT_NEAR(pixels_too_far_out<fixed::q16_16_i8088>(0x00A07EE0, z), 0.50242, 1e-5);
+  EXPECT_NEAR(pixels_too_far_out<fixproof::q16_16_i8088>(0x00A07EE0, z), 0.50242, 1e-5);
 }
 
 // 10551110 units / 321 is 32869.502, also rounded to 32870. The correct result is 159.99719. The
 // point is 185 units from the edge, where 10551295 / 321 = 32870.08 rounds down.
 TEST(PixelError, HalfAPixelJustBelow322) {
   constexpr std::int32_t z = 0x0141FFFF;
-  EXPECT_NEAR(pixels_too_far_out<fixed::q16_16_i8088>(0x00A0FF46, z), 0.50086, 1e-5);
+  EXPECT_NEAR(pixels_too_far_out<fixproof::q16_16_i8088>(0x00A0FF46, z), 0.50086, 1e-5);
 }
 
 // 10485530 units / 319 is exactly 32870. The correct result is 159.99650.
 TEST(PixelError, HalfAPixelJustBelow320Unrounded) {
   constexpr std::int32_t z = 0x013FFFFF;
-  EXPECT_NEAR(pixels_too_far_out<fixed::q16_16_i8088_unrounded>(0x009FFF1A, z), 0.50155, 1e-5);
+  EXPECT_NEAR(pixels_too_far_out<fixproof::q16_16_i8088_unrounded>(0x009FFF1A, z), 0.50155, 1e-5);
 }
 
 // With twice the constant, half a unit of the quotient is 0.00488 pixels: 160 / 324 + 0.0049 =

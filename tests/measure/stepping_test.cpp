@@ -248,22 +248,22 @@ TEST(SteppedLine, IsWhatTheFillerDraws) {
     const measure::SpanPlace place{static_cast<std::size_t>(pixels), std::int64_t{pixels} * 65536,
                                    0};
     const measure::LineEnds ends{5 * level + pixels, 250 * level - 77 * pixels};
-    EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud16, ends, pixels),
+    EXPECT_EQ(drawn_words<fixproof::q16_16>(xsharp::SurfaceKind::gouraud16, ends, pixels),
               measure::line_words(measure::LineRule::rounded, ends, place, 0));
     EXPECT_EQ(
-        drawn_words<fixed::q16_16_i386_unrounded>(xsharp::SurfaceKind::gouraud16, ends, pixels),
+        drawn_words<fixproof::q16_16_i386_unrounded>(xsharp::SurfaceKind::gouraud16, ends, pixels),
         measure::line_words(measure::LineRule::cut, ends, place, 0));
     xsharp::StepWords narrow_words =
         measure::line_words(measure::LineRule::rounded, ends, place, 8);
     narrow_words.step &= 0xFFFFU;
-    EXPECT_EQ(drawn_words<fixed::q16_16>(xsharp::SurfaceKind::gouraud8, ends, pixels),
+    EXPECT_EQ(drawn_words<fixproof::q16_16>(xsharp::SurfaceKind::gouraud8, ends, pixels),
               narrow_words);
   }
 }
 
 // An uncleared buffer has two fewer bits and starts where the first picture's depths begin.
 TEST(SteppedLine, IsWhatABufferThatIsNotClearedIsFilledBy) {
-  using N = fixed::q16_16;
+  using N = fixproof::q16_16;
   xsharp::DepthBuffer buffer(xsharp::DepthBuffering::no_clear);
   buffer.begin(320, 1);
   const xsharp::StepWords nothing = buffer.words(xsharp::Step<N>{});

@@ -18,7 +18,7 @@ assert " raw_type raw_ = 0;" in (root / "fixed/number.hpp").read_text()
 widths = []
 for rule in tree:
     assert rule.tag == space + "Type", rule.tag
-    bits = int(re.fullmatch(r"fixed::number<(\d+),\*>", rule.attrib["Name"])[1])
+    bits = int(re.fullmatch(r"fixproof::number<(\d+),\*>", rule.attrib["Name"])[1])
     shown = rule.find(space + "DisplayString").text
     items = [item.text for item in rule.find(space + "Expand")]
     assert f"raw_ / {2**bits}.0" in shown and f"raw_ / {2**bits}.0" in items, (bits, shown, items)

@@ -25,8 +25,8 @@ constexpr std::uint64_t mix(std::uint64_t x) {
 class Digest {
  public:
   void add(std::uint64_t word) { state_ = std::rotl(state_ ^ word, 23) * 0x9fb21c651e98df25U; }
-  template <int F, fixed::policy P>
-  void add(fixed::number<F, P> x) {
+  template <int F, fixproof::policy P>
+  void add(fixproof::number<F, P> x) {
     add(static_cast<std::uint64_t>(static_cast<std::int64_t>(x.raw())));
   }
   void add(std::string_view text) {
@@ -70,7 +70,7 @@ constexpr std::uint64_t operations = 17;
 
 template <class N>
 void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
-  using namespace fixed;
+  using namespace fixproof;
   const N a = draw.number<N>();
   const N b = draw.number<N>();
   const N c = draw.number<N>();
@@ -172,7 +172,7 @@ std::uint64_t digest_of(std::uint64_t count) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace fixed;
+  using namespace fixproof;
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
   const std::uint64_t value =
       digest_of<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386, q16_16_i386_mul_rounded,

@@ -6,11 +6,11 @@
 namespace {
 
 using namespace fixproof;
-using fixed::divide_fault;
-using fixed::divisor_width;
-using fixed::overflow;
-using fixed::policy;
-using fixed::rounding;
+using fixproof::divide_fault;
+using fixproof::divisor_width;
+using fixproof::overflow;
+using fixproof::policy;
+using fixproof::rounding;
 
 template <policy rules>
 class Ruled final : public parties::Party {
@@ -27,7 +27,7 @@ class Ruled final : public parties::Party {
  private:
   static parties::Ending one(const cases::Variant& v, std::span<const std::uint32_t> in,
                              std::uint32_t& out) {
-    using Number = fixed::number<16, rules>;
+    using Number = fixproof::number<16, rules>;
     const auto a = Number::from_raw(static_cast<std::int32_t>(in[0]));
     const auto b = Number::from_raw(static_cast<std::int32_t>(in[1]));
     try {
@@ -35,11 +35,11 @@ class Ruled final : public parties::Party {
         out = static_cast<std::uint32_t>((a * b).raw());
         return parties::Ending::value;
       }
-      const auto quotient = fixed::try_divide(a, b);
+      const auto quotient = fixproof::try_divide(a, b);
       if (!quotient) return parties::Ending::divide_error;
       out = static_cast<std::uint32_t>(quotient->raw());
       return parties::Ending::value;
-    } catch (const fixed::overflow_error&) {
+    } catch (const fixproof::overflow_error&) {
       return parties::Ending::broken;
     }
   }
@@ -136,7 +136,7 @@ void expect_all_killed(cases::Target target, bool mul_round, bool div_round, con
   EXPECT_FALSE(proof::cases_to_kill(variant(cases::Operation::div), Ruled<right>(), 54));
 }
 
-namespace p = fixed::policies;
+namespace p = fixproof::policies;
 
 // try_divide returns no value for a zero divisor under any policy.
 TEST(PolicyMutation, Wrapping) {

@@ -35,20 +35,20 @@ constexpr integer below(fraction x) {
 }
 
 /// x rounded by the rule to one of the two integers around it.
-constexpr integer round(fraction x, fixed::rounding rule) {
+constexpr integer round(fraction x, fixproof::rounding rule) {
   const integer low = below(x);
   if (low * x.denominator == x.numerator) return low;
   const integer to_low = x.numerator - low * x.denominator;
   const integer to_high = x.denominator - to_low;
   const bool positive = x.numerator > 0;
   switch (rule) {
-    case fixed::rounding::floor:
+    case fixproof::rounding::floor:
       return low;
-    case fixed::rounding::truncate:
+    case fixproof::rounding::truncate:
       return positive ? low : low + 1;
-    case fixed::rounding::half_up:
+    case fixproof::rounding::half_up:
       return to_low < to_high ? low : low + 1;
-    case fixed::rounding::half_away:
+    case fixproof::rounding::half_away:
       if (to_low == to_high) return positive ? low + 1 : low;
       return to_low < to_high ? low : low + 1;
   }
@@ -62,9 +62,9 @@ constexpr integer wrapped(integer x, int bits) {
 }
 
 /// x by the overflow rule; under `trap`, x must be in range.
-constexpr integer narrowed(integer x, int bits, fixed::overflow rule) {
+constexpr integer narrowed(integer x, int bits, fixproof::overflow rule) {
   const integer end = integer{1} << (bits - 1);
-  if (rule == fixed::overflow::wrap) return wrapped(x, bits);
+  if (rule == fixproof::overflow::wrap) return wrapped(x, bits);
   return x < -end ? -end : x >= end ? integer{end - 1} : x;
 }
 

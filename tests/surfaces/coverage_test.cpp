@@ -38,7 +38,7 @@ Indices by(Fill&& filler, const Picture& picture) {
   return drawn(filler, picture, sheet_width, sheet_height);
 }
 
-StepFiller<fixed::q16_16_i386> stepper(const Scene& scene) {
+StepFiller<fixproof::q16_16_i386> stepper(const Scene& scene) {
   return {scene, std::make_unique<PlainLoops>()};
 }
 
@@ -79,7 +79,8 @@ TEST(SurfaceCoverage, NoValuesAreUndefinedBehaviour) {
     const auto depth = static_cast<DepthBuffering>(*generators::among(0, 4));
     const Scene scene = scene_of(surface, depth);
     by(stepper(scene), picture);
-    by(StepFiller<fixed::q16_16_i8088_unrounded>(scene, std::make_unique<PlainLoops>()), picture);
+    by(StepFiller<fixproof::q16_16_i8088_unrounded>(scene, std::make_unique<PlainLoops>()),
+       picture);
     by(ExactFiller(scene), picture);
   }));
 }

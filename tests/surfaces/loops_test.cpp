@@ -85,7 +85,7 @@ RC_GTEST_PROP(SurfaceLoops, Quadratic,
 
 // 10 + x^2 / 2 is 10, 12 and 18 at x = 0, 2 and 4.
 TEST(SurfaceLoops, AParabolaGoesThroughItsThreeValues) {
-  using N = fixed::q16_16_i386;
+  using N = fixproof::q16_16_i386;
   const Parabola p = parabola_through(N(10), N(12), N(18), 4);
   EXPECT_EQ(p.start, 10U << 24U);
   EXPECT_EQ(p.step, 1U << 23U);

@@ -11,11 +11,11 @@
 namespace {
 
 using namespace xsharp;
-using fixed::q16_16;
-using fixed::q16_16_i386;
-using fixed::q16_16_i386_unrounded;
-using fixed::q16_16_i8088;
-using fixed::q16_16_trapping;
+using fixproof::q16_16;
+using fixproof::q16_16_i386;
+using fixproof::q16_16_i386_unrounded;
+using fixproof::q16_16_i8088;
+using fixproof::q16_16_trapping;
 
 template <class N>
 N of(double value) {
@@ -109,7 +109,7 @@ RC_GTEST_PROP(SpanStep, DoublingChangesNoOtherQuotient, (std::int32_t n, std::in
   RC_PRE(d != 0);
   const auto a = q16_16_i386::from_raw(n % (1 << 28));
   const auto b = q16_16_i386::from_raw(d);
-  const auto quotient = fixed::try_divide(a, b);
+  const auto quotient = fixproof::try_divide(a, b);
   RC_PRE(quotient.has_value());
   RC_ASSERT(ratio(a, b) == *quotient);
 }

@@ -15,7 +15,7 @@
 namespace surfaces {
 
 using Indices = xsharp::Page<std::uint8_t>;
-using Number = fixed::q16_16_i386;
+using Number = fixproof::q16_16_i386;
 
 /// One ulp of 16.16.
 inline constexpr double ulp = 1.0 / 65536;

@@ -129,9 +129,9 @@ void check_inside() {
 
 TEST(Texture, NoRowOfAnyLengthLeavesTheBitmap) {
   EXPECT_TRUE(rc::check([] { check_inside<Number>(); }));
-  EXPECT_TRUE(rc::check([] { check_inside<fixed::q16_16_i386_unrounded>(); }));
-  EXPECT_TRUE(rc::check([] { check_inside<fixed::q16_16_i8088>(); }));
-  EXPECT_TRUE(rc::check([] { check_inside<fixed::q16_16_i8088_unrounded>(); }));
+  EXPECT_TRUE(rc::check([] { check_inside<fixproof::q16_16_i386_unrounded>(); }));
+  EXPECT_TRUE(rc::check([] { check_inside<fixproof::q16_16_i8088>(); }));
+  EXPECT_TRUE(rc::check([] { check_inside<fixproof::q16_16_i8088_unrounded>(); }));
 }
 
 TEST(Texture, APlaceOutsideIsBroughtToTheEdgeOfTheBitmap) {

@@ -53,7 +53,7 @@ class MotionsOf final : public Motions {
   std::vector<xsharp::Motion<N>> motions_;
 };
 
-template <class Number, fixed::rounding rounding>
+template <class Number, fixproof::rounding rounding>
 std::unique_ptr<Motions> motions_with(const xsharp::Scene& scene, const RotationStyle& style,
                                       Without without) {
   switch (without) {
@@ -78,7 +78,7 @@ std::unique_ptr<Motions> motions_of(const xsharp::Scene& scene, const DriftCase&
   return parties::with_build(c.build, [&]<cases::Build build>() {
     // No divide runs, so the divide rounding can be the multiply's.
     constexpr cases::Build same{build.target, build.mul_round, build.mul_round};
-    constexpr fixed::policy rules = parties::policy_of(same);
+    constexpr fixproof::policy rules = parties::policy_of(same);
     return motions_with<parties::NumberOf<same>, rules.multiply>(scene, style, c.without);
   });
 }

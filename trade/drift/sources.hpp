@@ -41,18 +41,18 @@ struct ExactProducts {
 };
 
 /// Exact sines and cosines; every product is rounded as in a listing.
-template <fixed::rounding rounding>
+template <fixproof::rounding rounding>
 struct ExactSteps {
   static double product(double exact) {
     const double units = exact * 65536.0;
     switch (rounding) {
-      case fixed::rounding::half_up:
+      case fixproof::rounding::half_up:
         return std::floor(units + 0.5) / 65536.0;
-      case fixed::rounding::half_away:
+      case fixproof::rounding::half_away:
         return std::copysign(std::floor(std::fabs(units) + 0.5), units) / 65536.0;
-      case fixed::rounding::floor:
+      case fixproof::rounding::floor:
         return std::floor(units) / 65536.0;
-      case fixed::rounding::truncate:
+      case fixproof::rounding::truncate:
         return std::trunc(units) / 65536.0;
     }
     return exact;

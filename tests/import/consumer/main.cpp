@@ -3,18 +3,18 @@
 
 #include "fixed/fixed.hpp"
 
-fixed::q16_16 half_of(fixed::q16_16 x);
+fixproof::q16_16 half_of(fixproof::q16_16 x);
 
 int main() {
-  using fixed::q16_16;
+  using fixproof::q16_16;
   constexpr q16_16 half(0.5);
   constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
   static_assert(x == q16_16(4) && x.raw() == 0x40000);
-  const auto [cos, sin] = fixed::sin_cos<q16_16>(450);
+  const auto [cos, sin] = fixproof::sin_cos<q16_16>(450);
   std::cout << x * cos << '\n';
-  const fixed::q16_16_saturating far(1e9);
-  const bool right = fixed::to_string(x * cos) == "2.82843017578125" && cos == sin &&
-                     fixed::to_string(far) == "32767.9999847412109375" &&
-                     !fixed::try_divide(x, q16_16()) && half_of(x) == q16_16(2);
+  const fixproof::q16_16_saturating far(1e9);
+  const bool right = fixproof::to_string(x * cos) == "2.82843017578125" && cos == sin &&
+                     fixproof::to_string(far) == "32767.9999847412109375" &&
+                     !fixproof::try_divide(x, q16_16()) && half_of(x) == q16_16(2);
   return right ? 0 : 1;
 }

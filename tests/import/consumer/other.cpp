@@ -5,14 +5,14 @@
 
 #include "fixed/batch.hpp"
 
-fixed::q16_16 half_of(fixed::q16_16 x) {
-  std::array<fixed::q16_16, 40> numbers{};
-  std::array<fixed::q16_16, 40> twos{};
+fixproof::q16_16 half_of(fixproof::q16_16 x) {
+  std::array<fixproof::q16_16, 40> numbers{};
+  std::array<fixproof::q16_16, 40> twos{};
   numbers.fill(x);
-  twos.fill(fixed::q16_16(2));
-  const auto report = fixed::batch::divide(numbers, twos, numbers);
-  return report.clean() ? numbers[17] : fixed::q16_16();
+  twos.fill(fixproof::q16_16(2));
+  const auto report = fixproof::batch::divide(numbers, twos, numbers);
+  return report.clean() ? numbers[17] : fixproof::q16_16();
 }
 #else
-fixed::q16_16 half_of(fixed::q16_16 x) { return x / fixed::q16_16(2); }
+fixproof::q16_16 half_of(fixproof::q16_16 x) { return x / fixproof::q16_16(2); }
 #endif

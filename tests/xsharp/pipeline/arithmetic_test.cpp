@@ -60,14 +60,14 @@ TEST(RawConstant, WhatIsOutOfRangeIsTheEndOfTheRange) {
 
 TEST(RawCoordinate, WholeNumbersAreExactUnderBothConversions) {
   for (const std::int32_t whole : {-32768, -320, -1, 0, 1, 32767}) {
-    EXPECT_EQ(coordinate<fixed::q16_16>(whole, Conversion::published).raw(), whole * 65536);
-    EXPECT_EQ(coordinate<fixed::q16_16>(whole, Conversion::nearest).raw(), whole * 65536);
+    EXPECT_EQ(coordinate<fixproof::q16_16>(whole, Conversion::published).raw(), whole * 65536);
+    EXPECT_EQ(coordinate<fixproof::q16_16>(whole, Conversion::nearest).raw(), whole * 65536);
   }
   // -0.5 is -32768 ulp; -32767.5 truncates to -32767.
-  EXPECT_EQ(coordinate<fixed::q16_16>(-0.5, Conversion::published).raw(), -32767);
-  EXPECT_EQ(coordinate<fixed::q16_16>(-0.5, Conversion::nearest).raw(), -32768);
+  EXPECT_EQ(coordinate<fixproof::q16_16>(-0.5, Conversion::published).raw(), -32767);
+  EXPECT_EQ(coordinate<fixproof::q16_16>(-0.5, Conversion::nearest).raw(), -32768);
   EXPECT_EQ(
-      coordinate<fixed::q16_16>(std::numeric_limits<double>::quiet_NaN(), Conversion::published)
+      coordinate<fixproof::q16_16>(std::numeric_limits<double>::quiet_NaN(), Conversion::published)
           .raw(),
       0);
 }
@@ -124,7 +124,7 @@ TYPED_TEST(ArithmeticOf, OnlyThe8088LosesTheCarryOfATranslation) {
     if constexpr (std::same_as<N, double>) {
       return false;
     } else {
-      return N::rules.divisor == fixed::divisor_width::whole_part;
+      return N::rules.divisor == fixproof::divisor_width::whole_part;
     }
   }();
   const auto moved = [](std::int32_t raw) {
@@ -148,10 +148,10 @@ TYPED_TEST(ArithmeticOf, OnlyThe8088LosesTheCarryOfATranslation) {
 
 // A custom policy that divides by the whole part alone is not an 8088 build.
 TEST(Concatenation, APolicyOfOnesOwnKeepsTheCarry) {
-  constexpr fixed::policy own{.divisor = fixed::divisor_width::whole_part};
+  constexpr fixproof::policy own{.divisor = fixproof::divisor_width::whole_part};
   EXPECT_FALSE(is_i8088_build(own));
-  EXPECT_FALSE(is_i8088_build(fixed::policies::i386_rounded));
-  EXPECT_TRUE(is_i8088_build(fixed::policies::i8088_mul_rounded));
+  EXPECT_FALSE(is_i8088_build(fixproof::policies::i386_rounded));
+  EXPECT_TRUE(is_i8088_build(fixproof::policies::i8088_mul_rounded));
 }
 
 }  // namespace

@@ -215,7 +215,7 @@ TYPED_TEST(ClippedProjection, AProjectedPointIsWhereTheQuotientIs) {
 }
 
 TEST(Clip8088, WithoutClippingTheDivideFaults) {
-  using N = fixed::q16_16_i8088;
+  using N = fixproof::q16_16_i8088;
   const auto divided = [](double n, double d) {
     return Arithmetic<N>::divide(pipeline::number<N>(n), pipeline::number<N>(d));
   };

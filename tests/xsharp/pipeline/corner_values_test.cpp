@@ -87,7 +87,7 @@ TYPED_TEST(CornerValues, OfLightAreFromWhereItComes) {
 }
 
 TEST(CornerDepth, ZItselfIsAboveMinusInfinity) {
-  using N = fixed::q16_16_trapping;
+  using N = fixproof::q16_16_trapping;
   const auto depth = [](double z) { return static_cast<double>(z_depth(vector<N>({5, 5, z}))); };
   EXPECT_EQ(depth(-1), 32767);
   EXPECT_EQ(depth(-100.5), 32667.5);

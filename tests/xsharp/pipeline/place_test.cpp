@@ -58,11 +58,12 @@ namespace {
 
 template <class N>
 struct Placing : testing::Test {};
-using batch_types = testing::Types<fixed::q16_16, fixed::q16_16_saturating, fixed::q16_16_trapping,
-                                   fixed::q16_16_i386, fixed::q16_16_i386_mul_rounded,
-                                   fixed::q16_16_i386_div_rounded, fixed::q16_16_i386_unrounded,
-                                   fixed::q16_16_i8088, fixed::q16_16_i8088_mul_rounded,
-                                   fixed::q16_16_i8088_div_rounded, fixed::q16_16_i8088_unrounded>;
+using batch_types =
+    testing::Types<fixproof::q16_16, fixproof::q16_16_saturating, fixproof::q16_16_trapping,
+                   fixproof::q16_16_i386, fixproof::q16_16_i386_mul_rounded,
+                   fixproof::q16_16_i386_div_rounded, fixproof::q16_16_i386_unrounded,
+                   fixproof::q16_16_i8088, fixproof::q16_16_i8088_mul_rounded,
+                   fixproof::q16_16_i8088_div_rounded, fixproof::q16_16_i8088_unrounded>;
 TYPED_TEST_SUITE(Placing, batch_types, );
 
 /// The placed vertices and the exception, if any.
@@ -133,7 +134,7 @@ Result<N> expect_same(const Transform<N>& to_view, const std::vector<Vec3<N>>& v
 }
 
 template <class N>
-constexpr bool traps = N::rules.range == fixed::overflow::trap;
+constexpr bool traps = N::rules.range == fixproof::overflow::trap;
 
 TYPED_TEST(Placing, IsTheSameInBatches) {
   using N = TypeParam;
@@ -179,7 +180,7 @@ TYPED_TEST(Placing, HasTheSameFaults) {
   const auto vertices = with_some<N>({-32768, 0, -1});
   const auto result = expect_same(identity<N>(), vertices, projected_by<N>(-1, everything));
   EXPECT_EQ(result.thrown, "");
-  const bool fault = traps<N> || N::rules.fault == fixed::divide_fault::signed_quotient;
+  const bool fault = traps<N> || N::rules.fault == fixproof::divide_fault::signed_quotient;
   EXPECT_EQ(result.unplaced.faults, fault ? (vertices.size() + 6) / 7 : 0);
   EXPECT_EQ(result.unplaced.outside, 0U);
 }
@@ -199,8 +200,8 @@ Scene hard_scene() {
 
 template <class N>
 struct PlacedPicture : testing::Test {};
-using picture_types = testing::Types<fixed::q16_16_saturating, fixed::q16_16_trapping,
-                                     fixed::q16_16_i386, fixed::q16_16_i8088_unrounded>;
+using picture_types = testing::Types<fixproof::q16_16_saturating, fixproof::q16_16_trapping,
+                                     fixproof::q16_16_i386, fixproof::q16_16_i8088_unrounded>;
 TYPED_TEST_SUITE(PlacedPicture, picture_types, );
 
 TYPED_TEST(PlacedPicture, IsTheSameInBatches) {

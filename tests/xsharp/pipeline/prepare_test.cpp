@@ -9,7 +9,7 @@ namespace xsharp {
 namespace {
 
 /// A triangle in front of the viewer with a variable first corner.
-Polyhedron<fixed::q16_16_trapping> with_corner(const Triple& corner) {
+Polyhedron<fixproof::q16_16_trapping> with_corner(const Triple& corner) {
   Mesh mesh;
   mesh.vertices = {corner, {0, 10, -40}, {10, 0, -40}};
   mesh.faces = {{.vertices = {0, 1, 2}}};
@@ -17,8 +17,8 @@ Polyhedron<fixed::q16_16_trapping> with_corner(const Triple& corner) {
 }
 
 /// A view that stretches x. The clip volume holds every point behind z = -1.
-View<fixed::q16_16_trapping> stretched(double x, double constant) {
-  using N = fixed::q16_16_trapping;
+View<fixproof::q16_16_trapping> stretched(double x, double constant) {
+  using N = fixproof::q16_16_trapping;
   View<N> view{.world_to_view = identity<N>()};
   view.world_to_view.rows[0][0] = pipeline::number<N>(x);
   view.projection = {pipeline::number<N>(constant), 160, 120, std::int32_t{1} << 20};
@@ -30,7 +30,7 @@ TEST(Preparing, ThrowsAgain) {
   const auto view = stretched(1, -320);  // 200 times 320 overflows
   for (int frame = 0; frame < 2; ++frame) {
     Tally tally;
-    EXPECT_THROW(object.prepare(view, tally), fixed::overflow_error) << frame;
+    EXPECT_THROW(object.prepare(view, tally), fixproof::overflow_error) << frame;
   }
 }
 

@@ -115,10 +115,10 @@ void expect_levels(std::int64_t added) {
 }
 
 TEST(ShadeOrder, LightIsMultipliedWithTheReflectanceOnce) {
-  expect_levels<fixed::q16_16_i386>(0x8000);
-  expect_levels<fixed::q16_16_i386_mul_rounded>(0x8000);
-  expect_levels<fixed::q16_16_i386_unrounded>(0);
-  expect_levels<fixed::q16_16_i8088>(0x8000);
+  expect_levels<fixproof::q16_16_i386>(0x8000);
+  expect_levels<fixproof::q16_16_i386_mul_rounded>(0x8000);
+  expect_levels<fixproof::q16_16_i386_unrounded>(0);
+  expect_levels<fixproof::q16_16_i8088>(0x8000);
   expect_levels<double>(0x8000);
 }
 
@@ -201,7 +201,7 @@ TYPED_TEST(Shade, ASpotIsTurnedIntoViewSpaceAndPointsBack) {
 // vector has 43691.1, -21844.9 and -43690.4, which convert to 43691, -21844 and -43689. The exact
 // unit vector has -43690.7, which would convert to -43690.
 TEST(ShadePublished, ADirectionIsConvertedBeforeAndAfterItIsMadeAUnitVectorAndThenNegated) {
-  using N = fixed::q16_16_i386;
+  using N = fixproof::q16_16_i386;
   Lights lights;
   lights.spots.push_back({.direction = {1, -0.5, -1}, .intensity = {1, 1, 1}});
   const auto lighting = lighting_of<N>(lights, Conversion::published, identity<N>());

@@ -9,36 +9,39 @@
 namespace pipeline {
 
 using all_types =
-    testing::Types<double, fixed::q16_16, fixed::q16_16_saturating, fixed::q16_16_trapping,
-                   fixed::q16_16_i386, fixed::q16_16_i386_mul_rounded,
-                   fixed::q16_16_i386_div_rounded, fixed::q16_16_i386_unrounded,
-                   fixed::q16_16_i8088, fixed::q16_16_i8088_mul_rounded,
-                   fixed::q16_16_i8088_div_rounded, fixed::q16_16_i8088_unrounded>;
+    testing::Types<double, fixproof::q16_16, fixproof::q16_16_saturating, fixproof::q16_16_trapping,
+                   fixproof::q16_16_i386, fixproof::q16_16_i386_mul_rounded,
+                   fixproof::q16_16_i386_div_rounded, fixproof::q16_16_i386_unrounded,
+                   fixproof::q16_16_i8088, fixproof::q16_16_i8088_mul_rounded,
+                   fixproof::q16_16_i8088_div_rounded, fixproof::q16_16_i8088_unrounded>;
 
 /// One type per distinct arithmetic, for code that never divides.
-using multiplying_types = testing::Types<double, fixed::q16_16, fixed::q16_16_saturating,
-                                         fixed::q16_16_trapping, fixed::q16_16_i386_unrounded,
-                                         fixed::q16_16_i8088, fixed::q16_16_i8088_unrounded>;
+using multiplying_types = testing::Types<double, fixproof::q16_16, fixproof::q16_16_saturating,
+                                         fixproof::q16_16_trapping, fixproof::q16_16_i386_unrounded,
+                                         fixproof::q16_16_i8088, fixproof::q16_16_i8088_unrounded>;
 
 /// Whether two policies differ at most in division.
-constexpr bool multiply_alike(fixed::policy a, const fixed::policy& b) {
+constexpr bool multiply_alike(fixproof::policy a, const fixproof::policy& b) {
   a.divide = b.divide;
   a.fault = b.fault;
   return a == b;
 }
 // Each preset missing from multiplying_types multiplies, adds and subtracts like a listed one.
-static_assert(multiply_alike(fixed::policies::i386_rounded, fixed::policies::wrapping));
-static_assert(multiply_alike(fixed::policies::i386_mul_rounded, fixed::policies::wrapping));
-static_assert(multiply_alike(fixed::policies::i386_div_rounded, fixed::policies::i386_unrounded));
-static_assert(multiply_alike(fixed::policies::i8088_mul_rounded, fixed::policies::i8088_rounded));
-static_assert(multiply_alike(fixed::policies::i8088_div_rounded, fixed::policies::i8088_unrounded));
+static_assert(multiply_alike(fixproof::policies::i386_rounded, fixproof::policies::wrapping));
+static_assert(multiply_alike(fixproof::policies::i386_mul_rounded, fixproof::policies::wrapping));
+static_assert(multiply_alike(fixproof::policies::i386_div_rounded,
+                             fixproof::policies::i386_unrounded));
+static_assert(multiply_alike(fixproof::policies::i8088_mul_rounded,
+                             fixproof::policies::i8088_rounded));
+static_assert(multiply_alike(fixproof::policies::i8088_div_rounded,
+                             fixproof::policies::i8088_unrounded));
 
 /// For code that only compares, since comparison of 16.16 numbers ignores the policy.
-using comparing_types = testing::Types<double, fixed::q16_16>;
+using comparing_types = testing::Types<double, fixproof::q16_16>;
 
 /// Types with distinct division, for slow tests.
-using some_types = testing::Types<double, fixed::q16_16, fixed::q16_16_trapping, fixed::q16_16_i386,
-                                  fixed::q16_16_i8088_unrounded>;
+using some_types = testing::Types<double, fixproof::q16_16, fixproof::q16_16_trapping,
+                                  fixproof::q16_16_i386, fixproof::q16_16_i8088_unrounded>;
 
 /// One ulp of 16.16.
 inline constexpr double ulp = 1.0 / 65536;
@@ -50,7 +53,7 @@ constexpr double product_error() {
   if constexpr (std::same_as<N, double>) {
     return 1e-12;
   } else {
-    using fixed::rounding;
+    using fixproof::rounding;
     const rounding rule = N::rules.multiply;
     return rule == rounding::half_up || rule == rounding::half_away ? ulp / 2 : ulp;
   }
