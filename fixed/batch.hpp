@@ -65,7 +65,7 @@ namespace fixproof::detail {
 template <class... Ranges>
 std::size_t batch_length(const batch::options& how, const Ranges&... ranges) noexcept {
   const std::size_t count = shortest(ranges...);
-  return how.marks.empty() ? count : std::min(count, how.marks.size());
+  return how.marks.empty() ? count : (std::min)(count, how.marks.size());
 }
 
 inline std::span<bool> batch_marks(const batch::options& how, std::size_t count) noexcept {
@@ -212,7 +212,7 @@ detail::element_t<A> dot(const A& a, const B& b,
   const std::size_t count = detail::shortest(a, b);
   std::conditional_t<detail::rounds_modulo<P>, std::uint64_t, detail::wide_sum> sum{};
   for (std::size_t done = 0; done < count;) {
-    const std::size_t end = done + std::min(count - done, at_once);
+    const std::size_t end = done + (std::min)(count - done, at_once);
     done += detail::on_path(
         use, [&](auto on) { return on.template dot<F>(x + done, y + done, end - done, sum); });
     for (; done < end; ++done) {

@@ -83,6 +83,9 @@ struct std::formatter<fixproof::number<FractionBits, P>, char>
 
 #if defined(FMT_VERSION) && !defined(FIXED_FMT_FORMATTER)
 #define FIXED_FMT_FORMATTER
+#if !defined(FMT_FORMAT_H_)
+#include <fmt/format.h>  // <fmt/core.h> alone has no fmt::format_error
+#endif
 template <int FractionBits, fixproof::policy P>
 struct fmt::formatter<fixproof::number<FractionBits, P>, char>
     : fixproof::detail::text_formatter<FractionBits, P, fmt::format_error> {};

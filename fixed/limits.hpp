@@ -74,11 +74,11 @@ class std::numeric_limits<fixproof::number<FractionBits, P>> {
   static constexpr int max_exponent10 = FractionBits == 16 ? 4 : 2;
 
   /// The smallest positive number, one ulp.
-  static constexpr number min() noexcept { return number::from_raw(1); }
+  static constexpr number(min)() noexcept { return number::from_raw(1); }
   /// The highest number: 32767 + 65535/65536 in 16.16.
-  static constexpr number max() noexcept { return number::from_raw(raw_limits::max()); }
+  static constexpr number(max)() noexcept { return number::from_raw((raw_limits::max)()); }
   /// The lowest number: -32768 in 16.16.
-  static constexpr number lowest() noexcept { return number::from_raw(raw_limits::min()); }
+  static constexpr number lowest() noexcept { return number::from_raw((raw_limits::min)()); }
   /// The step to the next number, one ulp.
   static constexpr number epsilon() noexcept { return number::from_raw(1); }
   /// The rounding error in ulp: 1/2 if every operation rounds to nearest, else 1.
@@ -87,7 +87,7 @@ class std::numeric_limits<fixproof::number<FractionBits, P>> {
         1 << (style() == std::round_to_nearest ? FractionBits - 1 : FractionBits));
   }
   /// Equal to min(): there are no denormal numbers.
-  static constexpr number denorm_min() noexcept { return min(); }
+  static constexpr number denorm_min() noexcept { return (min)(); }
   /// Always 0: there is no infinity.
   static constexpr number infinity() noexcept { return number(); }
   /// Always 0: there is no NaN.

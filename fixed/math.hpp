@@ -61,7 +61,7 @@ constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws)
 /// zero, and up otherwise. The policy handles overflow, which occurs above the highest whole
 /// number.
 template <int F, policy P>
-constexpr number<F, P> round(number<F, P> x) noexcept(number<F, P>::never_throws) {
+constexpr number<F, P>(round)(number<F, P> x) noexcept(number<F, P>::never_throws) {
   constexpr rounding rule =
       P.multiply == rounding::half_away ? rounding::half_away : rounding::half_up;
   return detail::whole<rule>(x, "round");
@@ -75,7 +75,7 @@ constexpr number<F, P> trunc(number<F, P> x) noexcept(number<F, P>::never_throws
 
 /// The absolute value. That of the lowest number overflows; the policy handles it.
 template <int F, policy P>
-constexpr number<F, P> abs(number<F, P> x) noexcept(number<F, P>::never_throws) {
+constexpr number<F, P>(abs)(number<F, P> x) noexcept(number<F, P>::never_throws) {
   const std::int64_t raw = x.raw();
   return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
       raw < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
@@ -83,13 +83,13 @@ constexpr number<F, P> abs(number<F, P> x) noexcept(number<F, P>::never_throws) 
 
 /// The smaller of a and b.
 template <int F, policy P>
-constexpr number<F, P> min(number<F, P> a, number<F, P> b) noexcept {
+constexpr number<F, P>(min)(number<F, P> a, number<F, P> b) noexcept {
   return b < a ? b : a;
 }
 
 /// The larger of a and b.
 template <int F, policy P>
-constexpr number<F, P> max(number<F, P> a, number<F, P> b) noexcept {
+constexpr number<F, P>(max)(number<F, P> a, number<F, P> b) noexcept {
   return a < b ? b : a;
 }
 

@@ -206,8 +206,8 @@ class number {
   using wide = detail::wide_t<FractionBits>;
   using operand = detail::operand<FractionBits>;
 
-  static constexpr raw_type lowest = std::numeric_limits<raw_type>::min();
-  static constexpr raw_type highest = std::numeric_limits<raw_type>::max();
+  static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
+  static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
 
   template <class... Operands>
   static constexpr number narrowed(wide value, const char* operation,

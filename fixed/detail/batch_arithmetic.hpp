@@ -37,7 +37,7 @@ FIXED_LANE_FUNCTION i32 rounded_8(i32 sum) {
 /// `x` if `bad` is zero, else the end of the range of F with the sign of `sign`.
 template <int F>
 FIXED_LANE_FUNCTION i32 saturated(i32 x, i32 bad, i32 sign) {
-  const i32 end = (sign >> 31) ^ std::int32_t{std::numeric_limits<raw_t<F>>::max()};
+  const i32 end = (sign >> 31) ^ std::int32_t{(std::numeric_limits<raw_t<F>>::max)()};
   return (x & ~bad) | (end & bad);
 }
 
@@ -125,11 +125,11 @@ FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
 }
 
 FIXED_LANE_FUNCTION f64 magnitude_of(f64 x) {
-  return f64(i64(x) & std::numeric_limits<std::int64_t>::max());
+  return f64(i64(x) & (std::numeric_limits<std::int64_t>::max)());
 }
 
 FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
-  return f64(i64(magnitude) | (i64(sign) & std::numeric_limits<std::int64_t>::min()));
+  return f64(i64(magnitude) | (i64(sign) & (std::numeric_limits<std::int64_t>::min)()));
 }
 
 /// The vector form of detail::quotient_sum(), which has the proof; its floor or trunc is the
@@ -154,8 +154,8 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
                                       std::uint32_t& overflows) {
   constexpr int shift = numerator_shift<F, P>;
   constexpr bool by_floor = rounds_by_floor<P.divide>;
-  constexpr double low = std::numeric_limits<raw_t<F>>::min();
-  constexpr double high = std::numeric_limits<raw_t<F>>::max();
+  constexpr double low = (std::numeric_limits<raw_t<F>>::min)();
+  constexpr double high = (std::numeric_limits<raw_t<F>>::max)();
   const f64 numerator = doubles(n);
   f64 sum = sum_before_rounding<P.divide, shift>(numerator, d.value);
 
@@ -180,7 +180,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   if (d.zeros != 0) [[unlikely]] {
     for (std::size_t i = 0; i < width / 2; ++i) {
       if ((d.zeros >> i & 1U) != 0) {
-        result[i] = limit_toward_zero(n[i], std::numeric_limits<raw_t<F>>::max());
+        result[i] = limit_toward_zero(n[i], (std::numeric_limits<raw_t<F>>::max)());
       }
     }
   }

@@ -83,8 +83,8 @@ constexpr bool may_be_fault(raw_t<F> d, raw_t<F> result) noexcept {
   using limits = std::numeric_limits<raw_t<F>>;
   bool may = effective_divisor<F, P>(d) == 0;
   if constexpr (P.range == overflow::saturate) {
-    may |= result == limits::min();
-    may |= result == limits::max();
+    may |= result == (limits::min)();
+    may |= result == (limits::max)();
   }
   return may;
 }

@@ -71,7 +71,7 @@ class fault_recorder {
   void note_bits(fault what, std::uint32_t bits, std::size_t index) noexcept {
     fault_count& found = found_[static_cast<std::size_t>(what)];
     found.count += static_cast<std::size_t>(std::popcount(bits));
-    found.first = std::min(found.first, index + static_cast<std::size_t>(std::countr_zero(bits)));
+    found.first = (std::min)(found.first, index + static_cast<std::size_t>(std::countr_zero(bits)));
     if (marks_.empty()) return;
     for (; bits != 0; bits &= bits - 1) {
       marks_[index + static_cast<std::size_t>(std::countr_zero(bits))] = true;
@@ -100,7 +100,7 @@ class fault_recorder {
       }
     }
     return {divides.count, ranges.count, domains.count,
-            std::min({divides.first, ranges.first, domains.first})};
+            (std::min)({divides.first, ranges.first, domains.first})};
   }
 
  private:

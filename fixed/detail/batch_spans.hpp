@@ -52,7 +52,7 @@ concept output_tuples_of = tuples_of<Range, N, size> &&
 /// The length of the shortest range. Sizes may be signed, as in Qt.
 template <class... Ranges>
 constexpr std::size_t shortest(const Ranges&... ranges) noexcept {
-  return std::min({static_cast<std::size_t>(std::size(ranges))...});
+  return (std::min)({static_cast<std::size_t>(std::size(ranges))...});
 }
 
 /// Loads the stored integers of an element of `size` numbers. Copies one by one, because with a

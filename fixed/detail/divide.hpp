@@ -46,7 +46,7 @@ constexpr raw_t<FractionBits> total_divide(raw_t<FractionBits> n, raw_t<Fraction
   const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
   // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent vectorisation.
   const std::int32_t by_zero = -std::int32_t{divisor == 0};
-  const std::int32_t limit = limit_toward_zero(n, std::numeric_limits<raw>::max());
+  const std::int32_t limit = limit_toward_zero(n, (std::numeric_limits<raw>::max)());
   std::int32_t quotient = 0;
   if constexpr (P.range == overflow::saturate) {
     quotient = saturated_quotient<raw, P.divide, shift>(n, divisor - by_zero);

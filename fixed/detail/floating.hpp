@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "fixed/detail/bit_cast.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail {
@@ -40,7 +41,7 @@ constexpr scaled_float scale(Float x, int scale) noexcept {
   constexpr int exponent_mask = 2 * limits::max_exponent - 1;
   constexpr bits_type significand_mask = (bits_type{1} << significand_bits) - 1;
 
-  const auto bits = std::bit_cast<bits_type>(x);
+  const auto bits = bit_cast<bits_type>(x);
   const bool negative = (bits >> (sizeof(Float) * 8 - 1)) != 0;
   const int biased = static_cast<int>(bits >> significand_bits) & exponent_mask;
   auto significand = static_cast<std::int64_t>(bits & significand_mask);

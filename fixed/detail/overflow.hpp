@@ -23,8 +23,8 @@ constexpr bool fits(Wide value) noexcept {
 template <overflow O, class Raw, class Wide, class Raise>
 constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::trap) {
   if constexpr (O == overflow::saturate) {
-    constexpr Wide lowest{std::numeric_limits<Raw>::min()};
-    constexpr Wide highest{std::numeric_limits<Raw>::max()};
+    constexpr Wide lowest{(std::numeric_limits<Raw>::min)()};
+    constexpr Wide highest{(std::numeric_limits<Raw>::max)()};
     return static_cast<Raw>(value < lowest ? lowest : value > highest ? highest : value);
   } else {
     if constexpr (O == overflow::trap) {
@@ -37,13 +37,13 @@ constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::tra
 /// Limits an integer to +-2^32, which is out of every range but leaves room for shifts.
 template <std::integral Int>
 constexpr std::int64_t clamp_far(Int value) noexcept {
-  constexpr std::int64_t far = std::int64_t{1} << 32;
+  constexpr std::int64_t limit = std::int64_t{1} << 32;
   if constexpr (sizeof(Int) <= sizeof(std::uint32_t)) {
     return std::int64_t{value};
   } else if constexpr (std::is_signed_v<Int>) {
-    return value < -far ? -far : value > far ? far : std::int64_t{value};
+    return value < -limit ? -limit : value > limit ? limit : std::int64_t{value};
   } else {
-    return value > std::uint64_t{far} ? far : static_cast<std::int64_t>(value);
+    return value > std::uint64_t{limit} ? limit : static_cast<std::int64_t>(value);
   }
 }
 

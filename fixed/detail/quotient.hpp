@@ -2,11 +2,11 @@
 /// The rounded quotient of two stored integers, exact, from integers or hardware doubles.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include "fixed/detail/bit_cast.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/rounding.hpp"
 
@@ -25,7 +25,7 @@ constexpr std::int64_t quotient_by_integers(std::int32_t numerator, std::int32_t
 
 /// The upper half of the bits: sign, exponent and the top of the significand.
 inline std::int32_t upper_bits(double x) noexcept {
-  return static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(x) >> 32);
+  return static_cast<std::int32_t>(bit_cast<std::uint64_t>(x) >> 32);
 }
 
 /// The quotient by one double division, plus a half if R rounds to nearest. Its floor, or its trunc
@@ -67,8 +67,8 @@ inline std::int64_t floor_of_sum(double sum) noexcept {
   constexpr double ones = 0x1.8p52;
   const double placed = sum + ones;
   const double over_neighbour = sum - (placed - ones);
-  const std::uint64_t step = std::bit_cast<std::uint64_t>(over_neighbour + 0x1p-40) >> 63;
-  return std::bit_cast<std::int64_t>(placed) - std::bit_cast<std::int64_t>(ones) -
+  const std::uint64_t step = bit_cast<std::uint64_t>(over_neighbour + 0x1p-40) >> 63;
+  return bit_cast<std::int64_t>(placed) - bit_cast<std::int64_t>(ones) -
          static_cast<std::int64_t>(step);
 }
 
@@ -92,8 +92,8 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
 /// rounded_quotient(), saturated to the range of Raw.
 template <class Raw, rounding R, int Shift>
 constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
-  constexpr std::int32_t highest = std::numeric_limits<Raw>::max();
-  constexpr std::int32_t lowest = std::numeric_limits<Raw>::min();
+  constexpr std::int32_t highest = (std::numeric_limits<Raw>::max)();
+  constexpr std::int32_t lowest = (std::numeric_limits<Raw>::min)();
   if constexpr (hardware_double && rounds_by_floor<R>) {
     if (!std::is_constant_evaluated()) {
       // Out of range if the sum is below `lowest` (or is a negative zero above it: the same end) or

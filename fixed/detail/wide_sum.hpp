@@ -35,8 +35,8 @@ class wide_sum {
   [[nodiscard]] constexpr std::int64_t clamped_shifted_right(int bits) const noexcept {
     const std::int64_t above = high_ >> (bits - 1);
     if (above == 0 || above == -1) return low_shifted_right(bits);
-    return negative() ? std::numeric_limits<std::int64_t>::min()
-                      : std::numeric_limits<std::int64_t>::max();
+    return negative() ? (std::numeric_limits<std::int64_t>::min)()
+                      : (std::numeric_limits<std::int64_t>::max)();
   }
 
  private:
