@@ -7,7 +7,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,13 +14,12 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -29,15 +27,15 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/captured_output.hpp"
+#include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace fixproof;
 namespace fs = std::filesystem;
-
-// A sanitizer writes to this descriptor, wherever standard error leads.
-extern "C" __attribute__((weak)) void __sanitizer_set_report_fd(void* descriptor);
 
 namespace {
 
@@ -71,36 +69,43 @@ Input read_input(std::string text) {
   return input;
 }
 
+/// Only /dev/null lies elsewhere, alone or as the value of an option: `--out=/dev/null`.
 bool stays_in_folder(const std::string& argument) {
-  const bool is_null = argument == "/dev/null" || argument.ends_with("=/dev/null");
-  return (is_null || argument.find('/') == std::string::npos) &&
-         argument.find("..") == std::string::npos && !argument.starts_with('~') &&
-         argument.find('\0') == std::string::npos;
+  constexpr std::string_view null = "/dev/null";
+  std::string_view rest = argument;
+  if (rest == null || rest.ends_with("=/dev/null")) rest.remove_suffix(null.size());
+  return rest.find('/') == std::string_view::npos && rest.find("..") == std::string_view::npos &&
+         rest.find('\0') == std::string_view::npos && !rest.starts_with('~');
 }
 
-/// The folder of the runs. enter() clears it and writes the input files; the destructor removes it.
+/// The folder of the runs.
 class Folder {
  public:
   Folder() : back_(open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    std::string name = fs::temp_directory_path() / "fixproof-fuzz-XXXXXX";
-    if (back_ < 0 || mkdtemp(name.data()) == nullptr) fuzz::report_finding("no folder to work in");
-    path_ = name;
+    if (back_ < 0) fuzz::report_finding("no way back to the first folder");
   }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    close(back_);
-  }
+  ~Folder() { close(back_); }
   Folder(const Folder&) = delete;
   Folder(Folder&&) = delete;
   Folder& operator=(const Folder&) = delete;
   Folder& operator=(Folder&&) = delete;
 
+  /// Clears the folder, writes the input files and makes it the current one.
   void enter(const std::string& file) const {
-    for (const auto& entry : fs::directory_iterator(path_)) fs::remove_all(entry.path());
-    fs::copy_file(FIXPROOF_SCENES "/twelve_cubes.json", path_ / "scene.json");
-    std::ofstream(path_ / "file", std::ios::binary) << file;
-    fs::current_path(path_);
+    for (const auto& entry : fs::directory_iterator(scratch_.path())) fs::remove_all(entry.path());
+    fs::copy_file(FIXPROOF_SCENES "/twelve_cubes.json", scratch_.path("scene.json"));
+    static_cast<void>(scratch_.write("file", file));
+    fs::current_path(scratch_.path());
+  }
+  /// Returns the name and the contents of every file.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(scratch_.path())) {
+      if (!entry.is_regular_file()) continue;
+      const std::string name = fs::relative(entry.path(), scratch_.path());
+      all[name] = scratch_.read(name);
+    }
+    return all;
   }
   /// The corpus may be named relative to the folder where the program began.
   void leave() const {
@@ -108,14 +113,17 @@ class Folder {
   }
 
  private:
+  ScratchFolder scratch_;
   int back_;
-  fs::path path_;
 };
 
-using Handler = void (*)(int);
-
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler reaches it
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): handlers reach them
 volatile std::sig_atomic_t interruptions = 0;
+volatile std::sig_atomic_t asked_to_end = 0;
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
+
+/// Someone wants to end the target, not the command.
+extern "C" void end_later(int /*signal*/) { asked_to_end = 1; }
 
 /// Passes SIGINT to the handler of the command, once it has one. Without a handler the signal would
 /// end the program. It is sent once only, because the handler ends the program at a second signal
@@ -124,7 +132,7 @@ extern "C" void interrupt_command(int /*signal*/) {
   struct sigaction current {};
   sigaction(SIGINT, nullptr, &current);
   const bool has_own = (current.sa_flags & SA_SIGINFO) == 0 && current.sa_handler != SIG_DFL &&
-                       current.sa_handler != SIG_IGN;
+                       current.sa_handler != SIG_IGN && current.sa_handler != end_later;
   if (interruptions > 0 || !has_own) return;
   interruptions = interruptions + 1;
   current.sa_handler(SIGINT);
@@ -134,15 +142,15 @@ extern "C" void interrupt_command(int /*signal*/) {
 class Alarm {
  public:
   Alarm() {
-    for (std::size_t i = 0; i < signals.size(); ++i) {
-      sigaction(signals[i], nullptr, &before_[i]);
-      std::signal(signals[i], SIG_IGN);
-    }
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], nullptr, &before_[i]);
     {
       // Takes back the interruption of the run before.
       const support::Interrupt fresh;
     }
-    for (const int signal : signals) std::signal(signal, SIG_IGN);
+    // Until the command has a handler, and after that: an ignored signal would be lost.
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      if (before_[i].sa_handler != SIG_IGN) std::signal(signals[i], end_later);
+    }
     interruptions = 0;
     struct sigaction action {};
     action.sa_handler = interrupt_command;
@@ -160,6 +168,8 @@ class Alarm {
     timer_delete(timer_);
     std::signal(SIGUSR2, SIG_IGN);
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    const bool by_others = interruptions == 0 && support::Interrupt::flag();
+    if (asked_to_end != 0 || by_others) static_cast<void>(std::raise(SIGTERM));
   }
   Alarm(const Alarm&) = delete;
   Alarm(Alarm&&) = delete;
@@ -172,54 +182,11 @@ class Alarm {
   timer_t timer_{};
 };
 
-/// Sends standard error to a file in memory.
-class ErrorOutput {
- public:
-  ErrorOutput() : before_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
-    file_ = memfd_create("stderr", MFD_CLOEXEC);
-    if (before_ < 0 || file_ < 0) fuzz::report_finding("no file in memory");
-    if (__sanitizer_set_report_fd != nullptr) set_report(before_);
-    std::fflush(stderr);
-    dup2(file_, STDERR_FILENO);
-  }
-  ~ErrorOutput() {
-    close(file_);
-    close(before_);
-  }
-  ErrorOutput(const ErrorOutput&) = delete;
-  ErrorOutput(ErrorOutput&&) = delete;
-  ErrorOutput& operator=(const ErrorOutput&) = delete;
-  ErrorOutput& operator=(ErrorOutput&&) = delete;
-
-  /// Ends it.
-  std::string text() const {
-    std::fflush(stderr);
-    dup2(before_, STDERR_FILENO);
-    if (__sanitizer_set_report_fd != nullptr) set_report(STDERR_FILENO);
-    std::string text;
-    std::array<char, 4096> part{};
-    for (off_t at = 0;;) {
-      const ssize_t count = pread(file_, part.data(), part.size(), at);
-      if (count <= 0) return text;
-      text.append(part.data(), static_cast<std::size_t>(count));
-      at += count;
-    }
-  }
-
- private:
-  static void set_report(int descriptor) {
-    // NOLINTNEXTLINE(*-reinterpret-cast,performance-no-int-to-ptr): the interface of sanitizers
-    __sanitizer_set_report_fd(reinterpret_cast<void*>(static_cast<std::intptr_t>(descriptor)));
-  }
-
-  int before_;
-  int file_ = -1;
-};
-
 struct Ending {
   int status = 0;
   std::string out;
   std::string err;
+  std::map<std::string, std::string> files;
   bool interrupted = false;
 };
 
@@ -235,8 +202,9 @@ Ending run(const Input& input) {
   Ending ending;
   std::optional<std::string> thrown;
   {
-    const ErrorOutput err;
     const Alarm alarm;
+    const fuzz::CapturedOutput out_below(STDOUT_FILENO);  // `gen` writes there
+    const fuzz::CapturedOutput err(STDERR_FILENO);
     try {
       ending.status = cli::run_command_line(input.arguments);
     } catch (const std::exception& error) {
@@ -244,12 +212,14 @@ Ending run(const Input& input) {
     }
     ending.interrupted = interruptions > 0;
     ending.err = err.text();
+    ending.out = out_below.text();
   }
   std::cin.rdbuf(cin);
   std::cout.rdbuf(cout);
+  ending.files = folder.files();
   folder.leave();
   if (thrown) fuzz::report_finding("thrown: " + *thrown);
-  ending.out = out.str();
+  ending.out += out.str();
   return ending;
 }
 
@@ -269,9 +239,7 @@ void check_ending(const Input& input, const Ending& ending) {
   if (status == support::interrupted_status && !ending.interrupted) {
     report(input, ending, "interrupted without an interruption");
   }
-  if (std::any_of(ending.err.begin(), ending.err.end(), [](char c) {
-        return (static_cast<unsigned char>(c) < ' ' && c != '\n') || c == '\x7f';
-      })) {
+  if (fuzz::has_control_character(ending.err)) {
     report(input, ending, "a control character on standard error");
   }
   if (status != 2) return;
@@ -314,7 +282,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Ending again = run(input);
   check_ending(input, again);
   if (again.interrupted) return 0;
-  if (again.status != once.status || again.out != once.out || again.err != once.err) {
+  if (again.status != once.status || again.out != once.out || again.err != once.err ||
+      again.files != once.files) {
     report(input, again, "run again, it ends otherwise");
   }
   return 0;

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"
 #include "proof/model.hpp"
 #include "proof/s_expression.hpp"
@@ -72,10 +73,8 @@ std::optional<std::string> model_of(const std::string& said, const std::string& 
       fuzz::report_finding("taken for " + proof::name_of(answer.verdict));
     }
   } catch (const proof::SolverError& error) {
-    for (const char* c = error.what(); *c != '\0'; ++c) {
-      if (static_cast<unsigned char>(*c) < ' ') {
-        fuzz::report_finding("a control character in a message");
-      }
+    if (fuzz::has_control_character(error.what())) {
+      fuzz::report_finding("a control character in a message");
     }
   } catch (const std::exception& error) {
     fuzz::report_finding(fmt::format("not a SolverError: {}", error.what()));

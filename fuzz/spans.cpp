@@ -144,7 +144,7 @@ std::size_t place(Bytes& bytes, std::span<const Range> others, std::size_t size)
     // The same place, right behind, or a few numbers away on either side.
     first = other.first;
     if (kind >= 128) first = other.last;
-    if (kind >= 192) first = other.first + 64 + kind % 64 < 96 ? 0 : other.first + kind % 64 - 32;
+    if (kind >= 192) first = other.first + kind % 64 < 32 ? 0 : other.first + kind % 64 - 32;
   }
   return std::min(first, buffer_size - size);
 }
