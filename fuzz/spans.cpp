@@ -359,6 +359,22 @@ N number_of(std::span<const std::uint32_t> words, std::size_t i) {
   return N::from_raw(static_cast<typename N::raw_type>(raw));
 }
 
+/// An element counts once in a report, and its mark says so.
+bool marks_fit(const Ending& ending) {
+  const auto& report = ending.report;
+  const auto end = ending.marks.end() - 1;  // behind the last element: a guard
+  const auto first = std::find(ending.marks.begin(), end, true);
+  const auto count = static_cast<std::size_t>(std::count(first, end, true));
+  const std::size_t at = first == end ? fixproof::batch::report::nowhere
+                                      : static_cast<std::size_t>(first - ending.marks.begin());
+  return count == report.divide_errors + report.overflows + report.domain_errors &&
+         at == report.first;
+}
+
+bool has_marks(Call call) {
+  return call != Call::sin && call != Call::cos && call != Call::sin_cos && call != Call::dot;
+}
+
 template <class N>
 void check(const Layout& layout, std::span<const std::uint32_t> words) {
   std::vector<N> before(buffer_size);
@@ -393,6 +409,10 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
         fuzz::report_finding(fmt::format("{}: number {} is {:x}, must be {:x}", where(), i,
                                          buffer[i].raw(), want[i].raw()));
       }
+    }
+    if (permitted && layout.marked && layout.count > 0 && has_marks(layout.call) &&
+        !marks_fit(got)) {
+      fuzz::report_finding(where() + ": the marks are not those that the report counts");
     }
     if (permitted && got != ending) {
       fuzz::report_finding(
