@@ -11,6 +11,7 @@
 
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/integer.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -67,7 +68,7 @@ class number {
   ///
   ///     static_assert(q16_16(40000) == q16_16(40000 - 65536));
   ///     static_assert(q16_16_saturating(40000).raw() == 0x7fffffff);
-  template <std::integral Int>
+  template <detail::integer Int>
   explicit constexpr number(Int value) noexcept(never_throws) {
     if constexpr (P.range == overflow::wrap) {
       raw_ = static_cast<raw_type>(static_cast<std::uint32_t>(value) << FractionBits);
@@ -202,6 +203,92 @@ class number {
   /// Divides by b. The number is unchanged if operator/ throws.
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
 
+  /// \name Integers
+  /// An integer counts with its exact value, also where the type has no such number. There is no
+  /// integer / number; write q16_16(1) / x. bool and the character types do not mix with numbers.
+  ///
+  ///     static_assert(q16_16(1.5) * 2 == 3 && q8_8(0.5) * 200 == 100);
+  ///     static_assert(q16_16(2) / 3 == q16_16::from_raw(43691));  // 43690.67
+  ///     static_assert(q16_16(1.5) < 2 && q16_16(32767) < 40000);
+  /// \{
+
+  /// The sum, exact. The policy handles overflow.
+  template <detail::integer Int>
+  friend constexpr number operator+(number a, Int b) noexcept(never_throws) {
+    return with_integer(a.raw_ + units(b), "operator+", a, b);
+  }
+  template <detail::integer Int>
+  friend constexpr number operator+(Int a, number b) noexcept(never_throws) {
+    return with_integer(units(a) + b.raw_, "operator+", a, b);
+  }
+  /// The difference, exact. The policy handles overflow.
+  template <detail::integer Int>
+  friend constexpr number operator-(number a, Int b) noexcept(never_throws) {
+    return with_integer(a.raw_ - units(b), "operator-", a, b);
+  }
+  template <detail::integer Int>
+  friend constexpr number operator-(Int a, number b) noexcept(never_throws) {
+    return with_integer(units(a) - b.raw_, "operator-", a, b);
+  }
+  /// The product, exact. The policy handles overflow.
+  template <detail::integer Int>
+  friend constexpr number operator*(number a, Int b) noexcept(never_throws) {
+    return with_integer(a.raw_ * detail::factor<P.range>(b), "operator*", a, b);
+  }
+  template <detail::integer Int>
+  friend constexpr number operator*(Int a, number b) noexcept(never_throws) {
+    return with_integer(detail::factor<P.range>(a) * b.raw_, "operator*", a, b);
+  }
+  /// The quotient, rounded once by policy::divide. Division by 0 and by -1 is that by the number;
+  /// no other quotient leaves the range.
+  template <detail::integer Int>
+  friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
+    if (std::cmp_equal(d, 0) || std::cmp_equal(d, -1)) return n / number(d);
+    return from_raw(static_cast<raw_type>(detail::divide_by_integer<P.divide>(n.raw_, d)));
+  }
+  template <detail::integer Int>
+  constexpr number& operator+=(Int b) noexcept(never_throws) {
+    return *this = *this + b;
+  }
+  template <detail::integer Int>
+  constexpr number& operator-=(Int b) noexcept(never_throws) {
+    return *this = *this - b;
+  }
+  template <detail::integer Int>
+  constexpr number& operator*=(Int b) noexcept(never_throws) {
+    return *this = *this * b;
+  }
+  template <detail::integer Int>
+  constexpr number& operator/=(Int b) noexcept(divide_never_throws) {
+    return *this = *this / b;
+  }
+
+  /// Compares values, also with integers outside the range of the type.
+  template <detail::integer Int>
+  friend constexpr bool operator==(number a, Int b) noexcept {
+    return a <=> b == 0;
+  }
+  template <detail::integer Int>
+  friend constexpr std::strong_ordering operator<=>(number a, Int b) noexcept {
+    return std::int64_t{a.raw_} <=> detail::clamp_far(b) * one;
+  }
+
+  /// Adds 1. The policy handles overflow.
+  constexpr number& operator++() noexcept(never_throws) { return *this += 1; }
+  constexpr number operator++(int) noexcept(never_throws) {
+    const number before = *this;
+    ++*this;
+    return before;
+  }
+  /// Subtracts 1. The policy handles overflow.
+  constexpr number& operator--() noexcept(never_throws) { return *this -= 1; }
+  constexpr number operator--(int) noexcept(never_throws) {
+    const number before = *this;
+    --*this;
+    return before;
+  }
+  /// \}
+
  private:
   using wide = detail::wide_t<FractionBits>;
   using operand = detail::operand<FractionBits>;
@@ -214,6 +301,30 @@ class number {
                                    Operands... operands) noexcept(never_throws) {
     return from_raw(detail::narrow<P.range, raw_type>(
         value, [&] { detail::raise_overflow<FractionBits>(operation, operands.raw_...); }));
+  }
+
+  /// The stored integer of 1.
+  static constexpr std::int64_t one = std::int64_t{1} << FractionBits;
+
+  /// An integer as a stored integer, modulo the range if the policy wraps.
+  static constexpr std::int64_t units(auto integer) noexcept {
+    return detail::factor<P.range>(integer) * one;
+  }
+
+  /// Names the integer of a failed operation as it is.
+  template <class A, class B>
+  static constexpr number with_integer(std::int64_t value, const char* operation, A a,
+                                       B b) noexcept(never_throws) {
+    const auto described = [](auto x) {
+      if constexpr (std::integral<decltype(x)>) {
+        return x;
+      } else {
+        return operand{x.raw_};
+      }
+    };
+    return from_raw(detail::narrow<P.range, raw_type>(value, [&] {
+      detail::raise<overflow_error>("overflow", operation, described(a), described(b));
+    }));
   }
 
   raw_type raw_ = 0;
