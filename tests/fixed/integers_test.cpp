@@ -29,7 +29,7 @@ std::vector<Int> edges() {
   values.insert(values.end(), {limits::max(), limits::min(), static_cast<Int>(limits::max() - 1)});
   if constexpr (limits::is_signed) {
     const std::vector<Int> positive = values;
-    for (const Int value : positive) values.push_back(static_cast<Int>(-(value + 1)));
+    for (const Int value : positive) values.push_back(static_cast<Int>(-integer{value} - 1));
   }
   return values;
 }
