@@ -239,7 +239,7 @@ class number {
   friend constexpr number operator*(Int a, number b) noexcept(never_throws) {
     return with_integer(detail::factor<P.range>(a) * b.raw_, "operator*", a, b);
   }
-  /// The quotient, rounded once by policy::divide. Division by 0 and by -1 is that by the number;
+  /// The quotient, rounded once by policy::divide. Division by 0 or -1 follows number / number;
   /// no other quotient leaves the range.
   template <detail::integer Int>
   friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
@@ -311,7 +311,7 @@ class number {
     return detail::factor<P.range>(integer) * one;
   }
 
-  /// Names the integer of a failed operation as it is.
+  /// Applies the policy to a result. An error names the integer as it was given.
   template <class A, class B>
   static constexpr number with_integer(std::int64_t value, const char* operation, A a,
                                        B b) noexcept(never_throws) {

@@ -147,7 +147,7 @@ class Alarm {
       // Takes back the interruption of the run before.
       const support::Interrupt fresh;
     }
-    // Until the command has a handler, and after that: an ignored signal would be lost.
+    // Handles signals while the command has no handler. SIG_IGN would lose them.
     for (std::size_t i = 0; i < signals.size(); ++i) {
       if (before_[i].sa_handler != SIG_IGN) std::signal(signals[i], end_later);
     }

@@ -20,9 +20,9 @@ std::string read_bounded(const std::string& file, std::size_t max_bytes);
 /// @throws std::runtime_error also if it does
 std::string read_beneath(const std::string& folder, const std::string& file, std::size_t max_bytes);
 
-/// Opens a file for read_beneath(). The second form is for kernels before 5.6 and for
-/// sandboxes, which lack openat2(). It is safe only if nobody replaces a folder of the path
-/// meanwhile.
+/// Opens a file for read_beneath(). open_beneath_by_names() does without openat2(), which kernels
+/// before 5.6 and some sandboxes lack. It is safe only if nobody replaces a folder of the path
+/// while it runs.
 /// @throws std::runtime_error with the reason
 Descriptor open_beneath(const std::string& folder, const std::string& file);
 Descriptor open_beneath_by_names(const std::string& folder, const std::string& file);

@@ -35,10 +35,8 @@ constexpr std::int64_t factor(Int value) noexcept {
 /// raw / d rounded by rule R. \pre d is not zero
 template <rounding R, integer Int>
 constexpr std::int64_t divide_by_integer(std::int32_t raw, Int d) noexcept {
-  // 2^33 rounds every number as any greater divisor does: the quotient is at most a quarter.
-  constexpr std::int64_t highest = std::int64_t{1} << 33;
-  const bool beyond = std::cmp_greater(d, highest) || std::cmp_less(d, -highest);
-  const std::int64_t divisor = !beyond ? static_cast<std::int64_t>(d) : d < 0 ? -highest : highest;
+  // Every divisor of 34 bits or more rounds alike: the quotient is less than a half.
+  const std::int64_t divisor = clamp_far<34>(d);
   const std::int64_t parts = 2 * (divisor < 0 ? -std::int64_t{raw} : std::int64_t{raw});
   const std::int64_t unit = 2 * (divisor < 0 ? -divisor : divisor);
   return floor_divide(parts + bias<R>(parts < 0, unit), unit);

@@ -34,11 +34,11 @@ constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::tra
   }
 }
 
-/// Limits an integer to +-(2^32 - 1), which is out of every range but leaves room for shifts and
-/// for products with a stored integer.
-template <std::integral Int>
+/// Limits an integer to +-(2^Bits - 1). 32 bits are out of every range but leave room for shifts
+/// and for products with a stored integer.
+template <int Bits = 32, std::integral Int>
 constexpr std::int64_t clamp_far(Int value) noexcept {
-  constexpr std::int64_t limit = (std::int64_t{1} << 32) - 1;
+  constexpr std::int64_t limit = (std::int64_t{1} << Bits) - 1;
   if constexpr (sizeof(Int) <= sizeof(std::uint32_t)) {
     return std::int64_t{value};
   } else if constexpr (std::is_signed_v<Int>) {

@@ -1,6 +1,10 @@
 // Prints one digest of everything that the type computes; any differing bit changes it. Draws
 // operands from a counter, so every machine uses the same ones in the same order.
 // usage: digest [OPERATIONS]
+#ifdef _WIN32
+#include <windows.h>  // its macros must not reach the type
+#endif
+
 #include <array>
 #include <bit>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The type after macros of <windows.h>, of Arduino.h and of newlib's <ctype.h>. The standard
-// library comes before them, because it does not bear them either.
+// library comes before them, because they break it too.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -71,7 +71,7 @@
 
 using fixproof::q16_16;
 
-// In parentheses, a name is no call of a macro.
+// A name in parentheses is not expanded as a macro.
 static_assert((fixproof::min)(q16_16(1), q16_16(2)) == q16_16(1));
 static_assert((fixproof::max)(q16_16(1), q16_16(2)) == q16_16(2));
 static_assert((fixproof::abs)(q16_16(-1)) == q16_16(1));
