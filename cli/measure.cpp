@@ -14,6 +14,7 @@
 #include "support/interrupt.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
+#include "support/plain_text.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
