@@ -28,14 +28,17 @@
 /// whether exceptions are enabled: the inline functions that throw would have two definitions.
 #pragma once
 
+#include "fixed/checked.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"
+#include "fixed/literals.hpp"
 #include "fixed/math.hpp"
 #include "fixed/mixed.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/trig.hpp"
 #include "fixed/version.hpp"
+#include "fixed/wide.hpp"
 
 #if __STDC_HOSTED__
 #include "fixed/error.hpp"

@@ -32,7 +32,7 @@ struct cos_sin {
 ///     static_assert(sin_cos<q16_16>(-3300) == sin_cos<q16_16>(300));  // the period is 3600
 ///     static_assert(fixproof::sin<q16_16>(300) == q16_16(0.5));
 template <class Number>
-constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
   static_assert(std::is_signed_v<typename Number::raw_type> &&
                     detail::bits_of<typename Number::raw_type> <= 32 &&
                     Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2,
@@ -63,13 +63,13 @@ constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
 
 /// The cosine of an angle in tenths of a degree; see sin_cos().
 template <class Number>
-constexpr Number cos(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr Number cos(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).cos;
 }
 
 /// The sine of an angle in tenths of a degree; see sin_cos().
 template <class Number>
-constexpr Number sin(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr Number sin(std::integral auto angle) noexcept {
   return sin_cos<Number>(angle).sin;
 }
 
@@ -79,7 +79,7 @@ constexpr Number sin(std::integral auto angle) noexcept {
 ///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
 template <class Raw, int F, policy P>
 requires detail::has_radians<Raw, F>
-constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
+[[nodiscard]] constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
   return number<Raw, F, P>::from_raw(static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), 0)));
 }
 
@@ -88,7 +88,7 @@ constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
 ///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
 template <class Raw, int F, policy P>
 requires detail::has_radians<Raw, F>
-constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
+[[nodiscard]] constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
   return number<Raw, F, P>::from_raw(
       static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
 }
@@ -98,7 +98,7 @@ constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
 ///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
 template <class Raw, int F, policy P>
 requires detail::has_radians<Raw, F>
-constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
+[[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
   return {cos(angle), sin(angle)};
 }
 

@@ -128,6 +128,12 @@ class wide_integer {
     return result;
   }
 
+  /// The remainder with the sign of a. \pre b is not zero; both have a bit to spare
+  friend constexpr wide_integer operator%(const wide_integer& a, const wide_integer& b) noexcept {
+    const wide_integer rest = divide(a.negative() ? -a : a, b.negative() ? -b : b).remainder;
+    return a.negative() ? -rest : rest;
+  }
+
   /// \pre 0 <= bits < 64 Words
   friend constexpr wide_integer operator<<(const wide_integer& x, int bits) noexcept {
     wide_integer result;
