@@ -66,7 +66,7 @@ std::string first_wrong(N a, N b, N c) {
     return "negate";
   if (!is({checked_abs(a), overflowing_abs(a), saturating_abs(a), wrapping_abs(a)}, x < 0 ? -x : x))
     return "abs";
-  for (const int places : {0, 1, 7, 31, 63, 64, 1000}) {
+  for (const int places : {0, 1, 7, 31, 63, 64, 300}) {
     if (!is({checked_shift_left(a, places), overflowing_shift_left(a, places),
              saturating_shift_left(a, places), wrapping_shift_left(a, places)},
             x * reference::power(2, places)))
