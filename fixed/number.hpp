@@ -2,7 +2,6 @@
 /// The fixed-point type.
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -108,7 +107,7 @@ class number {
   ///     static_assert(q16_16(std::numeric_limits<double>::quiet_NaN()) == q16_16());
   template <detail::binary_float Float>
   explicit constexpr number(Float value) noexcept(never_throws) {
-    using wide = detail::signed_t<(std::max)(64, 2 * detail::bits_of<raw_type>)>;
+    using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
     using kind = typename detail::scaled_float<wide>::kind;
     const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
     if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
@@ -134,10 +133,10 @@ class number {
            Q != P) explicit constexpr number(number<OtherRaw, OtherBits, Q>
                                                  other) noexcept(never_throws) {
     constexpr int up = FractionBits - OtherBits;
-    using wide = detail::signed_t<(std::max)(
-        {detail::signed_bits<OtherRaw> + (std::max)(up, 1), detail::signed_bits<Raw>, 64})>;
-    const wide value =
-        detail::shift_right<P.multiply>(wide{other.raw()} << (std::max)(up, 0), (std::max)(-up, 0));
+    using wide = detail::signed_t<detail::largest(
+        detail::signed_bits<OtherRaw> + detail::larger(up, 1), detail::signed_bits<Raw>, 64)>;
+    const wide value = detail::shift_right<P.multiply>(wide{other.raw()} << detail::larger(up, 0),
+                                                       detail::larger(-up, 0));
     raw_ = detail::narrow<P.range, raw_type>(
         value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
   }
@@ -161,7 +160,7 @@ class number {
   ///     static_assert(static_cast<int>(q16_16(-1.5)) == -1);
   template <std::integral Int>
   requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
-    using wide = detail::signed_t<(std::max)(64, detail::signed_bits<Raw> + 1)>;
+    using wide = detail::signed_t<detail::larger(64, detail::signed_bits<Raw> + 1)>;
     return static_cast<Int>(detail::shift_right<rounding::truncate>(wide{raw_}, FractionBits));
   }
 

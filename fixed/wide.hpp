@@ -2,7 +2,6 @@
 /// Exact intermediate results: a * b / c, the ratio of two integers, and sums of products.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 
 #include "fixed/detail/divide.hpp"
@@ -52,7 +51,7 @@ template <class Number, detail::integer Int>
   using raw = typename Number::raw_type;
   constexpr int F = Number::fraction_bits;
   using wide =
-      detail::signed_t<(std::max)(detail::signed_bits<Int> + F + 1, detail::signed_bits<raw>)>;
+      detail::signed_t<detail::larger(detail::signed_bits<Int> + F + 1, detail::signed_bits<raw>)>;
   if (d == 0) {
     if constexpr (!Number::divide_never_throws) {
       detail::raise<divide_error>("divide error", "ratio", n, d);

@@ -20,6 +20,10 @@ class wide_integer;
 using int128 = wide_integer<2>;
 #endif
 
+// Freestanding libraries may lack <algorithm>.
+constexpr int larger(int a, int b) noexcept { return a < b ? b : a; }
+constexpr int largest(int a, int b, int c) noexcept { return larger(a, larger(b, c)); }
+
 /// The product of two words.
 struct two_words {
   std::uint64_t low;
