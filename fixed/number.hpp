@@ -431,9 +431,8 @@ class number {
   /// The stored integer; use raw() and from_raw(). It is public because only a class without
   /// private members can be the type of a template argument:
   ///
-  ///     template <q16_16 step>
-  ///     constexpr q16_16 next(q16_16 x) { return x + step; }
-  ///     static_assert(next<q16_16(0.5)>(q16_16(1)) == q16_16(1.5));
+  ///     using half = std::integral_constant<q16_16, q16_16(0.5)>;
+  ///     static_assert(half::value * 2 == 1);
   raw_type raw_ = 0;
 };
 

@@ -30,8 +30,9 @@ struct cos_sin {
 /// value of any integer type; the period is 3600. The same under every policy.
 ///
 ///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(450);
-///     static_assert(sin_cos_of_tenths<q16_16>(-3300) == sin_cos_of_tenths<q16_16>(300));  // the
-///     period is 3600 static_assert(fixproof::sin_of_tenths<q16_16>(300) == q16_16(0.5));
+///     // The period is 3600.
+///     static_assert(sin_cos_of_tenths<q16_16>(-3300) == sin_cos_of_tenths<q16_16>(300));
+///     static_assert(fixproof::sin_of_tenths<q16_16>(300) == q16_16(0.5));
 template <class Number>
 [[nodiscard]] constexpr cos_sin<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
   static_assert(std::is_signed_v<typename Number::raw_type> &&
