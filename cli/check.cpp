@@ -217,10 +217,10 @@ void add_check(CLI::App& app, int& status) {
       "check", "judge another program's results, and find the rules that it follows");
   add_check_options(*command, *options);
   command->footer(
-      R"(The judged program reads the lines of `fixproof gen`, skips those that start with #, and writes
-one result per line: 8 lower-case hex digits (no 0x), or DE for a divide error. Give check the
-same --level, --seed, --shard and --cases as gen, so that both have the same cases. With --from
-it reads your own cases.
+      R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
+hex digits (no 0x), or DE for a divide error. Give check the same --level, --seed, --shard and
+--cases as gen, so that both have the same cases. With --from it reads your own cases. It skips
+lines that start with #, in results and in cases.
 
 --overflow, --divide-by-zero and --negative-root say what to expect if the result does not fit a
 word or does not exist:

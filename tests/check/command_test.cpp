@@ -163,12 +163,42 @@ TEST(CheckCommand, OptionsThatAreNone) {
 
 TEST(GenCommand, WritesTheCasesThatEvalReads) {
   const std::string cases = command::output_of("gen div --cases 2000");
-  EXPECT_TRUE(
-      cases.starts_with("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: "));
   const std::string answers = command::output_of("eval div --target i386 --round off", cases);
   const auto verdict =
       command::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers);
   EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
+}
+
+// A program may split each line into operands without a thought of comments.
+TEST(GenCommand, WritesOnlyCases) {
+  const std::string cases = command::output_of("gen div --cases 2000");
+  auto lines = command::split(cases, '\n');
+  EXPECT_EQ(lines.size(), 2001U);
+  lines.pop_back();  // behind the last newline
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.size(), 17U) << line;
+    EXPECT_EQ(line.find_first_not_of("0123456789abcdef"), 8U) << line;
+  }
+}
+
+TEST(GenCommand, NamesTheStreamsIfAsked) {
+  const std::string commented = command::output_of("gen div --cases 2000 --comments");
+  EXPECT_TRUE(
+      commented.starts_with("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: "));
+  std::string cases;
+  for (const std::string& line : command::split(commented, '\n')) {
+    if (!line.empty() && !line.starts_with('#')) cases += line + '\n';
+  }
+  EXPECT_EQ(cases, command::output_of("gen div --cases 2000"));
+  // Both forms are cases for check --from, and both have the answers of eval.
+  const ScratchFolder folder;
+  const std::string answers = command::output_of("eval div --target i386 --round off", commented);
+  for (const std::string& text : {commented, cases}) {
+    const auto verdict = command::fixproof(
+        "check div --rounding toward-zero --overflow de --from " + folder.write("cases", text),
+        answers);
+    EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
+  }
 }
 
 TEST(GenCommand, OfEveryOperationOfEval) {
