@@ -27,8 +27,6 @@ constexpr std::array<NoResult, 6> zero_divisor_rules{NoResult::error,     NoResu
 constexpr std::array<NoResult, 5> negative_root_rules{
     NoResult::error, NoResult::maximum, NoResult::minimum, NoResult::zero, NoResult::mirror};
 
-constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
-
 Said limit_of(NoResult rule, bool negative) {
   switch (rule) {
     case NoResult::saturate:

@@ -67,6 +67,11 @@ constexpr bool fits_word(std::int64_t ulps) {
   return ulps >= -(std::int64_t{1} << 31) && ulps < (std::int64_t{1} << 31);
 }
 
+constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
+constexpr std::uint32_t magnitude(std::uint32_t word) {
+  return is_negative(word) ? 0U - word : word;
+}
+
 /// Tells whether `said` is the rule's result for an overflow.
 bool keeps(Overflow rule, std::int64_t ulps, Said said);
 

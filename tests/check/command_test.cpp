@@ -35,6 +35,29 @@ TEST(CheckCommand, WrongResults) {
                   "exact -1 + 1/2 ulp, tie");
 }
 
+// The answers of an unrounded divide, with the sign of the dividend 80000000 lost.
+TEST(CheckCommand, WhatWrongCasesHaveInCommon) {
+  const std::string gen = "div --cases 20000";
+  const std::string rules = " --rounding toward-zero --overflow de";
+  const auto cases = command::split(command::output_of("gen " + gen), '\n');
+  const auto answers = command::split(
+      command::output_of("eval div --target i386 --round off", command::output_of("gen " + gen)),
+      '\n');
+  std::string planted;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i + 1 < cases.size(); ++i) {
+    const bool lost = cases[i].starts_with("80000000 ") && answers[i] != "DE";
+    if (lost) ++wrong;
+    planted += (lost ? "00000000" : answers[i]) + "\n";
+  }
+  const auto run = command::fixproof("check " + gen + rules, planted);
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out, fmt::format("What the wrong cases have in common:\n"
+                                       "  every wrong result is 00000000: all {0}\n"
+                                       "  every wrong case has dividend 80000000: all {0}, and ",
+                                       wrong));
+}
+
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);
