@@ -109,6 +109,22 @@ std::string line_of(std::string_view subject, const BestRules& best,
   return text;
 }
 
+/// Returns a line that names idioms like the subject; empty if there are none.
+std::string idiom_line(const std::optional<Likeness>& likeness) {
+  constexpr std::size_t most_named = 3;
+  if (!likeness || likeness->idioms.size() > most_named) return "";
+  std::vector<std::string_view> names;
+  for (const Idiom* idiom : likeness->idioms) names.push_back(idiom->text);
+  std::string text = fmt::format("  {:<16} {}, ", "looks like", joined(names, " or "));
+  if (likeness->exceptions > 0) {
+    text += fmt::format("but for {} of {} cases in range\n", support::grouped(likeness->exceptions),
+                        support::grouped(likeness->cases));
+  } else {
+    text += fmt::format("on all {} cases in range\n", support::grouped(likeness->cases));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string guess_text(const Judge& judge) {
@@ -132,6 +148,7 @@ std::string guess_text(const Judge& judge) {
   });
   followed.rounding = roundings()[rule];
   text += line_of("rounding", rounding, names, "cases in range", followed);
+  text += idiom_line(judge.idioms().likeness());
 
   const BestRules overflow = trial.overflow(rule);
   names.clear();

@@ -5,7 +5,11 @@
 namespace fixproof::check {
 
 Judge::Judge(const Rules& rules, std::size_t max_shown)
-    : rules_(rules), wrong_(max_shown), trial_(rules.operation), common_(rules.operation) {}
+    : rules_(rules),
+      wrong_(max_shown),
+      trial_(rules.operation),
+      idioms_(rules.operation),
+      common_(rules.operation) {}
 
 void Judge::add(const JudgedCase& one) {
   const auto ulps = rounded_result(rules_.operation, one.words, rules_.rounding);
@@ -32,6 +36,7 @@ void Judge::add(const JudgedCase& one) {
     const double off = std::fabs(static_cast<double>(above_floor) - place.fraction);
     if (!largest_error_ || off > largest_error_->ulps) largest_error_ = {off, one};
   }
+  if (in_range) idioms_.add(one, right);
   trial_.add(one, place.has_result && place.negative);
 }
 

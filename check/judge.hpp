@@ -8,6 +8,7 @@
 
 #include "check/common_traits.hpp"
 #include "check/exact_place.hpp"
+#include "check/idioms.hpp"
 #include "check/judged_case.hpp"
 #include "check/rules.hpp"
 #include "check/trial.hpp"
@@ -41,6 +42,7 @@ class Judge {
   /// Empty if the subject gave no result in range.
   [[nodiscard]] const std::optional<LargestError>& largest_error() const { return largest_error_; }
   [[nodiscard]] const RuleTrial& trial() const { return trial_; }
+  [[nodiscard]] const IdiomTrial& idioms() const { return idioms_; }
   [[nodiscard]] const CommonTraits& common() const { return common_; }
 
  private:
@@ -52,6 +54,7 @@ class Judge {
   std::array<std::array<KindTally, 2>, case_kinds> tallies_{};
   std::optional<LargestError> largest_error_;
   RuleTrial trial_;
+  IdiomTrial idioms_;
   CommonTraits common_;
 };
 

@@ -32,7 +32,7 @@ inline constexpr std::size_t parts_of_case = 6;
 
 /// The number of traits of a case. They depend on the operands and the exact result only.
 std::size_t case_trait_count();
-TraitSet case_traits(cases::Operation operation, const TraitCase& one);
+TraitSet case_traits(cases::Operation operation, const TraitCase& of);
 About about(std::size_t case_trait);
 /// Completes "every wrong case": `has divisor 80000000`, `is an exact tie`.
 std::string case_trait_text(cases::Operation operation, std::size_t case_trait);
@@ -41,7 +41,7 @@ std::string case_trait_text(cases::Operation operation, std::size_t case_trait);
 std::string_view noun_of(cases::Operation operation, About operand);
 
 /// The traits of a wrong result beside the expected one.
-TraitSet result_traits(const TraitCase& one);
+TraitSet result_traits(const TraitCase& of);
 std::size_t result_trait_count();
 /// Completes "every wrong result": `is 1 ulp too low`.
 std::string_view result_trait_text(std::size_t result_trait);
