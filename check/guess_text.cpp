@@ -147,7 +147,10 @@ std::string guess_text(const Judge& judge) {
     return trial.no_result(r).first.exceptions.count();
   });
   followed.rounding = roundings()[rule];
-  text += line_of("rounding", rounding, names, "cases in range", followed);
+  const bool rounded = is_rounded(operation);
+  if (!rounded) names = {"exact"};
+  text += line_of(rounded ? "rounding" : "in range", rounding, names,
+                  rounded ? "cases in range" : "cases that do not overflow", followed);
   text += idiom_line(judge.idioms().likeness());
 
   const BestRules overflow = trial.overflow(rule);

@@ -24,6 +24,11 @@ Ulps without_carry(std::int64_t product) {
   return (floor & ~std::int64_t{0xffff}) | ((floor + half) & 0xffff);
 }
 
+/// Adds fractions and integer parts apart.
+Ulps sum_of_halves(std::int64_t a, std::int64_t b) {
+  return (a & ~std::int64_t{0xffff}) + (b & ~std::int64_t{0xffff}) + ((a + b) & 0xffff);
+}
+
 std::int64_t low_word(std::int64_t value) { return static_cast<std::int32_t>(value); }
 
 constexpr std::array<Idiom, idiom_count> all_idioms{{
@@ -56,6 +61,8 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
      [](auto a, auto b) { return Ulps(a * ((std::int64_t{1} << 32) / b) >> 16); }},
     {Operation::div, "(int)((float)a / b * 65536), which has 24 bits",
      [](auto a, auto b) { return cut(static_cast<float>(a) / static_cast<float>(b) * scale); }},
+    {Operation::add, "sums of fractions and integer parts, without the carry between them",
+     sum_of_halves},
     {Operation::sqrt, "(int)(sqrtf(a / 65536.0f) * 65536), which has 24 bits",
      [](auto a, auto /*b*/) { return cut(std::sqrt(static_cast<float>(a) / scale) * scale); }},
 }};

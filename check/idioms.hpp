@@ -22,7 +22,7 @@ struct Idiom {
   std::optional<std::int64_t> (*result)(std::int64_t a, std::int64_t b);
 };
 
-inline constexpr std::size_t idiom_count = 17;
+inline constexpr std::size_t idiom_count = 18;
 const std::array<Idiom, idiom_count>& idioms();
 
 /// The idioms with the fewest exceptions. Several tie if no case tells them apart.

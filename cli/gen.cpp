@@ -117,7 +117,8 @@ void add_gen(CLI::App& app, int& status) {
       app.add_subcommand("gen", "write the cases of a verification as input for another program");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, sqrt, sin, cos, cossin, xformvec, concat, decimal or binary64")
+                   "mul, div, sqrt, add, sub, sin, cos, cossin, xformvec, concat, decimal or "
+                   "binary64")
       ->required();
   add_case_options(*command, options->cases);
   command->add_option("-o,--output", options->file, "output file; by default standard output")

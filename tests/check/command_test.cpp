@@ -58,6 +58,23 @@ TEST(CheckCommand, WhatWrongCasesHaveInCommon) {
                                        wrong));
 }
 
+// The type's standard rules wrap sums and differences.
+TEST(CheckCommand, SumsAndDifferences) {
+  for (const std::string operation : {"add", "sub"}) {
+    const std::string cases = command::output_of("gen " + operation + " --cases 5000");
+    const std::string answers = command::output_of("eval " + operation, cases);
+    const auto wraps = command::fixproof("check " + operation + " --cases 5000", answers);
+    EXPECT_EQ(wraps.status, 0) << wraps.out << wraps.err;
+    expect_contains(wraps.out, operation + ": exact, overflow wrap; cases of fixproof gen");
+    expect_contains(wraps.out, "  in range         exact on all ");
+    expect_contains(wraps.out, "  overflow         wraps on all ");
+    const auto clamps =
+        command::fixproof("check " + operation + " --cases 5000 --overflow saturate", answers);
+    EXPECT_EQ(clamps.status, 1) << clamps.err;
+    expect_contains(clamps.out, "every wrong case overflows: all ");
+  }
+}
+
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);
@@ -155,8 +172,9 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
 TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check", "operation");
   expect_refused("check mul", "--rounding");
-  expect_refused("check concat --rounding floor", "choose mul, div or sqrt");
-  expect_refused("check add --rounding floor", "unknown operation");
+  expect_refused("check concat --rounding floor", "choose mul, div, sqrt, add or sub");
+  expect_refused("check abs --rounding floor", "unknown operation");
+  expect_refused("check add --rounding floor", "--rounding applies only to mul, div and sqrt");
   expect_refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
   expect_refused("check mul --rounding floor --overflow clamp",
                  "wrap, saturate, symmetric, maximum, minimum, de, any");
@@ -175,9 +193,9 @@ TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check div --rounding floor --negative-root zero",
                  "--negative-root applies only to sqrt");
   expect_refused("check sqrt --rounding floor --overflow wrap",
-                 "--overflow applies only to mul and div");
+                 "--overflow applies only to mul, div, add and sub");
   expect_refused("gen", "operation");
-  expect_refused("gen add", "unknown operation");
+  expect_refused("gen abs", "unknown operation");
   expect_refused("gen mul --level 3", "whole number from 1 to 2");
   expect_refused("gen mul --shard 3/2", "--shard 3/2");
   expect_refused("gen mul --cases 0", "whole number");

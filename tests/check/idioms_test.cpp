@@ -90,6 +90,16 @@ TEST(CheckIdioms, ALostCarry) {
       "half-up without the carry from the fraction to the integer part");
 }
 
+TEST(CheckIdioms, ALostCarryOfASum) {
+  expect_idiom(
+      {.operation = Operation::add},
+      [](auto a, auto b) {
+        const bool carries = (a & 0xffff) + (b & 0xffff) > 0xffff;
+        return word(a + b - (carries ? 65536 : 0));
+      },
+      "sums of fractions and integer parts, without the carry between them");
+}
+
 TEST(CheckIdioms, LostBits) {
   expect_idiom(
       mul_half_up, [](auto a, auto b) { return word((a >> 8) * (b >> 8)); },
