@@ -41,8 +41,8 @@ template <class T>
 inline constexpr Rules rules_of{
     {.divide = std::is_integral_v<T> ? fixproof::rounding::truncate : fixproof::rounding::half_up},
     16};
-template <int F, fixproof::policy P>
-inline constexpr Rules rules_of<fixproof::number<F, P>>{P, F};
+template <class Raw, int F, fixproof::policy P>
+inline constexpr Rules rules_of<fixproof::number<Raw, F, P>>{P, F};
 
 struct Multiply {
   template <class T>

@@ -15,7 +15,6 @@
 #include "proof/process.hpp"
 #include "support/build_info/build_info.hpp"
 #include "support/interrupt.hpp"
-#include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
@@ -63,11 +62,10 @@ int run(std::vector<std::string> arguments) {
   } catch (const CLI::ExtrasError&) {
     const auto extra = app.remaining(true);
     const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
-    print_error(
-        fmt::format("{}: {} (see fixproof --help)", what, support::printable(extra.front())));
+    print_error(fmt::format("{}: {} (see fixproof --help)", what, extra.front()));
     return 2;
   } catch (const CLI::ParseError& error) {
-    print_error(fmt::format("{} (see fixproof --help)", support::printable(error.what())));
+    print_error(fmt::format("{} (see fixproof --help)", error.what()));
     return 2;
   } catch (const proof::Stopped&) {
     print_error("stopped");
@@ -76,7 +74,7 @@ int run(std::vector<std::string> arguments) {
     throw;
   } catch (const std::exception& error) {
     std::cout.flush();
-    print_error(support::printable(error.what()));
+    print_error(error.what());
     return support::Interrupt::flag() ? support::interrupted_status : 2;
   }
   // Flushing reveals a full disk or a closed pipe.

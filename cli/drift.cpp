@@ -170,7 +170,7 @@ int run(const DriftOptions& options) {
   if (json) json->replace(support::json_text(figures));
   if (strip) {
     strip->replace(drift_strip(scene, options.request));
-    std::cout << fmt::format("\n{}: {}\n", options.strip,
+    std::cout << fmt::format("\n{}: {}\n", support::printable(options.strip),
                              support::printable(scene.objects[options.request.object].name));
   }
   return 0;

@@ -14,6 +14,7 @@
 #include "support/interrupt.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
+#include "support/plain_text.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
@@ -57,9 +58,9 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
     measured = run_measurement(measure, request, progress);
   }
   if (measured.status == support::interrupted_status) {
-    std::cout << fmt::format("STOPPED after {} of {} {}{}\n", progress.done(), progress.all(),
-                             progress.unit(),
-                             options.json.empty() ? "" : "; " + options.json + " is not written");
+    std::cout << fmt::format(
+        "STOPPED after {} of {} {}{}\n", progress.done(), progress.all(), progress.unit(),
+        options.json.empty() ? "" : "; " + support::printable(options.json) + " is not written");
   }
   if (measured.result) {
     std::cout << text_of(*measured.result);

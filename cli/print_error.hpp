@@ -6,7 +6,8 @@
 
 namespace fixproof::cli {
 
-/// Writes `fixproof: MESSAGE` as one line to stderr. It never fails: see support/error_text.hpp.
+/// Writes `fixproof: MESSAGE` as one line to stderr, made printable, because a message may quote a
+/// file name or a file. It never fails: see support/error_text.hpp.
 void print_error(std::string_view message) noexcept;
 
 }  // namespace fixproof::cli

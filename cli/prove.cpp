@@ -252,7 +252,7 @@ int summarize(const Tally& tally, std::size_t goals) {
     std::cout << fmt::format("Stopped. INCOMPLETE: {} of {} goals have no answer.\n", left, goals);
   }
   std::cout << std::flush;
-  if (!tally.failure.empty()) print_error(support::printable(tally.failure));
+  if (!tally.failure.empty()) print_error(tally.failure);
   // A counterexample counts even if goals remain.
   if (tally.disproven > 0) return 1;
   if (!tally.failure.empty() || (left == 0 && tally.undecided() > 0)) return 2;

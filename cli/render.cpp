@@ -170,7 +170,7 @@ int render(const RenderOptions& options) {
   }
   if (!drawn.older_frame.empty()) {
     std::cout << fmt::format("{} and the frames after it are from an earlier run\n",
-                             drawn.older_frame);
+                             support::printable(drawn.older_frame));
   }
   if (drawn.frames == frames) return 0;
   std::cout << fmt::format("STOPPED after {} of {} frames; the written files are complete\n",

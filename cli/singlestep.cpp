@@ -85,7 +85,7 @@ Result judge_file(const std::string& path, x86model::Cpu cpu) {
     singlestep::read_cases(path, cpu,
                            [&](const singlestep::Case& c) { count(c, cpu, file, result); });
   } catch (const std::runtime_error& error) {
-    result.error = support::printable(error.what());
+    result.error = error.what();
   }
   const Counts& counts = result.counts;
   if (counts.differing > max_shown) {

@@ -65,7 +65,8 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
     }
     const bool equal = parties::agree(answers);
     if (!equal) status = 1;
-    std::cout << fmt::format("{}: {} ({}): {}: {}\n", cases::name_of(row.variant), options.words,
+    std::cout << fmt::format("{}: {} ({}): {}: {}\n", cases::name_of(row.variant),
+                             support::printable(options.words),
                              cases::decimal_words(row.variant, words), grouped_answers(said),
                              equal ? "equal" : "DIFFER");
   }
@@ -124,7 +125,7 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
                              support::grouped(report.plan.chunks()));
   }
   if (report.chunks_done() > 0) {
-    std::cout << fmt::format("{}: {} of {} chunks are done\n", options.resume,
+    std::cout << fmt::format("{}: {} of {} chunks are done\n", support::printable(options.resume),
                              support::grouped(report.chunks_done()),
                              support::grouped(report.chunks_in_shard()));
   }
@@ -170,11 +171,12 @@ void run_remaining(const VerifyOptions& options, VerifyFiles& files, verify::Rep
 
 std::string resume_hint(const VerifyOptions& options) {
   if (!options.resume.empty()) {
-    return fmt::format("Stopped. The same command continues from {}.\n", options.resume);
+    return fmt::format("Stopped. The same command continues from {}.\n",
+                       support::printable(options.resume));
   }
   if (!options.report.empty()) {
     return fmt::format("Stopped. The same command with --resume {} continues the run.\n",
-                       options.report);
+                       support::printable(options.report));
   }
   return "Stopped. The results are lost; with --resume FILE a stopped run can continue.\n";
 }
@@ -212,8 +214,8 @@ int verify(const VerifyOptions& options) {
   std::cout << table(report);
   if (!report.complete()) std::cout << resume_hint(options);
   std::cout.flush();
-  if (!party_failure.empty()) print_error(support::printable(party_failure));
-  for (const std::string& failure : failures) print_error(support::printable(failure));
+  if (!party_failure.empty()) print_error(party_failure);
+  for (const std::string& failure : failures) print_error(failure);
   if (!failures.empty()) return 2;
   // A mismatch counts even if the run is incomplete.
   if (report.mismatches() > 0) return 1;

@@ -73,7 +73,8 @@ inline std::span<bool> batch_marks(const batch::options& how, std::size_t count)
 }
 
 template <int F, policy P>
-raw_transform<F> raws_of(const std::array<std::array<number<F, P>, 4>, 3>& rows) noexcept {
+raw_transform<F> raws_of(
+    const std::array<std::array<number<raw_t<F>, F, P>, 4>, 3>& rows) noexcept {
   raw_transform<F> raws;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 4; ++k) raws[i][k] = rows[i][k].raw();
@@ -205,39 +206,39 @@ detail::element_t<A> dot(const A& a, const B& b,
                          path use = best()) noexcept(detail::element_t<A>::never_throws) {
   using N = detail::element_t<A>;
   constexpr int F = N::fraction_bits;
-  constexpr policy P = N::rules;
   constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
   const N* const x = std::data(a);
   const N* const y = std::data(b);
   const std::size_t count = detail::shortest(a, b);
-  std::conditional_t<detail::rounds_modulo<P>, std::uint64_t, detail::wide_sum> sum{};
+  std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
   for (std::size_t done = 0; done < count;) {
     const std::size_t end = done + (std::min)(count - done, at_once);
     done += detail::on_path(
         use, [&](auto on) { return on.template dot<F>(x + done, y + done, end - done, sum); });
     for (; done < end; ++done) {
       const std::int64_t product = std::int64_t{x[done].raw()} * y[done].raw();
-      if constexpr (detail::rounds_modulo<P>) {
+      if constexpr (detail::rounds_modulo<N>) {
         sum += static_cast<std::uint64_t>(product);
       } else {
         sum.add(product);
       }
     }
   }
-  if constexpr (detail::rounds_modulo<P>) {
-    return detail::rounded_sum<F, P>(sum);
+  if constexpr (detail::rounds_modulo<N>) {
+    return detail::rounded_sum<N>(sum);
   } else {
-    return detail::rounded_sum<F, P>(sum, count);
+    return detail::rounded_sum<N>(sum, count);
   }
 }
 
 /// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
 /// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
 /// of 16.16 results bypass the caches.
-template <int F, policy P, detail::tuples_of<number<F, P>, 3> In,
-          detail::output_tuples_of<number<F, P>, 3> Out>
-report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const In& in, Out&& out,
-                 const options& how = {}) noexcept(number<F, P>::never_throws) {
+template <int F, policy P, detail::tuples_of<number<detail::raw_t<F>, F, P>, 3> In,
+          detail::output_tuples_of<number<detail::raw_t<F>, F, P>, 3> Out>
+report transform(const std::array<std::array<number<detail::raw_t<F>, F, P>, 4>, 3>& rows,
+                 const In& in, Out&& out,
+                 const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::never_throws) {
   const detail::raw_transform<F> by = detail::raws_of(rows);
   const void* const from = std::data(in);
   void* const to = std::data(out);
@@ -254,13 +255,16 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const I
 }
 
 /// The same, with each coordinate in its own span.
-template <int F, policy P, detail::input_of<number<F, P>> X, detail::input_of<number<F, P>> Y,
-          detail::input_of<number<F, P>> Z, detail::output_of<number<F, P>> ToX,
-          detail::output_of<number<F, P>> ToY, detail::output_of<number<F, P>> ToZ>
-report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X& x, const Y& y,
-                 const Z& z, ToX&& to_x, ToY&& to_y, ToZ&& to_z,
-                 const options& how = {}) noexcept(number<F, P>::never_throws) {
-  using N = number<F, P>;
+template <int F, policy P, detail::input_of<number<detail::raw_t<F>, F, P>> X,
+          detail::input_of<number<detail::raw_t<F>, F, P>> Y,
+          detail::input_of<number<detail::raw_t<F>, F, P>> Z,
+          detail::output_of<number<detail::raw_t<F>, F, P>> ToX,
+          detail::output_of<number<detail::raw_t<F>, F, P>> ToY,
+          detail::output_of<number<detail::raw_t<F>, F, P>> ToZ>
+report transform(const std::array<std::array<number<detail::raw_t<F>, F, P>, 4>, 3>& rows,
+                 const X& x, const Y& y, const Z& z, ToX&& to_x, ToY&& to_y, ToZ&& to_z,
+                 const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::never_throws) {
+  using N = number<detail::raw_t<F>, F, P>;
   const detail::raw_transform<F> by = detail::raws_of(rows);
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
@@ -282,10 +286,11 @@ report transform(const std::array<std::array<number<F, P>, 4>, 3>& rows, const X
 
 /// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
 /// both the quotient and the product. An element has a divide error if either quotient has one.
-template <int F, policy P, detail::tuples_of<number<F, P>, 3> In,
-          detail::output_tuples_of<number<F, P>, 2> Out>
-report project(const In& in, number<F, P> constant, Out&& out,
-               const options& how = {}) noexcept(number<F, P>::divide_never_throws) {
+template <int F, policy P, detail::tuples_of<number<detail::raw_t<F>, F, P>, 3> In,
+          detail::output_tuples_of<number<detail::raw_t<F>, F, P>, 2> Out>
+report project(
+    const In& in, number<detail::raw_t<F>, F, P> constant, Out&& out,
+    const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::divide_never_throws) {
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
@@ -301,12 +306,16 @@ report project(const In& in, number<F, P> constant, Out&& out,
 }
 
 /// The same, with each coordinate in its own span.
-template <int F, policy P, detail::input_of<number<F, P>> X, detail::input_of<number<F, P>> Y,
-          detail::input_of<number<F, P>> Z, detail::output_of<number<F, P>> ToX,
-          detail::output_of<number<F, P>> ToY>
-report project(const X& x, const Y& y, const Z& z, number<F, P> constant, ToX&& to_x, ToY&& to_y,
-               const options& how = {}) noexcept(number<F, P>::divide_never_throws) {
-  using N = number<F, P>;
+template <int F, policy P, detail::input_of<number<detail::raw_t<F>, F, P>> X,
+          detail::input_of<number<detail::raw_t<F>, F, P>> Y,
+          detail::input_of<number<detail::raw_t<F>, F, P>> Z,
+          detail::output_of<number<detail::raw_t<F>, F, P>> ToX,
+          detail::output_of<number<detail::raw_t<F>, F, P>> ToY>
+report project(
+    const X& x, const Y& y, const Z& z, number<detail::raw_t<F>, F, P> constant, ToX&& to_x,
+    ToY&& to_y,
+    const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::divide_never_throws) {
+  using N = number<detail::raw_t<F>, F, P>;
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);

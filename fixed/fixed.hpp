@@ -15,6 +15,7 @@
 ///     if (auto q = fixproof::try_divide(x, q16_16())) {}  // no quotient by zero
 ///
 /// fixed/policy.hpp has the other policies; the end of fixed/number.hpp has their types.
+/// fixed/formats.hpp names the other formats, from 8 to 64 bits.
 ///
 /// Under -ffreestanding this header omits everything that needs a run-time library: text and
 /// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). It
@@ -27,8 +28,10 @@
 /// whether exceptions are enabled: the inline functions that throw would have two definitions.
 #pragma once
 
+#include "fixed/formats.hpp"
 #include "fixed/limits.hpp"
 #include "fixed/math.hpp"
+#include "fixed/mixed.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/trig.hpp"

@@ -26,7 +26,7 @@
 namespace fixproof::detail {
 
 /// The common part of both formatters; Error is the library's format_error.
-template <int FractionBits, policy P, class Error>
+template <class Raw, int FractionBits, policy P, class Error>
 class text_formatter {
  public:
   template <class Context>
@@ -50,8 +50,8 @@ class text_formatter {
   }
 
   template <class Context>
-  auto format(number<FractionBits, P> value, Context& context) const {
-    std::array<char, max_decimal_chars<FractionBits>> text{};
+  auto format(number<Raw, FractionBits, P> value, Context& context) const {
+    std::array<char, max_decimal_chars<Raw, FractionBits>> text{};
     const char* last = write_decimal<FractionBits>(text.data(), value.raw());
     const auto length = static_cast<std::size_t>(last - text.data());
     const std::size_t padding = width_ > length ? width_ - length : 0;
@@ -74,9 +74,9 @@ class text_formatter {
 }  // namespace fixproof::detail
 
 #if defined(__cpp_lib_format)
-template <int FractionBits, fixproof::policy P>
-struct std::formatter<fixproof::number<FractionBits, P>, char>
-    : fixproof::detail::text_formatter<FractionBits, P, std::format_error> {};
+template <class Raw, int FractionBits, fixproof::policy P>
+struct std::formatter<fixproof::number<Raw, FractionBits, P>, char>
+    : fixproof::detail::text_formatter<Raw, FractionBits, P, std::format_error> {};
 #endif
 
 #endif
@@ -86,7 +86,7 @@ struct std::formatter<fixproof::number<FractionBits, P>, char>
 #if !defined(FMT_FORMAT_H_)
 #include <fmt/format.h>  // <fmt/core.h> alone has no fmt::format_error
 #endif
-template <int FractionBits, fixproof::policy P>
-struct fmt::formatter<fixproof::number<FractionBits, P>, char>
-    : fixproof::detail::text_formatter<FractionBits, P, fmt::format_error> {};
+template <class Raw, int FractionBits, fixproof::policy P>
+struct fmt::formatter<fixproof::number<Raw, FractionBits, P>, char>
+    : fixproof::detail::text_formatter<Raw, FractionBits, P, fmt::format_error> {};
 #endif

@@ -2,22 +2,28 @@
 /// std::numeric_limits and std::hash.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>  // std::hash
 
+#include "fixed/detail/decimal.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 
 /// The limits of a number type. `min` is the smallest positive number, as for floating point, and
 /// `epsilon` is the step to the next number.
-template <int FractionBits, fixproof::policy P>
-class std::numeric_limits<fixproof::number<FractionBits, P>> {
-  using number = fixproof::number<FractionBits, P>;
-  using raw_limits = std::numeric_limits<typename number::raw_type>;
+template <class Raw, int FractionBits, fixproof::policy P>
+class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
+  using number = fixproof::number<Raw, FractionBits, P>;
+  using raw_limits = std::numeric_limits<Raw>;
+
+  /// Binary digits before the point, without the sign; -1 if a half is out of range.
+  static constexpr int whole_bits = raw_limits::digits - FractionBits;
 
   static constexpr bool to_nearest(fixproof::rounding r) noexcept {
-    return r == fixproof::rounding::half_up || r == fixproof::rounding::half_away;
+    return r == fixproof::rounding::half_up || r == fixproof::rounding::half_away ||
+           r == fixproof::rounding::half_even;
   }
 
   static constexpr std::float_round_style style() noexcept {
@@ -27,21 +33,29 @@ class std::numeric_limits<fixproof::number<FractionBits, P>> {
                                                    : std::round_toward_zero;
   }
 
+  /// The decimal digits of 2^bits that are full, and those that are full or begun.
+  static constexpr int log10_below(int bits) noexcept {
+    return fixproof::detail::decimal_digits(bits > 0 ? bits : 0);
+  }
+  static constexpr int log10_above(int bits) noexcept { return log10_below(bits) + (bits > 0); }
+
  public:
   /// \name Properties of the type
   /// \{
 
   /// Members as the standard names them.
   static constexpr bool is_specialized = true;
-  static constexpr bool is_signed = true;
-  static constexpr bool is_integer = false;
+  static constexpr bool is_signed = raw_limits::is_signed;
+  static constexpr bool is_integer = FractionBits == 0;
   static constexpr bool is_exact = true;
   static constexpr bool is_bounded = true;
   static constexpr bool is_iec559 = false;
   /// Whether sums and products wrap.
-  static constexpr bool is_modulo = P.range == fixproof::overflow::wrap;
+  static constexpr bool is_modulo =
+      P.range == fixproof::overflow::wrap && P.product_range() == fixproof::overflow::wrap;
   /// Whether any operation throws.
-  static constexpr bool traps = !number::divide_never_throws;
+  static constexpr bool traps =
+      !number::never_throws || !number::multiply_never_throws || !number::divide_never_throws;
   static constexpr bool tinyness_before = false;
 
   static constexpr bool has_infinity = false;
@@ -60,18 +74,18 @@ class std::numeric_limits<fixproof::number<FractionBits, P>> {
   static constexpr int digits = raw_limits::digits;
   /// Decimal digits that survive a round trip: 4 before the point and 4 after it in 16.16; 2 and 2
   /// in 8.8.
-  static constexpr int digits10 = FractionBits == 16 ? 4 + 4 : 2 + 2;
+  static constexpr int digits10 = log10_below(whole_bits) + log10_below(FractionBits);
   /// Decimal digits that identify every number: 5 before the point and 5 after it in 16.16; 3 and 3
   /// in 8.8.
-  static constexpr int max_digits10 = FractionBits == 16 ? 5 + 5 : 3 + 3;
+  static constexpr int max_digits10 = log10_above(whole_bits) + log10_above(FractionBits);
   /// 2^(min_exponent - 1) is the smallest power of two in range.
   static constexpr int min_exponent = 1 - FractionBits;
   /// 2^(max_exponent - 1) is the largest power of two in range.
-  static constexpr int max_exponent = FractionBits - 1;
+  static constexpr int max_exponent = whole_bits;
   /// 10^min_exponent10 is the smallest power of ten in range: 0.0001 in 16.16, 0.01 in 8.8.
-  static constexpr int min_exponent10 = FractionBits == 16 ? -4 : -2;
+  static constexpr int min_exponent10 = -log10_below(FractionBits);
   /// 10^max_exponent10 is the largest power of ten in range: 10000 in 16.16, 100 in 8.8.
-  static constexpr int max_exponent10 = FractionBits == 16 ? 4 : 2;
+  static constexpr int max_exponent10 = whole_bits > 0 ? log10_below(whole_bits) : -1;
 
   /// The smallest positive number, one ulp.
   static constexpr number(min)() noexcept { return number::from_raw(1); }
@@ -81,10 +95,12 @@ class std::numeric_limits<fixproof::number<FractionBits, P>> {
   static constexpr number lowest() noexcept { return number::from_raw((raw_limits::min)()); }
   /// The step to the next number, one ulp.
   static constexpr number epsilon() noexcept { return number::from_raw(1); }
-  /// The rounding error in ulp: 1/2 if every operation rounds to nearest, else 1.
+  /// The rounding error in ulp: 1/2 if every operation rounds to nearest, else 1. The highest
+  /// number if it is out of range, and 1 if there are no halves.
   static constexpr number round_error() noexcept {
-    return number::from_raw(
-        1 << (style() == std::round_to_nearest ? FractionBits - 1 : FractionBits));
+    const int bit =
+        (std::max)(style() == std::round_to_nearest ? FractionBits - 1 : FractionBits, 0);
+    return bit < raw_limits::digits ? number::from_raw(static_cast<Raw>(Raw{1} << bit)) : (max)();
   }
   /// Equal to min(): there are no denormal numbers.
   static constexpr number denorm_min() noexcept { return (min)(); }
@@ -97,10 +113,10 @@ class std::numeric_limits<fixproof::number<FractionBits, P>> {
 };
 
 /// The hash of the stored integer, so that equal numbers have equal hashes.
-template <int FractionBits, fixproof::policy P>
-struct std::hash<fixproof::number<FractionBits, P>> {
+template <class Raw, int FractionBits, fixproof::policy P>
+struct std::hash<fixproof::number<Raw, FractionBits, P>> {
   /// The hash of x.raw().
-  std::size_t operator()(fixproof::number<FractionBits, P> x) const noexcept {
-    return std::hash<typename fixproof::number<FractionBits, P>::raw_type>{}(x.raw());
+  std::size_t operator()(fixproof::number<Raw, FractionBits, P> x) const noexcept {
+    return std::hash<Raw>{}(x.raw());
   }
 };

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -18,78 +19,81 @@
 
 namespace fixproof {
 
-/// x rounded to an integer by rule R. Always in range.
+/// x rounded to an integer by rule R, as std::int32_t for numbers of at most 32 bits and as
+/// std::int64_t for wider ones. In range, except for the highest of 32 or 64 unsigned bits, which
+/// are modulo the range.
 ///
 ///     static_assert(to_integer<rounding::half_up>(q16_16(-1.5)) == -1);
 ///     static_assert(to_integer<rounding::half_away>(q16_16(-1.5)) == -2);
-template <rounding R, int F, policy P>
-constexpr std::int32_t to_integer(number<F, P> x) noexcept {
-  return static_cast<std::int32_t>(detail::shift_right<R>(std::int64_t{x.raw()}, F));
+template <rounding R, class Raw, int F, policy P>
+[[nodiscard]] constexpr auto to_integer(number<Raw, F, P> x) noexcept {
+  using wide = detail::signed_t<detail::signed_bits<Raw> + 1>;
+  using result = detail::signed_t<detail::bits_of<Raw>>;
+  return static_cast<result>(detail::shift_right<R>(wide{x.raw()}, F));
 }
 
 namespace detail {
 
 /// x rounded to a whole number by rule R. The policy handles overflow.
-template <rounding R, int F, policy P>
-constexpr number<F, P> whole(number<F, P> x,
-                             const char* operation) noexcept(number<F, P>::never_throws) {
-  const std::int64_t units = std::int64_t{to_integer<R>(x)} * (std::int64_t{1} << F);
-  return number<F, P>::from_raw(
-      narrow<P.range, raw_t<F>>(units, [&] { raise_overflow<F>(operation, x.raw()); }));
+template <rounding R, class Raw, int F, policy P>
+constexpr number<Raw, F, P> whole(number<Raw, F, P> x,
+                                  const char* operation) noexcept(number<Raw, F, P>::never_throws) {
+  using wide = signed_t<signed_bits<Raw> + 2>;
+  return number<Raw, F, P>::from_raw(narrow<P.range, Raw>(
+      shift_right<R>(wide{x.raw()}, F) << F, [&] { raise_overflow<F>(operation, x.raw()); }));
 }
 
 }  // namespace detail
 
 /// The greatest whole number not above x.
-template <int F, policy P>
-constexpr number<F, P> floor(number<F, P> x) noexcept(number<F, P>::never_throws) {
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> floor(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
   return detail::whole<rounding::floor>(x, "floor");
 }
 
 /// The least whole number not below x. The policy handles overflow, which occurs above the highest
 /// whole number.
-template <int F, policy P>
-constexpr number<F, P> ceil(number<F, P> x) noexcept(number<F, P>::never_throws) {
-  const bool whole = floor(x) == x;
-  const std::int64_t units =
-      (std::int64_t{to_integer<rounding::floor>(x)} + (whole ? 0 : 1)) * (std::int64_t{1} << F);
-  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
-      units, [&] { detail::raise_overflow<F>("ceil", x.raw()); }));
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> ceil(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+  // The floor of the negative, negated.
+  using wide = detail::signed_t<detail::signed_bits<Raw> + 2>;
+  const wide units = -(-wide{x.raw()} >> F << F);
+  return number<Raw, F, P>::from_raw(
+      detail::narrow<P.range, Raw>(units, [&] { detail::raise_overflow<F>("ceil", x.raw()); }));
 }
 
-/// The nearest whole number. Ties go away from zero if the policy rounds products half away from
-/// zero, and up otherwise. The policy handles overflow, which occurs above the highest whole
-/// number.
-template <int F, policy P>
-constexpr number<F, P>(round)(number<F, P> x) noexcept(number<F, P>::never_throws) {
-  constexpr rounding rule =
-      P.multiply == rounding::half_away ? rounding::half_away : rounding::half_up;
+/// The nearest whole number. Ties go as the policy rounds products if that is to nearest, and up
+/// otherwise. The policy handles overflow, which occurs above the highest whole number.
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P>(round)(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+  constexpr rounding rule = detail::is_to_nearest<P.multiply> ? P.multiply : rounding::half_up;
   return detail::whole<rule>(x, "round");
 }
 
 /// x truncated toward zero.
-template <int F, policy P>
-constexpr number<F, P> trunc(number<F, P> x) noexcept(number<F, P>::never_throws) {
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> trunc(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
   return detail::whole<rounding::truncate>(x, "trunc");
 }
 
 /// The absolute value. That of the lowest number overflows; the policy handles it.
-template <int F, policy P>
-constexpr number<F, P>(abs)(number<F, P> x) noexcept(number<F, P>::never_throws) {
-  const std::int64_t raw = x.raw();
-  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
-      raw < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P>(abs)(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+  using wide = detail::signed_t<detail::signed_bits<Raw> + 1>;
+  const wide raw{x.raw()};
+  return number<Raw, F, P>::from_raw(detail::narrow<P.range, Raw>(
+      x.raw() < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
 }
 
 /// The smaller of a and b.
-template <int F, policy P>
-constexpr number<F, P>(min)(number<F, P> a, number<F, P> b) noexcept {
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P>(min)(number<Raw, F, P> a, number<Raw, F, P> b) noexcept {
   return b < a ? b : a;
 }
 
 /// The larger of a and b.
-template <int F, policy P>
-constexpr number<F, P>(max)(number<F, P> a, number<F, P> b) noexcept {
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P>(max)(number<Raw, F, P> a, number<Raw, F, P> b) noexcept {
   return a < b ? b : a;
 }
 
@@ -97,27 +101,36 @@ constexpr number<F, P>(max)(number<F, P> a, number<F, P> b) noexcept {
 /// negative number is 0; under overflow::trap it throws domain_error.
 ///
 ///     static_assert(sqrt(q16_16(2)).raw() == 92682 && sqrt(q16_16(-1)) == q16_16());  // 92681.9
-template <int F, policy P>
-constexpr number<F, P> sqrt(number<F, P> x) noexcept(number<F, P>::never_throws) {
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> sqrt(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
   if (x.raw() < 0) {
     if constexpr (P.range == overflow::trap) {
-      detail::raise<domain_error>("domain error", "sqrt", detail::operand<F>{x.raw()});
+      detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, F>{x.raw()});
     }
     return {};
   }
-  return number<F, P>::from_raw(static_cast<detail::raw_t<F>>(
-      detail::nearest_sqrt(std::int64_t{x.raw()} * (std::int64_t{1} << F))));
+  constexpr int bits = std::numeric_limits<Raw>::digits + F;
+  if constexpr (bits < 48 && F <= std::numeric_limits<Raw>::digits) {
+    return number<Raw, F, P>::from_raw(
+        static_cast<Raw>(detail::nearest_sqrt(std::int64_t{x.raw()} * (std::int64_t{1} << F))));
+  } else {
+    // Out of range only if a half is.
+    using wide = detail::signed_t<bits + 3>;
+    return number<Raw, F, P>::from_raw(detail::narrow<P.range, Raw>(
+        detail::nearest_sqrt_by_pairs<(bits + 1) / 2>(wide{x.raw()} << F),
+        [&] { detail::raise_overflow<F>("sqrt", x.raw()); }));
+  }
 }
 
 /// a * b + c, rounded once by policy::multiply. The policy handles overflow.
 ///
 ///     static_assert(mul_add(q16_16(200), q16_16(200), q16_16(-30000)) == q16_16(10000));
-template <int F, policy P>
-constexpr number<F, P> mul_add(number<F, P> a, number<F, P> b,
-                               number<F, P> c) noexcept(number<F, P>::never_throws) {
-  using wide = detail::wide_t<F>;
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> mul_add(number<Raw, F, P> a, number<Raw, F, P> b,
+                                    number<Raw, F, P> c) noexcept(number<Raw, F, P>::never_throws) {
+  using wide = detail::mul_add_t<Raw, F>;
   const wide sum = wide{a.raw()} * wide{b.raw()} + wide{c.raw()} * (wide{1} << F);
-  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
+  return number<Raw, F, P>::from_raw(detail::narrow<P.product_range(), Raw>(
       detail::shift_right<P.multiply>(sum, F),
       [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));
 }
@@ -126,25 +139,31 @@ constexpr number<F, P> mul_add(number<F, P> a, number<F, P> b,
 /// other t. The policy handles overflow.
 ///
 ///     static_assert(lerp(q16_16(-32768), q16_16(32767), q16_16(0.5)) == q16_16(-0.5));
-template <int F, policy P>
-constexpr number<F, P> lerp(number<F, P> a, number<F, P> b,
-                            number<F, P> t) noexcept(number<F, P>::never_throws) {
-  // The product has 63 bits and a sign, so adding `a` could overflow. Adding `a` after rounding is
-  // equivalent if the rounding uses the sign of the sum.
-  const std::int64_t product = (std::int64_t{b.raw()} - a.raw()) * t.raw();
-  const bool negative = a.raw() + (product >> F) < 0;
-  const std::int64_t rounded =
-      (product + detail::bias<P.multiply>(negative, std::int64_t{1} << F)) >> F;
-  return number<F, P>::from_raw(detail::narrow<P.range, detail::raw_t<F>>(
-      a.raw() + rounded, [&] { detail::raise_overflow<F>("lerp", a.raw(), b.raw(), t.raw()); }));
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> lerp(number<Raw, F, P> a, number<Raw, F, P> b,
+                                 number<Raw, F, P> t) noexcept(number<Raw, F, P>::never_throws) {
+  // Adding `a` to the product could overflow. Adding it after rounding is equivalent if the
+  // rounding uses the sign and the parity of the sum.
+  using wide = detail::signed_t<2 * detail::bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2)>;
+  const wide start{a.raw()};
+  const wide product = (wide{b.raw()} - start) * wide{t.raw()};
+  const wide floor = start + (product >> F);
+  wide rounded = floor;
+  if constexpr (F > 0) {
+    const bool odd = P.multiply == rounding::half_even && detail::is_odd(floor);
+    rounded =
+        start + ((product + detail::bias<P.multiply>(floor < wide{0}, odd, wide{1} << F)) >> F);
+  }
+  return number<Raw, F, P>::from_raw(detail::narrow<P.range, Raw>(
+      rounded, [&] { detail::raise_overflow<F>("lerp", a.raw(), b.raw(), t.raw()); }));
 }
 
 namespace detail {
 
 template <class T>
 inline constexpr bool is_number = false;
-template <int F, policy P>
-inline constexpr bool is_number<number<F, P>> = true;
+template <class Raw, int F, policy P>
+inline constexpr bool is_number<number<Raw, F, P>> = true;
 
 /// The element type of a range with std::data().
 template <class Range>
@@ -157,27 +176,38 @@ concept number_range = is_number<element_t<Range>> && requires(const Range& rang
   std::size(range);
 };
 
+/// Whether 128-bit sums of products are kept in a wide_sum.
+template <class Raw, int F>
+inline constexpr bool has_wide_sum = std::is_signed_v<Raw>&& bits_of<Raw> <= 32 && F > 0;
+
 /// Whether the result depends only on the lower 64 bits of a sum of products.
-template <policy P>
-inline constexpr bool rounds_modulo = P.range == overflow::wrap&& rounds_by_floor<P.multiply>;
+template <class N>
+inline constexpr bool rounds_modulo =
+    has_wide_sum<typename N::raw_type, N::fraction_bits>&& N::rules
+        .product_range() == overflow::wrap&& rounds_by_floor<N::rules.multiply>;
 
 /// Rounds a sum of products that is known modulo 2^64.
-template <int F, policy P>
-requires rounds_modulo<P>
-constexpr number<F, P> rounded_sum(std::uint64_t sum) noexcept {
-  const auto half = static_cast<std::uint64_t>(bias<P.multiply>(false, std::int64_t{1} << F));
-  return number<F, P>::from_raw(static_cast<raw_t<F>>((sum + half) >> F));
+template <class N>
+requires rounds_modulo<N>
+constexpr N rounded_sum(std::uint64_t sum) noexcept {
+  constexpr int F = N::fraction_bits;
+  const auto half =
+      static_cast<std::uint64_t>(bias<N::rules.multiply>(false, false, std::int64_t{1} << F));
+  return N::from_raw(static_cast<typename N::raw_type>((sum + half) >> F));
 }
 
 /// Rounds a sum of products once. \param terms the number of terms, for the text of an error
-template <int F, policy P>
-constexpr number<F, P> rounded_sum(wide_sum sum,
-                                   std::size_t terms) noexcept(number<F, P>::never_throws) {
-  sum.add(bias<P.multiply>(sum.negative(), std::int64_t{1} << F));
-  if constexpr (P.range == overflow::wrap) {
-    return number<F, P>::from_raw(static_cast<raw_t<F>>(sum.low_shifted_right(F)));
+template <class N>
+constexpr N rounded_sum(wide_sum sum, std::size_t terms) noexcept(N::multiply_never_throws) {
+  using raw = typename N::raw_type;
+  constexpr int F = N::fraction_bits;
+  constexpr overflow range = N::rules.product_range();
+  const bool odd = N::rules.multiply == rounding::half_even && is_odd(sum.low_shifted_right(F));
+  sum.add(bias<N::rules.multiply>(sum.negative(), odd, std::int64_t{1} << F));
+  if constexpr (range == overflow::wrap) {
+    return N::from_raw(static_cast<raw>(sum.low_shifted_right(F)));
   } else {
-    return number<F, P>::from_raw(narrow<P.range, raw_t<F>>(sum.clamped_shifted_right(F), [terms] {
+    return N::from_raw(narrow<range, raw>(sum.clamped_shifted_right(F), [terms] {
       raise<overflow_error>("overflow", "dot", term_count{terms});
     }));
   }
@@ -193,25 +223,34 @@ constexpr number<F, P> rounded_sum(wide_sum sum,
 ///     static_assert(dot(a, b) == q16_16(300));
 template <detail::number_range A, detail::number_range B>
 requires std::same_as<detail::element_t<A>, detail::element_t<B>>
-constexpr detail::element_t<A> dot(const A& a,
-                                   const B& b) noexcept(detail::element_t<A>::never_throws) {
+constexpr detail::element_t<A> dot(const A& a, const B& b) noexcept(
+    detail::element_t<A>::multiply_never_throws) {
   using result = detail::element_t<A>;
+  using raw = typename result::raw_type;
   constexpr policy rules = result::rules;
   constexpr int bits = result::fraction_bits;
 
   const auto* x = std::data(a);
   const auto* y = std::data(b);
   const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
-  const auto product = [x, y](std::size_t i) { return std::int64_t{x[i].raw()} * y[i].raw(); };
 
-  if constexpr (detail::rounds_modulo<rules>) {
+  if constexpr (detail::rounds_modulo<result>) {
     std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < terms; ++i) sum += static_cast<std::uint64_t>(product(i));
-    return detail::rounded_sum<bits, rules>(sum);
-  } else {
+    for (std::size_t i = 0; i < terms; ++i) {
+      sum += static_cast<std::uint64_t>(std::int64_t{x[i].raw()} * y[i].raw());
+    }
+    return detail::rounded_sum<result>(sum);
+  } else if constexpr (detail::has_wide_sum<raw, bits>) {
     detail::wide_sum sum;
-    for (std::size_t i = 0; i < terms; ++i) sum.add(product(i));
-    return detail::rounded_sum<bits, rules>(sum, terms);
+    for (std::size_t i = 0; i < terms; ++i) sum.add(std::int64_t{x[i].raw()} * y[i].raw());
+    return detail::rounded_sum<result>(sum, terms);
+  } else {
+    using wide = detail::wide_integer<3>;
+    wide sum;
+    for (std::size_t i = 0; i < terms; ++i) sum = sum + wide{x[i].raw()} * wide{y[i].raw()};
+    return result::from_raw(detail::narrow<rules.product_range(), raw>(
+        detail::shift_right<rules.multiply>(sum, bits),
+        [terms] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms}); }));
   }
 }
 

@@ -2,11 +2,13 @@
 /// The fixed-point type.
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "fixed/detail/divide.hpp"
@@ -20,13 +22,14 @@
 
 namespace fixproof {
 
-/// A two's complement number with FractionBits bits before and after the binary point.
+/// A number stored as an integer of 8 to 64 bits: its value is the integer times 2^-FractionBits.
 ///
 /// 16.16 covers -32768 to 32767 + 65535/65536 in steps of 2^-16 and takes four bytes; 8.8 covers
 /// -128 to 127 + 255/256 in steps of 2^-8 and takes two. The policy decides how inexact results are
-/// rounded and how out-of-range results are handled. No operand causes undefined behaviour.
-/// Operations throw only if the policy says so: overflow::trap throws overflow_error, and a divide
-/// that policy::fault treats as an error throws divide_error.
+/// rounded and how out-of-range results are handled. Every result is the exact one, rounded once.
+/// No operand causes undefined behaviour. Operations throw only if the policy says so:
+/// overflow::trap throws overflow_error, and a divide that policy::fault treats as an error throws
+/// divide_error.
 ///
 ///     static_assert(q16_16(1.5).raw() == 0x18000 && q16_16::from_raw(-1) < q16_16());
 ///     static_assert(q16_16(7) / q16_16(-2) == q16_16(-3.5));
@@ -34,22 +37,40 @@ namespace fixproof {
 ///     static_assert(q16_16_saturating(300) * q16_16_saturating(300) ==
 ///                   std::numeric_limits<q16_16_saturating>::max());
 ///
-/// \tparam FractionBits 16 or 8
+/// \tparam Raw          the stored integer: signed or unsigned, of 8 to 64 bits
+/// \tparam FractionBits the binary digits after the point: 0 to the width of Raw
 /// \tparam P            the rules for rounding, overflow and division
-template <int FractionBits, policy P = policies::wrapping>
+template <class Raw, int FractionBits, policy P = policies::wrapping>
 class number {
- public:
-  /// The stored integer: std::int32_t for 16.16, std::int16_t for 8.8.
-  using raw_type = detail::raw_t<FractionBits>;
+  static_assert(detail::integer<Raw> && !std::is_const_v<Raw> && !std::is_volatile_v<Raw>,
+                "the stored integer of a fixproof::number is an integer of 8 to 64 bits, such as "
+                "std::int32_t; bool and character types are none");
+  static_assert(FractionBits >= 0 && FractionBits <= detail::bits_of<Raw>,
+                "a fixproof::number has 0 to as many fraction bits as its stored integer has bits");
+  static_assert(P.range != overflow::as_range,
+                "policy::range is wrap, saturate or trap; as_range is for products and quotients");
+  static_assert(P.fault != divide_fault::signed_quotient || P.quotients == overflow::as_range,
+                "policy::fault = signed_quotient makes every quotient out of range an error, so "
+                "policy::quotients has no effect; leave it out");
+  static_assert(P.divisor == divisor_width::full || FractionBits < std::numeric_limits<Raw>::digits,
+                "a number without whole bits has only 0 as the whole part of a divisor; use "
+                "divisor_width::full");
 
-  /// Binary digits after the point, and before it including the sign.
+ public:
+  /// The stored integer.
+  using raw_type = Raw;
+
+  /// Binary digits after the point.
   static constexpr int fraction_bits = FractionBits;
   /// The policy.
   static constexpr policy rules = P;
-  /// Whether no operation except division throws.
+  /// Whether no sum, difference or conversion throws.
   static constexpr bool never_throws = P.range != overflow::trap;
+  /// Whether no product throws.
+  static constexpr bool multiply_never_throws = P.product_range() != overflow::trap;
   /// Whether division never throws.
-  static constexpr bool divide_never_throws = never_throws && P.fault == divide_fault::none;
+  static constexpr bool divide_never_throws =
+      P.quotient_range() != overflow::trap && P.fault == divide_fault::none;
 
   /// Zero.
   constexpr number() noexcept = default;
@@ -70,13 +91,9 @@ class number {
   ///     static_assert(q16_16_saturating(40000).raw() == 0x7fffffff);
   template <detail::integer Int>
   explicit constexpr number(Int value) noexcept(never_throws) {
-    if constexpr (P.range == overflow::wrap) {
-      raw_ = static_cast<raw_type>(static_cast<std::uint32_t>(value) << FractionBits);
-    } else {
-      const std::int64_t units = detail::clamp_far(value) * (std::int64_t{1} << FractionBits);
-      raw_ = detail::narrow<P.range, raw_type>(
-          units, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
-    }
+    raw_ = detail::narrow<P.range, raw_type>(
+        detail::units<raw_type, FractionBits, P.range>(value),
+        [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
   }
 
   /// Converts a float or double, rounded by policy::multiply. The policy handles overflow; wrapping
@@ -90,8 +107,9 @@ class number {
   ///     static_assert(q16_16(std::numeric_limits<double>::quiet_NaN()) == q16_16());
   template <detail::binary_float Float>
   explicit constexpr number(Float value) noexcept(never_throws) {
-    using kind = detail::scaled_float::kind;
-    const detail::scaled_float x = detail::scale<P.multiply>(value, FractionBits);
+    using wide = detail::signed_t<(std::max)(64, 2 * detail::bits_of<raw_type>)>;
+    using kind = typename detail::scaled_float<wide>::kind;
+    const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
     if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
       raw_ = detail::narrow<P.range, raw_type>(
           x.integer, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
@@ -105,33 +123,36 @@ class number {
     }
   }
 
-  /// Converts a number of another width or policy. The policy of the result rounds excess fraction
+  /// Converts a number of another format or policy. The policy of the result rounds excess fraction
   /// bits (policy::multiply) and handles overflow.
   ///
   ///     static_assert(q8_8(q16_16(1.5)) == q8_8(1.5));
   ///     static_assert(q8_8(q16_16::from_raw(128)) == q8_8::from_raw(1));  // a half goes up
-  template <int OtherBits, policy Q>
-  requires(OtherBits != FractionBits ||
-           Q != P) explicit constexpr number(number<OtherBits, Q> other) noexcept(never_throws) {
-    if constexpr (OtherBits <= FractionBits) {
-      raw_ = static_cast<raw_type>(other.raw() * (1 << (FractionBits - OtherBits)));
+  template <class OtherRaw, int OtherBits, policy Q>
+  requires(!std::same_as<OtherRaw, Raw> || OtherBits != FractionBits ||
+           Q != P) explicit constexpr number(number<OtherRaw, OtherBits, Q>
+                                                 other) noexcept(never_throws) {
+    constexpr int up = FractionBits - OtherBits;
+    using wide = detail::signed_t<(std::max)(
+        {detail::signed_bits<OtherRaw> + (std::max)(up, 1), detail::signed_bits<Raw>, 64})>;
+    const wide value =
+        detail::shift_right<P.multiply>(wide{other.raw()} << (std::max)(up, 0), (std::max)(-up, 0));
+    raw_ = detail::narrow<P.range, raw_type>(
+        value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
+  }
+
+  /// The nearest double, ties to even, in every rounding mode of the processor. Exact if the number
+  /// has at most 53 significant bits, as all numbers of 32 bits or less do.
+  explicit constexpr operator double() const noexcept {
+    if constexpr (detail::bits_of<Raw> <= 32) {
+      return static_cast<double>(raw_) / static_cast<double>(std::int64_t{1} << FractionBits);
     } else {
-      constexpr int dropped = OtherBits - FractionBits;
-      const auto value = detail::shift_right<P.multiply>(std::int64_t{other.raw()}, dropped);
-      raw_ = detail::narrow<P.range, raw_type>(
-          value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
+      return as_float<double>();
     }
   }
 
-  /// The value, exact.
-  explicit constexpr operator double() const noexcept {
-    return static_cast<double>(raw_) / static_cast<double>(std::int32_t{1} << FractionBits);
-  }
-
   /// The nearest float, ties to even, in every rounding mode of the processor.
-  explicit constexpr operator float() const noexcept {
-    return detail::to_float(raw_, FractionBits);
-  }
+  explicit constexpr operator float() const noexcept { return as_float<float>(); }
 
   /// The whole part, truncated toward zero, as from double. If Int is too small, the result is
   /// modulo 2^bits. See to_integer() for other roundings.
@@ -139,8 +160,8 @@ class number {
   ///     static_assert(static_cast<int>(q16_16(-1.5)) == -1);
   template <std::integral Int>
   requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
-    return static_cast<Int>(
-        detail::shift_right<rounding::truncate>(std::int64_t{raw_}, FractionBits));
+    using wide = detail::signed_t<(std::max)(64, detail::signed_bits<Raw> + 1)>;
+    return static_cast<Int>(detail::shift_right<rounding::truncate>(wide{raw_}, FractionBits));
   }
 
   /// Compares values for equality. Numbers of different types do not compare.
@@ -153,26 +174,28 @@ class number {
 
   /// The negative, exact. That of the lowest number overflows; the policy handles it.
   constexpr number operator-() const noexcept(never_throws) {
-    return narrowed(-wide{raw_}, "operator-", *this);
+    return narrowed<P.range>(-sum_t{raw_}, "operator-", *this);
   }
 
   /// The sum, exact. The policy handles overflow.
   friend constexpr number operator+(number a, number b) noexcept(never_throws) {
-    return narrowed(wide{a.raw_} + wide{b.raw_}, "operator+", a, b);
+    return narrowed<P.range>(sum_t{a.raw_} + sum_t{b.raw_}, "operator+", a, b);
   }
 
   /// The difference, exact. The policy handles overflow.
   friend constexpr number operator-(number a, number b) noexcept(never_throws) {
-    return narrowed(wide{a.raw_} - wide{b.raw_}, "operator-", a, b);
+    return narrowed<P.range>(sum_t{a.raw_} - sum_t{b.raw_}, "operator-", a, b);
   }
 
   /// The product, rounded once by policy::multiply. The policy handles overflow.
   ///
   ///     constexpr auto unit = q16_16::from_raw(1);
   ///     static_assert(unit * q16_16(0.5) == unit && -unit * q16_16(0.5) == q16_16());
-  friend constexpr number operator*(number a, number b) noexcept(never_throws) {
+  friend constexpr number operator*(number a, number b) noexcept(multiply_never_throws) {
+    using wide = detail::product_t<Raw>;
     const wide product = wide{a.raw_} * wide{b.raw_};
-    return narrowed(detail::shift_right<P.multiply>(product, FractionBits), "operator*", a, b);
+    return narrowed<P.product_range()>(detail::shift_right<P.multiply>(product, FractionBits),
+                                       "operator*", a, b);
   }
 
   /// The quotient, rounded once by policy::divide. The policy handles overflow. If division by zero
@@ -183,7 +206,7 @@ class number {
   ///     static_assert(q16_16(-1) / q16_16() == std::numeric_limits<q16_16>::lowest());
   friend constexpr number operator/(number n, number d) noexcept(divide_never_throws) {
     if constexpr (!divide_never_throws) {
-      const detail::division end = detail::try_division<FractionBits, P>(n.raw_, d.raw_);
+      const detail::division end = detail::try_division<Raw, FractionBits, P>(n.raw_, d.raw_);
       if (end == detail::division::divide_error) {
         detail::raise<divide_error>("divide error", "operator/", operand{n.raw_}, operand{d.raw_});
       }
@@ -191,7 +214,7 @@ class number {
         detail::raise_overflow<FractionBits>("operator/", n.raw_, d.raw_);
       }
     }
-    return from_raw(detail::total_divide<FractionBits, P>(n.raw_, d.raw_));
+    return from_raw(detail::total_divide<Raw, FractionBits, P>(n.raw_, d.raw_));
   }
 
   /// Adds b. The number is unchanged if operator+ throws.
@@ -199,7 +222,9 @@ class number {
   /// Subtracts b. The number is unchanged if operator- throws.
   constexpr number& operator-=(number b) noexcept(never_throws) { return *this = *this - b; }
   /// Multiplies by b. The number is unchanged if operator* throws.
-  constexpr number& operator*=(number b) noexcept(never_throws) { return *this = *this * b; }
+  constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
+    return *this = *this * b;
+  }
   /// Divides by b. The number is unchanged if operator/ throws.
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
 
@@ -215,36 +240,42 @@ class number {
   /// The sum, exact. The policy handles overflow.
   template <detail::integer Int>
   friend constexpr number operator+(number a, Int b) noexcept(never_throws) {
-    return with_integer(a.raw_ + units(b), "operator+", a, b);
+    return with_integer<P.range>(units(b) + a.raw_, "operator+", a, b);
   }
   template <detail::integer Int>
   friend constexpr number operator+(Int a, number b) noexcept(never_throws) {
-    return with_integer(units(a) + b.raw_, "operator+", a, b);
+    return with_integer<P.range>(units(a) + b.raw_, "operator+", a, b);
   }
   /// The difference, exact. The policy handles overflow.
   template <detail::integer Int>
   friend constexpr number operator-(number a, Int b) noexcept(never_throws) {
-    return with_integer(a.raw_ - units(b), "operator-", a, b);
+    return with_integer<P.range>(-units(b) + a.raw_, "operator-", a, b);
   }
   template <detail::integer Int>
   friend constexpr number operator-(Int a, number b) noexcept(never_throws) {
-    return with_integer(units(a) - b.raw_, "operator-", a, b);
+    return with_integer<P.range>(units(a) - b.raw_, "operator-", a, b);
   }
   /// The product, exact. The policy handles overflow.
   template <detail::integer Int>
-  friend constexpr number operator*(number a, Int b) noexcept(never_throws) {
-    return with_integer(a.raw_ * detail::factor<P.range>(b), "operator*", a, b);
+  friend constexpr number operator*(number a, Int b) noexcept(multiply_never_throws) {
+    return with_integer<P.product_range()>(factor(b) * a.raw_, "operator*", a, b);
   }
   template <detail::integer Int>
-  friend constexpr number operator*(Int a, number b) noexcept(never_throws) {
-    return with_integer(detail::factor<P.range>(a) * b.raw_, "operator*", a, b);
+  friend constexpr number operator*(Int a, number b) noexcept(multiply_never_throws) {
+    return with_integer<P.product_range()>(factor(a) * b.raw_, "operator*", a, b);
   }
-  /// The quotient, rounded once by policy::divide. Division by 0 or -1 follows number / number;
-  /// no other quotient leaves the range.
+  /// The quotient, rounded once by policy::divide. Division by 0 and overflow follow number /
+  /// number.
   template <detail::integer Int>
   friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
-    if (std::cmp_equal(d, 0) || std::cmp_equal(d, -1)) return n / number(d);
-    return from_raw(static_cast<raw_type>(detail::divide_by_integer<P.divide>(n.raw_, d)));
+    if (d == 0) return n / number();
+    const auto quotient = detail::divide_by_integer<P.divide>(n.raw_, d);
+    if constexpr (P.fault == divide_fault::signed_quotient) {
+      if (!detail::fits<Raw>(quotient)) {
+        detail::raise<divide_error>("divide error", "operator/", operand{n.raw_}, d);
+      }
+    }
+    return with_integer<P.quotient_range()>(quotient, "operator/", n, d);
   }
   template <detail::integer Int>
   constexpr number& operator+=(Int b) noexcept(never_throws) {
@@ -255,7 +286,7 @@ class number {
     return *this = *this - b;
   }
   template <detail::integer Int>
-  constexpr number& operator*=(Int b) noexcept(never_throws) {
+  constexpr number& operator*=(Int b) noexcept(multiply_never_throws) {
     return *this = *this * b;
   }
   template <detail::integer Int>
@@ -270,7 +301,12 @@ class number {
   }
   template <detail::integer Int>
   friend constexpr std::strong_ordering operator<=>(number a, Int b) noexcept {
-    return std::int64_t{a.raw_} <=> detail::clamp_far(b) * one;
+    using wide = detail::units_t<Raw, FractionBits>;
+    const auto integer = detail::units<Raw, FractionBits, overflow::saturate>(b);
+    const wide raw{a.raw_};
+    return raw < integer   ? std::strong_ordering::less
+           : integer < raw ? std::strong_ordering::greater
+                           : std::strong_ordering::equal;
   }
 
   /// Adds 1. The policy handles overflow.
@@ -290,31 +326,39 @@ class number {
   /// \}
 
  private:
-  using wide = detail::wide_t<FractionBits>;
-  using operand = detail::operand<FractionBits>;
+  /// Holds the sum, the difference or the negative of stored integers.
+  using sum_t = detail::signed_t<detail::signed_bits<Raw> + 1>;
+  using operand = detail::operand<Raw, FractionBits>;
 
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
 
-  template <class... Operands>
-  static constexpr number narrowed(wide value, const char* operation,
-                                   Operands... operands) noexcept(never_throws) {
-    return from_raw(detail::narrow<P.range, raw_type>(
+  template <class Float>
+  [[nodiscard]] constexpr Float as_float() const noexcept {
+    const auto bits = static_cast<std::uint64_t>(raw_);
+    return detail::to_float<Float>(raw_ < 0 ? 0 - bits : bits, raw_ < 0, FractionBits);
+  }
+
+  template <overflow O, class Wide, class... Operands>
+  static constexpr number narrowed(const Wide& value, const char* operation,
+                                   Operands... operands) noexcept(O != overflow::trap) {
+    return from_raw(detail::narrow<O, raw_type>(
         value, [&] { detail::raise_overflow<FractionBits>(operation, operands.raw_...); }));
   }
 
-  /// The stored integer of 1.
-  static constexpr std::int64_t one = std::int64_t{1} << FractionBits;
+  /// An integer as a stored integer; see detail::units.
+  static constexpr auto units(auto integer) noexcept {
+    return detail::units<Raw, FractionBits, P.range>(integer);
+  }
 
-  /// An integer as a stored integer, modulo the range if the policy wraps.
-  static constexpr std::int64_t units(auto integer) noexcept {
-    return detail::factor<P.range>(integer) * one;
+  static constexpr auto factor(auto integer) noexcept {
+    return detail::factor<Raw, P.product_range()>(integer);
   }
 
   /// Applies the policy to a result. An error names the integer as it was given.
-  template <class A, class B>
-  static constexpr number with_integer(std::int64_t value, const char* operation, A a,
-                                       B b) noexcept(never_throws) {
+  template <overflow O, class Wide, class A, class B>
+  static constexpr number with_integer(const Wide& value, const char* operation, A a,
+                                       B b) noexcept(O != overflow::trap) {
     const auto described = [](auto x) {
       if constexpr (std::integral<decltype(x)>) {
         return x;
@@ -322,7 +366,7 @@ class number {
         return operand{x.raw_};
       }
     };
-    return from_raw(detail::narrow<P.range, raw_type>(value, [&] {
+    return from_raw(detail::narrow<O, raw_type>(value, [&] {
       detail::raise<overflow_error>("overflow", operation, described(a), described(b));
     }));
   }
@@ -335,49 +379,50 @@ class number {
 ///     static_assert(try_divide(q16_16(1), q16_16(2)) == q16_16(0.5));
 ///     static_assert(!try_divide(q16_16(1), q16_16(0)));
 ///     static_assert(!try_divide(q16_16_i8088(1), q16_16_i8088(0.5)));  // the whole part is 0
-template <int FractionBits, policy P>
-constexpr std::optional<number<FractionBits, P>> try_divide(number<FractionBits, P> n,
-                                                            number<FractionBits, P> d) noexcept {
-  if (detail::try_division<FractionBits, P>(n.raw(), d.raw()) != detail::division::done) {
+template <class Raw, int FractionBits, policy P>
+constexpr std::optional<number<Raw, FractionBits, P>> try_divide(
+    number<Raw, FractionBits, P> n, number<Raw, FractionBits, P> d) noexcept {
+  if (detail::try_division<Raw, FractionBits, P>(n.raw(), d.raw()) != detail::division::done) {
     return std::nullopt;
   }
-  return number<FractionBits, P>::from_raw(detail::total_divide<FractionBits, P>(n.raw(), d.raw()));
+  return number<Raw, FractionBits, P>::from_raw(
+      detail::total_divide<Raw, FractionBits, P>(n.raw(), d.raw()));
 }
 
 /// 16.16: every operation rounds to nearest, ties up; overflow wraps.
-using q16_16 = number<16>;
+using q16_16 = number<std::int32_t, 16>;
 /// \name 16.16 under the other policies of fixproof::policies
 /// \{
 
 /// 16.16 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
-using q16_16_saturating = number<16, policies::saturating>;
-using q16_16_trapping = number<16, policies::trapping>;
-using q16_16_i386 = number<16, policies::i386_rounded>;
-using q16_16_i386_mul_rounded = number<16, policies::i386_mul_rounded>;
-using q16_16_i386_div_rounded = number<16, policies::i386_div_rounded>;
-using q16_16_i386_unrounded = number<16, policies::i386_unrounded>;
-using q16_16_i8088 = number<16, policies::i8088_rounded>;
-using q16_16_i8088_mul_rounded = number<16, policies::i8088_mul_rounded>;
-using q16_16_i8088_div_rounded = number<16, policies::i8088_div_rounded>;
-using q16_16_i8088_unrounded = number<16, policies::i8088_unrounded>;
+using q16_16_saturating = number<std::int32_t, 16, policies::saturating>;
+using q16_16_trapping = number<std::int32_t, 16, policies::trapping>;
+using q16_16_i386 = number<std::int32_t, 16, policies::i386_rounded>;
+using q16_16_i386_mul_rounded = number<std::int32_t, 16, policies::i386_mul_rounded>;
+using q16_16_i386_div_rounded = number<std::int32_t, 16, policies::i386_div_rounded>;
+using q16_16_i386_unrounded = number<std::int32_t, 16, policies::i386_unrounded>;
+using q16_16_i8088 = number<std::int32_t, 16, policies::i8088_rounded>;
+using q16_16_i8088_mul_rounded = number<std::int32_t, 16, policies::i8088_mul_rounded>;
+using q16_16_i8088_div_rounded = number<std::int32_t, 16, policies::i8088_div_rounded>;
+using q16_16_i8088_unrounded = number<std::int32_t, 16, policies::i8088_unrounded>;
 /// \}
 
 /// 8.8 under the policy of q16_16.
-using q8_8 = number<8>;
+using q8_8 = number<std::int16_t, 8>;
 /// \name 8.8 under the other policies of fixproof::policies
 /// \{
 
 /// 8.8 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
-using q8_8_saturating = number<8, policies::saturating>;
-using q8_8_trapping = number<8, policies::trapping>;
-using q8_8_i386 = number<8, policies::i386_rounded>;
-using q8_8_i386_mul_rounded = number<8, policies::i386_mul_rounded>;
-using q8_8_i386_div_rounded = number<8, policies::i386_div_rounded>;
-using q8_8_i386_unrounded = number<8, policies::i386_unrounded>;
-using q8_8_i8088 = number<8, policies::i8088_rounded>;
-using q8_8_i8088_mul_rounded = number<8, policies::i8088_mul_rounded>;
-using q8_8_i8088_div_rounded = number<8, policies::i8088_div_rounded>;
-using q8_8_i8088_unrounded = number<8, policies::i8088_unrounded>;
+using q8_8_saturating = number<std::int16_t, 8, policies::saturating>;
+using q8_8_trapping = number<std::int16_t, 8, policies::trapping>;
+using q8_8_i386 = number<std::int16_t, 8, policies::i386_rounded>;
+using q8_8_i386_mul_rounded = number<std::int16_t, 8, policies::i386_mul_rounded>;
+using q8_8_i386_div_rounded = number<std::int16_t, 8, policies::i386_div_rounded>;
+using q8_8_i386_unrounded = number<std::int16_t, 8, policies::i386_unrounded>;
+using q8_8_i8088 = number<std::int16_t, 8, policies::i8088_rounded>;
+using q8_8_i8088_mul_rounded = number<std::int16_t, 8, policies::i8088_mul_rounded>;
+using q8_8_i8088_div_rounded = number<std::int16_t, 8, policies::i8088_div_rounded>;
+using q8_8_i8088_unrounded = number<std::int16_t, 8, policies::i8088_unrounded>;
 /// \}
 
 }  // namespace fixproof

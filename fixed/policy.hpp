@@ -10,13 +10,15 @@ enum class rounding {
   half_away,  ///< to nearest; ties away from zero
   floor,      ///< toward -infinity
   truncate,   ///< toward zero
+  half_even,  ///< to nearest; ties to even
 };
 
 /// What happens to a result outside the range of the type.
 enum class overflow {
-  wrap,      ///< reduces it modulo 2^32 (2^16 for 8.8)
+  wrap,      ///< reduces it modulo 2^32 in 16.16, and modulo the range of any other type
   saturate,  ///< replaces it by the nearest value in range
   trap,      ///< throws fixproof::overflow_error
+  as_range,  ///< as policy::range says; only for policy::products and policy::quotients
 };
 
 /// The part of the divisor that a divide uses.
@@ -30,7 +32,8 @@ enum class divisor_width {
 enum class divide_fault {
   none,               ///< only for a zero divisor under overflow::trap
   zero_divisor,       ///< if the divisor, reduced by divisor_width, is zero
-  unsigned_quotient,  ///< if the truncated magnitude of the quotient is at least 2^32 (2^16) units
+  unsigned_quotient,  ///< if the truncated magnitude of the quotient is at least 2^32 units (2^16
+                      ///< in 8.8)
   signed_quotient,    ///< if the rounded quotient is outside the range of the type
 };
 
@@ -41,14 +44,32 @@ enum class divide_fault {
 /// and to integers document their own rounding.
 ///
 ///     constexpr policy to_floor{.multiply = rounding::floor, .divide = rounding::floor};
-///     using floored = number<16, to_floor>;
+///     using floored = number<std::int32_t, 16, to_floor>;
 ///     static_assert((floored(-1) / floored(3)).raw() == -21846);  // -21845.33
+///
+/// Products wrap and quotients saturate under this one:
+///
+///     constexpr policy quotients_saturate{.quotients = overflow::saturate};
+///     using mixed = number<std::int32_t, 16, quotients_saturate>;
+///     static_assert(mixed(30000) / mixed(0.5) == std::numeric_limits<mixed>::max());
+///     static_assert(mixed(30000) * mixed(2) == mixed(60000 - 65536));
 struct policy {
   rounding multiply = rounding::half_up;        ///< Rounding of products and conversions.
   rounding divide = rounding::half_up;          ///< Rounding of quotients.
   overflow range = overflow::wrap;              ///< Handling of results out of range.
   divisor_width divisor = divisor_width::full;  ///< The part of a divisor that is used.
   divide_fault fault = divide_fault::none;      ///< Which divides are errors.
+  overflow products = overflow::as_range;       ///< Of operator*, mul_add and dot.
+  overflow quotients = overflow::as_range;      ///< Of operator/.
+
+  /// The overflow rule of products.
+  [[nodiscard]] constexpr overflow product_range() const noexcept {
+    return products == overflow::as_range ? range : products;
+  }
+  /// The overflow rule of quotients.
+  [[nodiscard]] constexpr overflow quotient_range() const noexcept {
+    return quotients == overflow::as_range ? range : quotients;
+  }
 
   /// Whether all rules are equal.
   friend constexpr bool operator==(const policy&, const policy&) = default;

@@ -20,7 +20,8 @@ namespace fixproof {
 
 /// A buffer size that is enough for to_chars() of any number of the type.
 template <class Number>
-inline constexpr std::size_t max_chars = detail::max_decimal_chars<Number::fraction_bits>;
+inline constexpr std::size_t max_chars =
+    detail::max_decimal_chars<typename Number::raw_type, Number::fraction_bits>;
 
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
 /// \return the end of the text, or {last, errc::value_too_large} with nothing written if it does
@@ -29,9 +30,9 @@ inline constexpr std::size_t max_chars = detail::max_decimal_chars<Number::fract
 ///     std::array<char, max_chars<q16_16>> text{};
 ///     const auto written = to_chars(text.data(), text.data() + text.size(), q16_16(-0.5));
 ///     const std::string_view half(text.data(), written.ptr);  // "-0.5"
-template <int F, policy P>
-constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> value) noexcept {
-  std::array<char, detail::max_decimal_chars<F>> text{};
+template <class Raw, int F, policy P>
+constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, P> value) noexcept {
+  std::array<char, detail::max_decimal_chars<Raw, F>> text{};
   const char* begin = text.data();
   const char* end = detail::write_decimal<F>(text.data(), value.raw());
   if (last - first < end - begin) return {last, std::errc::value_too_large};
@@ -50,32 +51,32 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<F, P> va
 ///       return from_chars(text.data(), text.data() + text.size(), x).ptr == text.data() + 3 &&
 ///              x.raw() == 6554;
 ///     }());
-template <int F, policy P>
+template <class Raw, int F, policy P>
 constexpr std::from_chars_result from_chars(const char* first, const char* last,
-                                            number<F, P>& value) noexcept {
-  detail::decimal_reader reader;
+                                            number<Raw, F, P>& value) noexcept {
+  detail::decimal_reader<Raw, F> reader;
   const char* end = first;
   while (end != last && reader.take(*end)) ++end;
   if (reader.ends_in_point()) --end;
   if (!reader.complete() && !reader.ends_in_point()) return {first, std::errc::invalid_argument};
-  const auto raw = reader.value<F, P.multiply>();
+  const auto raw = reader.template value<P.multiply>();
   if (!raw) return {end, std::errc::result_out_of_range};
-  value = number<F, P>::from_raw(*raw);
+  value = number<Raw, F, P>::from_raw(*raw);
   return {end, std::errc{}};
 }
 
 /// The exact value, as to_chars() writes it.
-template <int F, policy P>
-std::string to_string(number<F, P> value) {
-  std::array<char, detail::max_decimal_chars<F>> text{};
+template <class Raw, int F, policy P>
+std::string to_string(number<Raw, F, P> value) {
+  std::array<char, detail::max_decimal_chars<Raw, F>> text{};
   return {text.data(), detail::write_decimal<F>(text.data(), value.raw())};
 }
 
 /// Writes the exact value. Only width, fill, left and right affect the output.
-template <class Traits, int F, policy P>
+template <class Traits, class Raw, int F, policy P>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
-                                             number<F, P> value) {
-  std::array<char, detail::max_decimal_chars<F>> text{};
+                                             number<Raw, F, P> value) {
+  std::array<char, detail::max_decimal_chars<Raw, F>> text{};
   const char* end = detail::write_decimal<F>(text.data(), value.raw());
   return out << std::basic_string_view<char, Traits>(text.data(),
                                                      static_cast<std::size_t>(end - text.data()));
@@ -83,19 +84,19 @@ std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& o
 
 /// Skips white space and reads what from_chars() reads. On an error it sets failbit and leaves the
 /// value unchanged. A point must be followed by a digit: "1." fails.
-template <class Traits, int F, policy P>
+template <class Traits, class Raw, int F, policy P>
 std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
-                                             number<F, P>& value) {
+                                             number<Raw, F, P>& value) {
   const typename std::basic_istream<char, Traits>::sentry ready(in);
   if (!ready) return in;
-  detail::decimal_reader reader;
+  detail::decimal_reader<Raw, F> reader;
   for (auto next = in.peek(); !Traits::eq_int_type(next, Traits::eof()); next = in.peek()) {
     if (!reader.take(Traits::to_char_type(next))) break;
     in.get();
   }
-  const auto raw = reader.complete() ? reader.value<F, P.multiply>() : std::nullopt;
+  const auto raw = reader.complete() ? reader.template value<P.multiply>() : std::nullopt;
   if (raw) {
-    value = number<F, P>::from_raw(*raw);
+    value = number<Raw, F, P>::from_raw(*raw);
   } else {
     in.setstate(std::ios_base::failbit);
   }

@@ -1,11 +1,13 @@
 /// \file
 /// Sine and cosine. The overloads for numbers take radians. The overloads for integers take tenths
-/// of a degree, as CosSin of FIXED.ASM does, and name the type of the result.
+/// of a degree, as CosSin of FIXED.ASM does, and name the type of the result. Radians need 8.8 or
+/// 16.16; tenths of a degree need a signed type of at most 32 bits that can represent 1.
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/cosine_table.hpp"
 #include "fixed/detail/radian.hpp"
@@ -31,6 +33,11 @@ struct cos_sin {
 ///     static_assert(fixproof::sin<q16_16>(300) == q16_16(0.5));
 template <class Number>
 constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
+  static_assert(std::is_signed_v<typename Number::raw_type> &&
+                    detail::bits_of<typename Number::raw_type> <= 32 &&
+                    Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2,
+                "the result of sin, cos and sin_cos of an integer is a signed number of at most 32 "
+                "bits that can represent 1");
   constexpr int turn = 3600;
   constexpr int quarter = turn / 4;
   constexpr const auto& table = detail::cosine_table<Number::fraction_bits, quarter / 90>;
@@ -70,26 +77,28 @@ constexpr Number sin(std::integral auto angle) noexcept {
 ///
 ///     static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
 ///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
-template <int F, policy P>
-constexpr number<F, P> sin(number<F, P> angle) noexcept {
-  return number<F, P>::from_raw(
-      static_cast<detail::raw_t<F>>(detail::nearest_sine<F>(angle.raw(), 0)));
+template <class Raw, int F, policy P>
+requires detail::has_radians<Raw, F>
+constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
+  return number<Raw, F, P>::from_raw(static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), 0)));
 }
 
 /// The number nearest to the cosine of any angle in radians, under every policy; there are no ties.
 ///
 ///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
-template <int F, policy P>
-constexpr number<F, P> cos(number<F, P> angle) noexcept {
-  return number<F, P>::from_raw(
-      static_cast<detail::raw_t<F>>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
+template <class Raw, int F, policy P>
+requires detail::has_radians<Raw, F>
+constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
+  return number<Raw, F, P>::from_raw(
+      static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
 }
 
 /// cos() and sin() of an angle in radians.
 ///
 ///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
-template <int F, policy P>
-constexpr cos_sin<number<F, P>> sin_cos(number<F, P> angle) noexcept {
+template <class Raw, int F, policy P>
+requires detail::has_radians<Raw, F>
+constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
   return {cos(angle), sin(angle)};
 }
 

@@ -242,6 +242,9 @@ void check_ending(const Input& input, const Ending& ending) {
   if (fuzz::has_control_character(ending.err)) {
     report(input, ending, "a control character on standard error");
   }
+  if (fuzz::has_control_character(ending.out)) {
+    report(input, ending, "a control character on standard output");
+  }
   if (status != 2) return;
   const std::string_view all = ending.err;
   if (!all.ends_with('\n')) report(input, ending, "a refusal without a message");

@@ -15,6 +15,8 @@ constexpr oracle::Rounding oracle_rule(fixproof::rounding rule) {
       return oracle::Rounding::half_away;
     case fixproof::rounding::floor:
       return oracle::Rounding::floor;
+    case fixproof::rounding::half_even:
+      return oracle::Rounding::half_even;
     case fixproof::rounding::truncate:
       break;
   }

@@ -276,7 +276,7 @@ constexpr fixproof::policy quiet(fixproof::policy p) {
 template <class N>
 void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>& rows,
                     std::span<N> to) {
-  using Q = fixproof::number<N::fraction_bits, quiet(N::rules)>;
+  using Q = fixproof::number<typename N::raw_type, N::fraction_bits, quiet(N::rules)>;
   const Shape& shape = layout.shape();
   const auto quiet_of = [](N x) { return Q::from_raw(x.raw()); };
   for (std::size_t i = 0; i < layout.count; ++i) {

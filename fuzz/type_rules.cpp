@@ -70,8 +70,9 @@ double exact_double(Word word, int bits) {
 template <int F, policy P>
 class TypeAnswers {
  public:
-  using Number = fixproof::number<F, P>;
-  using Other = fixproof::number<24 - F, P>;
+  using Number = fixproof::number<std::conditional_t<F == 16, std::int32_t, std::int16_t>, F, P>;
+  using Other =
+      fixproof::number<std::conditional_t<F == 16, std::int16_t, std::int32_t>, 24 - F, P>;
 
   static std::vector<Answer> quotients(Words words) {
     const Number a = number(words[0]);
@@ -245,7 +246,8 @@ std::optional<std::string> difference(int fraction_bits, const policy& rules, Wo
   for (std::size_t i = 0; i < type.size(); ++i) {
     if (type[i] == oracle[i]) continue;
     return fmt::format(
-        "fixproof::number<{}, policy{{.multiply = rounding({}), .divide = rounding({}), .range = "
+        "fixproof::number<..., {}, policy{{.multiply = rounding({}), .divide = rounding({}), "
+        ".range = "
         "overflow({})}}>: {}\n  a b c      {:08x} {:08x} {:08x}\n  type       {}\n  must be    {}",
         fraction_bits, static_cast<int>(rules.multiply), static_cast<int>(rules.divide),
         static_cast<int>(rules.range), operation_names.at(i), words[0], words[1], words[2],

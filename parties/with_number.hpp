@@ -41,7 +41,9 @@ constexpr fixproof::policy policy_of(const cases::Build& build) {
 }
 
 template <cases::Build build, int fraction_bits = 16>
-using NumberOf = fixproof::number<fraction_bits, policy_of(build)>;
+using NumberOf =
+    fixproof::number<std::conditional_t<fraction_bits == 16, std::int32_t, std::int16_t>,
+                     fraction_bits, policy_of(build)>;
 
 /// Calls call.operator()<B>(), where B has the target and the roundings of `build`. B omits the
 /// chapter and the repair, because they change ConcatXforms but not the numbers.

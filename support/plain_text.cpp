@@ -42,10 +42,10 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-std::string printable(const std::string& text) {
+std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t bytes = control_length(std::string_view(text).substr(i));
+    const std::size_t bytes = control_length(text.substr(i));
     result += bytes > 0 ? '?' : text[i];
     i += std::max<std::size_t>(bytes, 1);
   }

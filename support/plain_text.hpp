@@ -16,7 +16,7 @@ std::string duration(double seconds);
 
 /// Replaces each control character and each mark that changes the text direction by `?`, so that
 /// the text cannot control a terminal.
-std::string printable(const std::string& text);
+std::string printable(std::string_view text);
 
 /// Replaces each byte that is not printable ASCII by `?`.
 std::string printable_ascii(std::string_view text);

@@ -41,9 +41,10 @@ inline std::int32_t raw_constant(double value, Conversion conversion) {
 
 /// a + b as the 8088 ConcatXforms computes it: fractions and whole parts are added separately,
 /// without a carry. If the fractions add up to 1 or more, the result is 1 too low.
-template <int F, fixproof::policy P>
-constexpr fixproof::number<F, P> sum_in_parts(fixproof::number<F, P> a, fixproof::number<F, P> b) {
-  const fixproof::number<F, P> sum = a + b;
+template <class Raw, int F, fixproof::policy P>
+constexpr fixproof::number<Raw, F, P> sum_in_parts(fixproof::number<Raw, F, P> a,
+                                                   fixproof::number<Raw, F, P> b) {
+  const fixproof::number<Raw, F, P> sum = a + b;
   return fixproof::floor(a) + fixproof::floor(b) + (sum - fixproof::floor(sum));
 }
 
@@ -73,8 +74,8 @@ struct Arithmetic;
 
 /// The verified type, under any of its policies.
 template <fixproof::policy P>
-struct Arithmetic<fixproof::number<16, P>> {
-  using N = fixproof::number<16, P>;
+struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
+  using N = fixproof::number<std::int32_t, 16, P>;
 
   static constexpr std::int32_t raw(N x) { return x.raw(); }
   static constexpr N from_raw(std::int32_t raw) { return N::from_raw(raw); }

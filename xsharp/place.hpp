@@ -59,11 +59,11 @@ Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertic
 /// bits. Vertices that a batch marks are recomputed one by one, so that they fault, saturate or
 /// throw as the type does.
 template <fixproof::policy P>
-Unplaced place_in_batches(const Transform<fixproof::number<16, P>>& to_view,
-                          std::span<const Vec3<fixproof::number<16, P>>> vertices,
-                          const Projection<fixproof::number<16, P>>& projection,
-                          const Places<fixproof::number<16, P>>& places) {
-  using N = fixproof::number<16, P>;
+Unplaced place_in_batches(const Transform<fixproof::number<std::int32_t, 16, P>>& to_view,
+                          std::span<const Vec3<fixproof::number<std::int32_t, 16, P>>> vertices,
+                          const Projection<fixproof::number<std::int32_t, 16, P>>& projection,
+                          const Places<fixproof::number<std::int32_t, 16, P>>& places) {
+  using N = fixproof::number<std::int32_t, 16, P>;
   constexpr std::size_t block = 256;
   std::array<std::array<N, 2>, block> points;
   std::array<bool, block> marks{};
@@ -104,9 +104,9 @@ void transform_to_view(const Transform<N>& to_view, std::span<const Vec3<N>> poi
   }
 }
 template <fixproof::policy P>
-void transform_to_view(const Transform<fixproof::number<16, P>>& to_view,
-                       std::span<const Vec3<fixproof::number<16, P>>> points,
-                       std::span<Vec3<fixproof::number<16, P>>> view) {
+void transform_to_view(const Transform<fixproof::number<std::int32_t, 16, P>>& to_view,
+                       std::span<const Vec3<fixproof::number<std::int32_t, 16, P>>> points,
+                       std::span<Vec3<fixproof::number<std::int32_t, 16, P>>> view) {
   fixproof::batch::transform(to_view.rows, points, view);
 }
 
@@ -117,10 +117,10 @@ Unplaced place(const Transform<N>& to_view, std::span<const Vec3<N>> vertices,
   return place_each(to_view, vertices, projection, places);
 }
 template <fixproof::policy P>
-Unplaced place(const Transform<fixproof::number<16, P>>& to_view,
-               std::span<const Vec3<fixproof::number<16, P>>> vertices,
-               const Projection<fixproof::number<16, P>>& projection,
-               const Places<fixproof::number<16, P>>& places) {
+Unplaced place(const Transform<fixproof::number<std::int32_t, 16, P>>& to_view,
+               std::span<const Vec3<fixproof::number<std::int32_t, 16, P>>> vertices,
+               const Projection<fixproof::number<std::int32_t, 16, P>>& projection,
+               const Places<fixproof::number<std::int32_t, 16, P>>& places) {
   return place_in_batches(to_view, vertices, projection, places);
 }
 

@@ -180,7 +180,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   if (d.zeros != 0) [[unlikely]] {
     for (std::size_t i = 0; i < width / 2; ++i) {
       if ((d.zeros >> i & 1U) != 0) {
-        result[i] = limit_toward_zero(n[i], (std::numeric_limits<raw_t<F>>::max)());
+        result[i] = limit_toward_zero<raw_t<F>>(static_cast<raw_t<F>>(n[i]));
       }
     }
   }

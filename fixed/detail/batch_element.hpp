@@ -53,13 +53,13 @@ constexpr outcome<raw_t<F>> narrowed_element(Wide value) noexcept {
 
 template <int F, policy P>
 constexpr outcome<raw_t<F>> multiplied(raw_t<F> a, raw_t<F> b) noexcept {
-  using wide = wide_t<F>;
+  using wide = product_t<raw_t<F>>;
   return narrowed_element<F, P>(shift_right<P.multiply>(wide{a} * wide{b}, F));
 }
 
 template <int F, policy P>
 constexpr outcome<raw_t<F>> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F> c) noexcept {
-  using wide = wide_t<F>;
+  using wide = product_t<raw_t<F>>;
   const wide sum = wide{a} * wide{b} + wide{c} * (wide{1} << F);
   return narrowed_element<F, P>(shift_right<P.multiply>(sum, F));
 }
@@ -67,11 +67,11 @@ constexpr outcome<raw_t<F>> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F
 /// The result of the scalar divide, or the wrapped result if the scalar divide throws.
 template <int F, policy P>
 constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
-  const std::int32_t divisor = effective_divisor<F, P>(d);
-  if (divisor == 0) return {total_divide<F, P>(n, d), fault::divide_error};
+  const std::int32_t divisor = effective_divisor<raw_t<F>, F, P>(d);
+  if (divisor == 0) return {total_divide<raw_t<F>, F, P>(n, d), fault::divide_error};
   const std::int64_t quotient = rounded_quotient<P.divide, numerator_shift<F, P>>(n, divisor);
   outcome<raw_t<F>> result = narrowed_element<F, P>(quotient);
-  const division end = ending_of<F, P>(n, divisor, quotient);
+  const division end = ending_of<raw_t<F>, F, P>(n, divisor, quotient);
   if (end == division::divide_error) result.what = fault::divide_error;
   return result;
 }
@@ -81,7 +81,7 @@ constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
 template <int F, policy P>
 constexpr bool may_be_fault(raw_t<F> d, raw_t<F> result) noexcept {
   using limits = std::numeric_limits<raw_t<F>>;
-  bool may = effective_divisor<F, P>(d) == 0;
+  bool may = effective_divisor<raw_t<F>, F, P>(d) == 0;
   if constexpr (P.range == overflow::saturate) {
     may |= result == (limits::min)();
     may |= result == (limits::max)();
@@ -99,7 +99,7 @@ constexpr outcome<raw_t<F>> rooted(raw_t<F> x) noexcept {
 template <int F, policy P>
 constexpr outcome<raw_t<F>> transformed(const std::array<raw_t<F>, 4>& row,
                                         const std::array<raw_t<F>, 3>& v) noexcept {
-  using wide = wide_t<F>;
+  using wide = product_t<raw_t<F>>;
   outcome<raw_t<F>> sum = multiplied<F, P>(row[0], v[0]);
   const auto add = [&sum](const outcome<raw_t<F>>& term) {
     const outcome<raw_t<F>> next = narrowed_element<F, P>(wide{sum.raw} + wide{term.raw});

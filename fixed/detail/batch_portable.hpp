@@ -40,7 +40,7 @@ std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to, std::siz
   for (; count - i >= block; i += block) {
     int suspect = 0;
     for (std::size_t k = 0; k < block; ++k) {
-      results[k] = total_divide<F, P>(n[i + k].raw(), d[i + k].raw());
+      results[k] = total_divide<raw_t<F>, F, P>(n[i + k].raw(), d[i + k].raw());
       suspect |= static_cast<int>(may_be_fault<F, P>(d[i + k].raw(), results[k]));
     }
     if (suspect != 0) {

@@ -2,11 +2,14 @@
 /// Division under a policy: the quotient and the error conditions.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/quotient.hpp"
+#include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
@@ -15,15 +18,19 @@ namespace fixproof::detail {
 /// The outcome of a division.
 enum class division { done, divide_error, out_of_range };
 
+/// Holds every divisor.
+template <class Raw>
+using divisor_t = signed_t<signed_bits<Raw>>;
+
 /// The part of the divisor that the policy uses.
-template <int FractionBits, policy P>
-constexpr std::int32_t effective_divisor(raw_t<FractionBits> d) noexcept {
+template <class Raw, int FractionBits, policy P>
+constexpr divisor_t<Raw> effective_divisor(Raw d) noexcept {
   if constexpr (P.divisor == divisor_width::whole_part) {
     // Toward zero; the magnitude of the lowest value is unsigned.
-    return static_cast<std::int32_t>(
-        shift_right<rounding::truncate>(std::int64_t{d}, FractionBits));
+    using wide = signed_t<signed_bits<Raw> + 1>;
+    return static_cast<divisor_t<Raw>>(shift_right<rounding::truncate>(wide{d}, FractionBits));
   } else {
-    return d;
+    return divisor_t<Raw>{d};
   }
 }
 
@@ -33,63 +40,97 @@ inline constexpr int numerator_shift = P.divisor == divisor_width::full ? Fracti
 
 /// The value of n / 0 if it is not an error: the end of the range with the sign of n, which is the
 /// limit for a divisor that falls to zero; 0 / 0 is 0.
-constexpr std::int32_t limit_toward_zero(std::int32_t n, std::int32_t highest) noexcept {
-  const std::int32_t end = (n >> 31) ^ highest;
-  return n == 0 ? 0 : end;
+template <class Raw>
+constexpr Raw limit_toward_zero(Raw n) noexcept {
+  using limits = std::numeric_limits<Raw>;
+  const Raw end = n < 0 ? (limits::min)() : (limits::max)();
+  return n == 0 ? Raw{0} : end;
+}
+
+/// Whether quotient.hpp has the quotient in a form that compilers vectorise.
+template <class Raw, int FractionBits, policy P>
+inline constexpr bool has_fast_quotient =
+    std::is_signed_v<Raw>&& bits_of<Raw> <= 32 && numerator_shift<FractionBits, P> <= 16 &&
+    P.divide != rounding::half_even;
+
+/// Holds a numerator after its shift, and every quotient.
+template <class Raw, int FractionBits, policy P>
+using quotient_t =
+    signed_t<(std::max)(64, signed_bits<Raw> + numerator_shift<FractionBits, P> + 1)>;
+
+/// The rounded quotient. \param divisor the effective one, not zero
+template <class Raw, int FractionBits, policy P>
+constexpr quotient_t<Raw, FractionBits, P> quotient_of(Raw n, divisor_t<Raw> divisor) noexcept {
+  constexpr int shift = numerator_shift<FractionBits, P>;
+  if constexpr (has_fast_quotient<Raw, FractionBits, P>) {
+    return rounded_quotient<P.divide, shift>(n, divisor);
+  } else {
+    using wide = quotient_t<Raw, FractionBits, P>;
+    return rounded_ratio<P.divide>(wide{n} << shift, static_cast<wide>(divisor));
+  }
 }
 
 /// n / d, wrapped or saturated, without error checks.
-template <int FractionBits, policy P>
-constexpr raw_t<FractionBits> total_divide(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
-  using raw = raw_t<FractionBits>;
-  constexpr int shift = numerator_shift<FractionBits, P>;
-  const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
-  // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent vectorisation.
-  const std::int32_t by_zero = -std::int32_t{divisor == 0};
-  const std::int32_t limit = limit_toward_zero(n, (std::numeric_limits<raw>::max)());
-  std::int32_t quotient = 0;
-  if constexpr (P.range == overflow::saturate) {
-    quotient = saturated_quotient<raw, P.divide, shift>(n, divisor - by_zero);
+template <class Raw, int FractionBits, policy P>
+constexpr Raw total_divide(Raw n, Raw d) noexcept {
+  const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
+  constexpr bool saturates = P.quotient_range() == overflow::saturate;
+  if constexpr (has_fast_quotient<Raw, FractionBits, P>) {
+    constexpr int shift = numerator_shift<FractionBits, P>;
+    // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent
+    // vectorisation.
+    const std::int32_t by_zero = -std::int32_t{divisor == 0};
+    const std::int32_t limit = limit_toward_zero<Raw>(n);
+    std::int32_t quotient = 0;
+    if constexpr (saturates) {
+      quotient = saturated_quotient<Raw, P.divide, shift>(n, divisor - by_zero);
+    } else {
+      quotient = static_cast<std::int32_t>(rounded_quotient<P.divide, shift>(n, divisor - by_zero));
+    }
+    return static_cast<Raw>((quotient & ~by_zero) | (limit & by_zero));
   } else {
-    quotient = static_cast<std::int32_t>(rounded_quotient<P.divide, shift>(n, divisor - by_zero));
+    if (divisor == divisor_t<Raw>{0}) return limit_toward_zero(n);
+    return narrow < saturates ? overflow::saturate : overflow::wrap,
+           Raw > (quotient_of<Raw, FractionBits, P>(n, divisor), [] {});
   }
-  return static_cast<raw>((quotient & ~by_zero) | (limit & by_zero));
 }
 
-/// Whether |n| 2^shift / |divisor| >= 2^(2 FractionBits), without dividing.
-template <int FractionBits, policy P>
-constexpr bool exceeds_unsigned(raw_t<FractionBits> n, std::int32_t divisor) noexcept {
-  const std::int64_t numerator = n < 0 ? -std::int64_t{n} : std::int64_t{n};
-  const std::int64_t magnitude = divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor};
-  return numerator >= magnitude << (2 * FractionBits - numerator_shift<FractionBits, P>);
+/// Whether |n| 2^shift / |divisor| is at least 2^(bits of Raw), without dividing.
+template <class Raw, int FractionBits, policy P>
+constexpr bool exceeds_unsigned(Raw n, divisor_t<Raw> divisor) noexcept {
+  constexpr int shift = bits_of<Raw> - numerator_shift<FractionBits, P>;
+  using wide = signed_t<(std::max)(64, signed_bits<Raw> + 1 + shift)>;
+  const wide numerator{n};
+  const auto magnitude = static_cast<wide>(divisor);
+  const wide zero{0};
+  return !((numerator < zero ? -numerator : numerator) < (magnitude < zero ? -magnitude : magnitude)
+                                                             << shift);
 }
 
 /// The outcome of a division under the policy.
 /// \param divisor  the effective one, not zero
 /// \param quotient rounded, before wrapping or saturation
-template <int FractionBits, policy P>
-constexpr division ending_of(raw_t<FractionBits> n, std::int32_t divisor,
-                             std::int64_t quotient) noexcept {
-  using raw = raw_t<FractionBits>;
+template <class Raw, int FractionBits, policy P>
+constexpr division ending_of(Raw n, divisor_t<Raw> divisor,
+                             const quotient_t<Raw, FractionBits, P>& quotient) noexcept {
   if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    if (exceeds_unsigned<FractionBits, P>(n, divisor)) return division::divide_error;
+    if (exceeds_unsigned<Raw, FractionBits, P>(n, divisor)) return division::divide_error;
   }
   if constexpr (P.fault == divide_fault::signed_quotient) {
-    if (!fits<raw>(quotient)) return division::divide_error;
+    if (!fits<Raw>(quotient)) return division::divide_error;
   }
-  if constexpr (P.range == overflow::trap) {
-    if (!fits<raw>(quotient)) return division::out_of_range;
+  if constexpr (P.quotient_range() == overflow::trap) {
+    if (!fits<Raw>(quotient)) return division::out_of_range;
   }
   return division::done;
 }
 
 /// The outcome of n / d under the policy.
-template <int FractionBits, policy P>
-constexpr division try_division(raw_t<FractionBits> n, raw_t<FractionBits> d) noexcept {
-  constexpr int shift = numerator_shift<FractionBits, P>;
-  const std::int32_t divisor = effective_divisor<FractionBits, P>(d);
-  if (divisor == 0) return division::divide_error;
-  return ending_of<FractionBits, P>(n, divisor, rounded_quotient<P.divide, shift>(n, divisor));
+template <class Raw, int FractionBits, policy P>
+constexpr division try_division(Raw n, Raw d) noexcept {
+  const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
+  if (divisor == divisor_t<Raw>{0}) return division::divide_error;
+  return ending_of<Raw, FractionBits, P>(n, divisor, quotient_of<Raw, FractionBits, P>(n, divisor));
 }
 
 }  // namespace fixproof::detail

@@ -3,6 +3,7 @@
 /// mode and flushed denormals have no effect.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -19,22 +20,23 @@ template <class T>
 concept binary_float = std::same_as<T, float> || std::same_as<T, double>;
 
 /// A floating-point value times 2^n, rounded to an integer.
+template <class Wide>
 struct scaled_float {
   enum class kind {
     finite,    ///< `integer` is the result
-    beyond,    ///< the result exceeds 64 bits; `integer` is it modulo 2^64
+    beyond,    ///< the result exceeds Wide; `integer` is it modulo 2^64
     infinite,  ///< `integer` is 0
     nan,       ///< `integer` is 0
   };
   kind what;
   bool negative;
-  std::int64_t integer;
+  Wide integer;
 };
 
-/// x * 2^scale rounded by rule R, for 0 <= scale <= 16.
-template <rounding R, binary_float Float>
-constexpr scaled_float scale(Float x, int scale) noexcept {
-  using kind = scaled_float::kind;
+/// x * 2^scale rounded by rule R, for 0 <= scale <= 64. \tparam Wide signed, of 64 bits or more
+template <rounding R, class Wide, binary_float Float>
+constexpr scaled_float<Wide> scale(Float x, int scale) noexcept {
+  using kind = typename scaled_float<Wide>::kind;
   using bits_type = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
   using limits = std::numeric_limits<Float>;
   constexpr int significand_bits = limits::digits - 1;
@@ -46,7 +48,7 @@ constexpr scaled_float scale(Float x, int scale) noexcept {
   const int biased = static_cast<int>(bits >> significand_bits) & exponent_mask;
   auto significand = static_cast<std::int64_t>(bits & significand_mask);
   if (biased == exponent_mask) {
-    return {significand == 0 ? kind::infinite : kind::nan, negative, 0};
+    return {significand == 0 ? kind::infinite : kind::nan, negative, Wide{0}};
   }
   if (biased != 0) significand += std::int64_t{1} << significand_bits;
   const std::int64_t value = negative ? -significand : significand;
@@ -54,29 +56,36 @@ constexpr scaled_float scale(Float x, int scale) noexcept {
       (biased == 0 ? 1 : biased) - (limits::max_exponent - 1) - significand_bits + scale;
   if (exponent < 0) {
     // The significand has at most 53 bits, so a shift beyond 60 equals a shift by 60.
-    return {kind::finite, negative, shift_right<R>(value, exponent < -60 ? 60 : -exponent)};
+    return {kind::finite, negative, Wide{shift_right<R>(value, exponent < -60 ? 60 : -exponent)}};
   }
-  if (exponent <= 10) return {kind::finite, negative, value * (std::int64_t{1} << exponent)};
+  constexpr int room = static_cast<int>(8 * sizeof(Wide)) - 54;
+  if (exponent <= room) return {kind::finite, negative, Wide{value} << exponent};
   const std::uint64_t low =
       exponent < 64 ? static_cast<std::uint64_t>(value) << exponent : std::uint64_t{0};
-  return {kind::beyond, negative, static_cast<std::int64_t>(low)};
+  return {kind::beyond, negative, Wide{static_cast<std::int64_t>(low)}};
 }
 
-/// The float nearest to raw / 2^fraction_bits, ties to even.
-constexpr float to_float(std::int64_t raw, int fraction_bits) noexcept {
-  const std::int64_t magnitude = raw < 0 ? -raw : raw;
-  const auto width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
-  const int dropped = width > 24 ? width - 24 : 0;
-  std::int64_t kept = magnitude >> dropped;
+/// raw / 2^fraction_bits to the nearest Float, ties to even.
+template <binary_float Float>
+constexpr Float to_float(std::uint64_t magnitude, bool negative, int fraction_bits) noexcept {
+  constexpr int digits = std::numeric_limits<Float>::digits;
+  const auto width = static_cast<int>(std::bit_width(magnitude));
+  const int dropped = width > digits ? width - digits : 0;
+  std::uint64_t kept = magnitude >> dropped;
   if (dropped > 0) {
-    const std::int64_t rest = magnitude - (kept << dropped);
-    const std::int64_t half = std::int64_t{1} << (dropped - 1);
+    const std::uint64_t rest = magnitude - (kept << dropped);
+    const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
     kept += rest > half || (rest == half && kept % 2 != 0) ? 1 : 0;
   }
-  const std::int64_t rounded = kept << dropped;
-  // Every step from here on is exact: 24 significant bits and a power of two.
-  return static_cast<float>(raw < 0 ? -rounded : rounded) /
-         static_cast<float>(std::int64_t{1} << fraction_bits);
+  // Every step from here on is exact: the digits of a Float and powers of two.
+  auto value = static_cast<Float>(static_cast<std::int64_t>(negative ? 0 - kept : kept));
+  for (int scale = dropped - fraction_bits; scale != 0;) {
+    const int step = scale < 0 ? (std::min)(-scale, 62) : (std::min)(scale, 62);
+    const auto power = static_cast<Float>(std::int64_t{1} << step);
+    value = scale < 0 ? value / power : value * power;
+    scale += scale < 0 ? step : -step;
+  }
+  return value;
 }
 
 }  // namespace fixproof::detail

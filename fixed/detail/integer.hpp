@@ -1,45 +1,62 @@
 /// \file
-/// The integers that mix with numbers, and their arithmetic.
+/// Arithmetic with the integers that mix with numbers.
 #pragma once
 
-#include <concepts>
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
-/// Every integer except bool and the character types, which a program rarely means as numbers.
-template <class T>
-concept integer =
-    std::integral<T> && !std::same_as<std::remove_cv_t<T>, bool> &&
-    !std::same_as<std::remove_cv_t<T>, char> && !std::same_as<std::remove_cv_t<T>, wchar_t> &&
-    !std::same_as<std::remove_cv_t<T>, char8_t> && !std::same_as<std::remove_cv_t<T>, char16_t> &&
-    !std::same_as<std::remove_cv_t<T>, char32_t>;
-
-/// The integer for sums and products: modulo 2^32 if the policy wraps, else limited to a value that
-/// leaves every range.
-template <overflow O, integer Int>
-constexpr std::int64_t factor(Int value) noexcept {
+/// An integer as a Wide: modulo the range of Raw if the rule is to wrap, else limited to
+/// +-(2^Limit - 1) unless Raw has 64 bits.
+template <class Wide, class Raw, overflow O, int Limit, integer Int>
+constexpr Wide reduced(Int value) noexcept {
   if constexpr (O == overflow::wrap) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(value));
+    return Wide{static_cast<Raw>(static_cast<std::make_unsigned_t<Raw>>(value))};
+  } else if constexpr (bits_of<Raw> == 64) {
+    return Wide{value};
   } else {
-    return clamp_far(value);
+    return Wide{clamp_far<Limit>(value)};
   }
 }
 
+/// Holds the product of a factor() and a Raw.
+template <class Raw>
+using factor_product_t =
+    signed_t<(std::max)(64, 2 * bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2))>;
+
+/// An integer for products. The limit leaves every range of Raw.
+template <class Raw, overflow O, integer Int>
+constexpr factor_product_t<Raw> factor(Int value) noexcept {
+  return reduced < factor_product_t<Raw>, Raw, O, std::is_signed_v<Raw> ? 32 : 33 > (value);
+}
+
+/// Holds the sum of units() and a Raw.
+template <class Raw, int FractionBits>
+using units_t = signed_t<(std::max)(64, (bits_of<Raw> == 64 ? 66 : 36) + FractionBits)>;
+
+/// An integer in units of 2^-FractionBits, for sums. With the limit, every sum leaves the range.
+template <class Raw, int FractionBits, overflow O, integer Int>
+constexpr auto units(Int value) noexcept {
+  return reduced<units_t<Raw, FractionBits>, Raw, O, 34>(value) << FractionBits;
+}
+
 /// raw / d rounded by rule R. \pre d is not zero
-template <rounding R, integer Int>
-constexpr std::int64_t divide_by_integer(std::int32_t raw, Int d) noexcept {
-  // Every divisor of 34 bits or more rounds alike: the quotient is less than a half.
-  const std::int64_t divisor = clamp_far<34>(d);
-  const std::int64_t parts = 2 * (divisor < 0 ? -std::int64_t{raw} : std::int64_t{raw});
-  const std::int64_t unit = 2 * (divisor < 0 ? -divisor : divisor);
-  return floor_divide(parts + bias<R>(parts < 0, unit), unit);
+template <rounding R, class Raw, integer Int>
+constexpr auto divide_by_integer(Raw raw, Int d) noexcept {
+  if constexpr (bits_of<Raw> == 64) {
+    using wide = signed_t<66>;
+    return rounded_ratio<R>(wide{raw}, wide{d});
+  } else {
+    // Every divisor of 34 bits or more rounds alike: the quotient is less than a half.
+    return rounded_ratio<R>(std::int64_t{raw}, clamp_far<34>(d));
+  }
 }
 
 }  // namespace fixproof::detail

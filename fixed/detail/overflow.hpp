@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
-/// Whether a Raw can hold the value.
+/// Whether a Raw can hold the value. \pre Wide is signed and holds every Raw
 template <class Raw, class Wide>
 constexpr bool fits(Wide value) noexcept {
-  return std::in_range<Raw>(value);
+  return !(value < Wide{(std::numeric_limits<Raw>::min)()}) &&
+         !(Wide{(std::numeric_limits<Raw>::max)()} < value);
 }
 
 /// The value as a Raw by rule O. Under overflow::trap, calls `raise` for a value that does not fit;
@@ -25,8 +25,9 @@ constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::tra
   if constexpr (O == overflow::saturate) {
     constexpr Wide lowest{(std::numeric_limits<Raw>::min)()};
     constexpr Wide highest{(std::numeric_limits<Raw>::max)()};
-    return static_cast<Raw>(value < lowest ? lowest : value > highest ? highest : value);
+    return static_cast<Raw>(value < lowest ? lowest : highest < value ? highest : value);
   } else {
+    static_assert(O != overflow::as_range);
     if constexpr (O == overflow::trap) {
       if (!fits<Raw>(value)) raise();
     }

@@ -12,15 +12,15 @@
 
 namespace fixproof::detail {
 
-/// numerator * 2^Shift / divisor rounded by rule R, in integers. \pre divisor is not zero, Shift <=
-/// 16
+/// numerator * 2^Shift / divisor rounded by rule R, in integers. R is not half_even.
+/// \pre divisor is not zero, Shift <= 16
 template <rounding R, int Shift>
 constexpr std::int64_t quotient_by_integers(std::int32_t numerator, std::int32_t divisor) noexcept {
   // Doubles both, because bias() requires an even divisor: at most 2^48 and 2^32.
   const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{2} << Shift);
   const std::int64_t parts = divisor < 0 ? -scaled : scaled;
   const std::int64_t unit = 2 * (divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor});
-  return floor_divide(parts + bias<R>(parts < 0, unit), unit);
+  return floor_divide(parts + bias<R>(parts < 0, false, unit), unit);
 }
 
 /// The upper half of the bits: sign, exponent and the top of the significand.

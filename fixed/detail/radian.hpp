@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/storage.hpp"
@@ -73,6 +74,12 @@ struct fast_rounding {
 
 /// Added to the turns of an angle to round them to the bits above the lower 31.
 inline constexpr std::uint64_t turns_bias = std::uint64_t{1} << 30;
+
+/// Whether nearest_sine() covers the format: 8.8 and 16.16.
+template <class Raw, int FractionBits>
+inline constexpr bool has_radians =
+    (FractionBits == 8 || FractionBits == 16) && std::is_signed_v<Raw>&& bits_of<Raw> ==
+                                                     2 * FractionBits;
 
 /// The nearest sine of an angle in units of 2^-FractionBits radians, advanced by `ahead` / 2^64
 /// turns, in the same units.

@@ -32,9 +32,9 @@ class domain_error;
 namespace detail {
 
 /// A stored integer that prints as its value.
-template <int FractionBits>
+template <class Raw, int FractionBits>
 struct operand {
-  raw_t<FractionBits> raw;
+  Raw raw;
 };
 
 /// The number of terms of a sum: an operand of dot().
@@ -44,9 +44,9 @@ struct term_count {
 
 #if __STDC_HOSTED__
 
-template <int FractionBits>
-std::string describe(operand<FractionBits> x) {
-  std::array<char, max_decimal_chars<FractionBits>> text{};
+template <class Raw, int FractionBits>
+std::string describe(operand<Raw, FractionBits> x) {
+  std::array<char, max_decimal_chars<Raw, FractionBits>> text{};
   return {text.data(), write_decimal<FractionBits>(text.data(), x.raw)};
 }
 
@@ -87,7 +87,7 @@ template <class Error, class... Operands>
 /// Raises an overflow error for an operation on stored integers.
 template <int FractionBits, class... Raws>
 [[noreturn]] void raise_overflow(const char* operation, Raws... operands) {
-  raise<overflow_error>("overflow", operation, operand<FractionBits>{operands}...);
+  raise<overflow_error>("overflow", operation, operand<Raws, FractionBits>{operands}...);
 }
 
 }  // namespace detail

@@ -2,40 +2,106 @@
 /// The integer arithmetic of the rounding rules; nothing else implements them.
 #pragma once
 
-#include <limits>
+#include <compare>
+#include <cstdint>
 
+#include "fixed/detail/wide_integer.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
+/// Whether rule R rounds to nearest.
+template <rounding R>
+inline constexpr bool is_to_nearest =
+    R == rounding::half_up || R == rounding::half_away || R == rounding::half_even;
+
+template <class Int>
+constexpr bool is_odd(const Int& x) noexcept {
+  return (static_cast<std::uint64_t>(x) & 1) != 0;
+}
+
 /// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule R.
 /// \param negative whether the value is below zero
+/// \param odd      whether the floor of value / unit is odd; only half_even uses it
 /// \param unit     even and positive, so that a half is a whole number of parts
 template <rounding R, class Int>
-constexpr Int bias(bool negative, Int unit) noexcept {
+constexpr Int bias(bool negative, bool odd, Int unit) noexcept {
   if constexpr (R == rounding::half_up) {
-    return unit / 2;
+    return unit >> 1;
   } else if constexpr (R == rounding::half_away) {
-    return unit / 2 - Int{negative};
+    return (unit >> 1) - Int{negative};
+  } else if constexpr (R == rounding::half_even) {
+    return (unit >> 1) - Int{!odd};
   } else if constexpr (R == rounding::truncate) {
-    return negative ? unit - 1 : Int{0};
+    return negative ? unit - Int{1} : Int{0};
   } else {
     static_assert(R == rounding::floor);
-    return 0;
+    return Int{0};
   }
 }
 
-/// value / 2^bits, rounded by rule R. \pre value + 2^bits does not overflow
+/// value / 2^bits, rounded by rule R. \pre Int is signed, and value + 2^bits does not overflow
 template <rounding R, class Int>
 constexpr Int shift_right(Int value, int bits) noexcept {
-  static_assert(std::numeric_limits<Int>::is_signed);
-  return (value + bias<R>(value < 0, Int{1} << bits)) >> bits;
+  if (bits == 0) return value;
+  const bool odd = R == rounding::half_even && is_odd(value >> bits);
+  return (value + bias<R>(value < Int{0}, odd, Int{1} << bits)) >> bits;
+}
+
+/// Whether a result between two integers is rounded to the upper one.
+/// \param order    the distance to the lower one against the distance to the upper one
+/// \param exact    whether the distance to the lower one is zero
+/// \param odd      whether the lower one is odd
+template <rounding R>
+constexpr bool rounds_up(std::strong_ordering order, bool exact, bool negative, bool odd) noexcept {
+  if constexpr (R == rounding::half_up) {
+    return order >= 0;
+  } else if constexpr (R == rounding::half_away) {
+    return order > 0 || (order == 0 && !negative);
+  } else if constexpr (R == rounding::half_even) {
+    return order > 0 || (order == 0 && odd);
+  } else if constexpr (R == rounding::truncate) {
+    return negative && !exact;
+  } else {
+    static_assert(R == rounding::floor);
+    return false;
+  }
 }
 
 /// numerator / divisor toward -infinity, for a positive divisor.
 template <class Int>
 constexpr Int floor_divide(Int numerator, Int divisor) noexcept {
   return numerator / divisor - Int{numerator % divisor < 0};
+}
+
+/// numerator / divisor rounded by rule R. \pre the divisor is not zero; both have a bit to spare
+template <rounding R, class Int>
+constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
+  const Int zero{0};
+  if (divisor < zero) {
+    numerator = -numerator;
+    divisor = -divisor;
+  }
+  const bool negative = numerator < zero;
+  Int floor{};
+  Int above_floor{};
+  if constexpr (is_built_in<Int>) {
+    floor = numerator / divisor;
+    above_floor = numerator % divisor;
+  } else {
+    const auto parts = Int::divide(negative ? -numerator : numerator, divisor);
+    floor = negative ? -parts.quotient : parts.quotient;
+    above_floor = negative ? -parts.remainder : parts.remainder;
+  }
+  if (above_floor < zero) {
+    floor = floor - Int{1};
+    above_floor = above_floor + divisor;
+  }
+  const Int to_upper = divisor - above_floor;
+  const std::strong_ordering order = above_floor < to_upper   ? std::strong_ordering::less
+                                     : to_upper < above_floor ? std::strong_ordering::greater
+                                                              : std::strong_ordering::equal;
+  return floor + Int{rounds_up<R>(order, above_floor == zero, negative, is_odd(floor))};
 }
 
 }  // namespace fixproof::detail

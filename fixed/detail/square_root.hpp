@@ -42,4 +42,25 @@ constexpr std::int64_t nearest_sqrt(std::int64_t n) noexcept {
   return root + (n - root * root > root ? 1 : 0);
 }
 
+/// The integer nearest to sqrt(n), for 0 <= n < 2^(2 Pairs).
+///
+/// Takes two bits of n at a time from the top: after each step, rest = n - root^2 for the bits so
+/// far, so 0 <= rest <= 2 root.
+template <int Pairs, class Wide>
+constexpr Wide nearest_sqrt_by_pairs(const Wide& n) noexcept {
+  Wide root{0};
+  Wide rest{0};
+  for (int pair = Pairs - 1; pair >= 0; --pair) {
+    const Wide bits = n >> (2 * pair);
+    rest = (rest << 2) + (bits - (bits >> 2 << 2));
+    const Wide trial = (root << 2) + Wide{1};
+    root = root << 1;
+    if (!(rest < trial)) {
+      rest = rest - trial;
+      root = root + Wide{1};
+    }
+  }
+  return root < rest ? root + Wide{1} : root;
+}
+
 }  // namespace fixproof::detail

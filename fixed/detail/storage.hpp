@@ -2,33 +2,56 @@
 /// The integer types that store a number.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
 
-/// The types for one format: 8.8 in 16 bits, 16.16 in 32.
-template <int FractionBits>
-struct storage;
+/// Every integer of 8 to 64 bits except bool and the character types, which a program rarely means
+/// as numbers.
+template <class T>
+concept integer = std::integral<T> && sizeof(T) <= sizeof(std::uint64_t) &&
+                  !std::same_as<std::remove_cv_t<T>, bool> &&
+                  !std::same_as<std::remove_cv_t<T>, char> &&
+                  !std::same_as<std::remove_cv_t<T>, wchar_t> &&
+                  !std::same_as<std::remove_cv_t<T>, char8_t> &&
+                  !std::same_as<std::remove_cv_t<T>, char16_t> &&
+                  !std::same_as<std::remove_cv_t<T>, char32_t>;
 
+/// The width of an integer, the sign included.
+template <class Raw>
+inline constexpr int bits_of = std::numeric_limits<Raw>::digits + (std::is_signed_v<Raw> ? 1 : 0);
+
+/// The width of the narrowest signed integer that holds every Raw.
+template <class Raw>
+inline constexpr int signed_bits = std::numeric_limits<Raw>::digits + 1;
+
+/// Holds the product of two Raws, and that plus a half ulp.
+template <class Raw>
+using product_t = signed_t<2 * bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 1)>;
+
+/// Holds a sum of a product_t and a Raw times 2^FractionBits, and that plus a half ulp.
+template <class Raw, int FractionBits>
+using mul_add_t = signed_t<2 * bits_of<Raw> + (!std::is_signed_v<Raw>             ? 2
+                                               : FractionBits <= bits_of<Raw> - 2 ? 0
+                                                                                  : 1)>;
+
+/// The stored integer of the formats that fixed/batch.hpp covers: 8.8 and 16.16.
+template <int FractionBits>
+struct batch_raw;
 template <>
-struct storage<8> {
-  using raw = std::int16_t;
-  using wide = std::int32_t;
+struct batch_raw<8> {
+  using type = std::int16_t;
 };
-
 template <>
-struct storage<16> {
-  using raw = std::int32_t;
-  using wide = std::int64_t;
+struct batch_raw<16> {
+  using type = std::int32_t;
 };
-
-/// The stored integer: the value times 2^FractionBits.
 template <int FractionBits>
-using raw_t = typename storage<FractionBits>::raw;
-
-/// Holds the product of two stored integers, in units of 2^(-2 FractionBits), with one bit to
-/// spare.
-template <int FractionBits>
-using wide_t = typename storage<FractionBits>::wide;
+using raw_t = typename batch_raw<FractionBits>::type;
 
 }  // namespace fixproof::detail

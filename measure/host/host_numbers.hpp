@@ -34,8 +34,8 @@ template <class N>
 struct MeasuredNumber;
 
 template <fixproof::policy P>
-struct MeasuredNumber<fixproof::number<16, P>> {
-  using N = fixproof::number<16, P>;
+struct MeasuredNumber<fixproof::number<std::int32_t, 16, P>> {
+  using N = fixproof::number<std::int32_t, 16, P>;
   static N of_word(std::uint32_t word) { return N::from_raw(static_cast<std::int32_t>(word)); }
   static double in_units(N x) { return x.raw(); }
   static N root(N x) { return fixproof::sqrt(x); }

@@ -9,7 +9,8 @@ import re
 import gdb
 import gdb.printing
 
-# The presets by their rules, in the order of struct policy: multiply, divide, range, divisor, fault.
+# The presets by their rules, in the order of struct policy: multiply, divide, range, divisor, fault. In all of them,
+# products and quotients are 3: as_range.
 SUFFIXES = {
     (0, 0, 0, 0, 0): "",
     (0, 0, 1, 0, 0): "_saturating",
@@ -25,16 +26,16 @@ SUFFIXES = {
 }
 
 
-def type_name(value_type, fraction_bits):
+def type_name(value_type, letter, whole_bits, fraction_bits):
     """The alias the value was declared with; else the preset, as far as the name of the type tells."""
-    alias = re.fullmatch(r"(?:const |volatile )*(?:fixproof::)?(q(?:16_16|8_8)\w*)", str(value_type))
+    alias = re.fullmatch(r"(?:const |volatile )*(?:fixproof::)?([qu]\d+_\d+\w*)", str(value_type))
     if alias:
         return alias[1]
-    # "fixproof::number<16, fixproof::policy{(fixproof::rounding)1, ...}>" of g++, "{1, ...}" of clang.
+    # "fixproof::number<int, 16, fixproof::policy{(fixproof::rounding)1, ...}>" of g++, "{1, ...}" of clang.
     policy = str(value_type.strip_typedefs()).partition("{")[2]
-    rules = re.findall(r"(?:^|, )(?:\(fixproof::\w+\))?(\d)", policy)
-    suffix = SUFFIXES.get(tuple(map(int, rules)), "")
-    return f"q{fraction_bits}_{fraction_bits}{suffix}"
+    rules = tuple(map(int, re.findall(r"(?:^|, )(?:\(fixproof::\w+\))?(\d)", policy)))
+    suffix = SUFFIXES.get(rules[:5], "") if rules[5:] == (3, 3) else ""
+    return f"{letter}{whole_bits}_{fraction_bits}{suffix}"
 
 
 class NumberPrinter:
@@ -43,21 +44,25 @@ class NumberPrinter:
     def __init__(self, value):
         self.value = value
         tag = value.type.strip_typedefs().unqualified().name
-        self.fraction_bits = int(re.match(r"fixproof::number<(\d+)", tag)[1])
+        self.fraction_bits = int(re.match(r"fixproof::number<[\w ]+, (\d+)", tag)[1])
 
     def to_string(self):
-        bits = self.fraction_bits
         raw = int(self.value["raw_"])
-        # Exact: at most 5 digits before the point and 16 after it, of the 28 that Decimal keeps.
-        exact = decimal.Decimal(raw) / (1 << bits)
-        text = f"{exact:f}"
-        word = raw & ((1 << 2 * bits) - 1)
-        return f"{type_name(self.value.type, bits)} {text} (0x{word:0{bits // 2}x})"
+        raw_type = self.value["raw_"].type.strip_typedefs()
+        bits = 8 * raw_type.sizeof
+        # Exact: at most 20 digits before the point and 64 after it.
+        with decimal.localcontext() as context:
+            context.prec = 100
+            text = f"{decimal.Decimal(raw) / (1 << self.fraction_bits):f}"
+        word = raw & ((1 << bits) - 1)
+        letter = "u" if "unsigned" in raw_type.name else "q"
+        name = type_name(self.value.type, letter, bits - self.fraction_bits, self.fraction_bits)
+        return f"{name} {text} (0x{word:0{bits // 4}x})"
 
 
 def printers():
     collection = gdb.printing.RegexpCollectionPrettyPrinter("fixproof")
-    collection.add_printer("number", r"^fixproof::number<(8|16),.*>$", NumberPrinter)
+    collection.add_printer("number", r"^fixproof::number<[\w ]+, \d+,.*>$", NumberPrinter)
     return collection
 
 

@@ -32,15 +32,16 @@ constexpr fixproof::policy loud(fixproof::policy p) {
 
 template <class Number, fixproof::policy P>
 auto as(Number x) {
-  return fixproof::number<Number::fraction_bits, P>::from_raw(x.raw());
+  return fixproof::number<typename Number::raw_type, Number::fraction_bits, P>::from_raw(x.raw());
 }
 
 /// Expects `operation` of the numbers. The callable receives them under both policies.
 template <class Number, class Operation, class... Numbers>
 Expected<Number> expected(const Operation& operation, Numbers... numbers) {
   constexpr fixproof::policy P = Number::rules;
-  Expected<Number> result{as<fixproof::number<Number::fraction_bits, quiet(P)>, P>(
-      operation(as<Number, quiet(P)>(numbers)...))};
+  Expected<Number> result{
+      as<fixproof::number<typename Number::raw_type, Number::fraction_bits, quiet(P)>, P>(
+          operation(as<Number, quiet(P)>(numbers)...))};
   try {
     static_cast<void>(operation(as<Number, loud(P)>(numbers)...));
   } catch (const fixproof::divide_error&) {

@@ -146,8 +146,9 @@ TYPED_TEST_SUITE(Projections, fixproof::all_types);
 
 TYPED_TEST(Projections, EveryLayout) {
   for (const double factor : {-160.0, 0.5, 1.0 / 256}) {
-    const auto constant = TypeParam(
-        fixproof::number<TypeParam::fraction_bits, fixproof::policies::saturating>(factor));
+    const auto constant =
+        TypeParam(fixproof::number<typename TypeParam::raw_type, TypeParam::fraction_bits,
+                                   fixproof::policies::saturating>(factor));
     for (const std::size_t n : lengths()) {
       const Vertices<TypeParam> v(n);
       std::vector<Coordinates<TypeParam, 2>> want;

@@ -24,8 +24,10 @@ static_assert(limits<q16_16_i386>::round_style == std::round_to_nearest);
 static_assert(limits<q16_16_i8088_unrounded>::round_style == std::round_toward_zero);
 static_assert(limits<q16_16_i386_unrounded>::round_style == std::round_indeterminate);
 static_assert(limits<q16_16_i386_mul_rounded>::round_style == std::round_indeterminate);
-static_assert(limits<number<16, policy{.multiply = rounding::floor, .divide = rounding::floor}>>::
-                  round_style == std::round_toward_neg_infinity);
+static_assert(
+    limits<number<std::int32_t, 16,
+                  policy{.multiply = rounding::floor, .divide = rounding::floor}>>::round_style ==
+    std::round_toward_neg_infinity);
 static_assert(limits<q16_16>::round_error() == q16_16(0.5));
 static_assert(limits<q16_16_i8088_unrounded>::round_error() == q16_16_i8088_unrounded(1));
 static_assert(limits<q8_8>::round_error() == q8_8(0.5));
@@ -42,7 +44,7 @@ static_assert(limits<q16_16>::has_denorm == std::denorm_absent);
 /// beyond them, and the same for powers of ten.
 template <class Number>
 void expect_exponents() {
-  using saturating = number<Number::fraction_bits, policies::saturating>;
+  using saturating = number<typename Number::raw_type, Number::fraction_bits, policies::saturating>;
   const auto power = [](double base, int exponent) {
     double result = 1;
     for (; exponent > 0; --exponent) result *= base;

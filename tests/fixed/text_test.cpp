@@ -62,6 +62,9 @@ std::optional<Number> parsed(const std::string& text) {
     case rounding::half_away:
       away = 2 * rest >= denominator;
       break;
+    case rounding::half_even:
+      away = 2 * rest > denominator || (2 * rest == denominator && low % 2 != 0);
+      break;
   }
   cpp_int result = low + (away ? 1 : 0);
   if (negative) result = -result;

@@ -35,17 +35,19 @@ using all_types = testing::Types<
     q16_16_i8088_div_rounded, q16_16_i8088_unrounded, q8_8, q8_8_saturating, q8_8_trapping,
     q8_8_i386, q8_8_i386_mul_rounded, q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088,
     q8_8_i8088_mul_rounded, q8_8_i8088_div_rounded, q8_8_i8088_unrounded,
-    number<16, floor_and_saturate>, number<16, truncate_and_saturate>,
-    number<16, away_and_saturate>, number<16, truncate_and_trap>, number<16, floor_and_wrap>,
-    number<16, away_and_wrap>, number<16, whole_divisor_saturating>, number<16, fault_before_trap>,
-    number<16, fault_and_saturate>, number<16, zero_fault_and_trap>, number<8, floor_and_saturate>,
-    number<8, whole_divisor_saturating>>;
+    number<std::int32_t, 16, floor_and_saturate>, number<std::int32_t, 16, truncate_and_saturate>,
+    number<std::int32_t, 16, away_and_saturate>, number<std::int32_t, 16, truncate_and_trap>,
+    number<std::int32_t, 16, floor_and_wrap>, number<std::int32_t, 16, away_and_wrap>,
+    number<std::int32_t, 16, whole_divisor_saturating>, number<std::int32_t, 16, fault_before_trap>,
+    number<std::int32_t, 16, fault_and_saturate>, number<std::int32_t, 16, zero_fault_and_trap>,
+    number<std::int16_t, 8, floor_and_saturate>, number<std::int16_t, 8, whole_divisor_saturating>>;
 
 /// Covers each distinct rounding of products under each overflow, for tests without division.
 using some_types =
     testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386_unrounded, q16_16_i8088,
-                   q16_16_i8088_unrounded, number<16, floor_and_saturate>,
-                   number<16, truncate_and_trap>, number<16, away_and_saturate>, q8_8,
-                   q8_8_saturating, q8_8_trapping, q8_8_i8088, q8_8_i8088_unrounded>;
+                   q16_16_i8088_unrounded, number<std::int32_t, 16, floor_and_saturate>,
+                   number<std::int32_t, 16, truncate_and_trap>,
+                   number<std::int32_t, 16, away_and_saturate>, q8_8, q8_8_saturating,
+                   q8_8_trapping, q8_8_i8088, q8_8_i8088_unrounded>;
 
 }  // namespace fixproof

@@ -10,9 +10,12 @@ const fixproof::q16_16* used = &constant;
 fixproof::q16_16 least = fixproof::q16_16::from_raw(1);
 fixproof::q16_16 lowest = std::numeric_limits<fixproof::q16_16>::lowest();
 fixproof::q8_8 narrow(-2.5);
+fixproof::u0_64 finest = fixproof::u0_64::from_raw(1);
+auto wide = fixproof::q32_32(-1.5) + fixproof::q32_32();
 fixproof::q8_8_saturating eight(127.99609375);
 auto deduced = fixproof::q16_16_i8088(1.5) + fixproof::q16_16_i8088();
-fixproof::number<16, fixproof::policy{.range = fixproof::overflow::saturate}> spelt(0);
+fixproof::number<std::int32_t, 16, fixproof::policy{.range = fixproof::overflow::saturate}> spelt(
+    0);
 fixproof::q16_16 pair[] = {fixproof::q16_16(1), fixproof::q16_16(-1)};
 
 // Types without an alias in sight: the printer knows the presets by their rules.

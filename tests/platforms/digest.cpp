@@ -29,8 +29,8 @@ constexpr std::uint64_t mix(std::uint64_t x) {
 class Digest {
  public:
   void add(std::uint64_t word) { state_ = std::rotl(state_ ^ word, 23) * 0x9fb21c651e98df25U; }
-  template <int F, fixproof::policy P>
-  void add(fixproof::number<F, P> x) {
+  template <class Raw, int F, fixproof::policy P>
+  void add(fixproof::number<Raw, F, P> x) {
     add(static_cast<std::uint64_t>(static_cast<std::int64_t>(x.raw())));
   }
   void add(std::string_view text) {
@@ -155,8 +155,8 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
     }
     default:
       return returning([&] {
-        digest.add(N(number<24 - N::fraction_bits>::from_raw(
-            static_cast<typename number<24 - N::fraction_bits>::raw_type>(draw.word()))));
+        using other = std::conditional_t<N::fraction_bits == 16, q8_8, q16_16>;
+        digest.add(N(other::from_raw(static_cast<typename other::raw_type>(draw.word()))));
       });
   }
 }

@@ -27,7 +27,7 @@ class Ruled final : public parties::Party {
  private:
   static parties::Ending one(const cases::Variant& v, std::span<const std::uint32_t> in,
                              std::uint32_t& out) {
-    using Number = fixproof::number<16, rules>;
+    using Number = fixproof::number<std::int32_t, 16, rules>;
     const auto a = Number::from_raw(static_cast<std::int32_t>(in[0]));
     const auto b = Number::from_raw(static_cast<std::int32_t>(in[1]));
     try {

@@ -51,6 +51,9 @@ constexpr integer round(fraction x, fixproof::rounding rule) {
     case fixproof::rounding::half_away:
       if (to_low == to_high) return positive ? low + 1 : low;
       return to_low < to_high ? low : low + 1;
+    case fixproof::rounding::half_even:
+      if (to_low == to_high) return low % 2 == 0 ? low : low + 1;
+      return to_low < to_high ? low : low + 1;
   }
   return 0;
 }

@@ -54,6 +54,8 @@ struct ExactSteps {
         return std::floor(units) / 65536.0;
       case fixproof::rounding::truncate:
         return std::trunc(units) / 65536.0;
+      case fixproof::rounding::half_even:
+        return std::nearbyint(units) / 65536.0;
     }
     return exact;
   }

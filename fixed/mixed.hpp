@@ -1,0 +1,118 @@
+/// \file
+/// Arithmetic on numbers of different formats. The caller names the type of the result; the exact
+/// result is rounded once to that type.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "fixed/detail/divide.hpp"
+#include "fixed/detail/overflow.hpp"
+#include "fixed/detail/raise.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof {
+
+namespace detail {
+
+/// The exact value * 2^-FractionBits in units of To, rounded by policy::multiply.
+/// \tparam Bits the width of the value
+template <class To, int FractionBits, int Bits, class Wide>
+constexpr auto rescaled(const Wide& value) noexcept {
+  constexpr int up = To::fraction_bits - FractionBits;
+  using wide = signed_t<(std::max)(signed_bits<typename To::raw_type>, Bits + (std::max)(up, 1))>;
+  return shift_right<To::rules.multiply>(static_cast<wide>(value) << (std::max)(up, 0),
+                                         (std::max)(-up, 0));
+}
+
+/// Applies the rule O to a result in units of To.
+template <class To, overflow O, class Wide, class A, class B>
+constexpr To narrowed_to(const Wide& value, const char* operation, A a,
+                         B b) noexcept(O != overflow::trap) {
+  using raw = typename To::raw_type;
+  return To::from_raw(narrow<O, raw>(value, [&] {
+    raise<overflow_error>("overflow", operation,
+                          operand<typename A::raw_type, A::fraction_bits>{a.raw()},
+                          operand<typename B::raw_type, B::fraction_bits>{b.raw()});
+  }));
+}
+
+}  // namespace detail
+
+/// a + b as a To, rounded once by policy::multiply of To. Its policy handles overflow.
+///
+///     static_assert(add<q16_16>(q8_8(1.5), q2_30(0.25)) == q16_16(1.75));
+template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+[[nodiscard]] constexpr To add(number<A, FA, PA> a,
+                               number<B, FB, PB> b) noexcept(To::never_throws) {
+  constexpr int fraction = (std::max)(FA, FB);
+  constexpr int bits =
+      (std::max)(detail::signed_bits<A> + fraction - FA, detail::signed_bits<B> + fraction - FB) +
+      1;
+  using wide = detail::signed_t<bits>;
+  const wide sum = (wide{a.raw()} << (fraction - FA)) + (wide{b.raw()} << (fraction - FB));
+  return detail::narrowed_to<To, To::rules.range>(detail::rescaled<To, fraction, bits>(sum), "add",
+                                                  a, b);
+}
+
+/// a - b as a To, rounded once by policy::multiply of To. Its policy handles overflow.
+template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+[[nodiscard]] constexpr To subtract(number<A, FA, PA> a,
+                                    number<B, FB, PB> b) noexcept(To::never_throws) {
+  constexpr int fraction = (std::max)(FA, FB);
+  constexpr int bits =
+      (std::max)(detail::signed_bits<A> + fraction - FA, detail::signed_bits<B> + fraction - FB) +
+      1;
+  using wide = detail::signed_t<bits>;
+  const wide difference = (wide{a.raw()} << (fraction - FA)) - (wide{b.raw()} << (fraction - FB));
+  return detail::narrowed_to<To, To::rules.range>(detail::rescaled<To, fraction, bits>(difference),
+                                                  "subtract", a, b);
+}
+
+/// a * b as a To, rounded once by policy::multiply of To. Its policy handles overflow.
+///
+///     static_assert(multiply<q16_16>(q16_16(100), q2_30(0.25)) == q16_16(25));
+template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+[[nodiscard]] constexpr To multiply(number<A, FA, PA> a,
+                                    number<B, FB, PB> b) noexcept(To::multiply_never_throws) {
+  constexpr int bits = detail::signed_bits<A> + detail::signed_bits<B>;
+  using wide = detail::signed_t<bits>;
+  return detail::narrowed_to<To, To::rules.product_range()>(
+      detail::rescaled<To, FA + FB, bits>(wide{a.raw()} * wide{b.raw()}), "multiply", a, b);
+}
+
+/// n / d as a To, rounded once by policy::divide of To. Its policy handles overflow and a zero
+/// divisor. The divide of one processor, which the other policies describe, has no mixed form.
+///
+///     static_assert(divide<q2_30>(q16_16(1), q16_16(3)).raw() == 357913941);  // 2^30 / 3
+template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+[[nodiscard]] constexpr To divide(number<A, FA, PA> n,
+                                  number<B, FB, PB> d) noexcept(To::divide_never_throws) {
+  static_assert(
+      To::rules.divisor == divisor_width::full &&
+          (To::rules.fault == divide_fault::none || To::rules.fault == divide_fault::zero_divisor),
+      "divide<To>() needs a policy with divisor_width::full and no divide_fault of a "
+      "processor");
+  using raw = typename To::raw_type;
+  constexpr int up = To::fraction_bits + FB - FA;
+  using wide = detail::signed_t<(std::max)({detail::signed_bits<raw>,
+                                            detail::signed_bits<A> + (std::max)(up, 0) + 1,
+                                            detail::signed_bits<B> + (std::max)(-up, 0) + 1})>;
+  if (d.raw() == 0) {
+    if constexpr (!To::divide_never_throws) {
+      detail::raise<divide_error>("divide error", "divide", detail::operand<A, FA>{n.raw()},
+                                  detail::operand<B, FB>{d.raw()});
+    }
+    using limits = std::numeric_limits<raw>;
+    const raw end = n.raw() < 0 ? (limits::min)() : (limits::max)();
+    return To::from_raw(n.raw() == 0 ? raw{0} : end);
+  }
+  return detail::narrowed_to<To, To::rules.quotient_range()>(
+      detail::rounded_ratio<To::rules.divide>(wide{n.raw()} << (std::max)(up, 0),
+                                              wide{d.raw()} << (std::max)(-up, 0)),
+      "divide", n, d);
+}
+
+}  // namespace fixproof
