@@ -3,7 +3,6 @@
 /// mode and flushed denormals have no effect.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -80,7 +79,7 @@ constexpr Float to_float(std::uint64_t magnitude, bool negative, int fraction_bi
   // Every step from here on is exact: the digits of a Float and powers of two.
   auto value = static_cast<Float>(static_cast<std::int64_t>(negative ? 0 - kept : kept));
   for (int scale = dropped - fraction_bits; scale != 0;) {
-    const int step = scale < 0 ? (std::min)(-scale, 62) : (std::min)(scale, 62);
+    const int step = scale < -62 || scale > 62 ? 62 : scale < 0 ? -scale : scale;
     const auto power = static_cast<Float>(std::int64_t{1} << step);
     value = scale < 0 ? value / power : value * power;
     scale += scale < 0 ? step : -step;
