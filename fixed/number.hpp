@@ -147,12 +147,14 @@ class number {
     if constexpr (detail::bits_of<Raw> <= 32) {
       return static_cast<double>(raw_) / static_cast<double>(std::int64_t{1} << FractionBits);
     } else {
-      return as_float<double>();
+      return detail::to_float<double, FractionBits>(raw_);
     }
   }
 
   /// The nearest float, ties to even, in every rounding mode of the processor.
-  explicit constexpr operator float() const noexcept { return as_float<float>(); }
+  explicit constexpr operator float() const noexcept {
+    return detail::to_float<float, FractionBits>(raw_);
+  }
 
   /// The whole part, truncated toward zero, as from double. If Int is too small, the result is
   /// modulo 2^bits. See to_integer() for other roundings.
@@ -381,12 +383,6 @@ class number {
 
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
-
-  template <class Float>
-  [[nodiscard]] constexpr Float as_float() const noexcept {
-    const auto bits = static_cast<std::uint64_t>(raw_);
-    return detail::to_float<Float>(raw_ < 0 ? 0 - bits : bits, raw_ < 0, FractionBits);
-  }
 
   template <overflow O, class Wide, class... Operands>
   static constexpr number narrowed(const Wide& value, const char* operation,

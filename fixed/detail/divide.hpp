@@ -41,8 +41,10 @@ inline constexpr int numerator_shift = P.divisor == divisor_width::full ? Fracti
 /// limit for a divisor that falls to zero; 0 / 0 is 0.
 template <class Raw>
 constexpr Raw limit_toward_zero(Raw n) noexcept {
-  using limits = std::numeric_limits<Raw>;
-  const Raw end = n < 0 ? (limits::min)() : (limits::max)();
+  // The sign bit in every place for a signed Raw, and 0 for an unsigned one.
+  const auto sign = static_cast<Raw>(n >> std::numeric_limits<Raw>::digits % bits_of<Raw>);
+  const Raw highest = (std::numeric_limits<Raw>::max)();
+  const auto end = std::is_signed_v<Raw> ? static_cast<Raw>(sign ^ highest) : highest;
   return n == 0 ? Raw{0} : end;
 }
 
