@@ -5,25 +5,17 @@
 #include <type_traits>
 
 #include "fixed/detail/storage.hpp"
+#include "fixed/math.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof {
 
-namespace detail {
-
-template <class T>
-struct number_check : std::false_type {};
-template <class Raw, int FractionBits, policy P>
-struct number_check<number<Raw, FractionBits, P>> : std::true_type {};
-
-}  // namespace detail
-
 /// Whether T is a fixproof::number of any format and policy, const or not. A reference is none.
 ///
 ///     static_assert(is_number_v<q16_16> && is_number_v<const q2_62> && !is_number_v<int>);
 template <class T>
-inline constexpr bool is_number_v = detail::number_check<std::remove_cv_t<T>>::value;
+inline constexpr bool is_number_v = detail::is_number<std::remove_cv_t<T>>;
 
 /// A fixproof::number of any format and policy.
 ///

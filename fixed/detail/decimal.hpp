@@ -2,7 +2,6 @@
 /// Conversion between stored integers and decimal text, exact in both directions.
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +22,7 @@ constexpr int decimal_digits(int bits) noexcept { return bits * 30103 / 100000; 
 /// The longest decimal text: sign, whole part, point, and one fraction digit per fraction bit.
 template <class Raw, int FractionBits>
 inline constexpr std::size_t max_decimal_chars =
-    1 + decimal_digits((std::max)(bits_of<Raw> - FractionBits, 0)) + 1 + 1 + FractionBits;
+    1 + decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1 + 1 + FractionBits;
 
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
 /// \param out a buffer of max_decimal_chars
@@ -145,15 +144,15 @@ class decimal_reader {
 
   /// The fraction digits that are kept. 10^17 is a multiple of the power of two of every format
   /// whose reader calculates in 64 bits.
-  static constexpr int kept = (std::max)(FractionBits + 1, 17);
+  static constexpr int kept = larger(FractionBits + 1, 17);
 
   /// Holds 4 * 10^kept.
-  using digits_t = signed_t<(std::max)(64, (kept * 33220 + 9999) / 10000 + 3)>;
+  using digits_t = signed_t<larger(64, (kept * 33220 + 9999) / 10000 + 3)>;
   /// The whole part is limited to 2^whole_bits, which is beyond the range.
   static constexpr int whole_bits = bits_of<Raw> == 64 ? 65 : 33;
   using whole_t = signed_t<whole_bits + 5>;
   /// Holds a whole part times 2^FractionBits.
-  using wide = signed_t<(std::max)(64, whole_bits + FractionBits + 2)>;
+  using wide = signed_t<larger(64, whole_bits + FractionBits + 2)>;
 
   static constexpr digits_t power_of_ten(int exponent) noexcept {
     digits_t power{1};

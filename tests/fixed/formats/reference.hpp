@@ -84,8 +84,7 @@ result<N> quotient(const integer& n, const integer& d) {
   if (d == 0) {
     if (rule == fixproof::overflow::trap) return std::nullopt;
     if (n == 0) return zero;
-    return in_range<N>(n < 0 ? -power(2, 100) : power(2, 100),
-                       fixproof::overflow::saturate);
+    return in_range<N>(n < 0 ? -power(2, 100) : power(2, 100), fixproof::overflow::saturate);
   }
   const integer scaled = n * one<N>();
   return in_range<N>(
