@@ -1,6 +1,6 @@
 /// \file
-/// All of namespace fixproof except fixed/batch.hpp, fixed/batch_radian.hpp and
-/// property/generator.hpp.
+/// All of namespace fixproof except fixed/batch.hpp, fixed/batch_radian.hpp, fixed/bytes.hpp,
+/// fixed/eigen.hpp and property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
@@ -20,15 +20,16 @@
 /// Under -ffreestanding this header omits everything that needs a run-time library: text and
 /// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). It
 /// then includes only `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`, `<cstddef>`,
-/// `<cstdint>`, `<limits>`, `<optional>`, `<type_traits>` and `<utility>`. An operation that would
-/// throw executes a trap instruction. All arithmetic is integer; only conversions from and to float
-/// or double use floating-point registers.
+/// `<cstdint>`, `<limits>`, `<numbers>`, `<optional>`, `<type_traits>` and `<utility>`. An
+/// operation that would throw executes a trap instruction. All arithmetic is integer; only
+/// conversions from and to float or double use floating-point registers.
 ///
 /// Translation units of one program may differ in optimisation and floating-point flags, but not in
 /// whether exceptions are enabled: the inline functions that throw would have two definitions.
 #pragma once
 
 #include "fixed/checked.hpp"
+#include "fixed/constants.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"
 #include "fixed/literals.hpp"
@@ -36,6 +37,7 @@
 #include "fixed/mixed.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
+#include "fixed/traits.hpp"
 #include "fixed/trig.hpp"
 #include "fixed/version.hpp"
 #include "fixed/wide.hpp"
