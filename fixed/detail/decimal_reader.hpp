@@ -72,7 +72,7 @@ class decimal_reader {
     if (position > parts_t::whole_digits) return std::nullopt;
     // So many zeros leave only the sticky bit.
     constexpr std::int64_t lowest = -parts_t::fraction_digits;
-    const auto places = static_cast<int>(larger(position, lowest));
+    const auto places = static_cast<int>(position < lowest ? lowest : position);
     parts_t parts;
     parts.negative = negative_;
     parts.more = more_;

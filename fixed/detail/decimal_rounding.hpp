@@ -24,8 +24,7 @@ namespace fixproof::detail {
 template <class Raw, int FractionBits>
 struct decimal_parts {
   /// 10^whole_digits is beyond the range.
-  static constexpr int whole_digits =
-      decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1;
+  static constexpr int whole_digits = decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1;
   /// 10^17 is a multiple of the power of two of every format whose reader calculates in 64 bits.
   static constexpr int fraction_digits = larger(FractionBits + 1, 17);
 
