@@ -95,6 +95,8 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::hard_angles}};
     case Operation::decimal:
     case Operation::binary64:
+    case Operation::add:
+    case Operation::sub:
       break;
   }
   return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};

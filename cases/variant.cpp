@@ -11,7 +11,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 10> operations{{
+constexpr std::array<std::pair<std::string_view, Operation>, 12> operations{{
     {"mul", Operation::mul},
     {"div", Operation::div},
     {"cossin", Operation::cossin},
@@ -22,6 +22,8 @@ constexpr std::array<std::pair<std::string_view, Operation>, 10> operations{{
     {"cos", Operation::cos},
     {"decimal", Operation::decimal},
     {"binary64", Operation::binary64},
+    {"add", Operation::add},
+    {"sub", Operation::sub},
 }};
 
 /// Returns the operation called `name` among `known`; `kind` is for the error message.

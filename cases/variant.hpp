@@ -24,6 +24,8 @@ enum class Operation : std::uint8_t {
   cos,       ///< cosine of an angle in radians
   decimal,   ///< conversion to decimal text and back: the identity
   binary64,  ///< conversion to double and back: the identity
+  add,       ///< a + b, for `gen`, `eval` and `check`
+  sub,       ///< a - b, likewise
 };
 
 /// One operation under one set of rules, at one width.
@@ -45,6 +47,8 @@ constexpr std::size_t words_in(Operation o) {
   switch (o) {
     case Operation::mul:
     case Operation::div:
+    case Operation::add:
+    case Operation::sub:
       return 2;
     case Operation::xformvec:
       return 15;
@@ -103,9 +107,9 @@ Operation operation_named(std::string_view name);
 /// Like operation_named(), but only for the routines of FIXED.ASM.
 Operation routine_named(std::string_view name);
 
-/// Returns every 16.16 variant, in the order of the verification table: each routine on both
-/// processors with and without rounding, the forms of chapter 52, the repaired 8088 ConcatXforms,
-/// and the operations under the type's standard rules.
+/// Returns every 16.16 variant that a verification compares, in the order of the table: each
+/// routine on both processors with and without rounding, the forms of chapter 52, the repaired 8088
+/// ConcatXforms, and the operations under the type's standard rules.
 std::vector<Variant> all_variants();
 
 }  // namespace fixproof::cases

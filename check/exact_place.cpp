@@ -60,6 +60,7 @@ std::string ExactPlace::text() const {
 ExactPlace exact_place(cases::Operation operation, std::span<const std::uint32_t> words) {
   const auto floor = rounded_result(operation, words, oracle::Rounding::floor);
   if (!floor) return {.has_result = false, .negative = words[0] >> 31U != 0};
+  if (!is_rounded(operation)) return place_of_ratio(*floor, 1, *floor);
   constexpr std::int64_t one = 65536;
   const std::int64_t a = signed_ulps(words[0]);
   if (operation == cases::Operation::sqrt) return place_of_root(a * one, *floor);

@@ -36,7 +36,7 @@ struct ExactPlace {
   [[nodiscard]] std::string text() const;
 };
 
-/// Returns the exact result of a mul, div or sqrt.
+/// Returns the exact result of a judged operation.
 ExactPlace exact_place(cases::Operation operation, std::span<const std::uint32_t> words);
 
 /// Returns the name of a kind. The name for a missing result depends on the operation.

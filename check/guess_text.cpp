@@ -109,6 +109,37 @@ std::string line_of(std::string_view subject, const BestRules& best,
   return text;
 }
 
+/// Returns the line of the rounding, or of exact results in range.
+std::string rounding_line(const BestRules& best, const Rules& followed) {
+  if (!is_rounded(followed.operation)) {
+    return line_of("in range", best, {"exact"}, "cases that do not overflow", followed);
+  }
+  std::vector<std::string_view> names;
+  for (const std::size_t i : best.rules) names.push_back(name_of(roundings()[i]));
+  if (followed.operation == cases::Operation::sqrt && best.first.cases > 0) {
+    // A root is never halfway, so the five roundings act as two: to nearest and down.
+    const bool down = roundings()[best.rules.front()] == oracle::Rounding::floor;
+    names = {down ? "down" : "to nearest"};
+  }
+  return line_of("rounding", best, names, "cases in range", followed);
+}
+
+/// Returns a line that names idioms like the subject; empty if there are none.
+std::string idiom_line(const std::optional<Likeness>& likeness) {
+  constexpr std::size_t most_named = 3;
+  if (!likeness || likeness->idioms.size() > most_named) return "";
+  std::vector<std::string_view> names;
+  for (const Idiom* idiom : likeness->idioms) names.push_back(idiom->text);
+  std::string text = fmt::format("  {:<16} {}, ", "looks like", joined(names, " or "));
+  if (likeness->exceptions > 0) {
+    text += fmt::format("but for {} of {} cases in range\n", support::grouped(likeness->exceptions),
+                        support::grouped(likeness->cases));
+  } else {
+    text += fmt::format("on all {} cases in range\n", support::grouped(likeness->cases));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string guess_text(const Judge& judge) {
@@ -118,23 +149,17 @@ std::string guess_text(const Judge& judge) {
   std::string text = "What the subject does, all rules tried:\n";
 
   const BestRules rounding = trial.rounding();
-  std::vector<std::string_view> names;
-  for (const std::size_t i : rounding.rules) names.push_back(name_of(roundings()[i]));
-  if (operation == cases::Operation::sqrt && rounding.first.cases > 0) {
-    // A root is never halfway, so the five roundings act as two: to nearest and down.
-    const bool down = roundings()[rounding.rules.front()] == oracle::Rounding::floor;
-    names = {down ? "down" : "to nearest"};
-  }
   // Roundings that agree on roots in range can differ on the mirrored root of a negative operand.
   // Choose the one with the fewest exceptions there.
   const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&trial](std::size_t r) {
     return trial.no_result(r).first.exceptions.count();
   });
   followed.rounding = roundings()[rule];
-  text += line_of("rounding", rounding, names, "cases in range", followed);
+  text += rounding_line(rounding, followed);
+  text += idiom_line(judge.idioms().likeness());
 
   const BestRules overflow = trial.overflow(rule);
-  names.clear();
+  std::vector<std::string_view> names;
   for (const std::size_t i : overflow.rules) names.push_back(phrase(overflow_rules()[i]));
   followed.overflow = overflow_rules()[overflow.rules.front()];
   if (operation != cases::Operation::sqrt) {

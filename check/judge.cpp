@@ -5,7 +5,11 @@
 namespace fixproof::check {
 
 Judge::Judge(const Rules& rules, std::size_t max_shown)
-    : rules_(rules), wrong_(max_shown), trial_(rules.operation) {}
+    : rules_(rules),
+      wrong_(max_shown),
+      trial_(rules.operation),
+      idioms_(rules.operation),
+      common_(rules.operation) {}
 
 void Judge::add(const JudgedCase& one) {
   const auto ulps = rounded_result(rules_.operation, one.words, rules_.rounding);
@@ -14,9 +18,14 @@ void Judge::add(const JudgedCase& one) {
   const bool right = keeps(rules_, one.words, one.said);
 
   ++cases_;
-  if (!in_range && !expected_of(rules_, one.words).judged) ++not_judged_;
-  const auto kind = static_cast<std::size_t>(place.kind(ulps && !in_range));
-  KindTally& tally = tallies_.at(kind).at(place.negative ? 1 : 0);
+  const Expected expected = expected_of(rules_, one.words);
+  const CaseKind kind = place.kind(ulps && !in_range);
+  if (expected.judged) {
+    common_.add({one.words, place, kind, expected.said, one.said}, right);
+  } else {
+    ++not_judged_;
+  }
+  KindTally& tally = tallies_.at(static_cast<std::size_t>(kind)).at(place.negative ? 1 : 0);
   ++tally.cases;
   if (!right) {
     ++tally.wrong;
@@ -27,6 +36,7 @@ void Judge::add(const JudgedCase& one) {
     const double off = std::fabs(static_cast<double>(above_floor) - place.fraction);
     if (!largest_error_ || off > largest_error_->ulps) largest_error_ = {off, one};
   }
+  if (in_range) idioms_.add(one, right);
   trial_.add(one, place.has_result && place.negative);
 }
 

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "check/common_traits.hpp"
 #include "check/exact_place.hpp"
+#include "check/idioms.hpp"
 #include "check/judged_case.hpp"
 #include "check/rules.hpp"
 #include "check/trial.hpp"
@@ -40,6 +42,8 @@ class Judge {
   /// Empty if the subject gave no result in range.
   [[nodiscard]] const std::optional<LargestError>& largest_error() const { return largest_error_; }
   [[nodiscard]] const RuleTrial& trial() const { return trial_; }
+  [[nodiscard]] const IdiomTrial& idioms() const { return idioms_; }
+  [[nodiscard]] const CommonTraits& common() const { return common_; }
 
  private:
   Rules rules_;
@@ -50,6 +54,8 @@ class Judge {
   std::array<std::array<KindTally, 2>, case_kinds> tallies_{};
   std::optional<LargestError> largest_error_;
   RuleTrial trial_;
+  IdiomTrial idioms_;
+  CommonTraits common_;
 };
 
 }  // namespace fixproof::check

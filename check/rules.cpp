@@ -27,8 +27,6 @@ constexpr std::array<NoResult, 6> zero_divisor_rules{NoResult::error,     NoResu
 constexpr std::array<NoResult, 5> negative_root_rules{
     NoResult::error, NoResult::maximum, NoResult::minimum, NoResult::zero, NoResult::mirror};
 
-constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
-
 Said limit_of(NoResult rule, bool negative) {
   switch (rule) {
     case NoResult::saturate:
@@ -127,8 +125,12 @@ std::optional<std::int64_t> rounded_result(cases::Operation operation,
       return oracle::fast::exact_quotient(words[0], words[1], rule, 16);
     case cases::Operation::sqrt:
       return oracle::fast::exact_root(words[0], rule, 16);
+    case cases::Operation::add:
+      return oracle::fast::exact_sum(words[0], words[1], 16);
+    case cases::Operation::sub:
+      return oracle::fast::exact_difference(words[0], words[1], 16);
     default:
-      throw std::invalid_argument("only mul, div and sqrt are judged");
+      throw std::invalid_argument("only mul, div, sqrt, add and sub are judged");
   }
 }
 

@@ -40,11 +40,22 @@ enum class NoResult : std::uint8_t {
 };
 
 struct Rules {
-  cases::Operation operation = cases::Operation::mul;  ///< mul, div or sqrt
+  cases::Operation operation = cases::Operation::mul;  ///< one that is_judged()
   oracle::Rounding rounding = oracle::Rounding::half_up;
   Overflow overflow = Overflow::wrap;
   NoResult no_result = NoResult::error;
 };
+
+constexpr bool is_judged(cases::Operation operation) {
+  using enum cases::Operation;
+  return operation == mul || operation == div || operation == sqrt || operation == add ||
+         operation == sub;
+}
+
+/// Tells whether results are rounded. Sums and differences of words are exact.
+constexpr bool is_rounded(cases::Operation operation) {
+  return operation != cases::Operation::add && operation != cases::Operation::sub;
+}
 
 /// The names on the command line.
 std::string_view name_of(oracle::Rounding rule);
@@ -55,7 +66,8 @@ std::string_view name_of(NoResult rule);
 std::span<const oracle::Rounding> roundings();
 /// Every overflow rule except `any`.
 std::span<const Overflow> overflow_rules();
-/// Every rule except `any` that applies to the operation; empty for mul.
+/// Every rule except `any` that applies to the operation; empty if it has a result for all
+/// operands.
 std::span<const NoResult> no_result_rules(cases::Operation operation);
 
 /// The rounded result in ulps before overflow handling; empty for x / 0 and negative radicands.
@@ -65,6 +77,11 @@ std::optional<std::int64_t> rounded_result(cases::Operation operation,
 
 constexpr bool fits_word(std::int64_t ulps) {
   return ulps >= -(std::int64_t{1} << 31) && ulps < (std::int64_t{1} << 31);
+}
+
+constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
+constexpr std::uint32_t magnitude(std::uint32_t word) {
+  return is_negative(word) ? 0U - word : word;
 }
 
 /// Tells whether `said` is the rule's result for an overflow.

@@ -58,6 +58,12 @@ std::string wrong_cases(const Judge& judge) {
   return text;
 }
 
+std::string common_text(const Judge& judge) {
+  std::string text;
+  for (const std::string& line : judge.common().lines()) text += fmt::format("  {}\n", line);
+  return text.empty() ? "" : "\nWhat the wrong cases have in common:\n" + text;
+}
+
 }  // namespace
 
 std::string text_of(const JudgedCase& one, const Rules& rules) {
@@ -84,7 +90,7 @@ std::string verdict_text(const Judge& judge) {
     text += fmt::format("{} cases accept any result and are not judged.\n",
                         support::grouped(judge.not_judged()));
   }
-  return text + wrong_cases(judge) + '\n' + guess_text(judge);
+  return text + wrong_cases(judge) + common_text(judge) + '\n' + guess_text(judge);
 }
 
 }  // namespace fixproof::check

@@ -53,11 +53,19 @@ Rule rule_named(std::string_view option, std::string_view name, std::span<const 
 check::Rules rules_of(const CheckOptions& options) {
   check::Rules rules;
   rules.operation = cases::operation_named(options.operation);
-  if (rules.operation != cases::Operation::mul && rules.operation != cases::Operation::div &&
-      rules.operation != cases::Operation::sqrt) {
-    throw support::UsageError(fmt::format("check {}: choose mul, div or sqrt", options.operation));
+  if (!check::is_judged(rules.operation)) {
+    throw support::UsageError(
+        fmt::format("check {}: choose mul, div, sqrt, add or sub", options.operation));
   }
-  rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
+  if (check::is_rounded(rules.operation)) {
+    if (options.rounding.empty()) {
+      throw support::UsageError(
+          fmt::format("check {}: --rounding is required; name the rule that results should follow, "
+                      "such as half-up",
+                      options.operation));
+    }
+    rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
+  }
   rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
                               std::optional(check::Overflow::any));
   const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
@@ -71,8 +79,10 @@ check::Rules rules_of(const CheckOptions& options) {
 }
 
 std::string heading(const check::Rules& rules, const std::string& cases) {
+  const bool rounded = check::is_rounded(rules.operation);
   std::string text =
-      fmt::format("{}: {}", cases::name_of(rules.operation), check::name_of(rules.rounding));
+      fmt::format("{}: {}", cases::name_of(rules.operation),
+                  rounded ? check::name_of(rules.rounding) : std::string_view("exact"));
   if (rules.operation != cases::Operation::sqrt) {
     text += fmt::format(", overflow {}", check::name_of(rules.overflow));
   }
@@ -122,7 +132,8 @@ void refuse_idle_options(const CLI::App& command, cases::Operation operation) {
     throw support::UsageError(
         fmt::format("{} applies only to {}; leave it out", option, operations));
   };
-  refuse("--overflow", operation != cases::Operation::sqrt, "mul and div");
+  refuse("--rounding", check::is_rounded(operation), "mul, div and sqrt");
+  refuse("--overflow", operation != cases::Operation::sqrt, "mul, div, add and sub");
   refuse("--divide-by-zero", operation == cases::Operation::div, "div");
   refuse("--negative-root", operation == cases::Operation::sqrt, "sqrt");
 }
@@ -175,13 +186,12 @@ int check(const CheckOptions& options) {
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
-  command.add_option("operation", options.operation, "mul, div or sqrt")->required();
+  command.add_option("operation", options.operation, "mul, div, sqrt, add or sub")->required();
   command.add_option("results", options.results, "file of results; by default standard input")
       ->check(not_empty());
-  command
-      .add_option("--rounding", options.rounding,
-                  "expected rounding: half-up, half-away, half-even, floor or toward-zero")
-      ->required();
+  command.add_option("--rounding", options.rounding,
+                     "expected rounding: half-up, half-away, half-even, floor or toward-zero; "
+                     "required for mul, div and sqrt");
   command
       .add_option(
           "--overflow", options.overflow,
@@ -217,10 +227,10 @@ void add_check(CLI::App& app, int& status) {
       "check", "judge another program's results, and find the rules that it follows");
   add_check_options(*command, *options);
   command->footer(
-      R"(The judged program reads the lines of `fixproof gen`, skips those that start with #, and writes
-one result per line: 8 lower-case hex digits (no 0x), or DE for a divide error. Give check the
-same --level, --seed, --shard and --cases as gen, so that both have the same cases. With --from
-it reads your own cases.
+      R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
+hex digits (no 0x), or DE for a divide error. Give check the same --level, --seed, --shard and
+--cases as gen, so that both have the same cases. With --from it reads your own cases. It skips
+lines that start with #, in results and in cases.
 
 --overflow, --divide-by-zero and --negative-root say what to expect if the result does not fit a
 word or does not exist:
@@ -243,6 +253,7 @@ Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 -o cases && ./mine < cases > results
   fixproof check div results --level 2 --rounding toward-zero --overflow saturate
+  fixproof gen add | ./mine | fixproof check add --overflow saturate
   ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
   command->callback([options, command, &status] {
     refuse_idle_options(*command, cases::operation_named(options->operation));

@@ -87,7 +87,8 @@ void add_eval(CLI::App& app, int& status) {
       app.add_subcommand("eval", "compute the result of each line of operands on standard input");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal or binary64")
+                   "mul, div, cossin, xformvec, concat, sqrt, add, sub, sin, cos, decimal or "
+                   "binary64")
       ->required();
   command
       ->add_option(
@@ -99,6 +100,7 @@ void add_eval(CLI::App& app, int& status) {
   command->footer(
       R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
   mul, div   a b                             -> one word, DE for a divide error
+  add, sub   a b                             -> one word
   cossin     an angle in tenths, 4 digits    -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words

@@ -25,6 +25,7 @@ struct GenOptions {
   std::string operation;
   check::CaseOptions cases;
   std::string file;
+  bool comments = false;
 };
 
 /// Writes to standard output, or to a file that appears only once it is complete.
@@ -77,11 +78,14 @@ int generate(const GenOptions& options) {
   const auto words = std::span(room).first(cases::words_in(operation));
   const support::Interrupt interrupt;
   support::FrameProgress progress(all, "cases");
-  std::string pending = fmt::format("# {}: {} cases\n", options.cases.command_line(operation), all);
+  std::string pending;
+  if (options.comments) {
+    pending = fmt::format("# {}: {} cases\n", options.cases.command_line(operation), all);
+  }
   std::string_view stream;
   std::uint64_t done = 0;
   while (!support::Interrupt::flag() && cases.next(words)) {
-    if (cases.origin() != stream) {
+    if (options.comments && cases.origin() != stream) {
       stream = cases.origin();
       pending += fmt::format("# {}: {} cases\n", stream, cases.count_of(stream));
     }
@@ -113,23 +117,30 @@ void add_gen(CLI::App& app, int& status) {
       app.add_subcommand("gen", "write the cases of a verification as input for another program");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, sqrt, sin, cos, cossin, xformvec, concat, decimal or binary64")
+                   "mul, div, sqrt, add, sub, sin, cos, cossin, xformvec, concat, decimal or "
+                   "binary64")
       ->required();
   add_case_options(*command, options->cases);
   command->add_option("-o,--output", options->file, "output file; by default standard output")
       ->check(not_empty());
+  command->add_flag(
+      "--comments", options->comments,
+      "also write lines that start with #: this command, and the stream of the cases that "
+      "follow");
   command->footer(
       R"(Writes one case per line in the format that `fixproof eval` reads: operands as 8 lower-case hex
 digits of two's complement, separated by single spaces. The cases are those of `fixproof
 verify`, stream by stream: boundary words, random words, constructed ties and their
-neighbours. Lines that start with # name the stream; readers skip them.
+neighbours. `fixproof check` makes the same cases from the same options and names the stream of
+a wrong one. `eval` and `check --from` skip the lines of --comments.
 
 Exit status: 0 done, 2 bad usage, 130 interrupted.
 
 Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 --shard 1/4 -o cases.txt
-  fixproof gen sqrt --cases 1000          # a thousand cases, evenly spread)");
+  fixproof gen sqrt --cases 1000          # a thousand cases, evenly spread
+  fixproof gen div --comments | less      # with the names of the streams)");
   command->callback([options, &status] { status = generate(*options); });
 }
 

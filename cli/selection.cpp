@@ -73,11 +73,18 @@ std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
 }
 
 std::vector<cases::Variant> chosen_variants(const Selection& selection) {
-  std::vector<cases::Operation> operations;
-  for (const std::string& name : selection.operations)
-    operations.push_back(cases::operation_named(name));
-  check_repaired(selection);
   std::vector<cases::Variant> variants = cases::all_variants();
+  std::vector<cases::Operation> operations;
+  for (const std::string& name : selection.operations) {
+    operations.push_back(cases::operation_named(name));
+    if (std::ranges::find(variants, operations.back(), &cases::Variant::operation) ==
+        variants.end()) {
+      throw support::UsageError(fmt::format(
+          "verify does not compare {0}; `fixproof check {0}` judges those of another program",
+          name));
+    }
+  }
+  check_repaired(selection);
   std::erase_if(variants, [&](const cases::Variant& v) { return !fits(selection, operations, v); });
   return variants;
 }

@@ -14,7 +14,6 @@ int main(int argc, char** argv) {
     uint32_t a = 0;
     uint32_t b = 0;
     FT_Long result;
-    if (line[0] == '#') continue;
     if (sscanf(line, "%" SCNx32 " %" SCNx32, &a, &b) != 2) return 2;
     if (strcmp(operation, "mul") == 0) {
       result = FT_MulFix((int32_t)a, (int32_t)b);

@@ -11,7 +11,6 @@ int main(int argc, char** argv) {
     uint32_t a = 0;
     uint32_t b = 0;
     fix16_t result;
-    if (line[0] == '#') continue;
     if (sscanf(line, "%" SCNx32 " %" SCNx32, &a, &b) < 1) return 2;
     if (strcmp(operation, "mul") == 0) {
       result = fix16_mul((fix16_t)a, (fix16_t)b);

@@ -16,7 +16,6 @@ int main(int argc, char** argv) {
   while (fgets(line, sizeof line, stdin)) {
     uint32_t a = 0;
     uint32_t b = 0;
-    if (line[0] == '#') continue;
     if (sscanf(line, "%" SCNx32 " %" SCNx32, &a, &b) != 2) return 2;
     if (divides && b == 0) {
       puts("DE");

@@ -18,5 +18,4 @@ function hex(value,  high) {
   return sprintf("%04x%04x", high, value - high * 65536)
 }
 
-/^#/ { next }
 { print hex(int(signed($1) * signed($2) / 65536 + 0.5)) }

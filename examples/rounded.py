@@ -18,8 +18,6 @@ def div(a, b):
 
 operation = {"mul": mul, "div": div}[sys.argv[1]]
 for line in sys.stdin:
-    if line.startswith("#"):
-        continue
     a, b = map(signed, line.split())
     try:
         print(f"{operation(a, b) & 0xFFFFFFFF:08x}")

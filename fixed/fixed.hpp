@@ -1,6 +1,6 @@
 /// \file
-/// All of namespace fixproof except fixed/batch.hpp, fixed/batch_radian.hpp and
-/// property/generator.hpp.
+/// All of namespace fixproof except fixed/batch.hpp, fixed/batch_radian.hpp, fixed/bytes.hpp,
+/// fixed/eigen.hpp and property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
@@ -8,7 +8,7 @@
 ///     constexpr q16_16 half(0.5);                         // conversions are explicit
 ///     constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
 ///     static_assert(x == q16_16(4) && x.raw() == 0x40000);
-///     const auto [cos, sin] = fixproof::sin_cos<q16_16>(450);  // 45.0 degrees
+///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<q16_16>(450);  // 45.0 degrees
 ///     static_assert(fixproof::sin(half).raw() == 31420);       // of half a radian
 ///     std::cout << x * cos << '\n';                       // exact decimal: 2.82843017578125
 ///     fixproof::q16_16_saturating last(1e9);              // 32767.9999847412109375
@@ -20,22 +20,27 @@
 /// Under -ffreestanding this header omits everything that needs a run-time library: text and
 /// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). It
 /// then includes only `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`, `<cstddef>`,
-/// `<cstdint>`, `<limits>`, `<optional>`, `<type_traits>` and `<utility>`. An operation that would
-/// throw executes a trap instruction. All arithmetic is integer; only conversions from and to float
-/// or double use floating-point registers.
+/// `<cstdint>`, `<limits>`, `<numbers>`, `<optional>`, `<type_traits>` and `<utility>`. An
+/// operation that would throw executes a trap instruction. All arithmetic is integer; only
+/// conversions from and to float or double use floating-point registers.
 ///
 /// Translation units of one program may differ in optimisation and floating-point flags, but not in
 /// whether exceptions are enabled: the inline functions that throw would have two definitions.
 #pragma once
 
+#include "fixed/checked.hpp"
+#include "fixed/constants.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"
+#include "fixed/literals.hpp"
 #include "fixed/math.hpp"
 #include "fixed/mixed.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
+#include "fixed/traits.hpp"
 #include "fixed/trig.hpp"
 #include "fixed/version.hpp"
+#include "fixed/wide.hpp"
 
 #if __STDC_HOSTED__
 #include "fixed/error.hpp"

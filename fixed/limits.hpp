@@ -2,7 +2,6 @@
 /// std::numeric_limits and std::hash.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>  // std::hash
@@ -98,8 +97,8 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
   /// The rounding error in ulp: 1/2 if every operation rounds to nearest, else 1. The highest
   /// number if it is out of range, and 1 if there are no halves.
   static constexpr number round_error() noexcept {
-    const int bit =
-        (std::max)(style() == std::round_to_nearest ? FractionBits - 1 : FractionBits, 0);
+    const int bit = fixproof::detail::larger(
+        style() == std::round_to_nearest ? FractionBits - 1 : FractionBits, 0);
     return bit < raw_limits::digits ? number::from_raw(static_cast<Raw>(Raw{1} << bit)) : (max)();
   }
   /// Equal to min(): there are no denormal numbers.

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "fixed/detail/exact.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
@@ -36,8 +37,8 @@ namespace detail {
 
 /// x rounded to a whole number by rule R. The policy handles overflow.
 template <rounding R, class Raw, int F, policy P>
-constexpr number<Raw, F, P> whole(number<Raw, F, P> x,
-                                  const char* operation) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P> whole(
+    number<Raw, F, P> x, const char* operation) noexcept(number<Raw, F, P>::never_throws) {
   using wide = signed_t<signed_bits<Raw> + 2>;
   return number<Raw, F, P>::from_raw(narrow<P.range, Raw>(
       shift_right<R>(wide{x.raw()}, F) << F, [&] { raise_overflow<F>(operation, x.raw()); }));
@@ -47,14 +48,16 @@ constexpr number<Raw, F, P> whole(number<Raw, F, P> x,
 
 /// The greatest whole number not above x.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P> floor(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P> floor(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
   return detail::whole<rounding::floor>(x, "floor");
 }
 
 /// The least whole number not below x. The policy handles overflow, which occurs above the highest
 /// whole number.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P> ceil(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P> ceil(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
   // The floor of the negative, negated.
   using wide = detail::signed_t<detail::signed_bits<Raw> + 2>;
   const wide units = -(-wide{x.raw()} >> F << F);
@@ -65,35 +68,36 @@ constexpr number<Raw, F, P> ceil(number<Raw, F, P> x) noexcept(number<Raw, F, P>
 /// The nearest whole number. Ties go as the policy rounds products if that is to nearest, and up
 /// otherwise. The policy handles overflow, which occurs above the highest whole number.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P>(round)(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P>(round)(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
   constexpr rounding rule = detail::is_to_nearest<P.multiply> ? P.multiply : rounding::half_up;
   return detail::whole<rule>(x, "round");
 }
 
 /// x truncated toward zero.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P> trunc(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P> trunc(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
   return detail::whole<rounding::truncate>(x, "trunc");
 }
 
 /// The absolute value. That of the lowest number overflows; the policy handles it.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P>(abs)(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
-  using wide = detail::signed_t<detail::signed_bits<Raw> + 1>;
-  const wide raw{x.raw()};
+[[nodiscard]] constexpr number<Raw, F, P>(abs)(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
   return number<Raw, F, P>::from_raw(detail::narrow<P.range, Raw>(
-      x.raw() < 0 ? -raw : raw, [&] { detail::raise_overflow<F>("abs", x.raw()); }));
+      detail::exact_magnitude(x.raw()), [&] { detail::raise_overflow<F>("abs", x.raw()); }));
 }
 
 /// The smaller of a and b.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P>(min)(number<Raw, F, P> a, number<Raw, F, P> b) noexcept {
+[[nodiscard]] constexpr number<Raw, F, P>(min)(number<Raw, F, P> a, number<Raw, F, P> b) noexcept {
   return b < a ? b : a;
 }
 
 /// The larger of a and b.
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P>(max)(number<Raw, F, P> a, number<Raw, F, P> b) noexcept {
+[[nodiscard]] constexpr number<Raw, F, P>(max)(number<Raw, F, P> a, number<Raw, F, P> b) noexcept {
   return a < b ? b : a;
 }
 
@@ -102,7 +106,8 @@ constexpr number<Raw, F, P>(max)(number<Raw, F, P> a, number<Raw, F, P> b) noexc
 ///
 ///     static_assert(sqrt(q16_16(2)).raw() == 92682 && sqrt(q16_16(-1)) == q16_16());  // 92681.9
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P> sqrt(number<Raw, F, P> x) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P> sqrt(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
   if (x.raw() < 0) {
     if constexpr (P.range == overflow::trap) {
       detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, F>{x.raw()});
@@ -126,12 +131,11 @@ constexpr number<Raw, F, P> sqrt(number<Raw, F, P> x) noexcept(number<Raw, F, P>
 ///
 ///     static_assert(mul_add(q16_16(200), q16_16(200), q16_16(-30000)) == q16_16(10000));
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P> mul_add(number<Raw, F, P> a, number<Raw, F, P> b,
-                                    number<Raw, F, P> c) noexcept(number<Raw, F, P>::never_throws) {
-  using wide = detail::mul_add_t<Raw, F>;
-  const wide sum = wide{a.raw()} * wide{b.raw()} + wide{c.raw()} * (wide{1} << F);
+[[nodiscard]] constexpr number<Raw, F, P> mul_add(
+    number<Raw, F, P> a, number<Raw, F, P> b,
+    number<Raw, F, P> c) noexcept(number<Raw, F, P>::never_throws) {
   return number<Raw, F, P>::from_raw(detail::narrow<P.product_range(), Raw>(
-      detail::shift_right<P.multiply>(sum, F),
+      detail::rounded_mul_add<F, P.multiply>(a.raw(), b.raw(), c.raw()),
       [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));
 }
 
@@ -140,8 +144,9 @@ constexpr number<Raw, F, P> mul_add(number<Raw, F, P> a, number<Raw, F, P> b,
 ///
 ///     static_assert(lerp(q16_16(-32768), q16_16(32767), q16_16(0.5)) == q16_16(-0.5));
 template <class Raw, int F, policy P>
-constexpr number<Raw, F, P> lerp(number<Raw, F, P> a, number<Raw, F, P> b,
-                                 number<Raw, F, P> t) noexcept(number<Raw, F, P>::never_throws) {
+[[nodiscard]] constexpr number<Raw, F, P> lerp(
+    number<Raw, F, P> a, number<Raw, F, P> b,
+    number<Raw, F, P> t) noexcept(number<Raw, F, P>::never_throws) {
   // Adding `a` to the product could overflow. Adding it after rounding is equivalent if the
   // rounding uses the sign and the parity of the sum.
   using wide = detail::signed_t<2 * detail::bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2)>;
@@ -223,7 +228,7 @@ constexpr N rounded_sum(wide_sum sum, std::size_t terms) noexcept(N::multiply_ne
 ///     static_assert(dot(a, b) == q16_16(300));
 template <detail::number_range A, detail::number_range B>
 requires std::same_as<detail::element_t<A>, detail::element_t<B>>
-constexpr detail::element_t<A> dot(const A& a, const B& b) noexcept(
+[[nodiscard]] constexpr detail::element_t<A> dot(const A& a, const B& b) noexcept(
     detail::element_t<A>::multiply_never_throws) {
   using result = detail::element_t<A>;
   using raw = typename result::raw_type;

@@ -3,7 +3,6 @@
 /// result is rounded once to that type.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 
 #include "fixed/detail/divide.hpp"
@@ -22,9 +21,8 @@ namespace detail {
 template <class To, int FractionBits, int Bits, class Wide>
 constexpr auto rescaled(const Wide& value) noexcept {
   constexpr int up = To::fraction_bits - FractionBits;
-  using wide = signed_t<(std::max)(signed_bits<typename To::raw_type>, Bits + (std::max)(up, 1))>;
-  return shift_right<To::rules.multiply>(static_cast<wide>(value) << (std::max)(up, 0),
-                                         (std::max)(-up, 0));
+  using wide = signed_t<larger(signed_bits<typename To::raw_type>, Bits + larger(up, 1))>;
+  return shift_right<To::rules.multiply>(static_cast<wide>(value) << larger(up, 0), larger(-up, 0));
 }
 
 /// Applies the rule O to a result in units of To.
@@ -47,10 +45,10 @@ constexpr To narrowed_to(const Wide& value, const char* operation, A a,
 template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
 [[nodiscard]] constexpr To add(number<A, FA, PA> a,
                                number<B, FB, PB> b) noexcept(To::never_throws) {
-  constexpr int fraction = (std::max)(FA, FB);
-  constexpr int bits =
-      (std::max)(detail::signed_bits<A> + fraction - FA, detail::signed_bits<B> + fraction - FB) +
-      1;
+  constexpr int fraction = detail::larger(FA, FB);
+  constexpr int bits = detail::larger(detail::signed_bits<A> + fraction - FA,
+                                      detail::signed_bits<B> + fraction - FB) +
+                       1;
   using wide = detail::signed_t<bits>;
   const wide sum = (wide{a.raw()} << (fraction - FA)) + (wide{b.raw()} << (fraction - FB));
   return detail::narrowed_to<To, To::rules.range>(detail::rescaled<To, fraction, bits>(sum), "add",
@@ -61,10 +59,10 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
 template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
 [[nodiscard]] constexpr To subtract(number<A, FA, PA> a,
                                     number<B, FB, PB> b) noexcept(To::never_throws) {
-  constexpr int fraction = (std::max)(FA, FB);
-  constexpr int bits =
-      (std::max)(detail::signed_bits<A> + fraction - FA, detail::signed_bits<B> + fraction - FB) +
-      1;
+  constexpr int fraction = detail::larger(FA, FB);
+  constexpr int bits = detail::larger(detail::signed_bits<A> + fraction - FA,
+                                      detail::signed_bits<B> + fraction - FB) +
+                       1;
   using wide = detail::signed_t<bits>;
   const wide difference = (wide{a.raw()} << (fraction - FA)) - (wide{b.raw()} << (fraction - FB));
   return detail::narrowed_to<To, To::rules.range>(detail::rescaled<To, fraction, bits>(difference),
@@ -97,9 +95,9 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
       "processor");
   using raw = typename To::raw_type;
   constexpr int up = To::fraction_bits + FB - FA;
-  using wide = detail::signed_t<(std::max)({detail::signed_bits<raw>,
-                                            detail::signed_bits<A> + (std::max)(up, 0) + 1,
-                                            detail::signed_bits<B> + (std::max)(-up, 0) + 1})>;
+  using wide = detail::signed_t<detail::largest(
+      detail::signed_bits<raw>, detail::signed_bits<A> + detail::larger(up, 0) + 1,
+      detail::signed_bits<B> + detail::larger(-up, 0) + 1)>;
   if (d.raw() == 0) {
     if constexpr (!To::divide_never_throws) {
       detail::raise<divide_error>("divide error", "divide", detail::operand<A, FA>{n.raw()},
@@ -110,8 +108,8 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
     return To::from_raw(n.raw() == 0 ? raw{0} : end);
   }
   return detail::narrowed_to<To, To::rules.quotient_range()>(
-      detail::rounded_ratio<To::rules.divide>(wide{n.raw()} << (std::max)(up, 0),
-                                              wide{d.raw()} << (std::max)(-up, 0)),
+      detail::rounded_ratio<To::rules.divide>(wide{n.raw()} << detail::larger(up, 0),
+                                              wide{d.raw()} << detail::larger(-up, 0)),
       "divide", n, d);
 }
 

@@ -2,7 +2,6 @@
 /// The fixed-point type.
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "fixed/detail/divide.hpp"
+#include "fixed/detail/exact.hpp"
 #include "fixed/detail/floating.hpp"
 #include "fixed/detail/integer.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -76,7 +76,7 @@ class number {
   constexpr number() noexcept = default;
 
   /// The number whose stored integer is `raw`: raw / 2^FractionBits.
-  static constexpr number from_raw(raw_type raw) noexcept {
+  [[nodiscard]] static constexpr number from_raw(raw_type raw) noexcept {
     number result;
     result.raw_ = raw;
     return result;
@@ -107,7 +107,7 @@ class number {
   ///     static_assert(q16_16(std::numeric_limits<double>::quiet_NaN()) == q16_16());
   template <detail::binary_float Float>
   explicit constexpr number(Float value) noexcept(never_throws) {
-    using wide = detail::signed_t<(std::max)(64, 2 * detail::bits_of<raw_type>)>;
+    using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
     using kind = typename detail::scaled_float<wide>::kind;
     const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
     if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
@@ -133,10 +133,10 @@ class number {
            Q != P) explicit constexpr number(number<OtherRaw, OtherBits, Q>
                                                  other) noexcept(never_throws) {
     constexpr int up = FractionBits - OtherBits;
-    using wide = detail::signed_t<(std::max)(
-        {detail::signed_bits<OtherRaw> + (std::max)(up, 1), detail::signed_bits<Raw>, 64})>;
-    const wide value =
-        detail::shift_right<P.multiply>(wide{other.raw()} << (std::max)(up, 0), (std::max)(-up, 0));
+    using wide = detail::signed_t<detail::largest(
+        detail::signed_bits<OtherRaw> + detail::larger(up, 1), detail::signed_bits<Raw>, 64)>;
+    const wide value = detail::shift_right<P.multiply>(wide{other.raw()} << detail::larger(up, 0),
+                                                       detail::larger(-up, 0));
     raw_ = detail::narrow<P.range, raw_type>(
         value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
   }
@@ -147,12 +147,14 @@ class number {
     if constexpr (detail::bits_of<Raw> <= 32) {
       return static_cast<double>(raw_) / static_cast<double>(std::int64_t{1} << FractionBits);
     } else {
-      return as_float<double>();
+      return detail::to_float<double, FractionBits>(raw_);
     }
   }
 
   /// The nearest float, ties to even, in every rounding mode of the processor.
-  explicit constexpr operator float() const noexcept { return as_float<float>(); }
+  explicit constexpr operator float() const noexcept {
+    return detail::to_float<float, FractionBits>(raw_);
+  }
 
   /// The whole part, truncated toward zero, as from double. If Int is too small, the result is
   /// modulo 2^bits. See to_integer() for other roundings.
@@ -160,7 +162,7 @@ class number {
   ///     static_assert(static_cast<int>(q16_16(-1.5)) == -1);
   template <std::integral Int>
   requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
-    using wide = detail::signed_t<(std::max)(64, detail::signed_bits<Raw> + 1)>;
+    using wide = detail::signed_t<detail::larger(64, detail::signed_bits<Raw> + 1)>;
     return static_cast<Int>(detail::shift_right<rounding::truncate>(wide{raw_}, FractionBits));
   }
 
@@ -170,32 +172,31 @@ class number {
   friend constexpr auto operator<=>(number, number) noexcept = default;
 
   /// The number itself.
-  constexpr number operator+() const noexcept { return *this; }
+  [[nodiscard]] constexpr number operator+() const noexcept { return *this; }
 
   /// The negative, exact. That of the lowest number overflows; the policy handles it.
-  constexpr number operator-() const noexcept(never_throws) {
-    return narrowed<P.range>(-sum_t{raw_}, "operator-", *this);
+  [[nodiscard]] constexpr number operator-() const noexcept(never_throws) {
+    return narrowed<P.range>(detail::exact_negative(raw_), "operator-", *this);
   }
 
   /// The sum, exact. The policy handles overflow.
-  friend constexpr number operator+(number a, number b) noexcept(never_throws) {
-    return narrowed<P.range>(sum_t{a.raw_} + sum_t{b.raw_}, "operator+", a, b);
+  [[nodiscard]] friend constexpr number operator+(number a, number b) noexcept(never_throws) {
+    return narrowed<P.range>(detail::exact_sum(a.raw_, b.raw_), "operator+", a, b);
   }
 
   /// The difference, exact. The policy handles overflow.
-  friend constexpr number operator-(number a, number b) noexcept(never_throws) {
-    return narrowed<P.range>(sum_t{a.raw_} - sum_t{b.raw_}, "operator-", a, b);
+  [[nodiscard]] friend constexpr number operator-(number a, number b) noexcept(never_throws) {
+    return narrowed<P.range>(detail::exact_difference(a.raw_, b.raw_), "operator-", a, b);
   }
 
   /// The product, rounded once by policy::multiply. The policy handles overflow.
   ///
   ///     constexpr auto unit = q16_16::from_raw(1);
   ///     static_assert(unit * q16_16(0.5) == unit && -unit * q16_16(0.5) == q16_16());
-  friend constexpr number operator*(number a, number b) noexcept(multiply_never_throws) {
-    using wide = detail::product_t<Raw>;
-    const wide product = wide{a.raw_} * wide{b.raw_};
-    return narrowed<P.product_range()>(detail::shift_right<P.multiply>(product, FractionBits),
-                                       "operator*", a, b);
+  [[nodiscard]] friend constexpr number operator*(number a,
+                                                  number b) noexcept(multiply_never_throws) {
+    return narrowed<P.product_range()>(
+        detail::rounded_product<FractionBits, P.multiply>(a.raw_, b.raw_), "operator*", a, b);
   }
 
   /// The quotient, rounded once by policy::divide. The policy handles overflow. If division by zero
@@ -204,7 +205,8 @@ class number {
   ///
   ///     static_assert((q16_16(-2) / q16_16(3)).raw() == -43691);  // -43690.67
   ///     static_assert(q16_16(-1) / q16_16() == std::numeric_limits<q16_16>::lowest());
-  friend constexpr number operator/(number n, number d) noexcept(divide_never_throws) {
+  [[nodiscard]] friend constexpr number operator/(number n,
+                                                  number d) noexcept(divide_never_throws) {
     if constexpr (!divide_never_throws) {
       const detail::division end = detail::try_division<Raw, FractionBits, P>(n.raw_, d.raw_);
       if (end == detail::division::divide_error) {
@@ -217,6 +219,35 @@ class number {
     return from_raw(detail::total_divide<Raw, FractionBits, P>(n.raw_, d.raw_));
   }
 
+  /// n - d * trunc(n / d), exact: the remainder has the sign of n. Division by zero is an error
+  /// where operator/ makes it one; otherwise the remainder is 0.
+  ///
+  ///     static_assert(q16_16(-5.5) % q16_16(2) == q16_16(-1.5));
+  [[nodiscard]] friend constexpr number operator%(number n,
+                                                  number d) noexcept(divide_never_throws) {
+    if (d.raw_ == 0) return remainder_by_zero(n, operand{d.raw_});
+    using wide = detail::sum_t<Raw>;
+    return from_raw(static_cast<raw_type>(wide{n.raw_} % wide{d.raw_}));
+  }
+
+  /// x * 2^places, exact. The policy handles overflow, as in x + x. A negative `places` shifts
+  /// right.
+  [[nodiscard]] friend constexpr number operator<<(number x, int places) noexcept(never_throws) {
+    if (places < 0) return x >> (places < -64 ? 64 : -places);
+    return narrowed<P.range>(detail::exact_shift_left(x.raw_, places), "operator<<", x);
+  }
+
+  /// x / 2^places toward -infinity, under every policy: the arithmetic shift of the stored integer.
+  /// A negative `places` shifts left.
+  ///
+  ///     static_assert((q16_16::from_raw(-3) >> 1).raw() == -2 && (q16_16(3) >> 1) == q16_16(1.5));
+  [[nodiscard]] friend constexpr number operator>>(number x, int places) noexcept(never_throws) {
+    if (places < 0) return x << (places < -64 ? 64 : -places);
+    constexpr int most = detail::bits_of<Raw> - 1;
+    const Raw almost = static_cast<Raw>(x.raw_ >> (places < most ? places : most));
+    return from_raw(places > most ? static_cast<Raw>(almost >> 1) : almost);
+  }
+
   /// Adds b. The number is unchanged if operator+ throws.
   constexpr number& operator+=(number b) noexcept(never_throws) { return *this = *this + b; }
   /// Subtracts b. The number is unchanged if operator- throws.
@@ -227,6 +258,15 @@ class number {
   }
   /// Divides by b. The number is unchanged if operator/ throws.
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
+  /// The remainder of a division by b. The number is unchanged if operator% throws.
+  constexpr number& operator%=(number b) noexcept(divide_never_throws) { return *this = *this % b; }
+  /// Shifts. The number is unchanged if the operator throws.
+  constexpr number& operator<<=(int places) noexcept(never_throws) {
+    return *this = *this << places;
+  }
+  constexpr number& operator>>=(int places) noexcept(never_throws) {
+    return *this = *this >> places;
+  }
 
   /// \name Integers
   /// An integer counts with its exact value, also where the type has no such number. There is no
@@ -239,35 +279,35 @@ class number {
 
   /// The sum, exact. The policy handles overflow.
   template <detail::integer Int>
-  friend constexpr number operator+(number a, Int b) noexcept(never_throws) {
+  [[nodiscard]] friend constexpr number operator+(number a, Int b) noexcept(never_throws) {
     return with_integer<P.range>(units(b) + a.raw_, "operator+", a, b);
   }
   template <detail::integer Int>
-  friend constexpr number operator+(Int a, number b) noexcept(never_throws) {
+  [[nodiscard]] friend constexpr number operator+(Int a, number b) noexcept(never_throws) {
     return with_integer<P.range>(units(a) + b.raw_, "operator+", a, b);
   }
   /// The difference, exact. The policy handles overflow.
   template <detail::integer Int>
-  friend constexpr number operator-(number a, Int b) noexcept(never_throws) {
+  [[nodiscard]] friend constexpr number operator-(number a, Int b) noexcept(never_throws) {
     return with_integer<P.range>(-units(b) + a.raw_, "operator-", a, b);
   }
   template <detail::integer Int>
-  friend constexpr number operator-(Int a, number b) noexcept(never_throws) {
+  [[nodiscard]] friend constexpr number operator-(Int a, number b) noexcept(never_throws) {
     return with_integer<P.range>(units(a) - b.raw_, "operator-", a, b);
   }
   /// The product, exact. The policy handles overflow.
   template <detail::integer Int>
-  friend constexpr number operator*(number a, Int b) noexcept(multiply_never_throws) {
+  [[nodiscard]] friend constexpr number operator*(number a, Int b) noexcept(multiply_never_throws) {
     return with_integer<P.product_range()>(factor(b) * a.raw_, "operator*", a, b);
   }
   template <detail::integer Int>
-  friend constexpr number operator*(Int a, number b) noexcept(multiply_never_throws) {
+  [[nodiscard]] friend constexpr number operator*(Int a, number b) noexcept(multiply_never_throws) {
     return with_integer<P.product_range()>(factor(a) * b.raw_, "operator*", a, b);
   }
   /// The quotient, rounded once by policy::divide. Division by 0 and overflow follow number /
   /// number.
   template <detail::integer Int>
-  friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
+  [[nodiscard]] friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
     if (d == 0) return n / number();
     const auto quotient = detail::divide_by_integer<P.divide>(n.raw_, d);
     if constexpr (P.fault == divide_fault::signed_quotient) {
@@ -276,6 +316,19 @@ class number {
       }
     }
     return with_integer<P.quotient_range()>(quotient, "operator/", n, d);
+  }
+  /// The remainder, exact, as number % number.
+  template <detail::integer Int>
+  [[nodiscard]] friend constexpr number operator%(number n, Int d) noexcept(divide_never_throws) {
+    if (d == 0) return remainder_by_zero(n, d);
+    using wide = detail::units_t<Raw, FractionBits>;
+    // A divisor beyond the range leaves n.
+    const wide divisor = detail::units<Raw, FractionBits, overflow::saturate>(d);
+    return from_raw(static_cast<raw_type>(wide{n.raw_} % divisor));
+  }
+  template <detail::integer Int>
+  constexpr number& operator%=(Int b) noexcept(divide_never_throws) {
+    return *this = *this % b;
   }
   template <detail::integer Int>
   constexpr number& operator+=(Int b) noexcept(never_throws) {
@@ -326,24 +379,23 @@ class number {
   /// \}
 
  private:
-  /// Holds the sum, the difference or the negative of stored integers.
-  using sum_t = detail::signed_t<detail::signed_bits<Raw> + 1>;
   using operand = detail::operand<Raw, FractionBits>;
 
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
-
-  template <class Float>
-  [[nodiscard]] constexpr Float as_float() const noexcept {
-    const auto bits = static_cast<std::uint64_t>(raw_);
-    return detail::to_float<Float>(raw_ < 0 ? 0 - bits : bits, raw_ < 0, FractionBits);
-  }
 
   template <overflow O, class Wide, class... Operands>
   static constexpr number narrowed(const Wide& value, const char* operation,
                                    Operands... operands) noexcept(O != overflow::trap) {
     return from_raw(detail::narrow<O, raw_type>(
         value, [&] { detail::raise_overflow<FractionBits>(operation, operands.raw_...); }));
+  }
+
+  static constexpr number remainder_by_zero(number n, auto d) noexcept(divide_never_throws) {
+    if constexpr (!divide_never_throws) {
+      detail::raise<divide_error>("divide error", "operator%", operand{n.raw_}, d);
+    }
+    return {};
   }
 
   /// An integer as a stored integer; see detail::units.
@@ -371,6 +423,12 @@ class number {
     }));
   }
 
+ public:
+  /// The stored integer; use raw() and from_raw(). It is public because only a class without
+  /// private members can be the type of a template argument:
+  ///
+  ///     using half = std::integral_constant<q16_16, q16_16(0.5)>;
+  ///     static_assert(half::value * 2 == 1);
   raw_type raw_ = 0;
 };
 
@@ -380,7 +438,7 @@ class number {
 ///     static_assert(!try_divide(q16_16(1), q16_16(0)));
 ///     static_assert(!try_divide(q16_16_i8088(1), q16_16_i8088(0.5)));  // the whole part is 0
 template <class Raw, int FractionBits, policy P>
-constexpr std::optional<number<Raw, FractionBits, P>> try_divide(
+[[nodiscard]] constexpr std::optional<number<Raw, FractionBits, P>> try_divide(
     number<Raw, FractionBits, P> n, number<Raw, FractionBits, P> d) noexcept {
   if (detail::try_division<Raw, FractionBits, P>(n.raw(), d.raw()) != detail::division::done) {
     return std::nullopt;

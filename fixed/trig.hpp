@@ -1,7 +1,8 @@
 /// \file
-/// Sine and cosine. The overloads for numbers take radians. The overloads for integers take tenths
-/// of a degree, as CosSin of FIXED.ASM does, and name the type of the result. Radians need 8.8 or
-/// 16.16; tenths of a degree need a signed type of at most 32 bits that can represent 1.
+/// Sine and cosine. sin, cos and sin_cos take radians. sin_of_tenths and so on take integers in
+/// tenths of a degree, as CosSin of FIXED.ASM does, and name the type of the result. Radians
+/// need 8.8 or 16.16; tenths of a degree need a signed type of at most 32 bits that can
+/// represent 1.
 #pragma once
 
 #include <concepts>
@@ -15,7 +16,7 @@
 
 namespace fixproof {
 
-/// The result of sin_cos().
+/// The result of sin_cos() and sin_cos_of_tenths().
 template <class Number>
 struct cos_sin {
   Number cos;  ///< The cosine.
@@ -28,15 +29,16 @@ struct cos_sin {
 /// The cosine and the sine of an angle in tenths of a degree, each rounded to nearest. Accepts any
 /// value of any integer type; the period is 3600. The same under every policy.
 ///
-///     const auto [cos, sin] = fixproof::sin_cos<fixproof::q16_16>(450);
-///     static_assert(sin_cos<q16_16>(-3300) == sin_cos<q16_16>(300));  // the period is 3600
-///     static_assert(fixproof::sin<q16_16>(300) == q16_16(0.5));
+///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(450);
+///     // The period is 3600.
+///     static_assert(sin_cos_of_tenths<q16_16>(-3300) == sin_cos_of_tenths<q16_16>(300));
+///     static_assert(fixproof::sin_of_tenths<q16_16>(300) == q16_16(0.5));
 template <class Number>
-constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr cos_sin<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
   static_assert(std::is_signed_v<typename Number::raw_type> &&
                     detail::bits_of<typename Number::raw_type> <= 32 &&
                     Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2,
-                "the result of sin, cos and sin_cos of an integer is a signed number of at most 32 "
+                "the result of sin_cos_of_tenths() is a signed number of at most 32 "
                 "bits that can represent 1");
   constexpr int turn = 3600;
   constexpr int quarter = turn / 4;
@@ -61,16 +63,16 @@ constexpr cos_sin<Number> sin_cos(std::integral auto angle) noexcept {
   }
 }
 
-/// The cosine of an angle in tenths of a degree; see sin_cos().
+/// The cosine of an angle in tenths of a degree; see sin_cos_of_tenths().
 template <class Number>
-constexpr Number cos(std::integral auto angle) noexcept {
-  return sin_cos<Number>(angle).cos;
+[[nodiscard]] constexpr Number cos_of_tenths(std::integral auto angle) noexcept {
+  return sin_cos_of_tenths<Number>(angle).cos;
 }
 
-/// The sine of an angle in tenths of a degree; see sin_cos().
+/// The sine of an angle in tenths of a degree; see sin_cos_of_tenths().
 template <class Number>
-constexpr Number sin(std::integral auto angle) noexcept {
-  return sin_cos<Number>(angle).sin;
+[[nodiscard]] constexpr Number sin_of_tenths(std::integral auto angle) noexcept {
+  return sin_cos_of_tenths<Number>(angle).sin;
 }
 
 /// The number nearest to the sine of any angle in radians, under every policy; there are no ties.
@@ -79,7 +81,7 @@ constexpr Number sin(std::integral auto angle) noexcept {
 ///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
 template <class Raw, int F, policy P>
 requires detail::has_radians<Raw, F>
-constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
+[[nodiscard]] constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
   return number<Raw, F, P>::from_raw(static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), 0)));
 }
 
@@ -88,7 +90,7 @@ constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
 ///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
 template <class Raw, int F, policy P>
 requires detail::has_radians<Raw, F>
-constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
+[[nodiscard]] constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
   return number<Raw, F, P>::from_raw(
       static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
 }
@@ -98,7 +100,7 @@ constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
 ///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
 template <class Raw, int F, policy P>
 requires detail::has_radians<Raw, F>
-constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
+[[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
   return {cos(angle), sin(angle)};
 }
 

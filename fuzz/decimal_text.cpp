@@ -79,7 +79,7 @@ std::string without_exponent(std::string_view number) {
     digits.append(exponent + 1, '0');
     whole += exponent;
   }
-  digits.insert(whole, ".");
+  digits.insert(whole, 1, '.');
   return (number[0] == '-' ? "-" : "") + digits;
 }
 

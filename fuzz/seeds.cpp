@@ -194,7 +194,7 @@ void write_command_lines(const fs::path& root) {
                            "verify mul --case 00018000 --case 00028000",
                            "verify --level 2 --resume r.json --shard 1/9",
                            "merge file --report sum.json",
-                           "gen div --level 1 --cases 20 -o cases",
+                           "gen div --level 1 --cases 20 --comments -o cases",
                            "gen mul --level 2",
                            "check mul --rounding half-up --from file",
                            "check sqrt file --show 2",

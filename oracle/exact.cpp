@@ -31,6 +31,14 @@ std::optional<Word> i8088(Word n, Word d, Rounding rule, int fraction_bits) {
 
 }  // namespace
 
+Word add(Word a, Word b, int fraction_bits) {
+  return wrap(ulps(a, fraction_bits) + ulps(b, fraction_bits), word_bits(fraction_bits));
+}
+
+Word sub(Word a, Word b, int fraction_bits) {
+  return wrap(ulps(a, fraction_bits) - ulps(b, fraction_bits), word_bits(fraction_bits));
+}
+
 Word mul(Word a, Word b, Rounding rule, int fraction_bits) {
   return wrap(exact_product(a, b, rule, fraction_bits), word_bits(fraction_bits));
 }

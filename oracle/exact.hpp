@@ -12,6 +12,12 @@
 /// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16.
 namespace oracle {
 
+/// a + b.
+[[nodiscard]] Word add(Word a, Word b, int fraction_bits);
+
+/// a - b.
+[[nodiscard]] Word sub(Word a, Word b, int fraction_bits);
+
 /// a * b.
 [[nodiscard]] Word mul(Word a, Word b, Rounding rule, int fraction_bits);
 

@@ -77,6 +77,16 @@ namespace detail {
   return static_cast<Word>(value) & (~Word{0} >> detail::unused_bits(fraction_bits));
 }
 
+/// a + b in ulps, before reduction to a word.
+[[nodiscard]] constexpr std::int64_t exact_sum(Word a, Word b, int fraction_bits) {
+  return detail::ulps(a, fraction_bits) + detail::ulps(b, fraction_bits);
+}
+
+/// a - b in ulps, before reduction to a word.
+[[nodiscard]] constexpr std::int64_t exact_difference(Word a, Word b, int fraction_bits) {
+  return detail::ulps(a, fraction_bits) - detail::ulps(b, fraction_bits);
+}
+
 /// a * b in ulps, before reduction to a word.
 [[nodiscard]] constexpr std::int64_t exact_product(Word a, Word b, Rounding rule,
                                                    int fraction_bits) {

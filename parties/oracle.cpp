@@ -123,6 +123,10 @@ class Oracle final : public Party {
               word_of_ulps(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits),
                            bits),
               out);
+        case cases::Operation::add:
+          return store(oracle::add(in[0], in[1], bits), out);
+        case cases::Operation::sub:
+          return store(oracle::sub(in[0], in[1], bits), out);
         case cases::Operation::binary64:
           break;
       }
@@ -181,6 +185,15 @@ class FastOracle final : public Party {
       case cases::Operation::cos:
         return each_case(v, batch, [&](auto in, auto out) {
           return store(oracle::fast::cos(in[0], bits), out);
+        });
+      case cases::Operation::add:
+        return each_case(v, batch, [&](auto in, auto out) {
+          return store(oracle::fast::wrap(oracle::fast::exact_sum(in[0], in[1], bits), bits), out);
+        });
+      case cases::Operation::sub:
+        return each_case(v, batch, [&](auto in, auto out) {
+          return store(oracle::fast::wrap(oracle::fast::exact_difference(in[0], in[1], bits), bits),
+                       out);
         });
       default:
         return each_case(v, batch, [](auto in, auto out) { return store(in[0], out); });

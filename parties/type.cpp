@@ -24,7 +24,7 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
     out[0] = word_of(*quotient);
   } else if constexpr (operation == cases::Operation::cossin) {
     const auto angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(in[0]));
-    const auto [cos, sin] = fixproof::sin_cos<Number>(angle);
+    const auto [cos, sin] = fixproof::sin_cos_of_tenths<Number>(angle);
     out[0] = word_of(cos);
     out[1] = word_of(sin);
   } else if constexpr (operation == cases::Operation::xformvec) {
@@ -58,6 +58,10 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
     const auto read = fixproof::from_chars(text.data(), written.ptr, back);
     if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
     out[0] = word_of(back);
+  } else if constexpr (operation == cases::Operation::add) {
+    out[0] = word_of(operand(0) + operand(1));
+  } else if constexpr (operation == cases::Operation::sub) {
+    out[0] = word_of(operand(0) - operand(1));
   } else {
     out[0] = word_of(Number(static_cast<double>(operand(0))));
   }
@@ -99,6 +103,10 @@ void each_case(const cases::Variant& v, const Batch& batch) {
       return each_case<Number, decimal>(v, batch);
     case binary64:
       return each_case<Number, binary64>(v, batch);
+    case add:
+      return each_case<Number, add>(v, batch);
+    case sub:
+      return each_case<Number, sub>(v, batch);
   }
 }
 

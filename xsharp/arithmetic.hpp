@@ -85,7 +85,7 @@ struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
   static constexpr std::optional<N> divide(N n, N d) { return fixproof::try_divide(n, d); }
   static constexpr bool divides_by_whole_part = P.divisor == fixproof::divisor_width::whole_part;
   static constexpr Turn<N> turn(std::int32_t tenths) {
-    const auto [cos, sin] = fixproof::sin_cos<N>(tenths);
+    const auto [cos, sin] = fixproof::sin_cos_of_tenths<N>(tenths);
     return {cos, sin};
   }
   static constexpr N midpoint(N a, N b) { return N::from_raw(std::midpoint(a.raw(), b.raw())); }

@@ -2,7 +2,6 @@
 /// The exact decimal text of stored integers.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,7 +18,7 @@ constexpr int decimal_digits(int bits) noexcept { return bits * 30103 / 100000; 
 /// The longest decimal text: sign, whole part, point, and one fraction digit per fraction bit.
 template <class Raw, int FractionBits>
 inline constexpr std::size_t max_decimal_chars =
-    1 + decimal_digits((std::max)(bits_of<Raw> - FractionBits, 0)) + 1 + 1 + FractionBits;
+    1 + decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1 + 1 + FractionBits;
 
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
 /// \param out a buffer of max_decimal_chars

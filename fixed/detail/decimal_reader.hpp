@@ -2,7 +2,6 @@
 /// Reads decimal text of any length and exponent with one rounding.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -73,13 +72,13 @@ class decimal_reader {
     if (position > parts_t::whole_digits) return std::nullopt;
     // So many zeros leave only the sticky bit.
     constexpr std::int64_t lowest = -parts_t::fraction_digits;
-    const auto places = static_cast<int>((std::max)(position, lowest));
+    const auto places = static_cast<int>(position < lowest ? lowest : position);
     parts_t parts;
     parts.negative = negative_;
     parts.more = more_;
-    parts.read = (std::max)(-places, 0);
+    parts.read = larger(-places, 0);
     for (int i = 0; i < places; ++i) parts.add_whole(i < count_ ? digit_of(digits_[index(i)]) : 0);
-    for (int i = (std::max)(places, 0); i < count_; ++i) {
+    for (int i = larger(places, 0); i < count_; ++i) {
       parts.add_fraction(digit_of(digits_[index(i)]));
     }
     return parts.template rounded<R>();

@@ -2,7 +2,6 @@
 /// Rounds the decimal digits of a number to a stored integer.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -25,17 +24,16 @@ namespace fixproof::detail {
 template <class Raw, int FractionBits>
 struct decimal_parts {
   /// 10^whole_digits is beyond the range.
-  static constexpr int whole_digits =
-      decimal_digits((std::max)(bits_of<Raw> - FractionBits, 0)) + 1;
+  static constexpr int whole_digits = decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1;
   /// 10^17 is a multiple of the power of two of every format whose reader calculates in 64 bits.
-  static constexpr int fraction_digits = (std::max)(FractionBits + 1, 17);
+  static constexpr int fraction_digits = larger(FractionBits + 1, 17);
 
   /// Holds 10^(whole_digits + 1).
-  using whole_t = signed_t<(std::max)(64, bits_of<Raw> - FractionBits + 8)>;
+  using whole_t = signed_t<larger(64, bits_of<Raw> - FractionBits + 8)>;
   /// Holds 4 * 10^fraction_digits.
-  using fraction_t = signed_t<(std::max)(64, (fraction_digits * 33220 + 9999) / 10000 + 3)>;
+  using fraction_t = signed_t<larger(64, (fraction_digits * 33220 + 9999) / 10000 + 3)>;
   /// Holds 10^whole_digits * 2^FractionBits.
-  using wide = signed_t<(std::max)(64, bits_of<Raw> + 6)>;
+  using wide = signed_t<larger(64, bits_of<Raw> + 6)>;
 
   template <class Int>
   static constexpr Int times_power_of_ten(Int x, int exponent) noexcept {

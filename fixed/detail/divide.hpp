@@ -2,7 +2,6 @@
 /// Division under a policy: the quotient and the error conditions.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -42,8 +41,10 @@ inline constexpr int numerator_shift = P.divisor == divisor_width::full ? Fracti
 /// limit for a divisor that falls to zero; 0 / 0 is 0.
 template <class Raw>
 constexpr Raw limit_toward_zero(Raw n) noexcept {
-  using limits = std::numeric_limits<Raw>;
-  const Raw end = n < 0 ? (limits::min)() : (limits::max)();
+  // The sign bit in every place for a signed Raw, and 0 for an unsigned one.
+  const auto sign = static_cast<Raw>(n >> std::numeric_limits<Raw>::digits % bits_of<Raw>);
+  const Raw highest = (std::numeric_limits<Raw>::max)();
+  const auto end = std::is_signed_v<Raw> ? static_cast<Raw>(sign ^ highest) : highest;
   return n == 0 ? Raw{0} : end;
 }
 
@@ -55,8 +56,7 @@ inline constexpr bool has_fast_quotient =
 
 /// Holds a numerator after its shift, and every quotient.
 template <class Raw, int FractionBits, policy P>
-using quotient_t =
-    signed_t<(std::max)(64, signed_bits<Raw> + numerator_shift<FractionBits, P> + 1)>;
+using quotient_t = signed_t<larger(64, signed_bits<Raw> + numerator_shift<FractionBits, P> + 1)>;
 
 /// The rounded quotient. \param divisor the effective one, not zero
 template <class Raw, int FractionBits, policy P>
@@ -99,7 +99,7 @@ constexpr Raw total_divide(Raw n, Raw d) noexcept {
 template <class Raw, int FractionBits, policy P>
 constexpr bool exceeds_unsigned(Raw n, divisor_t<Raw> divisor) noexcept {
   constexpr int shift = bits_of<Raw> - numerator_shift<FractionBits, P>;
-  using wide = signed_t<(std::max)(64, signed_bits<Raw> + 1 + shift)>;
+  using wide = signed_t<larger(64, signed_bits<Raw> + 1 + shift)>;
   const wide numerator{n};
   const auto magnitude = static_cast<wide>(divisor);
   const wide zero{0};

@@ -3,7 +3,6 @@
 /// mode and flushed denormals have no effect.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -65,27 +64,38 @@ constexpr scaled_float<Wide> scale(Float x, int scale) noexcept {
   return {kind::beyond, negative, Wide{static_cast<std::int64_t>(low)}};
 }
 
-/// raw / 2^fraction_bits to the nearest Float, ties to even.
-template <binary_float Float>
-constexpr Float to_float(std::uint64_t magnitude, bool negative, int fraction_bits) noexcept {
+/// raw / 2^FractionBits to the nearest Float, ties to even.
+template <binary_float Float, int FractionBits, class Raw>
+constexpr Float to_float(Raw raw) noexcept {
+  // Signed for narrow numbers, which is faster.
+  using word =
+      std::conditional_t<(sizeof(Raw) < sizeof(std::int64_t)), std::int64_t, std::uint64_t>;
   constexpr int digits = std::numeric_limits<Float>::digits;
-  const auto width = static_cast<int>(std::bit_width(magnitude));
+  const bool negative = raw < 0;
+  const word magnitude = negative ? word{0} - static_cast<word>(raw) : static_cast<word>(raw);
+  const auto width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
   const int dropped = width > digits ? width - digits : 0;
-  std::uint64_t kept = magnitude >> dropped;
+  word kept = magnitude >> dropped;
   if (dropped > 0) {
-    const std::uint64_t rest = magnitude - (kept << dropped);
-    const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+    const word rest = magnitude - (kept << dropped);
+    const word half = word{1} << (dropped - 1);
     kept += rest > half || (rest == half && kept % 2 != 0) ? 1 : 0;
   }
   // Every step from here on is exact: the digits of a Float and powers of two.
-  auto value = static_cast<Float>(static_cast<std::int64_t>(negative ? 0 - kept : kept));
-  for (int scale = dropped - fraction_bits; scale != 0;) {
-    const int step = scale < 0 ? (std::min)(-scale, 62) : (std::min)(scale, 62);
-    const auto power = static_cast<Float>(std::int64_t{1} << step);
-    value = scale < 0 ? value / power : value * power;
-    scale += scale < 0 ? step : -step;
+  if constexpr (std::is_signed_v<word>) {
+    const word rounded = kept << dropped;
+    return static_cast<Float>(negative ? -rounded : rounded) /
+           static_cast<Float>(word{1} << FractionBits);
+  } else {
+    auto value = static_cast<Float>(static_cast<std::int64_t>(negative ? 0 - kept : kept));
+    for (int scale = dropped - FractionBits; scale != 0;) {
+      const int step = scale < -62 || scale > 62 ? 62 : scale < 0 ? -scale : scale;
+      const auto power = static_cast<Float>(std::int64_t{1} << step);
+      value = scale < 0 ? value / power : value * power;
+      scale += scale < 0 ? step : -step;
+    }
+    return value;
   }
-  return value;
 }
 
 }  // namespace fixproof::detail

@@ -2,7 +2,6 @@
 /// Arithmetic with the integers that mix with numbers.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -28,8 +27,7 @@ constexpr Wide reduced(Int value) noexcept {
 
 /// Holds the product of a factor() and a Raw.
 template <class Raw>
-using factor_product_t =
-    signed_t<(std::max)(64, 2 * bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2))>;
+using factor_product_t = signed_t<larger(64, 2 * bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2))>;
 
 /// An integer for products. The limit leaves every range of Raw.
 template <class Raw, overflow O, integer Int>
@@ -39,7 +37,7 @@ constexpr factor_product_t<Raw> factor(Int value) noexcept {
 
 /// Holds the sum of units() and a Raw.
 template <class Raw, int FractionBits>
-using units_t = signed_t<(std::max)(64, (bits_of<Raw> == 64 ? 66 : 36) + FractionBits)>;
+using units_t = signed_t<larger(64, (bits_of<Raw> == 64 ? 66 : 36) + FractionBits)>;
 
 /// An integer in units of 2^-FractionBits, for sums. With the limit, every sum leaves the range.
 template <class Raw, int FractionBits, overflow O, integer Int>

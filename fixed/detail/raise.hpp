@@ -65,12 +65,14 @@ template <class Error, class... Operands>
 [[noreturn]] void raise(std::string_view what, std::string_view operation, Operands... operands) {
   std::string text = "fixed-point ";
   text.append(what).append(": ").append(operation);
-  const char* separator = "(";
-  for (const std::string& operand : {describe(operands)...}) {
-    text.append(separator).append(operand);
-    separator = ", ";
+  if constexpr (sizeof...(operands) > 0) {
+    const char* separator = "(";
+    for (const std::string& operand : {describe(operands)...}) {
+      text.append(separator).append(operand);
+      separator = ", ";
+    }
+    text += ')';
   }
-  text += ')';
   throw_error<Error>(text.c_str());
 }
 

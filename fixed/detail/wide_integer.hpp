@@ -20,6 +20,10 @@ class wide_integer;
 using int128 = wide_integer<2>;
 #endif
 
+// Freestanding libraries may lack <algorithm>.
+constexpr int larger(int a, int b) noexcept { return a < b ? b : a; }
+constexpr int largest(int a, int b, int c) noexcept { return larger(a, larger(b, c)); }
+
 /// The product of two words.
 struct two_words {
   std::uint64_t low;
@@ -126,6 +130,12 @@ class wide_integer {
       }
     }
     return result;
+  }
+
+  /// The remainder with the sign of a. \pre b is not zero; both have a bit to spare
+  friend constexpr wide_integer operator%(const wide_integer& a, const wide_integer& b) noexcept {
+    const wide_integer rest = divide(a.negative() ? -a : a, b.negative() ? -b : b).remainder;
+    return a.negative() ? -rest : rest;
   }
 
   /// \pre 0 <= bits < 64 Words

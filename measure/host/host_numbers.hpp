@@ -40,8 +40,8 @@ struct MeasuredNumber<fixproof::number<std::int32_t, 16, P>> {
   static double in_units(N x) { return x.raw(); }
   static N root(N x) { return fixproof::sqrt(x); }
   /// The cosine of as many tenths of a degree as `x` has units.
-  static N cosine(N x) { return fixproof::cos<N>(x.raw()); }
-  static N sine(N x) { return fixproof::sin<N>(x.raw()); }
+  static N cosine(N x) { return fixproof::cos_of_tenths<N>(x.raw()); }
+  static N sine(N x) { return fixproof::sin_of_tenths<N>(x.raw()); }
   static N sine_of_radians(N x) { return fixproof::sin(x); }
 };
 

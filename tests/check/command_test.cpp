@@ -35,6 +35,46 @@ TEST(CheckCommand, WrongResults) {
                   "exact -1 + 1/2 ulp, tie");
 }
 
+// The answers of an unrounded divide, with the sign of the dividend 80000000 lost.
+TEST(CheckCommand, WhatWrongCasesHaveInCommon) {
+  const std::string gen = "div --cases 20000";
+  const std::string rules = " --rounding toward-zero --overflow de";
+  const auto cases = command::split(command::output_of("gen " + gen), '\n');
+  const auto answers = command::split(
+      command::output_of("eval div --target i386 --round off", command::output_of("gen " + gen)),
+      '\n');
+  std::string planted;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i + 1 < cases.size(); ++i) {
+    const bool lost = cases[i].starts_with("80000000 ") && answers[i] != "DE";
+    if (lost) ++wrong;
+    planted += (lost ? "00000000" : answers[i]) + "\n";
+  }
+  const auto run = command::fixproof("check " + gen + rules, planted);
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out, fmt::format("What the wrong cases have in common:\n"
+                                       "  every wrong result is 00000000: all {0}\n"
+                                       "  every wrong case has dividend 80000000: all {0}, and ",
+                                       wrong));
+}
+
+// The type's standard rules wrap sums and differences.
+TEST(CheckCommand, SumsAndDifferences) {
+  for (const std::string operation : {"add", "sub"}) {
+    const std::string cases = command::output_of("gen " + operation + " --cases 5000");
+    const std::string answers = command::output_of("eval " + operation, cases);
+    const auto wraps = command::fixproof("check " + operation + " --cases 5000", answers);
+    EXPECT_EQ(wraps.status, 0) << wraps.out << wraps.err;
+    expect_contains(wraps.out, operation + ": exact, overflow wrap; cases of fixproof gen");
+    expect_contains(wraps.out, "  in range         exact on all ");
+    expect_contains(wraps.out, "  overflow         wraps on all ");
+    const auto clamps =
+        command::fixproof("check " + operation + " --cases 5000 --overflow saturate", answers);
+    EXPECT_EQ(clamps.status, 1) << clamps.err;
+    expect_contains(clamps.out, "every wrong case overflows: all ");
+  }
+}
+
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);
@@ -132,8 +172,9 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
 TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check", "operation");
   expect_refused("check mul", "--rounding");
-  expect_refused("check concat --rounding floor", "choose mul, div or sqrt");
-  expect_refused("check add --rounding floor", "unknown operation");
+  expect_refused("check concat --rounding floor", "choose mul, div, sqrt, add or sub");
+  expect_refused("check abs --rounding floor", "unknown operation");
+  expect_refused("check add --rounding floor", "--rounding applies only to mul, div and sqrt");
   expect_refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
   expect_refused("check mul --rounding floor --overflow clamp",
                  "wrap, saturate, symmetric, maximum, minimum, de, any");
@@ -152,9 +193,9 @@ TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check div --rounding floor --negative-root zero",
                  "--negative-root applies only to sqrt");
   expect_refused("check sqrt --rounding floor --overflow wrap",
-                 "--overflow applies only to mul and div");
+                 "--overflow applies only to mul, div, add and sub");
   expect_refused("gen", "operation");
-  expect_refused("gen add", "unknown operation");
+  expect_refused("gen abs", "unknown operation");
   expect_refused("gen mul --level 3", "whole number from 1 to 2");
   expect_refused("gen mul --shard 3/2", "--shard 3/2");
   expect_refused("gen mul --cases 0", "whole number");
@@ -163,12 +204,42 @@ TEST(CheckCommand, OptionsThatAreNone) {
 
 TEST(GenCommand, WritesTheCasesThatEvalReads) {
   const std::string cases = command::output_of("gen div --cases 2000");
-  EXPECT_TRUE(
-      cases.starts_with("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: "));
   const std::string answers = command::output_of("eval div --target i386 --round off", cases);
   const auto verdict =
       command::fixproof("check div --cases 2000 --rounding toward-zero --overflow de", answers);
   EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
+}
+
+// A program may split each line into operands without a thought of comments.
+TEST(GenCommand, WritesOnlyCases) {
+  const std::string cases = command::output_of("gen div --cases 2000");
+  auto lines = command::split(cases, '\n');
+  EXPECT_EQ(lines.size(), 2001U);
+  lines.pop_back();  // behind the last newline
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.size(), 17U) << line;
+    EXPECT_EQ(line.find_first_not_of("0123456789abcdef"), 8U) << line;
+  }
+}
+
+TEST(GenCommand, NamesTheStreamsIfAsked) {
+  const std::string commented = command::output_of("gen div --cases 2000 --comments");
+  EXPECT_TRUE(
+      commented.starts_with("# fixproof gen div --level 1 --cases 2000: 2000 cases\n# lattice: "));
+  std::string cases;
+  for (const std::string& line : command::split(commented, '\n')) {
+    if (!line.empty() && !line.starts_with('#')) cases += line + '\n';
+  }
+  EXPECT_EQ(cases, command::output_of("gen div --cases 2000"));
+  // Both forms are cases for check --from, and both have the answers of eval.
+  const ScratchFolder folder;
+  const std::string answers = command::output_of("eval div --target i386 --round off", commented);
+  for (const std::string& text : {commented, cases}) {
+    const auto verdict = command::fixproof(
+        "check div --rounding toward-zero --overflow de --from " + folder.write("cases", text),
+        answers);
+    EXPECT_EQ(verdict.status, 0) << verdict.out << verdict.err;
+  }
 }
 
 TEST(GenCommand, OfEveryOperationOfEval) {

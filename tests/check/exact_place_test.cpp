@@ -28,6 +28,12 @@ TEST(CheckPlace, OfProducts) {
   expect_place(Operation::mul, {0, 0xffffffff}, CaseKind::exact, "0", false);
 }
 
+TEST(CheckPlace, OfSumsAndDifferences) {
+  expect_place(Operation::add, {0x7fffffff, 1}, CaseKind::exact, "2147483648", false);
+  expect_place(Operation::add, {0xffffffff, 0}, CaseKind::exact, "-1", true);
+  expect_place(Operation::sub, {0x80000000, 1}, CaseKind::exact, "-2147483649", true);
+}
+
 TEST(CheckPlace, OfQuotients) {
   // 2 / 3 is 43690 2/3 ulps.
   expect_place(Operation::div, {0x20000, 0x30000}, CaseKind::between, "43690 + 2/3", false);

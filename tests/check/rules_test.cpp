@@ -48,6 +48,21 @@ TEST(CheckRules, QuotientsByEveryRounding) {
   EXPECT_EQ(quotient(Rounding::truncate), 0U);
 }
 
+TEST(CheckRules, SumsAndDifferences) {
+  const Words ends{0x7fffffff, minus_one_ulp};
+  const auto result = [&](Operation operation, Overflow overflow, const Words& words) {
+    return expected_word({.operation = operation, .overflow = overflow}, words);
+  };
+  EXPECT_EQ(result(Operation::add, Overflow::saturate, ends), 0x7ffffffeU);
+  EXPECT_EQ(result(Operation::sub, Overflow::saturate, ends), 0x7fffffffU);
+  EXPECT_EQ(result(Operation::sub, Overflow::wrap, ends), 0x80000000U);
+  EXPECT_EQ(result(Operation::sub, Overflow::error, ends), Said());
+  const Words lowest_twice{0x80000000, 0x80000000};
+  EXPECT_EQ(result(Operation::add, Overflow::wrap, lowest_twice), 0U);
+  EXPECT_EQ(result(Operation::add, Overflow::symmetric, lowest_twice), 0x80000001U);
+  EXPECT_EQ(result(Operation::sub, Overflow::symmetric, lowest_twice), 0U);
+}
+
 TEST(CheckRules, RootsToNearestAndDown) {
   // The square root of 2 is 92681.90 ulps.
   for (const Rounding nearest : {Rounding::half_up, Rounding::half_away, Rounding::half_even}) {

@@ -1,9 +1,8 @@
 // Tests that subjects with one planted defect each are recognised: by the kinds of their wrong
 // cases, and by the guessed rule.
-#include "check/cases.hpp"
 #include "check/guess_text.hpp"
-#include "check/judge.hpp"
 #include "check/verdict_text.hpp"
+#include "tests/check/judged.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
@@ -16,31 +15,7 @@ using fixproof::check::Overflow;
 using fixproof::check::Rules;
 using fixproof::check::Said;
 using oracle::Rounding;
-using SubjectFunction = std::function<Said(std::int64_t, std::int64_t)>;
-
-constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
-
-Said word(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
-
-Judge judged(const Rules& rules, const SubjectFunction& subject) {
-  fixproof::check::CaseOptions options;
-  options.cases = 60'000;
-  fixproof::check::GeneratedCases cases(rules.operation, options);
-  Judge judge(rules, 3);
-  fixproof::check::JudgedCase one;
-  const auto words = std::span(one.words).first(fixproof::cases::words_in(rules.operation));
-  while (cases.next(words)) {
-    ++one.number;
-    one.origin = "stream";
-    one.said =
-        subject(static_cast<std::int32_t>(one.words[0]), static_cast<std::int32_t>(one.words[1]));
-    judge.add(one);
-  }
-  EXPECT_EQ(judge.cases(), *cases.count());
-  return judge;
-}
-
+using namespace subjects;
 /// Expects wrong cases of only these kinds; with `negative_alone`, only for results below 0.
 void expect_wrong(const Judge& judge, std::initializer_list<CaseKind> kinds,
                   bool negative_alone = false) {
@@ -59,15 +34,6 @@ void expect_wrong(const Judge& judge, std::initializer_list<CaseKind> kinds,
 void expect_guess(const Judge& judge, std::string_view part) {
   const std::string text = fixproof::check::guess_text(judge);
   EXPECT_NE(text.find(part), std::string::npos) << text;
-}
-
-constexpr Rules mul_half_up{.operation = Operation::mul, .rounding = Rounding::half_up};
-constexpr Rules div_truncated{.operation = Operation::div, .rounding = Rounding::truncate};
-
-std::int64_t half_up(std::int64_t product) { return (product + 32768) >> 16; }
-
-Said truncated_quotient(std::int64_t a, std::int64_t b) {
-  return b == 0 ? Said() : word(a * 65536 / b);
 }
 
 TEST(CheckSabotage, ASoundMultiplyHasNothingWrong) {

@@ -17,7 +17,7 @@ TEST(Usage, NamesWhatIsMissingOrUnknown) {
            {"eval", "operation"},
            {"trace", "routine"},
            {"list", "routine"},
-           {"eval add", "add"},
+           {"eval abs", "abs"},
            {"eval MUL", "MUL"},
            {"trace add 00000000", "add"},
            {"list add", "add"},
@@ -47,7 +47,7 @@ TEST(Usage, NamesWhatIsMissingOrUnknown) {
 }
 
 TEST(Usage, OperationsThatAreNoRoutines) {
-  for (const std::string_view name : {"sqrt", "sin", "cos", "decimal", "binary64"}) {
+  for (const std::string_view name : {"sqrt", "add", "sin", "cos", "decimal", "binary64"}) {
     for (const std::string_view command : {"list ", "trace "}) {
       expect_refused(fmt::format("{}{}", command, name), name);
     }
@@ -56,6 +56,14 @@ TEST(Usage, OperationsThatAreNoRoutines) {
       expect_refused(fmt::format("eval {} {}", name, option), "is not a routine");
     }
     expect_refused(fmt::format("eval {} --by model", name), "model does not answer");
+  }
+}
+
+TEST(Usage, VerifyHasNoSums) {
+  for (const std::string_view name : {"add", "sub"}) {
+    expect_refused(fmt::format("verify {}", name),
+                   fmt::format("verify does not compare {}; `fixproof check", name));
+    expect_refused(fmt::format("verify mul {}", name), "verify does not compare");
   }
 }
 

@@ -118,6 +118,7 @@ static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
 static_assert(sin(q16_16()) == q16_16());
 static_assert(sin(q8_8(1)).raw() == 215);  // 215.42
 // An integer argument is in tenths of a degree and needs the type; a number is in radians.
-static_assert(sin<q16_16>(900) == q16_16(1) && sin(q16_16(900)).raw() == 65392);  // 65392.04
+static_assert(sin_of_tenths<q16_16>(900) == q16_16(1) &&
+              sin(q16_16(900)).raw() == 65392);  // 65392.04
 
 }  // namespace

@@ -52,11 +52,11 @@ void expect_every_angle() {
                     : a <= 1800 ? entry(a - 900)
                     : a <= 2700 ? -entry(2700 - a)
                                 : -entry(a - 2700);
-    const auto result = sin_cos<Number>(static_cast<std::int16_t>(angle));
+    const auto result = sin_cos_of_tenths<Number>(static_cast<std::int16_t>(angle));
     ASSERT_EQ(result.cos.raw(), cos) << angle;
     ASSERT_EQ(result.sin.raw(), sin) << angle;
-    ASSERT_EQ(fixproof::cos<Number>(static_cast<std::int16_t>(angle)), result.cos);
-    ASSERT_EQ(fixproof::sin<Number>(static_cast<std::int16_t>(angle)), result.sin);
+    ASSERT_EQ(fixproof::cos_of_tenths<Number>(static_cast<std::int16_t>(angle)), result.cos);
+    ASSERT_EQ(fixproof::sin_of_tenths<Number>(static_cast<std::int16_t>(angle)), result.sin);
   }
 }
 
@@ -67,19 +67,21 @@ TEST(Trig, EveryAngle) {
 }
 
 TEST(Trig, WholeTurnsDoNotCountInAnyType) {
-  const auto tenth = sin_cos<q16_16>(300);
-  EXPECT_EQ(sin_cos<q16_16>(36300), tenth);
-  EXPECT_EQ(sin_cos<q16_16>(36300U), tenth);
-  EXPECT_EQ(sin_cos<q16_16>(3'600'000'000'000'300), tenth);
-  EXPECT_EQ(sin_cos<q16_16>(std::int8_t{100}), sin_cos<q16_16>(100));
+  const auto tenth = sin_cos_of_tenths<q16_16>(300);
+  EXPECT_EQ(sin_cos_of_tenths<q16_16>(36300), tenth);
+  EXPECT_EQ(sin_cos_of_tenths<q16_16>(36300U), tenth);
+  EXPECT_EQ(sin_cos_of_tenths<q16_16>(3'600'000'000'000'300), tenth);
+  EXPECT_EQ(sin_cos_of_tenths<q16_16>(std::int8_t{100}), sin_cos_of_tenths<q16_16>(100));
   // These are -2^63 and 2^64 - 1 modulo 3600.
-  EXPECT_EQ(sin_cos<q16_16>(std::numeric_limits<std::int64_t>::min()), sin_cos<q16_16>(1792));
-  EXPECT_EQ(sin_cos<q16_16>(std::numeric_limits<std::uint64_t>::max()), sin_cos<q16_16>(15));
+  EXPECT_EQ(sin_cos_of_tenths<q16_16>(std::numeric_limits<std::int64_t>::min()),
+            sin_cos_of_tenths<q16_16>(1792));
+  EXPECT_EQ(sin_cos_of_tenths<q16_16>(std::numeric_limits<std::uint64_t>::max()),
+            sin_cos_of_tenths<q16_16>(15));
 }
 
 TEST(Trig, KnownAngles) {
   const auto expect = [](int angle, std::int32_t cos, std::int32_t sin) {
-    const auto result = sin_cos<q16_16>(static_cast<std::int16_t>(angle));
+    const auto result = sin_cos_of_tenths<q16_16>(static_cast<std::int16_t>(angle));
     EXPECT_EQ(result.cos.raw(), cos) << angle;
     EXPECT_EQ(result.sin.raw(), sin) << angle;
   };

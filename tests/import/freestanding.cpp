@@ -45,7 +45,7 @@ void arithmetic(expectation& expect) {
   const std::array<Number, 2> terms{six, two};
   expect(dot(terms, terms) == Number(40));
   const volatile int angle = 2700;
-  expect(sin<Number>(angle) == Number(-1) && cos<Number>(angle) == Number());
+  expect(sin_of_tenths<Number>(angle) == Number(-1) && cos_of_tenths<Number>(angle) == Number());
   expect(floor(two) == two && ceil(six) == six && round(six) == six && trunc(two) == two);
   expect(static_cast<int>(six) == 6 && to_integer<rounding::floor>(two) == -2);
 }

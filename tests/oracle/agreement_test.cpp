@@ -18,6 +18,13 @@ testing::AssertionResult agree(Word a, Word b, int fraction_bits) {
     return testing::AssertionFailure() << what << " of " << std::hex << a << ", " << b << std::dec
                                        << ", rule " << rule << ", fraction bits " << fraction_bits;
   };
+  if (add(a, b, fraction_bits) != fast::wrap(fast::exact_sum(a, b, fraction_bits), fraction_bits)) {
+    return differ("sum", 0);
+  }
+  if (sub(a, b, fraction_bits) !=
+      fast::wrap(fast::exact_difference(a, b, fraction_bits), fraction_bits)) {
+    return differ("difference", 0);
+  }
   for (std::size_t i = 0; i < test::kRoundings.size(); ++i) {
     const Rounding rule = test::kRoundings[i];
     const Integer product = exact_product(a, b, rule, fraction_bits);

@@ -33,6 +33,17 @@ void expect_mul(Word a, Word b, const ProductsByRule& expected) {
   }
 }
 
+TEST(OracleAdd, SumsAndDifferencesWrap) {
+  EXPECT_EQ(add(0x18000, kMinusHalf, 16), 0x10000U);
+  EXPECT_EQ(sub(0x18000, kMinusHalf, 16), 0x20000U);
+  EXPECT_EQ(add(kMost, 1, 16), kLeast);
+  EXPECT_EQ(add(kLeast, kLeast, 16), 0U);
+  EXPECT_EQ(sub(kLeast, 1, 16), kMost);
+  EXPECT_EQ(sub(0, kLeast, 16), kLeast);
+  EXPECT_EQ(add(0x7fff, 1, 8), 0x8000U);
+  EXPECT_EQ(sub(0, 1, 8), 0xffffU);
+}
+
 TEST(OracleMul, ExactProductsNeedNoRule) {
   expect_mul(0x18000, 0x18000, {0x24000, 0x24000, 0x24000, 0x24000, 0x24000});
   expect_mul(kMinusOne, 0x18000, {0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000});

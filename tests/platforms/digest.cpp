@@ -104,7 +104,7 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
     case 6:
       return returning([&] { digest.add(sqrt(a)); });
     case 7: {
-      const auto [cosine, sine] = sin_cos<N>(static_cast<std::int32_t>(draw.word()));
+      const auto [cosine, sine] = sin_cos_of_tenths<N>(static_cast<std::int32_t>(draw.word()));
       digest.add(cosine);
       digest.add(sine);
       return;

@@ -60,7 +60,7 @@ std::string first_wrong(N a) {
     return "round";
   const auto ceiling = in_range<N>(-below(-x, one<N>()) * one<N>(), rules.range);
   if (outcome([&] { return ceil(a); }) != ceiling) return "ceil";
-  const integer magnitude = x < 0 ? integer(-x) : x;
+  const integer magnitude = x < 0 ? -x : x;
   if (outcome([&] { return fixproof::abs(a); }) != in_range<N>(magnitude, rules.range))
     return "abs";
   std::optional<integer> expected = integer(0);

@@ -45,7 +45,7 @@ bool is_nearest(Float y, N x) {
   const auto distance = [&](Float to) {
     const Parts p = parts_of(static_cast<double>(to));
     const integer other = p.m * reference::power(2, 200 + p.e);
-    return other < value ? integer(value - other) : integer(other - value);
+    return other < value ? value - other : other - value;
   };
   if (y == 0) return value == 0;
   const integer here = distance(y);
@@ -128,7 +128,7 @@ TYPED_TEST(FormatConversions, FromText) {
   for (const N x : reference::operands<N>(60)) {
     // A tie: the exact text of the number in a format with one more bit, then its neighbours.
     const integer twice = 2 * reference::raw(x) + 1;
-    const integer magnitude = twice < 0 ? integer(-twice) : twice;
+    const integer magnitude = twice < 0 ? -twice : twice;
     const integer digits = magnitude * reference::power(5, N::fraction_bits + 1);
     std::string text = digits.str();
     const auto places = static_cast<std::size_t>(N::fraction_bits + 1);

@@ -33,7 +33,7 @@ inline integer power(int base, int exponent) {
 
 inline integer below(const integer& n, const integer& d) {
   const integer quotient = n / d;
-  return quotient * d > n ? integer(quotient - 1) : quotient;
+  return quotient * d > n ? quotient - 1 : quotient;
 }
 
 /// n / d rounded by the rule. \pre d > 0
@@ -43,11 +43,11 @@ inline integer round(const integer& n, const integer& d, fixproof::rounding rule
   const integer twice = 2 * (n - low * d);
   if (twice == 0) return low;
   if (rule == rounding::floor) return low;
-  if (rule == rounding::truncate) return n < 0 ? integer(low + 1) : low;
-  if (twice != d) return twice < d ? low : integer(low + 1);
+  if (rule == rounding::truncate) return n < 0 ? low + 1 : low;
+  if (twice != d) return twice < d ? low : low + 1;
   const bool up = rule == rounding::half_up || (rule == rounding::half_away && n > 0) ||
                   (rule == rounding::half_even && low % 2 != 0);
-  return up ? integer(low + 1) : low;
+  return up ? low + 1 : low;
 }
 
 /// A stored integer, or nothing for an error.
@@ -84,8 +84,7 @@ result<N> quotient(const integer& n, const integer& d) {
   if (d == 0) {
     if (rule == fixproof::overflow::trap) return std::nullopt;
     if (n == 0) return zero;
-    return in_range<N>(n < 0 ? integer(-power(2, 100)) : power(2, 100),
-                       fixproof::overflow::saturate);
+    return in_range<N>(n < 0 ? -power(2, 100) : power(2, 100), fixproof::overflow::saturate);
   }
   const integer scaled = n * one<N>();
   return in_range<N>(
@@ -95,7 +94,7 @@ result<N> quotient(const integer& n, const integer& d) {
 /// The nearest integer to sqrt(n). \pre n >= 0
 inline integer root(const integer& n) {
   const integer r = boost::multiprecision::sqrt(n);
-  return n - r * r > r ? integer(r + 1) : r;
+  return n - r * r > r ? r + 1 : r;
 }
 
 /// The outcome of a call that may throw one of fixed's errors.

@@ -1,0 +1,59 @@
+/// \file
+/// Results of operations on stored integers before they are narrowed to the range.
+#pragma once
+
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/detail/wide_integer.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixproof::detail {
+
+/// Holds the sum, the difference or the negative of stored integers.
+template <class Raw>
+using sum_t = signed_t<signed_bits<Raw> + 1>;
+
+template <class Raw>
+constexpr sum_t<Raw> exact_sum(Raw a, Raw b) noexcept {
+  return sum_t<Raw>{a} + sum_t<Raw>{b};
+}
+
+template <class Raw>
+constexpr sum_t<Raw> exact_difference(Raw a, Raw b) noexcept {
+  return sum_t<Raw>{a} - sum_t<Raw>{b};
+}
+
+template <class Raw>
+constexpr sum_t<Raw> exact_negative(Raw a) noexcept {
+  return -sum_t<Raw>{a};
+}
+
+template <class Raw>
+constexpr sum_t<Raw> exact_magnitude(Raw a) noexcept {
+  return a < 0 ? -sum_t<Raw>{a} : sum_t<Raw>{a};
+}
+
+/// a * b rounded by rule R to an integer number of ulps.
+template <int FractionBits, rounding R, class Raw>
+constexpr product_t<Raw> rounded_product(Raw a, Raw b) noexcept {
+  using wide = product_t<Raw>;
+  return shift_right<R>(wide{a} * wide{b}, FractionBits);
+}
+
+/// a * b + c rounded by rule R to an integer number of ulps.
+template <int FractionBits, rounding R, class Raw>
+constexpr mul_add_t<Raw, FractionBits> rounded_mul_add(Raw a, Raw b, Raw c) noexcept {
+  using wide = mul_add_t<Raw, FractionBits>;
+  const wide sum = wide{a} * wide{b} + wide{c} * (wide{1} << FractionBits);
+  return shift_right<R>(sum, FractionBits);
+}
+
+/// a * 2^places for 0 <= places. From the width of Raw on, the result is that of its width, which
+/// leaves the range too, or is 0.
+template <class Raw>
+constexpr auto exact_shift_left(Raw a, int places) noexcept {
+  using wide = signed_t<signed_bits<Raw> + bits_of<Raw>>;
+  return wide{a} << (places < bits_of<Raw> ? places : bits_of<Raw>);
+}
+
+}  // namespace fixproof::detail

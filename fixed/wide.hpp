@@ -1,0 +1,115 @@
+/// \file
+/// Exact intermediate results: a * b / c, the ratio of two integers, and sums of products.
+#pragma once
+
+#include <limits>
+
+#include "fixed/detail/divide.hpp"
+#include "fixed/detail/overflow.hpp"
+#include "fixed/detail/raise.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/math.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof {
+
+/// a * b / c, rounded once by policy::divide. The policy handles overflow of the result, as for
+/// quotients; the product cannot overflow. A zero divisor counts as in operator/, with the sign of
+/// the product. All of the divisor is used under every policy.
+///
+///     static_assert(mul_div(q16_16(30000), q16_16(20000), q16_16(25000)) == q16_16(24000));
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> mul_div(
+    number<Raw, F, P> a, number<Raw, F, P> b,
+    number<Raw, F, P> c) noexcept(number<Raw, F, P>::divide_never_throws) {
+  using N = number<Raw, F, P>;
+  using wide = detail::signed_t<2 * detail::signed_bits<Raw> + 1>;
+  const wide product = wide{a.raw()} * wide{b.raw()};
+  if (c.raw() == 0) {
+    if constexpr (!N::divide_never_throws) {
+      using operand = detail::operand<Raw, F>;
+      detail::raise<divide_error>("divide error", "mul_div", operand{a.raw()}, operand{b.raw()},
+                                  operand{c.raw()});
+    }
+    using limits = std::numeric_limits<Raw>;
+    if (product == wide{0}) return N();
+    return N::from_raw(product < wide{0} ? (limits::min)() : (limits::max)());
+  }
+  return N::from_raw(detail::narrow<P.quotient_range(), Raw>(
+      detail::rounded_ratio<P.divide>(product, wide{c.raw()}),
+      [&] { detail::raise_overflow<F>("mul_div", a.raw(), b.raw(), c.raw()); }));
+}
+
+/// n / d of two integers as a number, rounded once by policy::divide. The policy handles overflow
+/// and a zero divisor, as for quotients.
+///
+///     static_assert(ratio<q2_30>(1, 3).raw() == 357913941);  // 2^30 / 3
+///     static_assert(ratio<q16_16>(1000000007, 1000000000).raw() == 65536);
+template <class Number, detail::integer Int>
+[[nodiscard]] constexpr Number ratio(Int n, Int d) noexcept(Number::divide_never_throws) {
+  using raw = typename Number::raw_type;
+  constexpr int F = Number::fraction_bits;
+  using wide =
+      detail::signed_t<detail::larger(detail::signed_bits<Int> + F + 1, detail::signed_bits<raw>)>;
+  if (d == 0) {
+    if constexpr (!Number::divide_never_throws) {
+      detail::raise<divide_error>("divide error", "ratio", n, d);
+    }
+    using limits = std::numeric_limits<raw>;
+    return Number::from_raw(n == 0 ? raw{0} : n < 0 ? (limits::min)() : (limits::max)());
+  }
+  return Number::from_raw(detail::narrow<Number::rules.quotient_range(), raw>(
+      detail::rounded_ratio<Number::rules.divide>(wide{n} << F, wide{d}),
+      [&] { detail::raise<overflow_error>("overflow", "ratio", n, d); }));
+}
+
+/// A sum of numbers and products that is exact until result() rounds it once. It has room for 2^62
+/// terms of any value.
+///
+///     static_assert([] {
+///       accumulator<q2_30> sum;  // a biquad filter with coefficients beyond 1
+///       sum.add_product(q2_30(1.75), q2_30(1.5)).subtract_product(q2_30(1.25), q2_30(1.5));
+///       return sum.result() == q2_30(0.75);
+///     }());
+template <class Number>
+class accumulator {
+  using raw = typename Number::raw_type;
+  static constexpr int fraction = Number::fraction_bits;
+  using wide = detail::signed_t<2 * detail::signed_bits<raw> + 64>;
+
+ public:
+  /// Zero.
+  constexpr accumulator() noexcept = default;
+
+  /// Adds or subtracts a number.
+  constexpr accumulator& add(Number x) noexcept {
+    sum_ = sum_ + (wide{x.raw()} << fraction);
+    return *this;
+  }
+  constexpr accumulator& subtract(Number x) noexcept {
+    sum_ = sum_ - (wide{x.raw()} << fraction);
+    return *this;
+  }
+  /// Adds or subtracts a * b without rounding it.
+  constexpr accumulator& add_product(Number a, Number b) noexcept {
+    sum_ = sum_ + wide{a.raw()} * wide{b.raw()};
+    return *this;
+  }
+  constexpr accumulator& subtract_product(Number a, Number b) noexcept {
+    sum_ = sum_ - wide{a.raw()} * wide{b.raw()};
+    return *this;
+  }
+
+  /// The sum, rounded once by policy::multiply. The policy handles overflow, as for products.
+  [[nodiscard]] constexpr Number result() const noexcept(Number::multiply_never_throws) {
+    return Number::from_raw(detail::narrow<Number::rules.product_range(), raw>(
+        detail::shift_right<Number::rules.multiply>(sum_, fraction),
+        [] { detail::raise<overflow_error>("overflow", "accumulator::result"); }));
+  }
+
+ private:
+  wide sum_{0};
+};
+
+}  // namespace fixproof
