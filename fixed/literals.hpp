@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "fixed/detail/decimal.hpp"
+#include "fixed/detail/decimal_reader.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/number.hpp"
 

@@ -14,6 +14,8 @@
 #include <system_error>
 
 #include "fixed/detail/decimal.hpp"
+#include "fixed/detail/decimal_reader.hpp"
+#include "fixed/detail/stream_text.hpp"
 #include "fixed/number.hpp"
 
 namespace fixproof {
@@ -39,8 +41,9 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, 
   return {std::copy(begin, end, first), std::errc{}};
 }
 
-/// Reads the longest prefix of the form `[sign]digits[.digits]`, of any length, and rounds it once
-/// by policy::multiply.
+/// Reads the longest prefix of the form `[sign]digits[.digits][e[sign]digits]`, with `e` or `E`,
+/// and rounds it once by policy::multiply. Digits and exponent may be of any length: the time is
+/// proportional to the length of the text, and the value of the exponent does not matter.
 /// \return the end of the prefix; errc::invalid_argument, with `first`, if there is none;
 /// errc::result_out_of_range if the rounded value is out of range, under every policy. On an error
 /// the value is unchanged.
@@ -54,12 +57,9 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, 
 template <class Raw, int F, policy P>
 constexpr std::from_chars_result from_chars(const char* first, const char* last,
                                             number<Raw, F, P>& value) noexcept {
-  detail::decimal_reader<Raw, F> reader;
-  const char* end = first;
-  while (end != last && reader.take(*end)) ++end;
-  if (reader.ends_in_point()) --end;
-  if (!reader.complete() && !reader.ends_in_point()) return {first, std::errc::invalid_argument};
-  const auto raw = reader.template value<P.multiply>();
+  std::optional<Raw> raw;
+  const char* end = detail::read_decimal<P.multiply, F>(first, last, raw);
+  if (end == first) return {first, std::errc::invalid_argument};
   if (!raw) return {end, std::errc::result_out_of_range};
   value = number<Raw, F, P>::from_raw(*raw);
   return {end, std::errc{}};
@@ -72,24 +72,33 @@ std::string to_string(number<Raw, F, P> value) {
   return {text.data(), detail::write_decimal<F>(text.data(), value.raw())};
 }
 
-/// Writes the exact value. Only width, fill, left and right affect the output.
+/// Writes the number in a field of width(), as for built-in numbers.
+///
+/// Without std::fixed and std::scientific the text is the exact value. They round it to precision()
+/// digits after the point, to nearest and ties to even. showpos, showpoint, uppercase, left, right
+/// and internal have their usual meaning. The stream's locale gives the decimal point and the
+/// grouping of the digits before it.
+///
+///     std::ostringstream out;
+///     out << std::fixed << std::setprecision(2) << q16_16(2.625) << ' ' << q16_16(-0.125);
+///     const bool nearest_or_even = out.str() == "2.62 -0.12";
 template <class Traits, class Raw, int F, policy P>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
                                              number<Raw, F, P> value) {
-  std::array<char, detail::max_decimal_chars<Raw, F>> text{};
-  const char* end = detail::write_decimal<F>(text.data(), value.raw());
-  return out << std::basic_string_view<char, Traits>(text.data(),
-                                                     static_cast<std::size_t>(end - text.data()));
+  const std::string text = detail::stream_text<F>(out, value.raw());
+  return out << std::basic_string_view<char, Traits>(text.data(), text.size());
 }
 
-/// Skips white space and reads what from_chars() reads. On an error it sets failbit and leaves the
-/// value unchanged. A point must be followed by a digit: "1." fails.
+/// Skips white space and reads what from_chars() reads, with the decimal point of the stream's
+/// locale in place of '.'. On an error it sets failbit and leaves the value unchanged. A point, an
+/// `e` and the sign of an exponent must be followed by a digit: "1.", "1e" and "1e+" fail.
 template <class Traits, class Raw, int F, policy P>
 std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
                                              number<Raw, F, P>& value) {
   const typename std::basic_istream<char, Traits>::sentry ready(in);
   if (!ready) return in;
-  detail::decimal_reader<Raw, F> reader;
+  detail::decimal_reader<Raw, F> reader(
+      std::use_facet<std::numpunct<char>>(in.getloc()).decimal_point());
   for (auto next = in.peek(); !Traits::eq_int_type(next, Traits::eof()); next = in.peek()) {
     if (!reader.take(Traits::to_char_type(next))) break;
     in.get();

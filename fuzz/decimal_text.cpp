@@ -32,19 +32,55 @@ constexpr std::size_t max_text = 600;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The length of the longest prefix that is `[sign]digits[.digits]`; 0 if there is none.
+/// The length of the longest prefix that is `[sign]digits[.digits][e[sign]digits]`; 0 if there is
+/// none.
 std::size_t number_at_start(std::string_view text) {
   const auto digits_from = [text](std::size_t at) {
     while (at < text.size() && is_digit(text[at])) ++at;
     return at;
   };
-  const bool has_sign = !text.empty() && (text[0] == '-' || text[0] == '+');
-  const std::size_t first = has_sign ? 1 : 0;
-  const std::size_t whole = digits_from(first);
-  if (whole == first) return 0;
-  if (whole == text.size() || text[whole] != '.') return whole;
-  const std::size_t end = digits_from(whole + 1);
-  return end == whole + 1 ? whole : end;
+  const auto is_at = [text](std::size_t at, std::string_view any) {
+    return at < text.size() && any.find(text[at]) != std::string_view::npos;
+  };
+  const std::size_t first = is_at(0, "-+") ? 1 : 0;
+  std::size_t end = digits_from(first);
+  if (end == first) return 0;
+  if (is_at(end, ".")) {
+    const std::size_t fraction = digits_from(end + 1);
+    if (fraction == end + 1) return end;
+    end = fraction;
+  }
+  if (!is_at(end, "eE")) return end;
+  const std::size_t exponent = end + (is_at(end + 1, "-+") ? 2 : 1);
+  const std::size_t last = digits_from(exponent);
+  return last == exponent ? end : last;
+}
+
+/// The same number without an exponent. Exponents beyond max_text move every digit of the text out
+/// of the range or below all ulps, so they need not be larger than that.
+std::string without_exponent(std::string_view number) {
+  const std::size_t mark = number.find_first_of("eE");
+  if (mark == std::string_view::npos) return std::string(number);
+  const bool has_sign = number[0] == '-' || number[0] == '+';
+  const std::string_view all_digits = number.substr(0, mark).substr(has_sign ? 1 : 0);
+  const std::size_t point = std::min(all_digits.find('.'), all_digits.size());
+  std::string digits(all_digits.substr(0, point));
+  if (point != all_digits.size()) digits += all_digits.substr(point + 1);
+  constexpr std::size_t limit = max_text + 50;
+  std::size_t exponent = 0;
+  for (const char c : number.substr(mark + 1)) {
+    if (is_digit(c)) exponent = std::min(limit, exponent * 10 + static_cast<std::size_t>(c - '0'));
+  }
+  std::size_t whole = point;
+  if (number[mark + 1] == '-') {
+    digits.insert(0, exponent + 1, '0');
+    whole += 1;
+  } else {
+    digits.append(exponent + 1, '0');
+    whole += exponent;
+  }
+  digits.insert(whole, 1, '.');
+  return (number[0] == '-' ? "-" : "") + digits;
 }
 
 std::string shown(std::string_view text) { return fmt::format("\"{}\"", text.substr(0, 200)); }
@@ -58,8 +94,9 @@ Word word_of(Number x) {
 template <class Number>
 std::optional<Word> expected_word(std::string_view number) {
   constexpr int bits = 2 * Number::fraction_bits;
-  const auto exact = oracle::from_decimal(
-      number, fixproof::fuzz::oracle_rule(Number::rules.multiply), Number::fraction_bits);
+  const auto exact = oracle::from_decimal(without_exponent(number),
+                                          fixproof::fuzz::oracle_rule(Number::rules.multiply),
+                                          Number::fraction_bits);
   if (!exact || !oracle::fits(*exact, bits)) return std::nullopt;
   return oracle::wrap(*exact, bits);
 }
@@ -87,7 +124,8 @@ void read_text(std::string_view text) {
   }
 }
 
-/// Compares `>>` with from_chars() after white space, except for a point without a digit after it.
+/// Compares `>>` with from_chars() after white space, except for a point or an exponent's mark
+/// without a digit after it.
 template <class Number>
 void read_stream(std::string_view text) {
   std::istringstream in{std::string(text)};
@@ -99,9 +137,11 @@ void read_stream(std::string_view text) {
     const std::string_view rest = text.substr(start);
     const std::size_t length = number_at_start(rest);
     const std::string_view number = rest.substr(0, length);
-    const bool point_left = length < rest.size() && rest[length] == '.' && length > 0 &&
-                            number.find('.') == std::string_view::npos;
-    if (!point_left) expected = expected_word<Number>(number);
+    const char next = length > 0 && length < rest.size() ? rest[length] : ' ';
+    const bool has_exponent = number.find_first_of("eE") != std::string_view::npos;
+    const bool has_point = number.find('.') != std::string_view::npos;
+    const bool left = !has_exponent && (next == 'e' || next == 'E' || (next == '.' && !has_point));
+    if (!left) expected = expected_word<Number>(number);
   }
   if (in.fail() == expected.has_value() || word_of(read) != expected.value_or(0x55)) {
     fuzz::report_finding(

@@ -22,12 +22,56 @@ TEST(Format, ExactValueInAField) {
             "1*****<<<2<<<-----------3");
 }
 
+TEST(Format, SignAndZeros) {
+  const q16_16 x(2.5);
+  EXPECT_EQ(fmt::format("{:+}|{: }|{:-}|{:+}|{:+}", x, x, x, -x, q16_16()),
+            "+2.5| 2.5|2.5|-2.5|+0");
+  EXPECT_EQ(fmt::format("{:06}|{:06}|{:+06}|{:<06}|{:*^+7}", x, -x, x, x, x),
+            "0002.5|-002.5|+002.5|2.5   |*+2.5**");
+  EXPECT_EQ(fmt::format("{:#}|{:#}|{:#.0f}|{:#.0e}", x, q16_16(3), x, x), "2.5|3.|2.|2.e+00");
+}
+
+TEST(Format, FixedAndScientific) {
+  const q16_16 x(-1234.625);
+  EXPECT_EQ(fmt::format("{:f}|{:.2}|{:.2f}|{:.0f}|{:.1f}", x, x, x, x, x),
+            "-1234.625000|-1234.62|-1234.62|-1235|-1234.6");
+  EXPECT_EQ(fmt::format("{:e}|{:.2e}|{:.0e}|{:.9e}", x, x, x, x),
+            "-1.234625e+03|-1.23e+03|-1e+03|-1.234625000e+03");
+  EXPECT_EQ(fmt::format("{:e}|{:.0e}|{:.1f}", q16_16(), q16_16(), q16_16()),
+            "0.000000e+00|0e+00|0.0");
+  EXPECT_EQ(fmt::format("{:.1e}|{:.0f}|{:.1f}|{:.0f}", q16_16(9.96875), q16_16(999.5),
+                        q16_16(99.96875), q16_16(-0.25)),
+            "1.0e+01|1000|100.0|-0");
+  EXPECT_EQ(fmt::format("{:+010.2f}|{:>10.1e}", q16_16(2.625), q16_16(0.015625)),
+            "+000002.62|   1.6e-02");
+}
+
+TEST(Format, HexadecimalAndBinary) {
+  const q16_16 x(-1.5);
+  EXPECT_EQ(fmt::format("{:x}|{:#x}|{:#X}|{:b}|{:#b}", x, x, x, x, x),
+            "-1.8|-0x1.8|-0X1.8|-1.1|-0b1.1");
+  const q16_16 y = q16_16::from_raw(0x2abcdef1);
+  EXPECT_EQ(fmt::format("{:x}|{:X}|{:+#012x}", y, y, q16_16(10.5)),
+            "2abc.def1|2ABC.DEF1|+0x000000a.8");
+  EXPECT_EQ(fmt::format("{:x}|{:x}|{:b}", std::numeric_limits<q16_16>::lowest(), q16_16(),
+                        q16_16::from_raw(3)),
+            "-8000|0|0.0000000000000011");
+}
+
 TEST(Format, RefusesWhatItDoesNotKnow) {
   const q16_16 x(1);
   for (const char* field :
-       {"{:x}", "{:.2}", "{:+}", "{:6f}", "{:<<<}", "{:99999999999999999999999}", "{:*}"}) {
+       {"{:g}", "{:d}", "{:.}", "{:.f}", "{:.2x}", "{:.2X}", "{:.0b}", "{:++}", "{:#+}", "{:0+}",
+        "{:6fe}", "{:E}", "{:<<<}", "{:99999999999999999999999}", "{:.99999999999999999999999}",
+        "{:1000001}", "{:.1000001}", "{:*}", "{:L}"}) {
     EXPECT_THROW(static_cast<void>(fmt::format(fmt::runtime(field), x)), fmt::format_error)
         << field;
+  }
+  try {
+    static_cast<void>(fmt::format(fmt::runtime("{:g}"), x));
+  } catch (const fmt::format_error& error) {
+    EXPECT_NE(std::string(error.what()).find("[[fill]align][sign][#][0][width][.precision][type]"),
+              std::string::npos);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
 #include <iomanip>
+#include <locale>
 
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
@@ -167,14 +168,67 @@ TEST(TextEnds, PrefixAndNothing) {
     EXPECT_EQ(result.ptr - text.data(), taken) << text;
     EXPECT_EQ(value.raw(), raw) << text;
   };
-  expect("1.5e3", std::errc(), 3, 0x18000);
+  expect("1.5e3", std::errc(), 5, 1500 << 16);
+  expect("25E-2x", std::errc(), 5, 0x4000);
+  expect("-0.5e+1+", std::errc(), 7, -5 * 0x10000);
+  expect("1.5e", std::errc(), 3, 0x18000);
+  expect("1.5e+", std::errc(), 3, 0x18000);
+  expect("1e-", std::errc(), 1, 0x10000);
+  expect("1e+-2", std::errc(), 1, 0x10000);
+  expect("1ee2", std::errc(), 1, 0x10000);
+  expect("1e.5", std::errc(), 1, 0x10000);
+  expect("1.e2", std::errc(), 1, 0x10000);
+  expect("1e1.5", std::errc(), 3, 10 << 16);
+  expect("1e2e3", std::errc(), 3, 100 << 16);
   expect("1.", std::errc(), 1, 0x10000);
   expect("1..5", std::errc(), 1, 0x10000);
   expect("1.5.5", std::errc(), 3, 0x18000);
   expect("1 2", std::errc(), 1, 0x10000);
-  for (const char* nothing : {"", "-", "+", ".", ".5", "-.5", "--1", "+-1", " 1", "e", "nan"}) {
+  for (const char* nothing :
+       {"", "-", "+", ".", ".5", "-.5", "--1", "+-1", " 1", "e", "e5", "-e5", "nan"}) {
     expect(nothing, std::errc::invalid_argument, 0, 77);
   }
+}
+
+TEST(TextEnds, AnyExponent) {
+  const auto expect = [](std::string text, std::errc error, std::int32_t raw) {
+    q16_16 value = q16_16::from_raw(77);
+    const auto result = from_chars(text.data(), text.data() + text.size(), value);
+    EXPECT_EQ(result.ec, error) << text.substr(0, 50);
+    EXPECT_EQ(result.ptr, text.data() + text.size()) << text.substr(0, 50);
+    EXPECT_EQ(value.raw(), raw) << text.substr(0, 50);
+  };
+  const auto out = std::errc::result_out_of_range;
+  const std::string zeros(1'000'000, '0');
+  expect("1e4", std::errc(), 10000 << 16);
+  expect("1e5", out, 77);
+  expect("1e999999999", out, 77);
+  expect("-1e" + std::string(1'000'000, '9'), out, 77);
+  expect("0e" + std::string(1'000'000, '9'), std::errc(), 0);
+  expect("1e-999999999", std::errc(), 0);
+  expect("-1e-" + std::string(1'000'000, '9'), std::errc(), 0);
+  expect("1e" + zeros + "2", std::errc(), 100 << 16);
+  expect("1" + zeros + "e-1000000", std::errc(), 0x10000);
+  expect("1" + zeros + "1e-1000001", std::errc(), 0x10000);
+  expect("0." + zeros + "125e1000001", std::errc(), 0x14000);
+  expect("0." + zeros + "125e1000000", std::errc(), 0x2000);
+  expect("0." + zeros + "1e1000006", out, 77);
+  // 1 + a tie, and one digit after a million zeros that decides it against -infinity.
+  expect("-100000762939453125e-17", std::errc(), -0x10000);
+  expect("-100000762939453125" + zeros + "1e-1000018", std::errc(), -0x10001);
+  expect("3276799999237060546874999e-20", std::errc(), 0x7fffffff);
+  expect("3276799999237060546875e-17", out, 77);
+}
+
+TEST(TextEnds, TinyNumbersFollowTheRule) {
+  using down = number<std::int32_t, 16, policy{.multiply = rounding::floor}>;
+  const std::string text = "-1e-999999999999999999999";
+  down value(7);
+  from_chars(text.data(), text.data() + text.size(), value);
+  EXPECT_EQ(value.raw(), -1);
+  q16_16 nearest(7);
+  from_chars(text.data(), text.data() + text.size(), nearest);
+  EXPECT_EQ(nearest.raw(), 0);
 }
 
 TEST(TextEnds, ToCharsNeedsRoom) {
@@ -199,8 +253,73 @@ TEST(TextStreams, WriteInAField) {
   EXPECT_EQ(out.str(), "**-1.5|2*****|0.25");
 }
 
+TEST(TextStreams, FlagsAndPrecision) {
+  const auto written = [](auto... parts) {
+    std::ostringstream out;
+    (out << ... << parts);
+    return out.str();
+  };
+  const q16_16 x(-1.5);
+  EXPECT_EQ(written(std::setprecision(3), x, '|', std::fixed, x, '|', std::scientific, x),
+            "-1.5|-1.500|-1.500e+00");
+  EXPECT_EQ(written(std::fixed, q16_16(2.625), '|', std::setprecision(2), q16_16(2.625), '|',
+                    std::setprecision(0), q16_16(2.5), '|', std::showpoint, q16_16(3.5)),
+            "2.625000|2.62|2|4.");
+  EXPECT_EQ(written(std::scientific, std::uppercase, std::setprecision(-1), q16_16(1234.5)),
+            "1.234500E+03");
+  EXPECT_EQ(written(std::showpos, q16_16(2.5), x, q16_16(), std::noshowpos, q16_16(2.5)),
+            "+2.5-1.5+02.5");
+  EXPECT_EQ(written(std::setfill('0'), std::internal, std::setw(8), x, '|', std::setw(8),
+                    std::showpos, q16_16(2), '|', std::setw(3), x, '|', std::setw(5), -x),
+            "-00001.5|+0000002|-1.5|+01.5");
+  EXPECT_EQ(written(std::setw(8), std::fixed, std::setprecision(1), x, '|', std::left, std::setw(6),
+                    x, '|'),
+            "    -1.5|-1.5  |");
+  EXPECT_EQ(written(std::hexfloat, x), "-1.5");
+}
+
+/// Writes 1234567.5 as 12.34.567,5 if the groups are 3 and then 2.
+class Punctuation : public std::numpunct<char> {
+ public:
+  explicit Punctuation(std::string groups) : groups_(std::move(groups)) {}
+
+ private:
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return groups_; }
+
+  std::string groups_;
+};
+
+TEST(TextStreams, HonourTheLocale) {
+  using wide = number<std::int64_t, 8>;
+  const auto written = [](const std::string& groups, wide x) {
+    std::ostringstream out;
+    out.imbue(std::locale(std::locale::classic(), new Punctuation(groups)));
+    out << std::setw(12) << x << '|' << std::scientific << x;
+    return out.str();
+  };
+  const wide x(-1234567.5);
+  EXPECT_EQ(written("", x), "  -1234567,5|-1,234568e+06");
+  EXPECT_EQ(written("\3", x), "-1.234.567,5|-1,234568e+06");
+  EXPECT_EQ(written("\3\2", x), "-12.34.567,5|-1,234568e+06");
+  EXPECT_EQ(written(std::string("\3\0", 2), x), " -1234.567,5|-1,234568e+06");
+  EXPECT_EQ(written(std::string("\2\177", 2), x), " -12345.67,5|-1,234568e+06");
+  EXPECT_EQ(written("\3", wide(123)), "         123|1,230000e+02");
+  EXPECT_EQ(written("\3", wide(123456)), "     123.456|1,234560e+05");
+
+  std::istringstream in("1,5 -2,25e1 3.5");
+  in.imbue(std::locale(std::locale::classic(), new Punctuation("")));
+  q16_16 a, b, c;
+  in >> a >> b >> c;
+  EXPECT_EQ(a, q16_16(1.5));
+  EXPECT_EQ(b, q16_16(-22.5));
+  EXPECT_EQ(c, q16_16(3));
+  EXPECT_EQ(in.get(), '.');
+}
+
 TEST(TextStreams, ReadOneAfterAnother) {
-  std::istringstream in(" 1.5\n-2 \t+3.25,4");
+  std::istringstream in(" 1.5\n-2 \t+325e-2,4");
   q16_16 a, b, c, d;
   char comma = 0;
   in >> a >> b >> c >> comma >> d;
@@ -214,7 +333,8 @@ TEST(TextStreams, ReadOneAfterAnother) {
 }
 
 TEST(TextStreams, FailAndLeaveTheValue) {
-  for (const char* text : {"", "x", "-", "1.", "1.x", "40000", ".5"}) {
+  for (const char* text :
+       {"", "x", "-", "1.", "1.x", "1e", "1ex", "1.5e+", "1e+x", "40000", "4e4", ".5"}) {
     std::istringstream in(text);
     q16_16 value(7);
     in >> value;
