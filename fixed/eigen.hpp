@@ -14,11 +14,14 @@
 #include "fixed/policy.hpp"
 #include "fixed/trig.hpp"
 
+/// What Eigen leaves to the authors of scalar types.
+namespace Eigen {
+
 /// What Eigen asks about a scalar type. Eigen finds abs, sqrt, floor and the other functions by
 /// argument-dependent lookup.
 template <class Raw, int FractionBits, fixproof::policy P>
-struct Eigen::NumTraits<fixproof::number<Raw, FractionBits, P>>
-    : Eigen::GenericNumTraits<fixproof::number<Raw, FractionBits, P>> {
+struct NumTraits<fixproof::number<Raw, FractionBits, P>>
+    : GenericNumTraits<fixproof::number<Raw, FractionBits, P>> {
   static_assert(FractionBits < std::numeric_limits<Raw>::digits,
                 "Eigen multiplies by 1, which this number type cannot represent");
 
@@ -41,27 +44,29 @@ struct Eigen::NumTraits<fixproof::number<Raw, FractionBits, P>>
 
 /// A matrix or array times an integer; the integer counts with its exact value.
 template <class Raw, int FractionBits, fixproof::policy P, fixproof::detail::integer Int>
-struct Eigen::ScalarBinaryOpTraits<
+struct ScalarBinaryOpTraits<
     fixproof::number<Raw, FractionBits, P>, Int,
-    Eigen::internal::scalar_product_op<fixproof::number<Raw, FractionBits, P>, Int>> {
+    internal::scalar_product_op<fixproof::number<Raw, FractionBits, P>, Int>> {
   /// The type of the product.
   using ReturnType = fixproof::number<Raw, FractionBits, P>;
 };
 
 /// An integer times a matrix or array.
 template <class Raw, int FractionBits, fixproof::policy P, fixproof::detail::integer Int>
-struct Eigen::ScalarBinaryOpTraits<
+struct ScalarBinaryOpTraits<
     Int, fixproof::number<Raw, FractionBits, P>,
-    Eigen::internal::scalar_product_op<Int, fixproof::number<Raw, FractionBits, P>>> {
+    internal::scalar_product_op<Int, fixproof::number<Raw, FractionBits, P>>> {
   /// The type of the product.
   using ReturnType = fixproof::number<Raw, FractionBits, P>;
 };
 
 /// A matrix or array divided by an integer.
 template <class Raw, int FractionBits, fixproof::policy P, fixproof::detail::integer Int>
-struct Eigen::ScalarBinaryOpTraits<
+struct ScalarBinaryOpTraits<
     fixproof::number<Raw, FractionBits, P>, Int,
-    Eigen::internal::scalar_quotient_op<fixproof::number<Raw, FractionBits, P>, Int>> {
+    internal::scalar_quotient_op<fixproof::number<Raw, FractionBits, P>, Int>> {
   /// The type of the quotient.
   using ReturnType = fixproof::number<Raw, FractionBits, P>;
 };
+
+}  // namespace Eigen

@@ -69,7 +69,7 @@ integer nearest(const integer& value, int bits) {
   return (value + half) >> (precision - bits);
 }
 
-/// What unit format makes of a constant.
+/// What one format makes of a constant.
 struct Given {
   int bits;
   std::uint64_t highest;
@@ -120,7 +120,7 @@ void expect_nearest(const std::vector<Given>& all, const integer& value, int who
     out_of_range += given.in_range ? 0 : 1;
   }
   EXPECT_EQ(all.size(), 2U * (9 + 17 + 33 + 65));
-  // Of the unsigned types of each width, as many as there are digits; of the signed, unit more.
+  // Of the unsigned types of each width, as many as there are digits; of the signed, one more.
   EXPECT_EQ(out_of_range, 4 * std::max(whole_bits, 0) + 4 * (whole_bits + 1));
 }
 
