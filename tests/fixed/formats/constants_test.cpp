@@ -12,7 +12,7 @@ using reference::integer;
 
 /// Values below are in units of 2^-256. Each has an error of less than 2^-200.
 constexpr int precision = 256;
-const integer one = integer(1) << precision;
+const integer unit = integer(1) << precision;
 
 integer times(const integer& a, const integer& b) { return (a * b) >> precision; }
 integer over(const integer& a, const integer& b) { return (a << precision) / b; }
@@ -21,7 +21,7 @@ integer root(const integer& a) { return boost::multiprecision::sqrt(a << precisi
 /// The sum of sign^k / ((2k + 1) n^(2k + 1)): atan(1/n) if sign is -1, atanh(1/n) if it is 1.
 integer inverse_tangent(int n, int sign) {
   integer sum = 0;
-  integer power = one / n;
+  integer power = unit / n;
   for (int k = 1; power != 0; k += 2) {
     sum += power / (k % 4 == 1 ? k : k * sign);
     power /= n * n;
@@ -31,7 +31,7 @@ integer inverse_tangent(int n, int sign) {
 
 integer euler_number() {
   integer sum = 0;
-  integer term = one;
+  integer term = unit;
   for (int k = 1; term != 0; ++k) {
     sum += term;
     term /= k;
@@ -47,13 +47,13 @@ const integer ln10 = 3 * ln2 + 2 * inverse_tangent(9, 1);  // 8 * 5/4
 /// error is below pi e^-4n, here 2^-367.
 integer euler_mascheroni() {
   constexpr int n = 64;
-  integer term = one;
+  integer term = unit;
   integer harmonic = 0;
   integer numerator = 0;
-  integer denominator = one;
+  integer denominator = unit;
   for (int k = 1; term != 0; ++k) {
     term = term * (n * n) / (k * k);
-    harmonic += one / k;
+    harmonic += unit / k;
     numerator += times(term, harmonic);
     denominator += term;
   }
@@ -135,23 +135,23 @@ void expect_nearest(const std::vector<Given>& all, const integer& value, int who
 TEST(Constants, Circle) {
   EXPECT_CONSTANT(pi, pi, 2);
   EXPECT_CONSTANT(tau, 2 * pi, 3);
-  EXPECT_CONSTANT(inv_pi, over(one, pi), -1);
-  EXPECT_CONSTANT(inv_sqrtpi, root(over(one, pi)), 0);
+  EXPECT_CONSTANT(inv_pi, over(unit, pi), -1);
+  EXPECT_CONSTANT(inv_sqrtpi, root(over(unit, pi)), 0);
 }
 
 TEST(Constants, Logarithms) {
   EXPECT_CONSTANT(e, euler_number(), 2);
   EXPECT_CONSTANT(ln2, ln2, 0);
   EXPECT_CONSTANT(ln10, ln10, 2);
-  EXPECT_CONSTANT(log2e, over(one, ln2), 1);
-  EXPECT_CONSTANT(log10e, over(one, ln10), -1);
+  EXPECT_CONSTANT(log2e, over(unit, ln2), 1);
+  EXPECT_CONSTANT(log10e, over(unit, ln10), -1);
 }
 
 TEST(Constants, Roots) {
-  EXPECT_CONSTANT(sqrt2, root(2 * one), 1);
-  EXPECT_CONSTANT(sqrt3, root(3 * one), 1);
-  EXPECT_CONSTANT(inv_sqrt3, root(one / 3), 0);
-  EXPECT_CONSTANT(phi, (one + root(5 * one)) / 2, 1);
+  EXPECT_CONSTANT(sqrt2, root(2 * unit), 1);
+  EXPECT_CONSTANT(sqrt3, root(3 * unit), 1);
+  EXPECT_CONSTANT(inv_sqrt3, root(unit / 3), 0);
+  EXPECT_CONSTANT(phi, (unit + root(5 * unit)) / 2, 1);
   EXPECT_CONSTANT(egamma, euler_mascheroni(), 0);
 }
 
@@ -166,14 +166,14 @@ TEST(Constants, Words) {
   expect(detail::constants::e, euler_number());
   expect(detail::constants::ln2, ln2);
   expect(detail::constants::ln10, ln10);
-  expect(detail::constants::log2e, over(one, ln2));
-  expect(detail::constants::log10e, over(one, ln10));
-  expect(detail::constants::sqrt2, root(2 * one));
-  expect(detail::constants::sqrt3, root(3 * one));
-  expect(detail::constants::inv_pi, over(one, pi));
-  expect(detail::constants::inv_sqrtpi, root(over(one, pi)));
-  expect(detail::constants::inv_sqrt3, root(one / 3));
-  expect(detail::constants::phi, (one + root(5 * one)) / 2);
+  expect(detail::constants::log2e, over(unit, ln2));
+  expect(detail::constants::log10e, over(unit, ln10));
+  expect(detail::constants::sqrt2, root(2 * unit));
+  expect(detail::constants::sqrt3, root(3 * unit));
+  expect(detail::constants::inv_pi, over(unit, pi));
+  expect(detail::constants::inv_sqrtpi, root(over(unit, pi)));
+  expect(detail::constants::inv_sqrt3, root(unit / 3));
+  expect(detail::constants::phi, (unit + root(5 * unit)) / 2);
   expect(detail::constants::egamma, euler_mascheroni());
 }
 
