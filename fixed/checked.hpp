@@ -294,19 +294,22 @@ template <detail::number_type N>
 ///     }());
 class sticky_status {
  public:
-  /// The wrapped results of overflowing_add() and so on.
+  /// The wrapped sum; see overflowing_add().
   template <detail::number_type N>
   [[nodiscard]] constexpr N add(N a, N b) noexcept {
     return keep(overflowing_add(a, b));
   }
+  /// The wrapped difference; see overflowing_subtract().
   template <detail::number_type N>
   [[nodiscard]] constexpr N subtract(N a, N b) noexcept {
     return keep(overflowing_subtract(a, b));
   }
+  /// The wrapped product; see overflowing_multiply().
   template <detail::number_type N>
   [[nodiscard]] constexpr N multiply(N a, N b) noexcept {
     return keep(overflowing_multiply(a, b));
   }
+  /// The wrapped quotient; see overflowing_divide().
   template <detail::number_type N>
   [[nodiscard]] constexpr N divide(N n, N d) noexcept {
     return keep(overflowing_divide(n, d));

@@ -105,6 +105,7 @@ consteval N literal() {
 /// The literals; see fixed/literals.hpp.
 namespace fixproof::literals {
 
+/// \cond
 #define FIXED_LITERAL(type)                                    \
   template <char... Chars>                                     \
   consteval type operator""_##type() {                         \
@@ -151,5 +152,6 @@ FIXED_LITERAL(u48_16)
 FIXED_LITERAL(u32_32)
 FIXED_LITERAL(u0_64)
 #undef FIXED_LITERAL
+/// \endcond
 
 }  // namespace fixproof::literals

@@ -260,10 +260,11 @@ class number {
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
   /// The remainder of a division by b. The number is unchanged if operator% throws.
   constexpr number& operator%=(number b) noexcept(divide_never_throws) { return *this = *this % b; }
-  /// Shifts. The number is unchanged if the operator throws.
+  /// Shifts left. The number is unchanged if operator<< throws.
   constexpr number& operator<<=(int places) noexcept(never_throws) {
     return *this = *this << places;
   }
+  /// Shifts right. The number is unchanged if operator>> throws.
   constexpr number& operator>>=(int places) noexcept(never_throws) {
     return *this = *this >> places;
   }

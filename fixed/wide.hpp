@@ -82,20 +82,22 @@ class accumulator {
   /// Zero.
   constexpr accumulator() noexcept = default;
 
-  /// Adds or subtracts a number.
+  /// Adds a number.
   constexpr accumulator& add(Number x) noexcept {
     sum_ = sum_ + (wide{x.raw()} << fraction);
     return *this;
   }
+  /// Subtracts a number.
   constexpr accumulator& subtract(Number x) noexcept {
     sum_ = sum_ - (wide{x.raw()} << fraction);
     return *this;
   }
-  /// Adds or subtracts a * b without rounding it.
+  /// Adds a * b without rounding it.
   constexpr accumulator& add_product(Number a, Number b) noexcept {
     sum_ = sum_ + wide{a.raw()} * wide{b.raw()};
     return *this;
   }
+  /// Subtracts a * b without rounding it.
   constexpr accumulator& subtract_product(Number a, Number b) noexcept {
     sum_ = sum_ - wide{a.raw()} * wide{b.raw()};
     return *this;
