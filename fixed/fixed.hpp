@@ -25,7 +25,8 @@
 /// conversions from and to float or double use floating-point registers.
 ///
 /// Translation units of one program may differ in optimisation and floating-point flags, but not in
-/// whether exceptions are enabled: the inline functions that throw would have two definitions.
+/// whether exceptions are enabled, nor in FIXED_NO_INT128: inline functions would have two
+/// definitions.
 #pragma once
 
 #include "fixed/checked.hpp"
