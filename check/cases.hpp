@@ -24,7 +24,8 @@ struct CaseOptions {
   std::optional<std::uint64_t> cases;  ///< the maximum number, evenly spread
 
   /// Returns the command that writes these cases.
-  [[nodiscard]] std::string command_line(cases::Operation operation) const;
+  [[nodiscard]] std::string command_line(cases::Operation operation,
+                                         const cases::Format& format = cases::q16_16) const;
 };
 
 class CaseSource : private boost::noncopyable {
@@ -32,7 +33,7 @@ class CaseSource : private boost::noncopyable {
   CaseSource() = default;
   virtual ~CaseSource() = default;
 
-  /// Reads the words of the next case; false at the end.
+  /// Reads the words of the next case, words_in(variant) of them; false at the end.
   virtual bool next(std::span<std::uint32_t> words) = 0;
   /// The stream or the file of the last case. The text lives as long as the source.
   [[nodiscard]] virtual std::string_view origin() const = 0;
@@ -40,11 +41,12 @@ class CaseSource : private boost::noncopyable {
   [[nodiscard]] virtual std::optional<std::uint64_t> count() const { return std::nullopt; }
 };
 
-/// The cases of a verification of the operation at that level, with that seed.
+/// The cases of a verification of the operation in the format, at that level, with that seed.
 class GeneratedCases final : public CaseSource {
  public:
   /// @throws UsageError for an invalid shard
-  GeneratedCases(cases::Operation operation, const CaseOptions& options);
+  GeneratedCases(cases::Operation operation, const CaseOptions& options,
+                 const cases::Format& format = cases::q16_16);
 
   bool next(std::span<std::uint32_t> words) override;
   [[nodiscard]] std::string_view origin() const override { return origin_; }
@@ -79,7 +81,8 @@ class GeneratedCases final : public CaseSource {
 class FileCases final : public CaseSource {
  public:
   /// @throws UsageError if the file cannot be read
-  FileCases(cases::Operation operation, std::string path);
+  FileCases(cases::Operation operation, std::string path,
+            const cases::Format& format = cases::q16_16);
 
   /// @throws UsageError naming the line that is not a case
   bool next(std::span<std::uint32_t> words) override;
