@@ -25,6 +25,9 @@
 /// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
 /// struct that contains only them.
 ///
+/// **Formats**: all of 8 to 64 bits, under every policy. Vector registers compute signed formats of
+/// 16 and 32 bits, all others take the plain loop; docs/batch.md lists the exceptions.
+///
 /// **Paths**: AVX2 and AVX-512 code is always compiled in, and the processor is queried once. NEON
 /// is used if the program is compiled for it. Otherwise a plain loop runs. All paths give the same
 /// results and reports. Under -ffast-math and similar flags, where doubles are not exact, divide,
@@ -72,6 +75,7 @@ inline std::span<bool> batch_marks(const batch::options& how, std::size_t count)
   return how.marks.empty() ? how.marks : how.marks.first(count);
 }
 
+/// The rows of a transform; the fourth column is the translation.
 template <class N>
 using transform_rows = std::array<std::array<N, 4>, 3>;
 
@@ -108,7 +112,8 @@ inline constexpr bool transform_never_throws = N::never_throws&& N::multiply_nev
 template <class N>
 inline constexpr bool project_never_throws = N::divide_never_throws&& N::multiply_never_throws;
 
-/// A report counts the overflows of all steps together, so it cannot tell which of them throw.
+/// Refuses policies under which some overflows of a transform throw and others do not. A report
+/// counts all of them together.
 template <class N>
 constexpr void check_transform() noexcept {
   static_assert(transform_never_throws<N> || (N::rules.range != overflow::saturate &&
@@ -117,6 +122,7 @@ constexpr void check_transform() noexcept {
                 "saturate products and throw for sums: give both one rule, policy::range");
 }
 
+/// The same for a projection.
 template <class N>
 constexpr void check_project() noexcept {
   static_assert(
@@ -258,7 +264,7 @@ detail::element_t<A> dot(const A& a, const B& b,
 
 /// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
 /// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
-/// of 16.16 results bypass the caches.
+/// of 32-bit results bypass the caches.
 template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
           detail::output_tuples_of<number<Raw, F, P>, 3> Out>
 report transform(
