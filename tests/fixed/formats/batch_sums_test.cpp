@@ -148,6 +148,10 @@ constexpr policy products_saturate{.multiply = fixproof::rounding::half_even,
                                    .products = overflow::saturate};
 constexpr policy quotients_saturate{.quotients = overflow::saturate};
 
+/// A quotient may be a divide error while the other coordinate only overflows.
+constexpr policy saturate_or_fault{.range = overflow::saturate,
+                                   .fault = fixproof::divide_fault::signed_quotient};
+
 TEST(BatchesOfDots, HalfUpWrap) { under<fixproof::policies::wrapping>(dots); }
 TEST(BatchesOfDots, HalfEvenSaturate) { under<formats::even_saturate>(dots); }
 TEST(BatchesOfDots, HalfAwayTrap) { under<formats::away_trap>(dots); }
@@ -158,6 +162,7 @@ TEST(BatchesOfVertices, HalfEvenSaturate) { under<formats::even_saturate>(vertic
 TEST(BatchesOfVertices, HalfAwayTrap) { under<formats::away_trap, formats_32>(vertices); }
 TEST(BatchesOfVertices, SumsTrap) { under<formats::mixed, formats_32>(vertices); }
 TEST(BatchesOfVertices, ProductsSaturate) { under<products_saturate, formats_32>(vertices); }
+TEST(BatchesOfVertices, SaturateOrFault) { under<saturate_or_fault, formats_16>(vertices); }
 TEST(BatchesOfVertices, QuotientsSaturate) { under<quotients_saturate, formats_16>(vertices); }
 
 }  // namespace
