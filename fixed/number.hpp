@@ -82,6 +82,7 @@ class number {
     result.raw_ = raw;
     return result;
   }
+  /// \cond
   template <class T>
   requires std::is_floating_point_v<T>
   static number from_raw(T)
@@ -89,6 +90,7 @@ class number {
   template <class OtherRaw, int OtherBits, policy Q>
   static number from_raw(number<OtherRaw, OtherBits, Q>)
       FIXED_INSTEAD("from_raw takes the stored integer: write from_raw(x.raw())");
+  /// \endcond
 
   /// The stored integer: the value times 2^FractionBits.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
@@ -149,17 +151,16 @@ class number {
         value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
   }
 
-  /// \name Conversions that do not compile
-  /// The pack, which is always empty, makes each of these a worse match than an explicit
-  /// conversion.
-  /// \{
-  template <class T, class... None>
-  requires(sizeof...(None) == 0 && (detail::integer<T> || std::is_floating_point_v<T>))
-      number(T, None...)
+  /// \cond
+  // Conversions that do not compile. The pack, which is always empty, makes each of these a worse
+  // match than an explicit conversion; so does volatile.
+  template <class T, class... Nothing>
+  requires(sizeof...(Nothing) == 0 && (detail::integer<T> || std::is_floating_point_v<T>))
+      number(T, Nothing...)
   FIXED_INSTEAD("conversions are explicit: write q16_16(value), or a literal such as 1.5_q16_16");
-  template <class OtherRaw, int OtherBits, policy Q, class... None>
-  requires(sizeof...(None) == 0 && !std::same_as<number<OtherRaw, OtherBits, Q>, number>)
-      number(number<OtherRaw, OtherBits, Q>, None...)
+  template <class OtherRaw, int OtherBits, policy Q, class... Nothing>
+  requires(sizeof...(Nothing) == 0 && !std::same_as<number<OtherRaw, OtherBits, Q>, number>)
+      number(number<OtherRaw, OtherBits, Q>, Nothing...)
   FIXED_INSTEAD("formats convert explicitly: write q8_8(x)");
   template <class T>
   requires(std::is_integral_v<T> && !detail::integer<T>) number(T)
@@ -169,7 +170,7 @@ class number {
   operator double() const volatile FIXED_INSTEAD(
       "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x)");
   explicit operator bool() const FIXED_INSTEAD("a number is no condition: write x != 0");
-  /// \}
+  /// \endcond
 
   /// The nearest double, ties to even, in every rounding mode of the processor. Exact if the number
   /// has at most 53 significant bits, as all numbers of 32 bits or less do.
