@@ -6,23 +6,9 @@
 #include <span>
 
 #include "cases/draw.hpp"
+#include "cases/format.hpp"
 
 namespace fixproof::cases {
-
-/// The format of a word: 16 fraction bits of 32 bits, or 8 of 16.
-struct Format {
-  int fraction_bits;
-  int word_bits;
-
-  /// Returns `value` units as a word, modulo 2^word_bits.
-  [[nodiscard]] constexpr std::uint32_t word(std::int64_t value) const {
-    return static_cast<std::uint32_t>(value) & (~std::uint32_t{0} >> (32 - word_bits));
-  }
-  /// 1.0 in units.
-  [[nodiscard]] constexpr std::int64_t one() const { return std::int64_t{1} << fraction_bits; }
-  /// The smallest positive magnitude that overflows a word.
-  [[nodiscard]] constexpr std::int64_t limit() const { return std::int64_t{1} << (word_bits - 1); }
-};
 
 /// Two operands in units, each within -limit() ... limit().
 struct Pair {

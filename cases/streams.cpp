@@ -170,7 +170,7 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
                 std::span<std::uint32_t> words) {
   const Operation operation = variant.operation;
   if (!is_stream_of(stream, operation)) refuse(stream, variant);
-  const Format format{variant.fraction_bits, operand_bits(variant)};
+  const Format format{.word_bits = operand_bits(variant), .fraction_bits = variant.fraction_bits};
   const std::size_t arity = words_in(operation);
   // The key leaves out the variant's rules, so all variants of an operation get the same cases.
   const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +

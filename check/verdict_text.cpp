@@ -75,9 +75,9 @@ std::string text_of(const JudgedCase& one, const Rules& rules) {
   const ExactPlace place = exact_place(rules.operation, words);
   const auto ulps = rounded_result(rules.operation, words, rules.rounding);
   const CaseKind kind = place.kind(ulps && !fits_word(*ulps));
-  std::string text =
-      fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number), one.origin,
-                  cases::hex_words(words, 32), cases::decimal_words(variant, words));
+  std::string text = fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number),
+                                 support::printable(one.origin), cases::hex_words(words, 32),
+                                 cases::decimal_words(variant, words));
   if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said));
   text += fmt::format("{} said; ", text_of_said(one.said));
   if (place.has_result) text += fmt::format("exact {} ulp, ", place.text());

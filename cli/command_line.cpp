@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 
 #include "cli/commands.hpp"
+#include "cli/option_names.hpp"
 #include "cli/print_error.hpp"
 #include "proof/process.hpp"
 #include "support/build_info/build_info.hpp"
@@ -23,6 +25,7 @@ namespace {
 
 void add_all(CLI::App& app, int& status) {
   app.name("fixproof");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", std::string(support::program_version()));
   add_verify(app, status);
@@ -63,6 +66,9 @@ int run(std::vector<std::string> arguments) {
     const auto extra = app.remaining(true);
     const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
     print_error(fmt::format("{}: {} (see fixproof --help)", what, extra.front()));
+    return 2;
+  } catch (const CLI::ExcludesError&) {
+    print_error(fmt::format("{} (see fixproof --help)", exclusion_in(app)));
     return 2;
   } catch (const CLI::ParseError& error) {
     print_error(fmt::format("{} (see fixproof --help)", error.what()));

@@ -167,7 +167,7 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
     write_all(machine_code::name_of(form), proof::step_questions(form, sound_program(form)));
   }
   std::cout << fmt::format("{} scripts written to {}; the proof holds if each is unsatisfiable\n",
-                           written, directory);
+                           written, support::printable(directory));
 }
 
 void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,

@@ -65,7 +65,7 @@ void draw_register(StepCase& step, cases::Draw& draw) {
   static const auto narrow = cases::boundary_lattice(16);
   const x86::Register r = register_at(draw.below(x86::register_count));
   const std::uint32_t before = step.machine.registers.read(r, x86::Size::dword);
-  const cases::Format format{16, 32};
+  const cases::Format format;
   std::uint32_t value = 0;
   switch (draw.below(5)) {
     case 0:

@@ -107,7 +107,8 @@ std::size_t input_size(WordTarget target) {
 }
 
 void mutate_case(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
-  const cases::Format format{variant.fraction_bits, cases::operand_bits(variant)};
+  const cases::Format format{.word_bits = cases::operand_bits(variant),
+                             .fraction_bits = variant.fraction_bits};
   std::uint32_t& word = words[draw.below(words.size())];
   switch (draw.below(variant.operation == cases::Operation::div ? 5 : 4)) {
     case 0:

@@ -121,6 +121,15 @@ TEST(Usage, NumbersAreDecimal) {
   expect_refused("mutate mul --seed=-1", "--seed");
 }
 
+TEST(Usage, OptionsThatExcludeEachOtherAreNamedInOneOrder) {
+  command::expect_contains(command::output_of("check --help"),
+                           "--from TEXT Excludes: --cases --level --seed --shard\n");
+  expect_refused("check add --from cases --shard 1/2 --seed 2 --cases 3",
+                 "--from excludes --cases (see fixproof --help)");
+  expect_refused("verify mul --case '00010000 00010000' --shard 1/2 --report r",
+                 "--shard excludes --case (see fixproof --help)");
+}
+
 TEST(Usage, HelpIsNoError) {
   for (const std::string_view arguments :
        {"--help", "verify --help", "merge --help", "eval --help", "step --help", "trace --help",

@@ -1,0 +1,50 @@
+/// @file
+/// Formats of fixed-point words.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fixproof::cases {
+
+/// The format of a word. A word with raw integer n has the value n / 2^fraction_bits.
+struct Format {
+  int word_bits = 32;      ///< 8, 16, 32 or 64
+  int fraction_bits = 16;  ///< 0 ... word_bits
+  bool is_signed = true;   ///< two's complement; otherwise unsigned
+
+  /// Returns `value` units as a word of at most 32 bits, modulo 2^word_bits.
+  [[nodiscard]] constexpr std::uint32_t word(std::int64_t value) const {
+    return static_cast<std::uint32_t>(value) & (~std::uint32_t{0} >> (32 - word_bits));
+  }
+  /// 1.0 in units.
+  [[nodiscard]] constexpr std::int64_t one() const { return std::int64_t{1} << fraction_bits; }
+  /// The smallest positive magnitude that overflows a signed word.
+  [[nodiscard]] constexpr std::int64_t limit() const { return std::int64_t{1} << (word_bits - 1); }
+
+  friend constexpr bool operator==(const Format&, const Format&) = default;
+};
+
+inline constexpr Format q16_16{};
+inline constexpr Format q8_8{.word_bits = 16, .fraction_bits = 8};
+
+/// Returns the bits of a word that are set in its largest raw integer and in -1.
+constexpr std::uint64_t all_ones(const Format& format) {
+  return ~std::uint64_t{0} >> (64 - format.word_bits);
+}
+
+/// Returns qW_F for a signed format, uW_F for an unsigned one: W bits before the point, the sign
+/// included, and F after it.
+std::string name_of(const Format& format);
+
+/// Returns the format with this name, such as q16_16, u8_8 or q1_31. W + F is 8, 16, 32 or 64.
+/// @throws UsageError for any other name
+Format format_named(std::string_view name);
+
+/// Returns the formats that fixed/formats.hpp names, q8_8 and q16_16 among them, narrow words
+/// first.
+std::span<const Format> named_formats();
+
+}  // namespace fixproof::cases

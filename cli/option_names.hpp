@@ -1,0 +1,21 @@
+/// @file
+/// The order in which help and errors name options. CLI11 names those that an option needs or
+/// excludes by their addresses, so the same command could print different texts.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace fixproof::cli {
+
+/// Writes help as CLI11 does, with the names of needed and excluded options in alphabetical order.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override;
+};
+
+/// Describes the first pair of given options that exclude each other: `--a excludes --b`.
+/// @param app it has parsed arguments and thrown CLI::ExcludesError
+std::string exclusion_in(const CLI::App& app);
+
+}  // namespace fixproof::cli
