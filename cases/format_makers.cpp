@@ -23,14 +23,16 @@ int number_from(Draw& draw, int first, int last) {
 }
 
 /// Returns a number of 0 ... `widest` bits. Every width is equally likely. 0 <= widest <= 64
-std::uint64_t number(Draw& draw, int widest) {
+std::uint64_t any_number(Draw& draw, int widest) {
   const int width = number_from(draw, 0, widest);
   if (width == 0) return 0;
   return (draw.bits() & ones(width)) | std::uint64_t{1} << (width - 1);
 }
 
 /// Returns an odd number of 1 ... `widest` bits.
-std::uint64_t odd(Draw& draw, int widest) { return number(draw, number_from(draw, 1, widest)) | 1; }
+std::uint64_t odd_number(Draw& draw, int widest) {
+  return any_number(draw, number_from(draw, 1, widest)) | 1;
+}
 
 /// Returns the word or, in half of the cases of a signed format, its negative. A product modulo
 /// 2^word_bits remains a tie.
@@ -69,7 +71,7 @@ std::uint64_t rectangle(std::uint64_t r, int shift) {
 std::uint64_t any_word(Draw& draw, const Format& format) { return draw.bits() & all_ones(format); }
 
 std::uint64_t any_width(Draw& draw, const Format& format) {
-  return either_sign(draw, number(draw, format.word_bits), format);
+  return either_sign(draw, any_number(draw, format.word_bits), format);
 }
 
 WordPair product_tie_in(Draw& draw, const Format& format) {
@@ -78,17 +80,17 @@ WordPair product_tie_in(Draw& draw, const Format& format) {
   const int most = magnitude_bits(format) - 1;
   const int in_a = number_from(draw, std::max(0, twos - most), std::min(twos, most));
   const int in_b = twos - in_a;
-  const std::uint64_t a = odd(draw, most + 1 - in_a) << in_a;
-  const std::uint64_t b = odd(draw, most + 1 - in_b) << in_b;
+  const std::uint64_t a = odd_number(draw, most + 1 - in_a) << in_a;
+  const std::uint64_t b = odd_number(draw, most + 1 - in_b) << in_b;
   return either_sign(draw, a, b, format);
 }
 
 WordPair near_product_tie_in(Draw& draw, const Format& format) {
-  const std::uint64_t a = odd(draw, magnitude_bits(format));
+  const std::uint64_t a = odd_number(draw, magnitude_bits(format));
   const std::uint64_t half = std::uint64_t{1} << (format.fraction_bits - 1);
   // The low F bits of b decide the fraction of the product. The other bits are free.
   const std::uint64_t low = (half + 1) * inverse_of(a) & ones(format.fraction_bits);
-  const std::uint64_t high = number(draw, format.word_bits) & ~ones(format.fraction_bits);
+  const std::uint64_t high = any_number(draw, format.word_bits) & ~ones(format.fraction_bits);
   const WordPair pair = either_sign(draw, a, high | low, format);
   if (draw.coin()) return pair;
   return {pair.second, pair.first};
@@ -97,13 +99,14 @@ WordPair near_product_tie_in(Draw& draw, const Format& format) {
 WordPair quotient_tie_in(Draw& draw, const Format& format) {
   // n 2^F = (q + 1/2) d holds for d = 2^(F+1) m and n = m (2q + 1).
   const int bits = magnitude_bits(format);
-  const std::uint64_t m = odd(draw, bits - format.fraction_bits - 1);
-  const std::uint64_t n = m * odd(draw, std::max(1, bits - static_cast<int>(std::bit_width(m))));
+  const std::uint64_t m = odd_number(draw, bits - format.fraction_bits - 1);
+  const std::uint64_t n =
+      m * odd_number(draw, std::max(1, bits - static_cast<int>(std::bit_width(m))));
   return either_sign(draw, n, m << (format.fraction_bits + 1), format);
 }
 
 WordPair near_quotient_tie_in(Draw& draw, const Format& format) {
-  const std::uint64_t d = std::max<std::uint64_t>(3, odd(draw, magnitude_bits(format)));
+  const std::uint64_t d = std::max<std::uint64_t>(3, odd_number(draw, magnitude_bits(format)));
   // n 2^F leaves this remainder if n is the remainder halved F times modulo the odd d.
   std::uint64_t n = d / 2 + (draw.coin() ? 1 : 0);
   for (int i = 0; i < format.fraction_bits; ++i) n = n / 2 + (n % 2 == 0 ? 0 : d / 2 + 1);
@@ -116,22 +119,22 @@ WordPair near_quotient_tie_in(Draw& draw, const Format& format) {
 WordPair large_quotient_in(Draw& draw, const Format& format) {
   const int bits = magnitude_bits(format);
   const int shift = bits - format.fraction_bits;
-  const std::uint64_t d = number(draw, std::min(bits, format.fraction_bits)) | 1;
+  const std::uint64_t d = any_number(draw, std::min(bits, format.fraction_bits)) | 1;
   const std::uint64_t n = shift >= 0 ? (shift > 63 ? 0 : d << shift) : d >> -shift;
   const std::uint64_t beside = draw.below(3) - 1;
   return either_sign(draw, n + beside, d, format);
 }
 
 WordPair small_divisor_in(Draw& draw, const Format& format) {
-  const std::uint64_t n = number(draw, magnitude_bits(format));
+  const std::uint64_t n = any_number(draw, magnitude_bits(format));
   const int widest = std::min(format.fraction_bits, magnitude_bits(format));
-  return either_sign(draw, n, number(draw, widest), format);
+  return either_sign(draw, n, any_number(draw, widest), format);
 }
 
 std::uint64_t root_tie_in(Draw& draw, const Format& format) {
   // A root r + 1/2 has the radicand r (r + 1) + 1/4, which is 2^F times the operand.
   const int root_bits = std::min(63, (magnitude_bits(format) + format.fraction_bits) / 2);
-  const std::uint64_t x = rectangle(number(draw, root_bits), format.fraction_bits);
+  const std::uint64_t x = rectangle(any_number(draw, root_bits), format.fraction_bits);
   return std::min(x, largest(format) - 1) + (draw.coin() ? 1 : 0);
 }
 

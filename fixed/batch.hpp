@@ -47,7 +47,6 @@
 #include "fixed/detail/batch_report.hpp"
 #include "fixed/detail/batch_spans.hpp"
 #include "fixed/detail/batch_targets.hpp"
-#include "fixed/detail/instead.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
@@ -361,20 +360,5 @@ report project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, T
         for (std::size_t k = 0; k < 2; ++k) to[k][i] = N::from_raw(point[k]);
       });
 }
-
-/// \cond
-#define FIXED_REFUSED_BATCH(name)                                                             \
-  template <detail::number_range A, class... Others>                                          \
-  requires(!detail::in_batches<detail::element_t<A>>) report name(const A&, const Others&...) \
-  FIXED_INSTEAD(                                                                              \
-      "batches cover 16.16 and 8.8, with one overflow rule and without "                      \
-      "half_even: write a loop");
-FIXED_REFUSED_BATCH(multiply)
-FIXED_REFUSED_BATCH(mul_add)
-FIXED_REFUSED_BATCH(divide)
-FIXED_REFUSED_BATCH(sqrt)
-FIXED_REFUSED_BATCH(dot)
-#undef FIXED_REFUSED_BATCH
-/// \endcond
 
 }  // namespace fixproof::batch

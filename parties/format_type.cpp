@@ -37,12 +37,12 @@ bool with_number_in(const cases::Format& format, const Call& call, List<Numbers.
 using Result = std::optional<std::uint64_t>;
 
 template <class Number>
-Number number_of(std::uint64_t word) {
+Number number_from(std::uint64_t word) {
   return Number::from_raw(static_cast<typename Number::raw_type>(word));
 }
 
 template <class Number>
-std::uint64_t word_of(Number x) {
+std::uint64_t bits_of(Number x) {
   return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
 }
 
@@ -53,34 +53,34 @@ Result through_text(Number x) {
   Number back;
   const auto read = fixproof::from_chars(text.data(), written.ptr, back);
   if (read.ec != std::errc{} || read.ptr != written.ptr) return std::nullopt;
-  return word_of(back);
+  return bits_of(back);
 }
 
 template <class Number>
 void answer(const cases::Variant& v, const Batch& batch) {
   const auto each = [&](const auto& one) {
     each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
-      return one(number_of<Number>(a), number_of<Number>(b));
+      return one(number_from<Number>(a), number_from<Number>(b));
     });
   };
   switch (v.operation) {
     case cases::Operation::add:
-      return each([](Number a, Number b) -> Result { return word_of<Number>(a + b); });
+      return each([](Number a, Number b) -> Result { return bits_of<Number>(a + b); });
     case cases::Operation::sub:
-      return each([](Number a, Number b) -> Result { return word_of<Number>(a - b); });
+      return each([](Number a, Number b) -> Result { return bits_of<Number>(a - b); });
     case cases::Operation::mul:
-      return each([](Number a, Number b) -> Result { return word_of<Number>(a * b); });
+      return each([](Number a, Number b) -> Result { return bits_of<Number>(a * b); });
     case cases::Operation::div:
       return each([](Number a, Number b) -> Result {
         const auto quotient = fixproof::try_divide(a, b);
         if (!quotient) return std::nullopt;
-        return word_of<Number>(*quotient);
+        return bits_of<Number>(*quotient);
       });
     case cases::Operation::sqrt:
-      return each([](Number a, Number /*b*/) -> Result { return word_of(fixproof::sqrt(a)); });
+      return each([](Number a, Number /*b*/) -> Result { return bits_of(fixproof::sqrt(a)); });
     case cases::Operation::binary64:
       return each(
-          [](Number a, Number /*b*/) -> Result { return word_of(Number(static_cast<double>(a))); });
+          [](Number a, Number /*b*/) -> Result { return bits_of(Number(static_cast<double>(a))); });
     default:
       return each([](Number a, Number /*b*/) { return through_text(a); });
   }
