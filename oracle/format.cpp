@@ -15,7 +15,7 @@ void require_valid(const Format& format) {
     throw std::invalid_argument("fraction_bits must be 0 ... bits");
 }
 
-Integer one(const Format& format) { return power_of_two(format.fraction_bits); }
+Integer one_in(const Format& format) { return power_of_two(format.fraction_bits); }
 
 }  // namespace
 
@@ -53,19 +53,19 @@ LongWord saturate(const Integer& value, const Format& format) {
 }
 
 Integer exact_product(LongWord a, LongWord b, Rounding rule, const Format& format) {
-  return rounded(ulps(a, format) * ulps(b, format), one(format), rule);
+  return rounded(ulps(a, format) * ulps(b, format), one_in(format), rule);
 }
 
 std::optional<Integer> exact_quotient(LongWord n, LongWord d, Rounding rule, const Format& format) {
   const Integer divisor = ulps(d, format);
   if (divisor == 0) return std::nullopt;
-  return rounded(ulps(n, format) * one(format), divisor, rule);
+  return rounded(ulps(n, format) * one_in(format), divisor, rule);
 }
 
 std::optional<Integer> exact_root(LongWord x, Rounding rule, const Format& format) {
   const Integer value = ulps(x, format);
   if (value < 0) return std::nullopt;
-  const Integer radicand = value * one(format);
+  const Integer radicand = value * one_in(format);
   Integer rest;
   const Integer floor = boost::multiprecision::sqrt(radicand, rest);
   if (rule == Rounding::floor || rule == Rounding::truncate) return floor;
@@ -75,7 +75,7 @@ std::optional<Integer> exact_root(LongWord x, Rounding rule, const Format& forma
 
 Integer converted(const Integer& value, const Format& from, const Format& to, Rounding rule) {
   require_valid(from);
-  return rounded(value * one(to), one(from), rule);
+  return rounded(value * one_in(to), one_in(from), rule);
 }
 
 }  // namespace oracle
