@@ -8,6 +8,8 @@
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
+#include "check/word.hpp"
+#include "support/hex.hpp"
 #include "support/read_line.hpp"
 #include "support/usage_error.hpp"
 
@@ -24,6 +26,31 @@ cases::Variant variant_of(cases::Operation operation) {
 /// A plan has cases only for rows of at least two parties, so the row has two placeholders.
 cases::Plan plan_of(cases::Operation operation, const CaseOptions& options) {
   return {static_cast<int>(options.level), options.seed, {{variant_of(operation), {"a", "b"}}}};
+}
+
+/// Parses the words of a line into parts.
+void parse_parts(std::string_view line, cases::Operation operation, const cases::Format& format,
+                 std::span<std::uint32_t> parts) {
+  if (format.word_bits == 32) {
+    cases::parse_words(line, variant_of(operation), parts);
+    return;
+  }
+  const std::size_t count = parts_of(format);
+  for (std::size_t i = 0; i < parts.size(); i += count) {
+    const auto space = line.find(' ');
+    const bool last = i + count == parts.size();
+    if (last != (space == std::string_view::npos)) {
+      const std::size_t words = parts.size() / count;
+      throw support::UsageError(fmt::format("{} takes {} word{}, separated by single spaces",
+                                            cases::name_of(operation), words,
+                                            words > 1 ? "s" : ""));
+    }
+    const std::uint64_t word = support::parse_long_hex(
+        line.substr(0, space), static_cast<std::size_t>(format.word_bits / 4));
+    parts[i] = static_cast<std::uint32_t>(word);
+    if (count == 2) parts[i + 1] = static_cast<std::uint32_t>(word >> 32U);
+    if (!last) line.remove_prefix(space + 1);
+  }
 }
 
 }  // namespace
@@ -96,8 +123,8 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
   }
 }
 
-FileCases::FileCases(cases::Operation operation, std::string path)
-    : variant_(variant_of(operation)), path_(std::move(path)), file_(path_) {
+FileCases::FileCases(cases::Operation operation, std::string path, const cases::Format& format)
+    : operation_(operation), format_(format), path_(std::move(path)), file_(path_) {
   if (!file_) {
     throw support::UsageError(
         fmt::format("cannot read {}: {}", path_, std::generic_category().message(errno)));
@@ -111,7 +138,7 @@ bool FileCases::next(std::span<std::uint32_t> words) {
       ++line_;
       if (!support::read_line(file_, line)) return false;
     } while (support::is_blank_or_comment(line));
-    cases::parse_words(line, variant_, words);
+    parse_parts(line, operation_, format_, words);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/format.hpp"
 #include "cases/plan.hpp"
 #include "cases/variant.hpp"
 
@@ -32,7 +33,7 @@ class CaseSource : private boost::noncopyable {
   CaseSource() = default;
   virtual ~CaseSource() = default;
 
-  /// Reads the words of the next case; false at the end.
+  /// Reads the words of the next case; false at the end. A word of 64 bits is two, low half first.
   virtual bool next(std::span<std::uint32_t> words) = 0;
   /// The stream or the file of the last case. The text lives as long as the source.
   [[nodiscard]] virtual std::string_view origin() const = 0;
@@ -79,14 +80,16 @@ class GeneratedCases final : public CaseSource {
 class FileCases final : public CaseSource {
  public:
   /// @throws UsageError if the file cannot be read
-  FileCases(cases::Operation operation, std::string path);
+  FileCases(cases::Operation operation, std::string path,
+            const cases::Format& format = cases::q16_16);
 
   /// @throws UsageError naming the line that is not a case
   bool next(std::span<std::uint32_t> words) override;
   [[nodiscard]] std::string_view origin() const override { return path_; }
 
  private:
-  cases::Variant variant_;
+  cases::Operation operation_;
+  cases::Format format_;
   std::string path_;
   std::ifstream file_;
   std::uint64_t line_ = 0;

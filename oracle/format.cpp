@@ -21,7 +21,7 @@ Integer one_in(const Format& format) { return power_of_two(format.fraction_bits)
 
 Integer lowest(const Format& format) {
   require_valid(format);
-  return format.is_signed ? Integer(-power_of_two(format.bits - 1)) : Integer(0);
+  return format.is_signed ? -power_of_two(format.bits - 1) : Integer(0);
 }
 
 Integer highest(const Format& format) {

@@ -9,7 +9,11 @@
 
 namespace fixproof::support {
 
-/// Parses a word of exactly `digits` lower-case hex digits.
+/// Parses a word of exactly `digits` lower-case hex digits, at most 16.
+/// @throws UsageError naming the defect
+std::uint64_t parse_long_hex(std::string_view text, std::size_t digits);
+
+/// The same for at most 8 digits.
 /// @throws UsageError naming the defect
 std::uint32_t parse_hex(std::string_view text, std::size_t digits);
 
