@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "cases/format_makers.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cases {
@@ -102,9 +103,33 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
   return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};
 }
 
-std::vector<Share> streams_of(Operation operation, int level) {
+/// Whether a format that no routine has offers cases of a stream.
+bool offers(const Format& format, Stream stream) {
+  switch (stream) {
+    case Stream::product_ties:
+    case Stream::near_product_ties:
+      return has_product_ties(format);
+    case Stream::quotient_ties:
+      return has_quotient_ties(format);
+    case Stream::whole_divisor_ties:
+    case Stream::fault_edge:
+      return false;
+    default:
+      return true;
+  }
+}
+
+std::vector<Share> streams_of(const Variant& variant, int level) {
   if (level == 3) return {{Stream::every}};
-  return sampled_streams(operation, sample_of(operation) * (level == 2 ? level_2_factor : 1));
+  const std::uint64_t factor = level == 2 ? level_2_factor : 1;
+  if (has_routine_format(variant)) {
+    return sampled_streams(variant.operation, sample_of(variant.operation) * factor);
+  }
+  // There are three dozen formats, each with its own plan.
+  constexpr std::uint64_t sample = 10'000;
+  std::vector<Share> shares = sampled_streams(variant.operation, sample * factor);
+  std::erase_if(shares, [&](const Share& one) { return !offers(variant.format, one.stream); });
+  return shares;
 }
 
 }  // namespace
@@ -116,7 +141,7 @@ Plan::Plan(int level, std::uint64_t seed, std::vector<Row> rows)
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (!rows_[row].compared()) continue;
     const Variant& variant = rows_[row].variant;
-    for (const Share& share : streams_of(variant.operation, level)) {
+    for (const Share& share : streams_of(variant, level)) {
       add_job(row, share.stream, size_of(share.stream, variant).value_or(share.cases));
     }
   }
@@ -145,11 +170,16 @@ std::uint64_t Plan::cases() const {
 std::optional<Variant> at_level(int level, const Variant& variant) {
   Variant v = variant;
   if (level != 3) return v;
+  if (!has_routine_format(v)) {
+    const std::size_t bits = words_in(v.operation) * static_cast<std::size_t>(v.format.word_bits);
+    const bool few = words_in(v.operation) == 1 ? bits <= 32 : bits <= 16;
+    return few ? std::optional(v) : std::nullopt;
+  }
   switch (v.operation) {
     case Operation::mul:
     case Operation::div:
       if (v.build.chapter_52) return std::nullopt;
-      v.fraction_bits = 8;
+      v.format = q8_8;
       return v;
     case Operation::xformvec:
     case Operation::concat:

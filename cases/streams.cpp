@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cases/draw.hpp"
+#include "cases/format_makers.hpp"
 #include "cases/stream_makers.hpp"
 
 namespace fixproof::cases {
@@ -58,13 +59,22 @@ void each_pair(std::uint64_t key, std::uint64_t first, std::span<std::uint32_t> 
   });
 }
 
+/// Stores a number of the format.
+void store(std::span<std::uint32_t> words, std::size_t number, std::uint64_t value,
+           const Format& format) {
+  const std::size_t each = words_per_number(format);
+  words[number * each] = static_cast<std::uint32_t>(value);
+  if (each == 2) words[2 * number + 1] = static_cast<std::uint32_t>(value >> 32U);
+}
+
 void count_lattice(std::size_t arity, const Format& format, std::uint64_t first,
                    std::span<std::uint32_t> words) {
   const auto values = boundary_lattice(format.word_bits);
-  for (std::size_t i = 0; i * arity < words.size(); ++i) {
+  const std::size_t cases = words.size() / (arity * words_per_number(format));
+  for (std::size_t i = 0; i < cases; ++i) {
     std::uint64_t left = first + i;
     for (std::size_t operand = arity; operand-- > 0; left /= values.size()) {
-      words[i * arity + operand] = values[left % values.size()];
+      store(words, i * arity + operand, values[left % values.size()], format);
     }
   }
 }
@@ -107,9 +117,9 @@ bool is_stream_of(Stream stream, Operation operation) {
       return operation == Operation::mul;
     case Stream::quotient_ties:
     case Stream::near_quotient_ties:
-    case Stream::whole_divisor_ties:
     case Stream::large_quotients:
     case Stream::small_divisors:
+    case Stream::whole_divisor_ties:
     case Stream::fault_edge:
       return operation == Operation::div;
     case Stream::rotations:
@@ -132,23 +142,24 @@ std::string_view name_of(Stream stream) {
   return stream_names.at(static_cast<std::size_t>(stream));
 }
 
-std::vector<std::uint32_t> boundary_lattice(int word_bits) {
-  const std::uint32_t all_ones = ~std::uint32_t{0} >> (32 - word_bits);
-  std::set<std::uint32_t> values;
-  const auto add = [&](std::uint32_t value) {
+std::vector<std::uint64_t> boundary_lattice(int word_bits) {
+  const std::uint64_t all_ones = ~std::uint64_t{0} >> (64 - word_bits);
+  std::set<std::uint64_t> values;
+  const auto add = [&](std::uint64_t value) {
     values.insert(value & all_ones);
-    values.insert(-value & all_ones);
+    values.insert((0 - value) & all_ones);
   };
-  for (const std::uint32_t small : {0U, 1U, 2U, 3U}) add(small);
+  for (const std::uint64_t small : {0U, 1U, 2U, 3U}) add(small);
   for (int bit = 0; bit < word_bits; ++bit) {
-    const std::uint32_t power = std::uint32_t{1} << bit;
+    const std::uint64_t power = std::uint64_t{1} << bit;
     add(power - 1);
     add(power);
     add(power + 1);
   }
-  for (const std::uint32_t pattern : {0x55555555U, 0xaaaaaaaaU, 0x33333333U, 0xccccccccU,
-                                      0x0f0f0f0fU, 0xf0f0f0f0U, 0x00ff00ffU, 0xff00ff00U}) {
+  for (const std::uint64_t pattern :
+       {0x5555555555555555U, 0x3333333333333333U, 0x0f0f0f0f0f0f0f0fU, 0x00ff00ff00ff00ffU}) {
     add(pattern);
+    add(~pattern);
   }
   return {values.begin(), values.end()};
 }
@@ -166,15 +177,66 @@ std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
   return std::uint64_t{1} << (arity * static_cast<std::size_t>(bits));
 }
 
+namespace {
+
+/// Makes the cases of a format that no routine has.
+void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std::uint64_t first,
+                   std::span<std::uint32_t> words) {
+  const Format& format = variant.format;
+  const std::size_t arity = words_in(variant.operation);
+  const auto numbers = [&](auto make) {
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      for (std::size_t i = 0; i < arity; ++i) store(one_case, i, make(draw, format), format);
+    });
+  };
+  const auto pairs = [&](auto make) {
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      const WordPair pair = make(draw, format);
+      store(one_case, 0, pair.first, format);
+      store(one_case, 1, pair.second, format);
+    });
+  };
+  switch (stream) {
+    case Stream::uniform:
+      return numbers(any_word);
+    case Stream::scaled:
+      return numbers(any_width);
+    case Stream::lattice:
+      return count_lattice(arity, format, first, words);
+    case Stream::every:
+      return count_every(arity, format, first, words);
+    case Stream::product_ties:
+      return pairs(product_tie_in);
+    case Stream::near_product_ties:
+      return pairs(near_product_tie_in);
+    case Stream::quotient_ties:
+      return pairs(quotient_tie_in);
+    case Stream::near_quotient_ties:
+      return pairs(near_quotient_tie_in);
+    case Stream::large_quotients:
+      return pairs(large_quotient_in);
+    case Stream::small_divisors:
+      return pairs(small_divisor_in);
+    case Stream::root_ties:
+      return numbers(root_tie_in);
+    default:
+      refuse(stream, variant);
+  }
+}
+
+}  // namespace
+
 void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::uint64_t first,
                 std::span<std::uint32_t> words) {
   const Operation operation = variant.operation;
   if (!is_stream_of(stream, operation)) refuse(stream, variant);
-  const Format format{.word_bits = operand_bits(variant), .fraction_bits = variant.fraction_bits};
-  const std::size_t arity = words_in(operation);
   // The key leaves out the variant's rules, so all variants of an operation get the same cases.
   const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +
                             static_cast<std::uint64_t>(stream);
+  if (!has_routine_format(variant)) return make_cases_in(stream, variant, key, first, words);
+  const Format format{.word_bits = operand_bits(variant),
+                      .fraction_bits = variant.format.fraction_bits};
+  const std::size_t arity = words_in(operation);
   const auto pairs = [&](auto make) { each_pair(key, first, words, format, make); };
   const auto cases = [&](auto make) { each_case(arity, key, first, words, make); };
   switch (stream) {
@@ -213,7 +275,8 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
       return cases([&](Draw& draw, auto one_case) { axes(draw, format, one_case); });
     case Stream::lattice_words:
       return cases([&, values = boundary_lattice(format.word_bits)](Draw& draw, auto one_case) {
-        for (auto& word : one_case) word = values[draw.below(values.size())];
+        for (auto& word : one_case)
+          word = static_cast<std::uint32_t>(values[draw.below(values.size())]);
       });
     case Stream::transform_ties:
       return cases([&](Draw& draw, auto one_case) { transform_tie(draw, format, one_case); });

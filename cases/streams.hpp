@@ -13,7 +13,9 @@
 
 namespace fixproof::cases {
 
-/// The way cases are made. F is the number of fraction bits; one unit is the last place, 2^-F.
+/// The way cases are made. Formats other than 16.16 and 8.8 have the streams of mul, div and sqrt
+/// without whole_divisor_ties and fault_edge. F is the number of fraction bits; one unit is the
+/// last place, 2^-F.
 enum class Stream : std::uint8_t {
   // Any operation.
   uniform,  ///< every word is equally likely
@@ -49,14 +51,14 @@ std::string_view name_of(Stream stream);
 
 /// Returns the boundary values: 0, 1, 2, 3, every power of two, the words one unit from them and
 /// bit patterns, each with both signs. They are sorted and distinct.
-std::vector<std::uint32_t> boundary_lattice(int word_bits);
+std::vector<std::uint64_t> boundary_lattice(int word_bits);
 
 /// Returns the number of cases of an enumerated stream; empty for a random, endless stream.
 /// @throws std::invalid_argument if the operation has too many operands to enumerate
 std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant);
 
 /// Writes cases `first`, `first` + 1, ... of a stream until `words` is full. The size of `words` is
-/// a multiple of words_in(operation).
+/// a multiple of words_in(variant).
 /// @throws std::invalid_argument if the operation does not have that stream
 void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::uint64_t first,
                 std::span<std::uint32_t> words);

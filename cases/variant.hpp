@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/build.hpp"
+#include "cases/format.hpp"
 
 namespace fixproof::cases {
 
@@ -32,8 +33,8 @@ enum class Operation : std::uint8_t {
 struct Variant {
   Operation operation = Operation::mul;
   Build build{};
-  /// 16 for 16.16 words, 8 for 8.8 words.
-  int fraction_bits = 16;
+  /// Of the operands and results. Routines exist in 16.16 and 8.8.
+  Format format = q16_16;
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };
@@ -92,7 +93,28 @@ constexpr Variant variant_of(Operation operation, const Build& build) {
 
 /// The width of each operand. The angle of cossin has half the bits of a word.
 constexpr int operand_bits(const Variant& v) {
-  return v.operation == Operation::cossin ? v.fraction_bits : 2 * v.fraction_bits;
+  return v.operation == Operation::cossin ? v.format.word_bits / 2 : v.format.word_bits;
+}
+
+/// Cases and answers are stored in words of 32 bits. A number of 64 bits takes two, the low half
+/// first.
+constexpr std::size_t words_per_number(const Format& format) {
+  return format.word_bits > 32 ? 2 : 1;
+}
+constexpr std::size_t words_in(const Variant& v) {
+  return words_in(v.operation) * words_per_number(v.format);
+}
+constexpr std::size_t words_out(const Variant& v) {
+  return words_out(v.operation) * words_per_number(v.format);
+}
+/// The bits of each stored word of an operand.
+constexpr int stored_bits(const Variant& v) {
+  return v.format.word_bits > 32 ? 32 : operand_bits(v);
+}
+
+/// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models.
+constexpr bool has_routine_format(const Variant& v) {
+  return v.format == q16_16 || v.format == q8_8;
 }
 
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/hex.hpp"
@@ -16,49 +17,84 @@ std::int32_t signed_word(std::uint32_t word, int bits) {
   return static_cast<std::int32_t>(word << unused) >> unused;
 }
 
+/// The exact value of a word of 64 bits.
+std::string exact_decimal(const Format& format, std::uint64_t word) {
+  const bool negative = format.is_signed && word >> 63U != 0;
+  const std::uint64_t magnitude = negative ? 0 - word : word;
+  const int f = format.fraction_bits;
+  std::string text = fmt::format("{}{}.", negative ? "-" : "", f == 64 ? 0 : magnitude >> f);
+  // The fraction fills 64 bits. Ten times it is computed in halves; the digit is what exceeds them.
+  for (std::uint64_t rest = f == 0 ? 0 : magnitude << (64 - f); rest != 0;) {
+    const std::uint64_t low = (rest & 0xffffffffU) * 10;
+    const std::uint64_t high = (rest >> 32U) * 10 + (low >> 32U);
+    text += static_cast<char>('0' + (high >> 32U));
+    rest = high << 32U | (low & 0xffffffffU);
+  }
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 std::string decimal(const Variant& v, std::uint32_t word) {
   if (v.operation == Operation::cossin) {
     return fmt::format("{:.1f} degrees", signed_word(word, operand_bits(v)) / 10.0);
   }
-  // The conversion is exact: a word has fewer bits than a double.
-  std::string text =
-      fmt::format("{:.5f}", std::ldexp(signed_word(word, operand_bits(v)), -v.fraction_bits));
+  // A decimal place has 3.3 bits.
+  const int places = std::max(5, v.format.fraction_bits * 3 / 10 + 1);
+  // The conversion is exact: a word of 32 bits has fewer bits than a double.
+  const double units =
+      v.format.is_signed ? signed_word(word, operand_bits(v)) : static_cast<double>(word);
+  std::string text = fmt::format("{:.{}f}", std::ldexp(units, -v.format.fraction_bits), places);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text;
+}
+
+std::uint64_t joined(std::span<const std::uint32_t> halves) {
+  return std::uint64_t{halves[1]} << 32U | halves[0];
 }
 
 }  // namespace
 
 void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
   const auto digits = static_cast<std::size_t>(operand_bits(v) / 4);
-  for (std::size_t i = 0; i < words.size(); ++i) {
+  const std::size_t each = words_per_number(v.format);
+  const std::size_t numbers = words.size() / each;
+  for (std::size_t i = 0; i < numbers; ++i) {
     const auto space = line.find(' ');
-    const bool last = i + 1 == words.size();
+    const bool last = i + 1 == numbers;
     if (last != (space == std::string_view::npos)) {
       throw support::UsageError(fmt::format("{} takes {} word{}, separated by single spaces",
-                                            name_of(v.operation), words.size(),
-                                            words.size() > 1 ? "s" : ""));
+                                            name_of(v.operation), numbers, numbers > 1 ? "s" : ""));
     }
-    words[i] = support::parse_hex(line.substr(0, space), digits);
+    const std::uint64_t number = support::parse_long_hex(line.substr(0, space), digits);
+    words[i * each] = static_cast<std::uint32_t>(number);
+    if (each == 2) words[2 * i + 1] = static_cast<std::uint32_t>(number >> 32U);
     if (!last) line.remove_prefix(space + 1);
+  }
+}
+
+void append_words(std::string& to, std::span<const std::uint32_t> words, int bits) {
+  const std::size_t each = bits > 32 ? 2 : 1;
+  const auto digits = static_cast<std::size_t>(bits) / (4 * each);
+  for (std::size_t i = 0; i < words.size(); i += each) {
+    if (i > 0) to += ' ';
+    if (each == 2) support::append_hex(to, words[i + 1], digits);
+    support::append_hex(to, words[i], digits);
   }
 }
 
 std::string hex_words(std::span<const std::uint32_t> words, int bits) {
   std::string text;
-  for (const std::uint32_t word : words) {
-    if (!text.empty()) text += ' ';
-    support::append_hex(text, word, static_cast<std::size_t>(bits / 4));
-  }
+  append_words(text, words, bits);
   return text;
 }
 
 std::string decimal_words(const Variant& v, std::span<const std::uint32_t> words) {
+  const std::size_t each = words_per_number(v.format);
   std::string text;
-  for (const std::uint32_t word : words) {
-    if (!text.empty()) text += ' ';
-    text += decimal(v, word);
+  for (std::size_t i = 0; i < words.size(); i += each) {
+    if (i > 0) text += ' ';
+    text += each == 2 ? exact_decimal(v.format, joined(words.subspan(i, 2))) : decimal(v, words[i]);
   }
   return text;
 }

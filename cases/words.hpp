@@ -11,14 +11,20 @@
 
 namespace fixproof::cases {
 
-/// Parses the operands of one case: exactly words_in() words, separated by single spaces.
+/// Parses the operands of one case into words_in(v) words. The line has one group of hex digits per
+/// operand, separated by single spaces.
 /// @throws UsageError describing the defect of the line
 void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words);
 
-/// Formats words of `bits` bits in hex digits, separated by single spaces.
+/// Formats numbers of `bits` bits in hex digits, separated by single spaces. Numbers of 64 bits
+/// are pairs of words, the low half first.
 std::string hex_words(std::span<const std::uint32_t> words, int bits);
 
-/// Formats the operands in decimal, angles in degrees. Five places distinguish all 16.16 values.
+/// Appends the same.
+void append_words(std::string& to, std::span<const std::uint32_t> words, int bits);
+
+/// Formats the operands in decimal, angles in degrees. Values of more than 32 bits are exact,
+/// others have enough places to distinguish them; for 16.16 five.
 std::string decimal_words(const Variant& variant, std::span<const std::uint32_t> words);
 
 }  // namespace fixproof::cases

@@ -8,8 +8,6 @@
 
 #include "cases/plan.hpp"
 #include "cases/words.hpp"
-#include "check/word.hpp"
-#include "support/hex.hpp"
 #include "support/read_line.hpp"
 #include "support/usage_error.hpp"
 
@@ -19,58 +17,37 @@ namespace {
 
 constexpr std::uint64_t cases_of_batch = 1024;
 
-cases::Variant variant_of(cases::Operation operation) {
-  return {.operation = operation, .build = {.target = cases::Target::standard}};
+cases::Variant variant_of(cases::Operation operation, const cases::Format& format) {
+  return {.operation = operation, .build = {.target = cases::Target::standard}, .format = format};
 }
 
 /// A plan has cases only for rows of at least two parties, so the row has two placeholders.
-cases::Plan plan_of(cases::Operation operation, const CaseOptions& options) {
-  return {static_cast<int>(options.level), options.seed, {{variant_of(operation), {"a", "b"}}}};
-}
-
-/// Parses the words of a line into parts.
-void parse_parts(std::string_view line, cases::Operation operation, const cases::Format& format,
-                 std::span<std::uint32_t> parts) {
-  if (format.word_bits == 32) {
-    cases::parse_words(line, variant_of(operation), parts);
-    return;
-  }
-  const std::size_t count = parts_of(format);
-  for (std::size_t i = 0; i < parts.size(); i += count) {
-    const auto space = line.find(' ');
-    const bool last = i + count == parts.size();
-    if (last != (space == std::string_view::npos)) {
-      const std::size_t words = parts.size() / count;
-      throw support::UsageError(fmt::format("{} takes {} word{}, separated by single spaces",
-                                            cases::name_of(operation), words,
-                                            words > 1 ? "s" : ""));
-    }
-    const std::uint64_t word = support::parse_long_hex(
-        line.substr(0, space), static_cast<std::size_t>(format.word_bits / 4));
-    parts[i] = static_cast<std::uint32_t>(word);
-    if (count == 2) parts[i + 1] = static_cast<std::uint32_t>(word >> 32U);
-    if (!last) line.remove_prefix(space + 1);
-  }
+cases::Plan plan_of(const cases::Variant& variant, const CaseOptions& options) {
+  return {static_cast<int>(options.level), options.seed, {{variant, {"a", "b"}}}};
 }
 
 }  // namespace
 
-std::string CaseOptions::command_line(cases::Operation operation) const {
-  std::string text = fmt::format("fixproof gen {} --level {}", cases::name_of(operation), level);
+std::string CaseOptions::command_line(cases::Operation operation,
+                                      const cases::Format& format) const {
+  std::string text = fmt::format("fixproof gen {}", cases::name_of(operation));
+  if (format != cases::q16_16) text += fmt::format(" --format {}", cases::name_of(format));
+  text += fmt::format(" --level {}", level);
   if (seed != CaseOptions{}.seed) text += fmt::format(" --seed {}", seed);
   if (shard != CaseOptions{}.shard) text += fmt::format(" --shard {}", shard);
   if (cases) text += fmt::format(" --cases {}", *cases);
   return text;
 }
 
-GeneratedCases::GeneratedCases(cases::Operation operation, const CaseOptions& options)
-    : variant_(variant_of(operation)),
-      plan_(plan_of(operation, options)),
+GeneratedCases::GeneratedCases(cases::Operation operation, const CaseOptions& options,
+                               const cases::Format& format)
+    : variant_(variant_of(operation, format)),
+      plan_(plan_of(variant_, options)),
       shard_(cases::parse_shard(options.shard)),
       seed_(options.seed),
       all_(plan_.cases()),
       wanted_(std::min(options.cases.value_or(all_), all_)),
-      batch_(cases_of_batch * cases::words_in(operation)) {
+      batch_(cases_of_batch * cases::words_in(variant_)) {
   for (const cases::Job& job : plan_.jobs()) count_ += count_of(cases::name_of(job.stream));
 }
 
@@ -104,7 +81,7 @@ bool GeneratedCases::fill() {
     origin_ = cases::name_of(chunk_->job->stream);
   }
   const std::uint64_t cases = std::min(cases_of_batch, chunk_->cases - in_chunk_);
-  const auto batch = std::span(batch_).first(cases * cases::words_in(variant_.operation));
+  const auto batch = std::span(batch_).first(cases * cases::words_in(variant_));
   cases::make_cases(chunk_->job->stream, variant_, seed_, chunk_->first + in_chunk_, batch);
   in_chunk_ += cases;
   rest_ = batch;
@@ -124,7 +101,7 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
 }
 
 FileCases::FileCases(cases::Operation operation, std::string path, const cases::Format& format)
-    : operation_(operation), format_(format), path_(std::move(path)), file_(path_) {
+    : variant_(variant_of(operation, format)), path_(std::move(path)), file_(path_) {
   if (!file_) {
     throw support::UsageError(
         fmt::format("cannot read {}: {}", path_, std::generic_category().message(errno)));
@@ -138,7 +115,7 @@ bool FileCases::next(std::span<std::uint32_t> words) {
       ++line_;
       if (!support::read_line(file_, line)) return false;
     } while (support::is_blank_or_comment(line));
-    parse_parts(line, operation_, format_, words);
+    cases::parse_words(line, variant_, words);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));
   }

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/format.hpp"
 #include "cases/plan.hpp"
 #include "cases/variant.hpp"
 
@@ -25,7 +24,8 @@ struct CaseOptions {
   std::optional<std::uint64_t> cases;  ///< the maximum number, evenly spread
 
   /// Returns the command that writes these cases.
-  [[nodiscard]] std::string command_line(cases::Operation operation) const;
+  [[nodiscard]] std::string command_line(cases::Operation operation,
+                                         const cases::Format& format = cases::q16_16) const;
 };
 
 class CaseSource : private boost::noncopyable {
@@ -33,7 +33,7 @@ class CaseSource : private boost::noncopyable {
   CaseSource() = default;
   virtual ~CaseSource() = default;
 
-  /// Reads the words of the next case; false at the end. A word of 64 bits is two, low half first.
+  /// Reads the words of the next case, words_in(variant) of them; false at the end.
   virtual bool next(std::span<std::uint32_t> words) = 0;
   /// The stream or the file of the last case. The text lives as long as the source.
   [[nodiscard]] virtual std::string_view origin() const = 0;
@@ -41,11 +41,12 @@ class CaseSource : private boost::noncopyable {
   [[nodiscard]] virtual std::optional<std::uint64_t> count() const { return std::nullopt; }
 };
 
-/// The cases of a verification of the operation at that level, with that seed.
+/// The cases of a verification of the operation in the format, at that level, with that seed.
 class GeneratedCases final : public CaseSource {
  public:
   /// @throws UsageError for an invalid shard
-  GeneratedCases(cases::Operation operation, const CaseOptions& options);
+  GeneratedCases(cases::Operation operation, const CaseOptions& options,
+                 const cases::Format& format = cases::q16_16);
 
   bool next(std::span<std::uint32_t> words) override;
   [[nodiscard]] std::string_view origin() const override { return origin_; }
@@ -88,8 +89,7 @@ class FileCases final : public CaseSource {
   [[nodiscard]] std::string_view origin() const override { return path_; }
 
  private:
-  cases::Operation operation_;
-  cases::Format format_;
+  cases::Variant variant_;
   std::string path_;
   std::ifstream file_;
   std::uint64_t line_ = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/variant.hpp"
 #include "oracle/format.hpp"
 #include "oracle/unbounded.hpp"
 #include "support/hex.hpp"
@@ -30,7 +31,7 @@ oracle::Format oracle_format(const cases::Format& format) {
 
 void join_words(std::span<const std::uint32_t> parts, const cases::Format& format,
                 std::span<std::uint64_t> words) {
-  const std::size_t count = parts_of(format);
+  const std::size_t count = cases::words_per_number(format);
   for (std::size_t i = 0; i < words.size(); ++i) {
     words[i] = parts[count * i];
     if (count == 2) words[i] |= std::uint64_t{parts[2 * i + 1]} << 32U;

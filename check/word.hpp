@@ -57,10 +57,6 @@ constexpr std::uint64_t magnitude(std::uint64_t word, const cases::Format& forma
 /// one part.
 void join_words(std::span<const std::uint32_t> parts, const cases::Format& format,
                 std::span<std::uint64_t> words);
-/// The number of parts of a word.
-constexpr std::size_t parts_of(const cases::Format& format) {
-  return format.word_bits == 64 ? 2 : 1;
-}
 
 /// Returns a word in hex digits: 8 for 32 bits.
 std::string hex_text(std::uint64_t word, const cases::Format& format);

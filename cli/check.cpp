@@ -107,7 +107,7 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   const auto arity = cases::words_in(judge.rules().operation);
   check::JudgedCase one;
   std::array<std::uint32_t, 4> room{};
-  const auto parts = std::span(room).first(arity * check::parts_of(format));
+  const auto parts = std::span(room).first(arity * cases::words_per_number(format));
   while (!support::Interrupt::flag() && cases.next(parts)) {
     const auto said = results.next();
     if (support::Interrupt::flag()) return;
@@ -149,13 +149,8 @@ void refuse_idle_options(const CLI::App& command, cases::Operation operation,
 int check(const CheckOptions& options) {
   const check::Rules rules = rules_of(options);
   std::unique_ptr<check::CaseSource> cases;
-  if (options.from.empty() && rules.format != cases::q16_16) {
-    throw support::UsageError(fmt::format(
-        "--format {}: gen has cases in q16_16 only; name a file of cases with --from",
-        options.format));
-  }
   if (options.from.empty()) {
-    cases = std::make_unique<check::GeneratedCases>(rules.operation, options.cases);
+    cases = std::make_unique<check::GeneratedCases>(rules.operation, options.cases, rules.format);
   } else {
     cases = std::make_unique<check::FileCases>(rules.operation, options.from, rules.format);
   }
@@ -183,8 +178,8 @@ int check(const CheckOptions& options) {
   }
   // Show the verdict on the results judged so far, even after an error.
   if (judge.cases() > 0) {
-    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation)
-                                                     : options.from)
+    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation, rules.format)
+                                                     : support::printable(options.from))
               << check::verdict_text(judge);
   }
   if (support::Interrupt::flag()) {

@@ -9,8 +9,8 @@
 #include "cli/commands.hpp"
 #include "cli/lines.hpp"
 #include "cli/options.hpp"
+#include "cli/selection.hpp"
 #include "parties/party.hpp"
-#include "support/hex.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
@@ -20,26 +20,34 @@ namespace {
 struct EvalOptions {
   std::string operation;
   std::string by;
+  std::string format;
   VariantOptions variant;
 };
 
 void append_answer(std::string& output, parties::Ending ending,
-                   std::span<const std::uint32_t> words) {
+                   std::span<const std::uint32_t> words, int word_bits) {
   if (ending == parties::Ending::divide_error) {
     output += "DE";
     return;
   }
   if (ending != parties::Ending::value)
     throw support::UsageError("the party gave no answer; choose another with --by");
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) output += ' ';
-    support::append_hex(output, words[i], 8);
-  }
+  cases::append_words(output, words, word_bits);
 }
 
 cases::Variant chosen(const EvalOptions& options) {
-  const cases::Operation operation = cases::operation_named(options.operation);
   const VariantOptions& v = options.variant;
+  if (!options.format.empty()) {
+    if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52 ||
+        v.repaired) {
+      throw support::UsageError(
+          "--format: other formats have no target, rounding or chapter; leave these options out");
+    }
+    return {.operation = format_operation_named(options.operation),
+            .build = {.target = cases::Target::standard},
+            .format = cases::format_named(options.format)};
+  }
+  const cases::Operation operation = cases::operation_named(options.operation);
   if (cases::is_routine(operation)) {
     const cases::Variant variant = v.choose(operation);
     if (v.has_printed_shift(variant)) throw support::UsageError(no_printed_shift);
@@ -57,9 +65,12 @@ cases::Variant chosen(const EvalOptions& options) {
 int run(const EvalOptions& options) {
   const cases::Variant variant = chosen(options);
   const cases::Operation operation = variant.operation;
-  const std::string by = !options.by.empty()            ? options.by
-                         : cases::is_routine(operation) ? "model"
-                                                        : "type";
+  const bool by_model = cases::is_routine(operation) && options.format.empty();
+  const bool by_type = parties::party_named("type").answers(variant);
+  const std::string by = !options.by.empty() ? options.by
+                         : by_model          ? "model"
+                         : by_type           ? "type"
+                                             : "oracle";
   const parties::Party& party = parties::party_named(by);
   if (!party.answers(variant)) {
     throw support::UsageError(
@@ -68,13 +79,13 @@ int run(const EvalOptions& options) {
   }
   std::array<std::uint32_t, cases::max_words_in> in{};
   std::array<std::uint32_t, cases::max_words_out> out{};
-  const auto taken = std::span(in).first(cases::words_in(operation));
-  const auto given = std::span(out).first(cases::words_out(operation));
+  const auto taken = std::span(in).first(cases::words_in(variant));
+  const auto given = std::span(out).first(cases::words_out(variant));
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
     cases::parse_words(line, variant, taken);
     std::array<parties::Ending, 1> ending{};
     party.answer(variant, {taken, given, ending});
-    append_answer(output, ending[0], given);
+    append_answer(output, ending[0], given, variant.format.word_bits);
   });
   return 0;
 }
@@ -96,6 +107,12 @@ void add_eval(CLI::App& app, int& status) {
           "party that answers: model, interpreter, oracle, fast, type, silicon or unicorn; by "
           "default model for routines, type for other operations")
       ->check(not_empty());
+  command
+      ->add_option("--format", options->format,
+                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal "
+                   "or binary64, rounded half up and wrapped; by type in named formats, else by "
+                   "oracle")
+      ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(
       R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
@@ -105,13 +122,15 @@ void add_eval(CLI::App& app, int& status) {
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words
   others     one word                        -> one word; sin and cos take radians
+With --format, words have a hex digit for every four bits of the format.
 Blank lines and lines that start with # are skipped.
 
 Examples:
   echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000
   echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE
   echo 00010000 | fixproof eval sin                     # sine of one radian: 0000d76b
-  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees)");
+  echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees
+  echo 60000000 20000000 | fixproof eval mul --format q2_30   # 1.5 x 0.5: 30000000)");
   command->callback([options, &status] { status = run(*options); });
 }
 

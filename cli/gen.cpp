@@ -6,13 +6,14 @@
 #include <memory>
 #include <optional>
 
+#include "cases/words.hpp"
 #include "check/cases.hpp"
 #include "cli/arguments.hpp"
 #include "cli/case_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/print_error.hpp"
+#include "cli/selection.hpp"
 #include "support/frame_progress.hpp"
-#include "support/hex.hpp"
 #include "support/interrupt.hpp"
 #include "support/output_file.hpp"
 #include "support/usage_error.hpp"
@@ -24,6 +25,7 @@ namespace {
 struct GenOptions {
   std::string operation;
   check::CaseOptions cases;
+  std::string format;
   std::string file;
   bool comments = false;
 };
@@ -64,23 +66,26 @@ class LineOutput {
 
 int generate(const GenOptions& options) {
   constexpr std::size_t flush_size = 1U << 16U;
-  const cases::Operation operation = cases::operation_named(options.operation);
-  check::GeneratedCases cases(operation, options.cases);
+  const bool in_format = !options.format.empty();
+  const cases::Operation operation = in_format ? format_operation_named(options.operation)
+                                               : cases::operation_named(options.operation);
+  const cases::Format format = in_format ? cases::format_named(options.format) : cases::q16_16;
+  check::GeneratedCases cases(operation, options.cases, format);
   const std::uint64_t all = *cases.count();
   if (all == 0)
     throw support::UsageError(
         fmt::format("--shard {}: this part has no cases; use fewer parts", options.cases.shard));
   LineOutput output(options.file);
-  const cases::Variant variant{.operation = operation,
-                               .build = {.target = cases::Target::standard}};
-  const auto digits = static_cast<std::size_t>(cases::operand_bits(variant) / 4);
+  const cases::Variant variant{
+      .operation = operation, .build = {.target = cases::Target::standard}, .format = format};
+  const int bits = cases::operand_bits(variant);
   std::array<std::uint32_t, cases::max_words_in> room{};
-  const auto words = std::span(room).first(cases::words_in(operation));
+  const auto words = std::span(room).first(cases::words_in(variant));
   const support::Interrupt interrupt;
   support::FrameProgress progress(all, "cases");
   std::string pending;
   if (options.comments) {
-    pending = fmt::format("# {}: {} cases\n", options.cases.command_line(operation), all);
+    pending = fmt::format("# {}: {} cases\n", options.cases.command_line(operation, format), all);
   }
   std::string_view stream;
   std::uint64_t done = 0;
@@ -89,10 +94,7 @@ int generate(const GenOptions& options) {
       stream = cases.origin();
       pending += fmt::format("# {}: {} cases\n", stream, cases.count_of(stream));
     }
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (i > 0) pending += ' ';
-      support::append_hex(pending, words[i], digits);
-    }
+    cases::append_words(pending, words, bits);
     pending += '\n';
     ++done;
     if (pending.size() < flush_size) continue;
@@ -120,6 +122,11 @@ void add_gen(CLI::App& app, int& status) {
                    "mul, div, sqrt, add, sub, sin, cos, cossin, xformvec, concat, decimal or "
                    "binary64")
       ->required();
+  command
+      ->add_option("--format", options->format,
+                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal "
+                   "or binary64")
+      ->check(not_empty());
   add_case_options(*command, options->cases);
   command->add_option("-o,--output", options->file, "output file; by default standard output")
       ->check(not_empty());
@@ -128,9 +135,9 @@ void add_gen(CLI::App& app, int& status) {
       "also write lines that start with #: this command, and the stream of the cases that "
       "follow");
   command->footer(
-      R"(Writes one case per line in the format that `fixproof eval` reads: operands as 8 lower-case hex
-digits of two's complement, separated by single spaces. The cases are those of `fixproof
-verify`, stream by stream: boundary words, random words, constructed ties and their
+      R"(Writes one case per line in the format that `fixproof eval` reads: operands as lower-case hex
+digits of two's complement, 8 or as many as --format has groups of four bits, separated by
+single spaces. The cases are those of `fixproof verify`, stream by stream: boundary words, random words, constructed ties and their
 neighbours. `fixproof check` makes the same cases from the same options and names the stream of
 a wrong one. `eval` and `check --from` skip the lines of --comments.
 
@@ -139,6 +146,7 @@ Exit status: 0 done, 2 bad usage, 130 interrupted.
 Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 --shard 1/4 -o cases.txt
+  fixproof gen mul --format q2_30         # words of eight digits, in units of 2^-30
   fixproof gen sqrt --cases 1000          # a thousand cases, evenly spread
   fixproof gen div --comments | less      # with the names of the streams)");
   command->callback([options, &status] { status = generate(*options); });

@@ -167,7 +167,7 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
     write_all(machine_code::name_of(form), proof::step_questions(form, sound_program(form)));
   }
   std::cout << fmt::format("{} scripts written to {}; the proof holds if each is unsatisfiable\n",
-                           written, directory);
+                           written, support::printable(directory));
 }
 
 void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,
@@ -206,7 +206,7 @@ void prove_routine(const cases::Variant& v, const ProveOptions& options,
   print_proof(with_questions(cases::name_of(v), proof), proof);
   tally.add(proof.standing, proof.seconds);
   if (proof.standing != proof::Standing::disproven) return;
-  const int bits = 2 * v.fraction_bits;
+  const int bits = v.format.word_bits;
   std::cout << fmt::format("  {}: the program {}, the oracle {}\n  replay: {}{}\n",
                            cases::hex_words(proof.counterexample, cases::operand_bits(v)),
                            proof.given.text(bits), proof.wanted.text(bits),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "machine_code/machine_code.hpp"
 #include "parties/answer.hpp"
@@ -49,7 +50,59 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
          rounding_fits(options, v);
 }
 
+/// The operations that exist in every format, in the order of the table.
+constexpr std::array format_operations{cases::Operation::add,     cases::Operation::sub,
+                                       cases::Operation::mul,     cases::Operation::div,
+                                       cases::Operation::sqrt,    cases::Operation::decimal,
+                                       cases::Operation::binary64};
+
+/// Returns the variants of --format: each operation in each format.
+std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
+  const VariantOptions& options = selection.variant;
+  if (selection.half_width || !options.targets.empty() || options.mul_round || options.div_round ||
+      options.as_printed || options.chapter_52 || options.repaired) {
+    throw support::UsageError(
+        "--format: other formats have no width, target, rounding or chapter; leave these options "
+        "out");
+  }
+  std::vector<cases::Operation> operations;
+  for (const std::string& name : selection.operations) {
+    operations.push_back(format_operation_named(name));
+  }
+  if (operations.empty()) operations.assign(format_operations.begin(), format_operations.end());
+  std::vector<cases::Format> formats;
+  for (const std::string& name : selection.formats) {
+    const auto add = [&](const cases::Format& format) {
+      if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
+    };
+    if (name == "all") {
+      std::ranges::for_each(cases::named_formats(), add);
+    } else {
+      add(cases::format_named(name));
+    }
+  }
+  std::vector<cases::Variant> variants;
+  for (const cases::Format& format : formats) {
+    for (const cases::Operation operation : operations) {
+      variants.push_back(
+          {.operation = operation, .build = {.target = cases::Target::standard}, .format = format});
+    }
+  }
+  return variants;
+}
+
 }  // namespace
+
+cases::Operation format_operation_named(std::string_view name) {
+  const cases::Operation operation = cases::operation_named(name);
+  if (std::ranges::find(format_operations, operation) == format_operations.end()) {
+    throw support::UsageError(fmt::format(
+        "{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, decimal or "
+        "binary64",
+        name));
+  }
+  return operation;
+}
 
 std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
   std::vector<std::string> names{selection.by.empty() ? "model" : selection.by};
@@ -80,7 +133,8 @@ std::vector<cases::Variant> chosen_variants(const Selection& selection) {
     if (std::ranges::find(variants, operations.back(), &cases::Variant::operation) ==
         variants.end()) {
       throw support::UsageError(fmt::format(
-          "verify does not compare {0}; `fixproof check {0}` judges those of another program",
+          "verify compares {0} only in a format, such as --format q16_16; `fixproof check {0}` "
+          "judges those of another program",
           name));
     }
   }
@@ -170,13 +224,15 @@ void refuse_without(const std::string& party, std::span<const cases::Row> rows) 
 std::vector<cases::Row> chosen_rows(const Selection& selection,
                                     std::span<const parties::Party* const> parties) {
   std::vector<cases::Row> rows;
-  for (const cases::Variant& listed : chosen_variants(selection)) {
+  const auto variants =
+      selection.formats.empty() ? chosen_variants(selection) : variants_in_formats(selection);
+  for (const cases::Variant& listed : variants) {
     auto variant = cases::at_level(selection.level, listed);
     if (!variant) continue;
     if (selection.half_width) {
       // The cosine table has no 8.8 values, so that no party computes cossin in 8.8.
       if (variant->operation == cases::Operation::cossin) continue;
-      variant->fraction_bits = 8;
+      variant->format = cases::q8_8;
     }
     rows.push_back(parties::row_of(*variant, parties));
   }

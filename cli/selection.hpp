@@ -18,10 +18,15 @@ struct Selection {
   std::vector<std::string> operations;  ///< all if empty
   VariantOptions variant;
   bool half_width = false;
+  std::vector<std::string> formats;  ///< names of formats, or `all`; the routines' if empty
   int level = 1;
   std::string by;                    ///< the judged party; the model if empty
   std::vector<std::string> against;  ///< the default parties of the level if empty
 };
+
+/// Returns the operation, which exists in every format.
+/// @throws std::invalid_argument for an unknown operation, UsageError for one of 16.16 alone
+cases::Operation format_operation_named(std::string_view name);
 
 /// Returns the parties without duplicates, the judged one first.
 /// @throws std::invalid_argument for an unknown party, UsageError if there is only one

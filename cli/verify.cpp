@@ -55,13 +55,13 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
     throw support::UsageError("--case needs exactly one operation");
   int status = 0;
   for (const cases::Row& row : rows) {
-    std::vector<std::uint32_t> words(cases::words_in(row.variant.operation));
+    std::vector<std::uint32_t> words(cases::words_in(row.variant));
     cases::parse_words(options.words, row.variant, words);
     std::vector<parties::Answer> answers;
     std::vector<std::pair<std::string, std::string>> said;
     for (const std::string& name : row.parties) {
       answers.push_back(parties::ask(parties::party_named(name), row.variant, words));
-      said.emplace_back(name, answers.back().text(2 * row.variant.fraction_bits));
+      said.emplace_back(name, answers.back().text(row.variant.format.word_bits));
     }
     const bool equal = parties::agree(answers);
     if (!equal) status = 1;
@@ -227,7 +227,14 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   Selection& selection = options.selection;
   command.add_option(
       "operations", selection.operations,
-      "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; by default all");
+      "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; with --format also "
+      "add and sub; by default all");
+  command
+      .add_option("--format", selection.formats,
+                  "compare in these formats, such as q2_30,u8_8, or in all that fixed/formats.hpp "
+                  "names: all")
+      ->delimiter(',')
+      ->check(not_empty());
   command
       .add_option("--level", selection.level,
                   "1 takes seconds, 2 takes minutes, 3 is exhaustive; see below")
@@ -292,8 +299,11 @@ void add_verify(CLI::App& app, int& status) {
   batch           fixed/batch.hpp and batch_radian.hpp on the fastest path;
                   mul, div, xformvec, sqrt, sin and cos
   batch-portable, batch-neon, batch-avx2, batch-avx512    one path of batch
+In other formats than 16.16 and 8.8, --format, oracle, fast (up to 32 bits) and type (the named
+formats) answer: add, sub, mul, div, sqrt, decimal, binary64.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
+With --format it has all pairs of words of 8 bits and all words of up to 32 bits.
 On two processors level 2 takes some minutes and level 3 a quarter of an hour.
 An option that selects a rule leaves out the rows that follow another rule. It is an error to
 name a party that cannot run or does not answer every selected row.
@@ -309,6 +319,8 @@ Examples:
   fixproof verify mul div --target i8088 --level 2  # two routines, longer
   fixproof verify --target both --against silicon   # every routine, on this processor
   fixproof verify mul div --by oracle --against batch  # the batch operations
+  fixproof verify --format all                      # the type in every named format
+  fixproof verify mul --format q2_30 --level 2      # one operation in one format
   fixproof verify --level 3 --resume sweep.json     # everything; resumes after Ctrl-C
   fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge
   fixproof verify div --case '00010000 00000003'    # every party's answer to one case)");

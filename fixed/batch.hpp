@@ -25,6 +25,9 @@
 /// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
 /// struct that contains only them.
 ///
+/// **Formats**: all of 8 to 64 bits, under every policy. Vector registers compute signed formats of
+/// 16 and 32 bits, all others take the plain loop; docs/batch.md lists the exceptions.
+///
 /// **Paths**: AVX2 and AVX-512 code is always compiled in, and the processor is queried once. NEON
 /// is used if the program is compiled for it. Otherwise a plain loop runs. All paths give the same
 /// results and reports. Under -ffast-math and similar flags, where doubles are not exact, divide,
@@ -44,6 +47,7 @@
 #include "fixed/detail/batch_report.hpp"
 #include "fixed/detail/batch_spans.hpp"
 #include "fixed/detail/batch_targets.hpp"
+#include "fixed/detail/instead.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
@@ -72,10 +76,13 @@ inline std::span<bool> batch_marks(const batch::options& how, std::size_t count)
   return how.marks.empty() ? how.marks : how.marks.first(count);
 }
 
-template <int F, policy P>
-raw_transform<F> raws_of(
-    const std::array<std::array<number<raw_t<F>, F, P>, 4>, 3>& rows) noexcept {
-  raw_transform<F> raws;
+/// The rows of a transform; the fourth column is the translation.
+template <class N>
+using transform_rows = std::array<std::array<N, 4>, 3>;
+
+template <class N>
+raw_transform<typename N::raw_type> raws_of(const transform_rows<N>& rows) noexcept {
+  raw_transform<typename N::raw_type> raws;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 4; ++k) raws[i][k] = rows[i][k].raw();
   }
@@ -83,17 +90,46 @@ raw_transform<F> raws_of(
 }
 
 /// Runs a batch: whole blocks on the path of `how`, then the remaining elements one by one.
+/// \tparam has      whether the loops cover it
+/// \tparam O        its overflow rule
+/// \tparam Fault    its divide errors
 /// \param blocks    (loops, fault_recorder&) -> number of elements done
 /// \param element   (index) -> outcome
 /// \param store     (index, raw)
 /// \param operation the name in the text of an error
-template <policy P, class Blocks, class Element, class Store>
+template <bool has, overflow O, divide_fault Fault = divide_fault::none, class Blocks,
+          class Element, class Store>
 batch::report run_batch(const char* operation, const batch::options& how, std::size_t count,
                         const Blocks& blocks, const Element& element, const Store& store) {
   fault_recorder found(batch_marks(how, count));
-  const std::size_t done = on_path(how.use, [&](auto loops) { return blocks(loops, found); });
+  const std::size_t done = on_path<has>(how.use, [&](auto loops) { return blocks(loops, found); });
   each_element(done, count, found, element, store);
-  return found.template finish<P>(operation);
+  return found.template finish<O, Fault>(operation);
+}
+
+template <class N>
+inline constexpr bool transform_never_throws = N::never_throws&& N::multiply_never_throws;
+
+template <class N>
+inline constexpr bool project_never_throws = N::divide_never_throws&& N::multiply_never_throws;
+
+/// Refuses policies under which some overflows of a transform throw and others do not. A report
+/// counts all of them together.
+template <class N>
+constexpr void check_transform() noexcept {
+  static_assert(transform_never_throws<N> || (N::rules.range != overflow::saturate &&
+                                              N::rules.product_range() != overflow::saturate),
+                "fixproof::batch::transform cannot saturate sums and throw for products, or "
+                "saturate products and throw for sums: give both one rule, policy::range");
+}
+
+/// The same for a projection.
+template <class N>
+constexpr void check_project() noexcept {
+  static_assert(
+      (N::rules.quotient_range() == overflow::trap) == (N::rules.product_range() == overflow::trap),
+      "fixproof::batch::project throws for quotients and products alike: give both "
+      "overflow::trap, or neither, in policy::quotients and policy::products");
 }
 
 /// Returns a function that stores a raw integer as element i of `to`.
@@ -117,44 +153,37 @@ namespace fixproof::batch {
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::output_of<detail::element_t<A>> Out>
 report multiply(const A& a, const B& b, Out&& out,
-                const options& how = {}) noexcept(detail::element_t<A>::never_throws) {
+                const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
-  constexpr int F = N::fraction_bits;
-  constexpr policy P = N::rules;
   const N* const x = std::data(a);
   const N* const y = std::data(b);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, out);
-  return detail::run_batch<P>(
+  return detail::run_batch<detail::has_lanes<N>, N::rules.product_range()>(
       "multiply", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template multiply<F, P>(x, y, to, count, found);
+        return on.template multiply<N>(x, y, to, count, found);
       },
-      [=](std::size_t i) { return detail::multiplied<F, P>(x[i].raw(), y[i].raw()); },
-      detail::store_at(to));
+      [=](std::size_t i) { return detail::multiplied(x[i], y[i]); }, detail::store_at(to));
 }
 
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::input_of<detail::element_t<A>> C, detail::output_of<detail::element_t<A>> Out>
 report mul_add(const A& a, const B& b, const C& c, Out&& out,
-               const options& how = {}) noexcept(detail::element_t<A>::never_throws) {
+               const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
-  constexpr int F = N::fraction_bits;
-  constexpr policy P = N::rules;
   const N* const x = std::data(a);
   const N* const y = std::data(b);
   const N* const z = std::data(c);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, c, out);
-  return detail::run_batch<P>(
+  return detail::run_batch<detail::has_mul_add_lanes<N>, N::rules.product_range()>(
       "mul_add", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template mul_add<F, P>(x, y, z, to, count, found);
+        return on.template mul_add<N>(x, y, z, to, count, found);
       },
-      [=](std::size_t i) {
-        return detail::multiplied_and_added<F, P>(x[i].raw(), y[i].raw(), z[i].raw());
-      },
+      [=](std::size_t i) { return detail::multiplied_and_added(x[i], y[i], z[i]); },
       detail::store_at(to));
 }
 
@@ -165,21 +194,20 @@ template <detail::number_range Numerators, detail::input_of<detail::element_t<Nu
 report divide(const Numerators& n, const Divisors& d, Out&& out, const options& how = {}) noexcept(
     detail::element_t<Numerators>::divide_never_throws) {
   using N = detail::element_t<Numerators>;
-  constexpr int F = N::fraction_bits;
   constexpr policy P = N::rules;
   const N* const x = std::data(n);
   const N* const y = std::data(d);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, n, d, out);
   detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t done = detail::on_path(
-      how.use, [&](auto on) { return on.template divide<F, P>(x, y, to, count, found); });
-  const auto element = [=](std::size_t i) { return detail::divided<F, P>(x[i].raw(), y[i].raw()); };
-  if constexpr (N::divide_never_throws) {
+  std::size_t done = detail::on_path<detail::has_quotient_lanes<N>>(
+      how.use, [&](auto on) { return on.template divide<N>(x, y, to, count, found); });
+  const auto element = [=](std::size_t i) { return detail::divided(x[i], y[i]); };
+  if constexpr (N::divide_never_throws && detail::has_quotient_lanes<N>) {
     done = detail::divide_blocks(done, x, y, to, count, found, element);
   }
   detail::each_element(done, count, found, element, detail::store_at(to));
-  return found.template finish<P>("divide");
+  return found.template finish<P.quotient_range(), P.fault>("divide");
 }
 
 /// out[i] = sqrt(x[i]). Counts negative operands under every policy.
@@ -187,98 +215,101 @@ template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 report sqrt(const X& x, Out&& out,
             const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
   using N = detail::element_t<X>;
-  constexpr int F = N::fraction_bits;
   const N* const from = std::data(x);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<N::rules>(
+  return detail::run_batch<detail::has_root_lanes<N>, N::rules.range>(
       "sqrt", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template sqrt<F>(from, to, count, found);
+        return on.template sqrt<typename N::raw_type, N::fraction_bits>(from, to, count, found);
       },
-      [=](std::size_t i) { return detail::rooted<F>(from[i].raw()); }, detail::store_at(to));
+      [=](std::size_t i) { return detail::rooted(from[i]); }, detail::store_at(to));
 }
 
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
 /// can be out of range; the policy decides the result. Throws as fixproof::dot does.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
 detail::element_t<A> dot(const A& a, const B& b,
-                         path use = best()) noexcept(detail::element_t<A>::never_throws) {
+                         path use = best()) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
-  constexpr int F = N::fraction_bits;
-  constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
-  const N* const x = std::data(a);
-  const N* const y = std::data(b);
-  const std::size_t count = detail::shortest(a, b);
-  std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
-  for (std::size_t done = 0; done < count;) {
-    const std::size_t end = done + (std::min)(count - done, at_once);
-    done += detail::on_path(
-        use, [&](auto on) { return on.template dot<F>(x + done, y + done, end - done, sum); });
-    for (; done < end; ++done) {
-      const std::int64_t product = std::int64_t{x[done].raw()} * y[done].raw();
-      if constexpr (detail::rounds_modulo<N>) {
-        sum += static_cast<std::uint64_t>(product);
-      } else {
-        sum.add(product);
+  if constexpr (!detail::has_lanes<N> ||
+                !detail::has_wide_sum<typename N::raw_type, N::fraction_bits>) {
+    return fixproof::dot(a, b);
+  } else {
+    constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
+    const N* const x = std::data(a);
+    const N* const y = std::data(b);
+    const std::size_t count = detail::shortest(a, b);
+    std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
+    for (std::size_t done = 0; done < count;) {
+      const std::size_t end = done + (std::min)(count - done, at_once);
+      done += detail::on_path<true>(use, [&](auto on) {
+        return on.template dot<typename N::raw_type>(x + done, y + done, end - done, sum);
+      });
+      for (; done < end; ++done) {
+        const std::int64_t product = std::int64_t{x[done].raw()} * y[done].raw();
+        if constexpr (detail::rounds_modulo<N>) {
+          sum += static_cast<std::uint64_t>(product);
+        } else {
+          sum.add(product);
+        }
       }
     }
-  }
-  if constexpr (detail::rounds_modulo<N>) {
-    return detail::rounded_sum<N>(sum);
-  } else {
-    return detail::rounded_sum<N>(sum, count);
+    if constexpr (detail::rounds_modulo<N>) {
+      return detail::rounded_sum<N>(sum);
+    } else {
+      return detail::rounded_sum<N>(sum, count);
+    }
   }
 }
 
 /// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
 /// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
-/// of 16.16 results bypass the caches.
-template <int F, policy P, detail::tuples_of<number<detail::raw_t<F>, F, P>, 3> In,
-          detail::output_tuples_of<number<detail::raw_t<F>, F, P>, 3> Out>
-report transform(const std::array<std::array<number<detail::raw_t<F>, F, P>, 4>, 3>& rows,
-                 const In& in, Out&& out,
-                 const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::never_throws) {
-  const detail::raw_transform<F> by = detail::raws_of(rows);
+/// of 32-bit results bypass the caches.
+template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
+          detail::output_tuples_of<number<Raw, F, P>, 3> Out>
+report transform(
+    const detail::transform_rows<number<Raw, F, P>>& rows, const In& in, Out&& out,
+    const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
+  using N = number<Raw, F, P>;
+  detail::check_transform<N>();
+  const detail::raw_transform<Raw> by = detail::raws_of<N>(rows);
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  return detail::run_batch<P>(
+  return detail::run_batch<detail::has_lanes<N>, detail::sums_and_products<N>>(
       "transform", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template transform<F, P>(by, from, to, count, found);
+        return on.template transform<N>(by, from, to, count, found);
       },
       [=](std::size_t i) {
-        return detail::transformed_vertex<F, P>(by, detail::load_tuple<F, 3>(from, i));
+        return detail::transformed_vertex<N>(by, detail::load_tuple<Raw, 3>(from, i));
       },
-      [=](std::size_t i, const auto& v) { detail::store_tuple<F, 3>(to, i, v); });
+      [=](std::size_t i, const auto& v) { detail::store_tuple<Raw, 3>(to, i, v); });
 }
 
 /// The same, with each coordinate in its own span.
-template <int F, policy P, detail::input_of<number<detail::raw_t<F>, F, P>> X,
-          detail::input_of<number<detail::raw_t<F>, F, P>> Y,
-          detail::input_of<number<detail::raw_t<F>, F, P>> Z,
-          detail::output_of<number<detail::raw_t<F>, F, P>> ToX,
-          detail::output_of<number<detail::raw_t<F>, F, P>> ToY,
-          detail::output_of<number<detail::raw_t<F>, F, P>> ToZ>
-report transform(const std::array<std::array<number<detail::raw_t<F>, F, P>, 4>, 3>& rows,
-                 const X& x, const Y& y, const Z& z, ToX&& to_x, ToY&& to_y, ToZ&& to_z,
-                 const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::never_throws) {
-  using N = number<detail::raw_t<F>, F, P>;
-  const detail::raw_transform<F> by = detail::raws_of(rows);
+template <class Raw, int F, policy P, detail::input_of<number<Raw, F, P>> X,
+          detail::input_of<number<Raw, F, P>> Y, detail::input_of<number<Raw, F, P>> Z,
+          detail::output_of<number<Raw, F, P>> ToX, detail::output_of<number<Raw, F, P>> ToY,
+          detail::output_of<number<Raw, F, P>> ToZ>
+report transform(
+    const detail::transform_rows<number<Raw, F, P>>& rows, const X& x, const Y& y, const Z& z,
+    ToX&& to_x, ToY&& to_y, ToZ&& to_z,
+    const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
+  using N = number<Raw, F, P>;
+  detail::check_transform<N>();
+  const detail::raw_transform<Raw> by = detail::raws_of<N>(rows);
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y, to_z);
-  return detail::run_batch<P>(
+  return detail::run_batch<detail::has_lanes<N>, detail::sums_and_products<N>>(
       "transform", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template transform<F, P>(by,
-                                           std::array<const void*, 3>{from[0], from[1], from[2]},
-                                           std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
+        return on.template transform<N>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
+                                        std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
       },
-      [=](std::size_t i) {
-        return detail::transformed_vertex<F, P>(by, detail::tuple_at(from, i));
-      },
+      [=](std::size_t i) { return detail::transformed_vertex<N>(by, detail::tuple_at(from, i)); },
       [=](std::size_t i, const auto& v) {
         for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
       });
@@ -286,52 +317,64 @@ report transform(const std::array<std::array<number<detail::raw_t<F>, F, P>, 4>,
 
 /// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
 /// both the quotient and the product. An element has a divide error if either quotient has one.
-template <int F, policy P, detail::tuples_of<number<detail::raw_t<F>, F, P>, 3> In,
-          detail::output_tuples_of<number<detail::raw_t<F>, F, P>, 2> Out>
-report project(
-    const In& in, number<detail::raw_t<F>, F, P> constant, Out&& out,
-    const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::divide_never_throws) {
+template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
+          detail::output_tuples_of<number<Raw, F, P>, 2> Out>
+report project(const In& in, number<Raw, F, P> constant, Out&& out,
+               const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
+  using N = number<Raw, F, P>;
+  detail::check_project<N>();
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  return detail::run_batch<P>(
+  return detail::run_batch<detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
       "project", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template project<F, P>(constant.raw(), from, to, count, found);
+        return on.template project<N>(constant.raw(), from, to, count, found);
       },
       [=](std::size_t i) {
-        return detail::projected_point<F, P>(constant.raw(), detail::load_tuple<F, 3>(from, i));
+        return detail::projected_point(constant, detail::load_tuple<Raw, 3>(from, i));
       },
-      [=](std::size_t i, const auto& point) { detail::store_tuple<F, 2>(to, i, point); });
+      [=](std::size_t i, const auto& point) { detail::store_tuple<Raw, 2>(to, i, point); });
 }
 
 /// The same, with each coordinate in its own span.
-template <int F, policy P, detail::input_of<number<detail::raw_t<F>, F, P>> X,
-          detail::input_of<number<detail::raw_t<F>, F, P>> Y,
-          detail::input_of<number<detail::raw_t<F>, F, P>> Z,
-          detail::output_of<number<detail::raw_t<F>, F, P>> ToX,
-          detail::output_of<number<detail::raw_t<F>, F, P>> ToY>
-report project(
-    const X& x, const Y& y, const Z& z, number<detail::raw_t<F>, F, P> constant, ToX&& to_x,
-    ToY&& to_y,
-    const options& how = {}) noexcept(number<detail::raw_t<F>, F, P>::divide_never_throws) {
-  using N = number<detail::raw_t<F>, F, P>;
+template <class Raw, int F, policy P, detail::input_of<number<Raw, F, P>> X,
+          detail::input_of<number<Raw, F, P>> Y, detail::input_of<number<Raw, F, P>> Z,
+          detail::output_of<number<Raw, F, P>> ToX, detail::output_of<number<Raw, F, P>> ToY>
+report project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, ToX&& to_x,
+               ToY&& to_y,
+               const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
+  using N = number<Raw, F, P>;
+  detail::check_project<N>();
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);
-  return detail::run_batch<P>(
+  return detail::run_batch<detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
       "project", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template project<F, P>(constant.raw(),
-                                         std::array<const void*, 3>{from[0], from[1], from[2]},
-                                         std::array<void*, 2>{to[0], to[1]}, count, found);
+        return on.template project<N>(constant.raw(),
+                                      std::array<const void*, 3>{from[0], from[1], from[2]},
+                                      std::array<void*, 2>{to[0], to[1]}, count, found);
       },
-      [=](std::size_t i) {
-        return detail::projected_point<F, P>(constant.raw(), detail::tuple_at(from, i));
-      },
+      [=](std::size_t i) { return detail::projected_point(constant, detail::tuple_at(from, i)); },
       [=](std::size_t i, const auto& point) {
         for (std::size_t k = 0; k < 2; ++k) to[k][i] = N::from_raw(point[k]);
       });
 }
+
+/// \cond
+#define FIXED_REFUSED_BATCH(name)                                                             \
+  template <detail::number_range A, class... Others>                                          \
+  requires(!detail::in_batches<detail::element_t<A>>) report name(const A&, const Others&...) \
+  FIXED_INSTEAD(                                                                              \
+      "batches cover 16.16 and 8.8, with one overflow rule and without "                      \
+      "half_even: write a loop");
+FIXED_REFUSED_BATCH(multiply)
+FIXED_REFUSED_BATCH(mul_add)
+FIXED_REFUSED_BATCH(divide)
+FIXED_REFUSED_BATCH(sqrt)
+FIXED_REFUSED_BATCH(dot)
+#undef FIXED_REFUSED_BATCH
+/// \endcond
 
 }  // namespace fixproof::batch

@@ -17,14 +17,22 @@
 
 namespace fixproof::detail {
 
+template <class N>
+constexpr void check_radians() noexcept {
+  static_assert(has_radians<typename N::raw_type, N::fraction_bits>,
+                "radians need 16.16 or 8.8: convert the angles to fixproof::q16_16");
+}
+
 /// The sines of `count` angles, each advanced by `ahead` / 2^64 turns.
 template <class N>
 void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64_t ahead) noexcept {
+  check_radians<N>();
   constexpr int F = N::fraction_bits;
-  std::size_t i =
-      on_path(use, [&](auto on) { return on.template sines<F>(from, to, count, ahead); });
+  std::size_t i = on_path<has_radians<typename N::raw_type, F>>(use, [&](auto on) {
+    return on.template sines<typename N::raw_type, F>(from, to, count, ahead);
+  });
   for (; i < count; ++i) {
-    to[i] = N::from_raw(static_cast<raw_t<F>>(nearest_sine<F>(from[i].raw(), ahead)));
+    to[i] = N::from_raw(static_cast<typename N::raw_type>(nearest_sine<F>(from[i].raw(), ahead)));
   }
 }
 
@@ -57,19 +65,21 @@ template <detail::number_range Angles, detail::output_of<detail::element_t<Angle
           detail::output_of<detail::element_t<Angles>> Sines>
 void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = best()) noexcept {
   using N = detail::element_t<Angles>;
+  using raw = typename N::raw_type;
+  detail::check_radians<N>();
   constexpr int F = N::fraction_bits;
   const N* const from = std::data(angles);
   N* const to_cos = std::data(cosines);
   N* const to_sin = std::data(sines);
   const std::size_t count = detail::shortest(angles, cosines, sines);
-  std::size_t i = detail::on_path(
-      use, [&](auto on) { return on.template sines_and_cosines<F>(from, to_cos, to_sin, count); });
+  std::size_t i = detail::on_path<true>(use, [&](auto on) {
+    return on.template sines_and_cosines<raw, F>(from, to_cos, to_sin, count);
+  });
   for (; i < count; ++i) {
-    const detail::raw_t<F> angle = from[i].raw();
+    const std::int32_t angle = from[i].raw();
     using detail::nearest_sine;
-    to_cos[i] =
-        N::from_raw(static_cast<detail::raw_t<F>>(nearest_sine<F>(angle, detail::quarter_turn)));
-    to_sin[i] = N::from_raw(static_cast<detail::raw_t<F>>(nearest_sine<F>(angle, 0)));
+    to_cos[i] = N::from_raw(static_cast<raw>(nearest_sine<F>(angle, detail::quarter_turn)));
+    to_sin[i] = N::from_raw(static_cast<raw>(nearest_sine<F>(angle, 0)));
   }
 }
 

@@ -14,6 +14,8 @@
 #include <limits>
 #include <numbers>
 
+#include "fixed/detail/integer.hpp"
+#include "fixed/detail/overflow.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/traits.hpp"
@@ -60,6 +62,13 @@ constexpr bool holds(const constant& c) noexcept {
   return units < highest || (units == highest && up == 0);
 }
 
+/// Whether an integer is a value of Number.
+template <any_number Number, integer Int>
+constexpr bool represents(Int value) noexcept {
+  using raw = typename Number::raw_type;
+  return fits<raw>(units<raw, Number::fraction_bits, overflow::saturate>(value));
+}
+
 /// The Number nearest to C.
 template <any_number Number, constant C>
 constexpr Number nearest() noexcept {
@@ -87,6 +96,20 @@ inline constexpr constant egamma{0, 0x93c467e37db0c7a4, 0xd1be3f810152cb56};
 
 }  // namespace constants
 }  // namespace detail
+
+/// An integer constant as a Number. One that is out of range does not compile, whereas the
+/// conversion Number(Value) follows the policy.
+///
+///     constexpr int width = 100;
+///     static_assert(constant_v<q8_8, width> == 100 && constant_v<q8_8, -128> == -128);
+template <any_number Number, auto Value>
+requires detail::integer<decltype(Value)>
+inline constexpr Number constant_v = [] {
+  static_assert(detail::represents<Number>(Value),
+                "this integer is outside the range of its type; use a format with more bits before "
+                "the point");
+  return Number(Value);
+}();
 
 /// The ratio of a circle's circumference to its diameter: 3.14159265358979323846...
 template <any_number Number>

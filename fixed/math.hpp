@@ -114,17 +114,10 @@ template <class Raw, int F, policy P>
     }
     return {};
   }
-  constexpr int bits = std::numeric_limits<Raw>::digits + F;
-  if constexpr (bits < 48 && F <= std::numeric_limits<Raw>::digits) {
-    return number<Raw, F, P>::from_raw(
-        static_cast<Raw>(detail::nearest_sqrt(std::int64_t{x.raw()} * (std::int64_t{1} << F))));
-  } else {
-    // Out of range only if a half is.
-    using wide = detail::signed_t<bits + 3>;
-    return number<Raw, F, P>::from_raw(detail::narrow<P.range, Raw>(
-        detail::nearest_sqrt_by_pairs<(bits + 1) / 2>(wide{x.raw()} << F),
-        [&] { detail::raise_overflow<F>("sqrt", x.raw()); }));
-  }
+  // With has_fast_root every root is in range.
+  constexpr overflow range = detail::has_fast_root<Raw, F> ? overflow::wrap : P.range;
+  return number<Raw, F, P>::from_raw(detail::narrow<range, Raw>(
+      detail::nearest_root<F>(x.raw()), [&] { detail::raise_overflow<F>("sqrt", x.raw()); }));
 }
 
 /// a * b + c, rounded once by policy::multiply. The policy handles overflow.
@@ -133,7 +126,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> mul_add(
     number<Raw, F, P> a, number<Raw, F, P> b,
-    number<Raw, F, P> c) noexcept(number<Raw, F, P>::never_throws) {
+    number<Raw, F, P> c) noexcept(number<Raw, F, P>::multiply_never_throws) {
   return number<Raw, F, P>::from_raw(detail::narrow<P.product_range(), Raw>(
       detail::rounded_mul_add<F, P.multiply>(a.raw(), b.raw(), c.raw()),
       [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));

@@ -13,6 +13,7 @@
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/exact.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/instead.hpp"
 #include "fixed/detail/integer.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
@@ -81,6 +82,15 @@ class number {
     result.raw_ = raw;
     return result;
   }
+  /// \cond
+  template <class T>
+  requires std::is_floating_point_v<T>
+  static number from_raw(T)
+      FIXED_INSTEAD("from_raw takes the stored integer: to convert a value, write q16_16(1.5)");
+  template <class OtherRaw, int OtherBits, policy Q>
+  static number from_raw(number<OtherRaw, OtherBits, Q>)
+      FIXED_INSTEAD("from_raw takes the stored integer: write from_raw(x.raw())");
+  /// \endcond
 
   /// The stored integer: the value times 2^FractionBits.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
@@ -140,6 +150,27 @@ class number {
     raw_ = detail::narrow<P.range, raw_type>(
         value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
   }
+
+  /// \cond
+  // Conversions that do not compile. The pack, which is always empty, makes each of these a worse
+  // match than an explicit conversion; so does volatile.
+  template <class T, class... Nothing>
+  requires(sizeof...(Nothing) == 0 && (detail::integer<T> || std::is_floating_point_v<T>))
+      number(T, Nothing...)
+  FIXED_INSTEAD("conversions are explicit: write q16_16(value), or a literal such as 1.5_q16_16");
+  template <class OtherRaw, int OtherBits, policy Q, class... Nothing>
+  requires(sizeof...(Nothing) == 0 && !std::same_as<number<OtherRaw, OtherBits, Q>, number>)
+      number(number<OtherRaw, OtherBits, Q>, Nothing...)
+  FIXED_INSTEAD("formats convert explicitly: write q8_8(x)");
+  template <class T>
+  requires(std::is_integral_v<T> && !detail::integer<T>) number(T)
+  FIXED_INSTEAD("bool and characters are no numbers: convert to int, as in q16_16(int{b})");
+  explicit number(const char*)
+      FIXED_INSTEAD("text becomes a number by from_chars, >> or a literal such as 1.5_q16_16");
+  operator double() const volatile FIXED_INSTEAD(
+      "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x)");
+  explicit operator bool() const FIXED_INSTEAD("a number is no condition: write x != 0");
+  /// \endcond
 
   /// The nearest double, ties to even, in every rounding mode of the processor. Exact if the number
   /// has at most 53 significant bits, as all numbers of 32 bits or less do.
@@ -485,3 +516,5 @@ using q8_8_i8088_unrounded = number<std::int16_t, 8, policies::i8088_unrounded>;
 /// \}
 
 }  // namespace fixproof
+
+#include "fixed/detail/refused.hpp"

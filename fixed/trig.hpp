@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "fixed/detail/cosine_table.hpp"
+#include "fixed/detail/instead.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/number.hpp"
 
@@ -103,5 +104,24 @@ requires detail::has_radians<Raw, F>
 [[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
   return {cos(angle), sin(angle)};
 }
+
+/// \cond
+#define FIXED_REFUSED_ANGLE(name)                                                           \
+  template <class Number, class T>                                                          \
+  requires std::is_arithmetic_v<T> Number name(T)                                           \
+  FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name \
+                "_of_tenths<q16_16>(300)");                                                 \
+  template <class Raw, int F, policy P>                                                     \
+  requires(!detail::has_radians<Raw, F>) number<Raw, F, P> name(number<Raw, F, P>)          \
+  FIXED_INSTEAD("only 16.16 and 8.8 have " #name " of radians: convert, as in " #name       \
+                "(q16_16(x))");                                                             \
+  template <class Number, class T>                                                          \
+  requires(!std::integral<T>) Number name##_of_tenths(T) FIXED_INSTEAD(                     \
+      "angles are whole tenths of a degree: " #name "_of_tenths<q16_16>(300) is of 30.0 degrees");
+FIXED_REFUSED_ANGLE(sin)
+FIXED_REFUSED_ANGLE(cos)
+FIXED_REFUSED_ANGLE(sin_cos)
+#undef FIXED_REFUSED_ANGLE
+/// \endcond
 
 }  // namespace fixproof

@@ -49,7 +49,7 @@ std::string text_of(const VariantParties& tested, std::span<const std::uint32_t>
     return !parties::agree(answers_of(tested, fewer));
   });
   const auto answers = answers_of(tested, smallest);
-  const int result_bits = 2 * tested.variant.fraction_bits;
+  const int result_bits = tested.variant.format.word_bits;
   std::string text = fmt::format("{}: not all parties agree\n", cases::name_of(tested.variant));
   cases::Row row{tested.variant, {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -88,7 +88,7 @@ std::vector<VariantParties> parties_by_variant(std::span<const cases::Operation>
     }
     add(variant);
     const auto half = cases::at_level(3, variant);
-    if (half && half->fraction_bits == 8) add(*half);
+    if (half && half->format == cases::q8_8) add(*half);
   }
   return variants;
 }

@@ -244,7 +244,7 @@ std::string complete_report(const cases::Variant& variant) {
 void write_reports(const fs::path& root) {
   Corpus corpus(root, "report_file");
   const cases::Variant mul{.operation = cases::Operation::mul};
-  const cases::Variant half{.operation = cases::Operation::div, .fraction_bits = 8};
+  const cases::Variant half{.operation = cases::Operation::div, .format = cases::q8_8};
   corpus.add(complete_report({.operation = cases::Operation::cossin}));
   for (const int level : {1, 3}) {
     for (const cases::Shard shard : {cases::Shard{1, 1}, cases::Shard{2, 5}}) {

@@ -69,10 +69,10 @@ void draw_register(StepCase& step, cases::Draw& draw) {
   std::uint32_t value = 0;
   switch (draw.below(5)) {
     case 0:
-      value = lattice[draw.below(lattice.size())];
+      value = static_cast<std::uint32_t>(lattice[draw.below(lattice.size())]);
       break;
     case 1:
-      value = narrow[draw.below(narrow.size())];
+      value = static_cast<std::uint32_t>(narrow[draw.below(narrow.size())]);
       break;
     case 2:
       value = cases::scaled_word(draw, format);

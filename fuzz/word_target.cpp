@@ -19,7 +19,7 @@ namespace {
 
 void draw_fresh(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
   static std::map<std::pair<cases::Operation, int>, cases::Plan> plans;
-  const auto key = std::pair(variant.operation, variant.fraction_bits);
+  const auto key = std::pair(variant.operation, variant.format.fraction_bits);
   const cases::Plan& plan =
       plans.try_emplace(key, 1, 1994, std::vector<cases::Row>{{variant, {"a", "b"}}}).first->second;
   const cases::Job& job = plan.jobs()[draw.below(plan.jobs().size())];
@@ -108,7 +108,7 @@ std::size_t input_size(WordTarget target) {
 
 void mutate_case(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw) {
   const cases::Format format{.word_bits = cases::operand_bits(variant),
-                             .fraction_bits = variant.fraction_bits};
+                             .fraction_bits = variant.format.fraction_bits};
   std::uint32_t& word = words[draw.below(words.size())];
   switch (draw.below(variant.operation == cases::Operation::div ? 5 : 4)) {
     case 0:
@@ -118,8 +118,9 @@ void mutate_case(const cases::Variant& variant, std::span<std::uint32_t> words, 
       static const auto wide = cases::boundary_lattice(32);
       const std::array<std::int64_t, 4> ends{-format.limit(), format.limit() - 1, -format.one(),
                                              -1};
-      word = draw.below(4) == 0 ? format.word(ends[draw.below(ends.size())])
-                                : format.word(wide[draw.below(wide.size())]);
+      word = draw.below(4) == 0
+                 ? format.word(ends[draw.below(ends.size())])
+                 : format.word(static_cast<std::int64_t>(wide[draw.below(wide.size())]));
       break;
     }
     case 2:

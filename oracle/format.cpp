@@ -7,26 +7,25 @@
 namespace oracle {
 namespace {
 
-Integer power_of_two(int exponent) { return Integer(1) << exponent; }
-
 void require_valid(const Format& format) {
   if (format.bits < 1 || format.bits > 64) throw std::invalid_argument("a word has 1 to 64 bits");
   if (format.fraction_bits < 0 || format.fraction_bits > format.bits)
     throw std::invalid_argument("fraction_bits must be 0 ... bits");
 }
 
-Integer one_in(const Format& format) { return power_of_two(format.fraction_bits); }
+/// 1.0 in ulps.
+Integer scale(const Format& format) { return Integer(1) << format.fraction_bits; }
 
 }  // namespace
 
 Integer lowest(const Format& format) {
   require_valid(format);
-  return format.is_signed ? -power_of_two(format.bits - 1) : Integer(0);
+  return format.is_signed ? -(Integer(1) << (format.bits - 1)) : Integer(0);
 }
 
 Integer highest(const Format& format) {
   require_valid(format);
-  return power_of_two(format.is_signed ? format.bits - 1 : format.bits) - 1;
+  return (Integer(1) << (format.is_signed ? format.bits - 1 : format.bits)) - 1;
 }
 
 bool fits(const Integer& value, const Format& format) {
@@ -34,14 +33,14 @@ bool fits(const Integer& value, const Format& format) {
 }
 
 Integer ulps(LongWord word, const Format& format) {
-  const Integer modulus = power_of_two(format.bits);
+  const Integer modulus = Integer(1) << format.bits;
   const Integer low = Integer(word) % modulus;
   return low > highest(format) ? low - modulus : low;
 }
 
 LongWord wrap(const Integer& value, const Format& format) {
   require_valid(format);
-  const Integer modulus = power_of_two(format.bits);
+  const Integer modulus = Integer(1) << format.bits;
   // The remainder of a negative dividend is not positive.
   const Integer remainder = value % modulus;
   return static_cast<LongWord>(remainder < 0 ? remainder + modulus : remainder);
@@ -53,19 +52,19 @@ LongWord saturate(const Integer& value, const Format& format) {
 }
 
 Integer exact_product(LongWord a, LongWord b, Rounding rule, const Format& format) {
-  return rounded(ulps(a, format) * ulps(b, format), one_in(format), rule);
+  return rounded(ulps(a, format) * ulps(b, format), scale(format), rule);
 }
 
 std::optional<Integer> exact_quotient(LongWord n, LongWord d, Rounding rule, const Format& format) {
   const Integer divisor = ulps(d, format);
   if (divisor == 0) return std::nullopt;
-  return rounded(ulps(n, format) * one_in(format), divisor, rule);
+  return rounded(ulps(n, format) * scale(format), divisor, rule);
 }
 
 std::optional<Integer> exact_root(LongWord x, Rounding rule, const Format& format) {
   const Integer value = ulps(x, format);
   if (value < 0) return std::nullopt;
-  const Integer radicand = value * one_in(format);
+  const Integer radicand = value * scale(format);
   Integer rest;
   const Integer floor = boost::multiprecision::sqrt(radicand, rest);
   if (rule == Rounding::floor || rule == Rounding::truncate) return floor;
@@ -75,7 +74,7 @@ std::optional<Integer> exact_root(LongWord x, Rounding rule, const Format& forma
 
 Integer converted(const Integer& value, const Format& from, const Format& to, Rounding rule) {
   require_valid(from);
-  return rounded(value * one_in(to), one_in(from), rule);
+  return rounded(value * scale(to), scale(from), rule);
 }
 
 }  // namespace oracle

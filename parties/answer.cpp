@@ -25,7 +25,7 @@ Answer ask(const Party& party, const cases::Variant& variant,
            std::span<const std::uint32_t> words) {
   std::array<std::uint32_t, cases::max_words_out> out{};
   std::array<Ending, 1> ending{Ending::broken};
-  const auto used = std::span(out).first(cases::words_out(variant.operation));
+  const auto used = std::span(out).first(cases::words_out(variant));
   party.answer(variant, {words, used, ending});
   if (ending[0] != Ending::value) return {ending[0], {}};
   return {ending[0], {used.begin(), used.end()}};

@@ -148,7 +148,7 @@ class BatchParty final : public Party {
   }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     using enum cases::Operation;
-    return absence().empty() &&
+    return absence().empty() && cases::has_routine_format(v) &&
            (v.operation == mul || v.operation == div || v.operation == sqrt || v.operation == sin ||
             v.operation == cos || v.operation == xformvec);
   }

@@ -48,7 +48,7 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
 void answer(const cases::Variant& v, std::span<const x86::Instruction> code, const Batch& batch) {
   x86::with_routine(machine_code::key_of(v).routine, [&]<x86::Routine routine> {
     if constexpr (routine == x86::Routine::mul || routine == x86::Routine::div) {
-      if (v.fraction_bits == 8) return answer_all<routine, 8>(code, batch);
+      if (v.format == cases::q8_8) return answer_all<routine, 8>(code, batch);
     }
     answer_all<routine, 16>(code, batch);
   });

@@ -9,7 +9,7 @@
 namespace fixproof::parties {
 
 bool has_machine_code(const cases::Variant& v) {
-  return is_routine(v) && v.fraction_bits == 16 &&
+  return is_routine(v) && v.format == cases::q16_16 &&
          !machine_code::machine_code(machine_code::key_of(v)).empty();
 }
 

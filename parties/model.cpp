@@ -47,7 +47,7 @@ void answer_compiled(const cases::Variant& v, const Batch& batch) {
     if (v.build.repaired) return answer_compiled<routine, repaired, 16>(batch);
   }
   if constexpr (routine == x86::Routine::mul || routine == x86::Routine::div) {
-    if (v.fraction_bits == 8) return answer_compiled<routine, build, 8>(batch);
+    if (v.format == cases::q8_8) return answer_compiled<routine, build, 8>(batch);
   }
   answer_compiled<routine, build, 16>(batch);
 }

@@ -13,6 +13,7 @@
 #include "oracle/fast.hpp"
 #include "oracle/fast_sine.hpp"
 #include "oracle/unbounded.hpp"
+#include "parties/formats.hpp"
 #include "parties/parties.hpp"
 
 namespace fixproof::parties {
@@ -88,10 +89,12 @@ class Oracle final : public Party {
                        BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
   }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
-    return v.operation != cases::Operation::cossin || v.fraction_bits == 16;
+    if (!cases::has_routine_format(v)) return exists_in_formats(v.operation) && is_standard(v);
+    return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
-    const int bits = v.fraction_bits;
+    if (!cases::has_routine_format(v)) return answer_exactly(v, batch);
+    const int bits = v.format.fraction_bits;
     const Rounding rounding = multiply_rule(v);
     each_case(v, batch, [&](std::span<const Word> in, std::span<Word> out) {
       switch (v.operation) {
@@ -142,11 +145,15 @@ class FastOracle final : public Party {
   [[nodiscard]] std::string_view name() const override { return "fast"; }
   [[nodiscard]] std::string identity() const override { return "built-in integers"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
+    if (!cases::has_routine_format(v)) {
+      return exists_in_formats(v.operation) && v.format.word_bits <= 32 && is_standard(v);
+    }
     return v.operation != cases::Operation::cossin;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
+    if (!cases::has_routine_format(v)) return answer_fast(v, batch);
     // Each operation has its own loop, because the loop dominates the time of a sweep.
-    const int bits = v.fraction_bits;
+    const int bits = v.format.fraction_bits;
     const Rounding rounding = multiply_rule(v);
     switch (v.operation) {
       case cases::Operation::mul:

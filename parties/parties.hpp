@@ -27,9 +27,9 @@ constexpr bool is_routine(const cases::Variant& v) {
 /// Tells whether the model has a program for the variant at its width. Chapter 52 has three of the
 /// routines. Only the multiply and the divide run on 8-bit registers.
 constexpr bool has_program(const cases::Variant& v) {
-  if (!is_routine(v)) return false;
+  if (!is_routine(v) || !cases::has_routine_format(v)) return false;
   const bool binary = v.operation == cases::Operation::mul || v.operation == cases::Operation::div;
-  const bool full = v.fraction_bits == 16;
+  const bool full = v.format == cases::q16_16;
   const bool in_chapter_52 = v.build.target == cases::Target::i386 && cases::rounds(v) && full &&
                              (binary || v.operation == cases::Operation::concat);
   const bool has_repaired = cases::can_be_repaired(v.operation, v.build.target) && full;

@@ -26,8 +26,8 @@ enum class Ending : std::uint8_t {
 /// Cases to answer and room for the answers. Words are two's complement bits, zero-extended. The
 /// result words of a case that did not end in a value are unspecified.
 struct Batch {
-  std::span<const std::uint32_t> in;  ///< cases * words_in(operation)
-  std::span<std::uint32_t> out;       ///< cases * words_out(operation)
+  std::span<const std::uint32_t> in;  ///< cases * words_in(variant)
+  std::span<std::uint32_t> out;       ///< cases * words_out(variant)
   std::span<Ending> endings;          ///< one per case
 };
 

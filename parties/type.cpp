@@ -3,6 +3,7 @@
 #include <span>
 
 #include "fixed/fixed.hpp"
+#include "parties/formats.hpp"
 #include "parties/parties.hpp"
 #include "parties/with_number.hpp"
 #include "xsharp/arithmetic.hpp"
@@ -115,9 +116,13 @@ class Type final : public Party {
   [[nodiscard]] std::string_view name() const override { return "type"; }
   [[nodiscard]] std::string identity() const override { return fixed_version(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
-    return v.operation != cases::Operation::cossin || v.fraction_bits == 16;
+    if (!cases::has_routine_format(v)) {
+      return exists_in_formats(v.operation) && is_named(v.format) && is_standard(v);
+    }
+    return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
+    if (!cases::has_routine_format(v)) return answer_by_type(v, batch);
     with_number(
         v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
   }

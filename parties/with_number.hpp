@@ -81,7 +81,7 @@ decltype(auto) with_number(const cases::Build& build, const Call& call) {
 /// Does the same at the width of a variant.
 template <class Call>
 void with_number(const cases::Variant& v, const Call& call) {
-  v.fraction_bits == 8 ? with_number<8>(v.build, call) : with_number<16>(v.build, call);
+  v.format == cases::q8_8 ? with_number<8>(v.build, call) : with_number<16>(v.build, call);
 }
 
 template <class Number>

@@ -84,7 +84,7 @@ inline bool holds(const Subject& subject, std::span<const std::uint64_t> words) 
 
 /// The type's rules in a format.
 inline cases::Variant variant_of(cases::Operation operation, const cases::Format& format) {
-  return {.operation = operation, .build = {.target = cases::Target::standard}};
+  return {.operation = operation, .build = {.target = cases::Target::standard}, .format = format};
 }
 
 /// The level 1 streams of the operation, and the number of cases in each.
@@ -103,7 +103,7 @@ inline std::string failures_in(const Subject& subject, cases::Stream stream, std
   const cases::Format& format = subject.rules.format;
   const cases::Variant variant = variant_of(subject.rules.operation, format);
   const std::size_t arity = cases::words_in(subject.rules.operation);
-  const std::size_t parts = arity * check::parts_of(format);
+  const std::size_t parts = cases::words_in(variant);
   std::array<std::uint32_t, 2048> room{};
   check::FirstCases wrong;
   for (std::uint64_t first = 0; first < cases; first += room.size() / parts) {

@@ -50,7 +50,7 @@ ChunkRunner::ChunkRunner(const cases::Plan& plan, const PartiesByRow& parties,
 ChunkFindings ChunkRunner::run(std::uint64_t number) {
   const cases::Chunk chunk = plan_.chunk(number);
   const cases::Variant& variant = plan_.rows()[chunk.job->row].variant;
-  const std::size_t arity = cases::words_in(variant.operation);
+  const std::size_t arity = cases::words_in(variant);
   Findings found;
   digest_ = {};
   for (std::uint64_t done = 0; done < chunk.cases; done += batch_cases) {
@@ -78,9 +78,9 @@ ChunkFindings ChunkRunner::run(std::uint64_t number) {
 
 void ChunkRunner::compare(const cases::Variant& variant,
                           std::span<const parties::Party* const> parties, std::size_t cases) {
-  const std::size_t out = cases::words_out(variant.operation);
+  const std::size_t out = cases::words_out(variant);
   const auto ask = [&](const parties::Party& party, Answers& answers) {
-    party.answer(variant, {std::span(in_).first(cases * cases::words_in(variant.operation)),
+    party.answer(variant, {std::span(in_).first(cases * cases::words_in(variant)),
                            std::span(answers.out).first(cases * out),
                            std::span(answers.endings).first(cases)});
   };

@@ -32,12 +32,12 @@ void explain(Report& report, const PartiesByRow& parties) {
       if (!mismatch.smallest.empty()) continue;
       // If a party fails, the mismatch stays as it is, to be explained by a later run.
       Mismatch explained = mismatch;
-      explained.smallest = shrink(mismatch.words, cases::operand_bits(variant),
+      explained.smallest = shrink(mismatch.words, cases::stored_bits(variant),
                                   [&](auto words) { return !parties::agree(answers_to(words)); });
       const auto answers = answers_to(explained.smallest);
       for (std::size_t i = 0; i < answers.size(); ++i) {
         explained.said.emplace_back(parties[row][i]->name(),
-                                    answers[i].text(2 * variant.fraction_bits));
+                                    answers[i].text(variant.format.word_bits));
       }
       mismatch = std::move(explained);
     }

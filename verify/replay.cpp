@@ -40,9 +40,14 @@ std::string trace_line(const cases::Variant& v, std::span<const std::uint32_t> w
 std::string replay(const cases::Row& row, std::span<const std::uint32_t> words) {
   const cases::Variant& v = row.variant;
   const std::string hex = cases::hex_words(words, cases::operand_bits(v));
-  if (v.build.target != cases::Target::standard && v.fraction_bits == 16) {
+  if (v.build.target != cases::Target::standard && v.format == cases::q16_16) {
     return fmt::format("echo '{}' | fixproof eval {}{} --by {}", hex, cases::name_of(v.operation),
                        variant_options(v, rounding_option(v)), row.parties.front());
+  }
+  if (!cases::has_routine_format(v)) {
+    return fmt::format("fixproof verify {} --format {} --by {} --against {} --case '{}'",
+                       cases::name_of(v.operation), cases::name_of(v.format), row.parties.front(),
+                       fmt::join(row.parties.begin() + 1, row.parties.end(), ","), hex);
   }
   constexpr std::array<std::string_view, 4> usual{"model", "oracle", "fast", "type"};
   const bool unusual =
@@ -55,7 +60,7 @@ std::string replay(const cases::Row& row, std::span<const std::uint32_t> words) 
   std::string line =
       fmt::format("fixproof verify {}{}{}{} --case '{}'", cases::name_of(v.operation),
                   variant_options(v, "--round"), other_chapter ? " --chapter 54" : "",
-                  v.fraction_bits == 8 ? " --width half" : "", hex);
+                  v.format == cases::q8_8 ? " --width half" : "", hex);
   if (unusual) {
     line += fmt::format(" --by {} --against {}", row.parties.front(),
                         fmt::join(row.parties.begin() + 1, row.parties.end(), ","));

@@ -125,6 +125,13 @@ cases::Target target_named(const std::string& name) {
   refuse(fmt::format("unknown target '{}'", name));
 }
 
+/// The format of a row that has no width.
+cases::Format format_named(const std::string& name) {
+  const cases::Format format = cases::format_named(name);
+  if (format == cases::q16_16 || format == cases::q8_8) refuse(fmt::format("{} is a width", name));
+  return format;
+}
+
 cases::Row row_in(const Document& json) {
   cases::Row row;
   cases::Variant& v = row.variant;
@@ -134,7 +141,9 @@ cases::Row row_in(const Document& json) {
   v.build.div_round = json.at("div_round").get<bool>();
   v.build.chapter_52 = is_second(json.at("chapter"), 54, 52);
   v.build.repaired = json.at("repaired").get<bool>();
-  v.fraction_bits = is_second<std::string>(json.at("width"), "full", "half") ? 8 : 16;
+  v.format = json.contains("format") ? format_named(json.at("format").get<std::string>())
+             : is_second<std::string>(json.at("width"), "full", "half") ? cases::q8_8
+                                                                        : cases::q16_16;
   row.parties = json.at("parties").get<std::vector<std::string>>();
   return row;
 }
@@ -177,8 +186,8 @@ bool fits(const Mismatch& m, const Report& report, std::size_t row) {
   if (m.chunk >= report.done.size() || !report.done[m.chunk]) return false;
   const cases::Chunk chunk = report.plan.chunk(m.chunk);
   const cases::Row& of = report.plan.rows()[row];
-  const std::size_t arity = cases::words_in(of.variant.operation);
-  const int bits = cases::operand_bits(of.variant);
+  const std::size_t arity = cases::words_in(of.variant);
+  const int bits = cases::stored_bits(of.variant);
   const auto too_wide = [bits](std::uint32_t word) { return bits < 32 && word >> bits != 0; };
   const auto is_case = [&](const std::vector<std::uint32_t>& words) {
     return words.size() == arity && std::none_of(words.begin(), words.end(), too_wide);

@@ -8,14 +8,18 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Adds detail::bias() to 64-bit sums of 2^-32 whose last 16 bits will be dropped.
-template <rounding R>
+/// Adds detail::bias() to sums whose last F bits will be dropped.
+template <rounding R, int F>
 FIXED_LANE_FUNCTION i64 biased(i64 sum) {
-  constexpr std::int64_t unit = 1 << 16;
-  if constexpr (R == rounding::half_up) {
+  constexpr std::int64_t unit = std::int64_t{1} << F;
+  if constexpr (F == 0) {
+    return sum;
+  } else if constexpr (R == rounding::half_up) {
     return sum + unit / 2;
   } else if constexpr (R == rounding::half_away) {
     return sum + unit / 2 + negative(sum);
+  } else if constexpr (R == rounding::half_even) {
+    return sum + (unit / 2 - 1) + i64(u64(sum) >> F & 1);
   } else if constexpr (R == rounding::truncate) {
     return sum + (negative(sum) & (unit - 1));
   } else {
@@ -24,88 +28,99 @@ FIXED_LANE_FUNCTION i64 biased(i64 sum) {
   }
 }
 
-/// Rounds 32-bit sums of 2^-16 by dropping their last 8 bits.
-template <rounding R>
-FIXED_LANE_FUNCTION i32 rounded_8(i32 sum) {
-  constexpr std::int32_t unit = 1 << 8;
+/// The same in 32-bit lanes, and drops the bits.
+template <rounding R, int F>
+FIXED_LANE_FUNCTION i32 rounded(i32 sum) {
+  constexpr std::int32_t unit = 1 << F;
+  if constexpr (F == 0) return sum;
   if constexpr (R == rounding::half_up) sum += unit / 2;
   if constexpr (R == rounding::half_away) sum += unit / 2 + (sum >> 31);
+  if constexpr (R == rounding::half_even) sum += unit / 2 - 1 + (sum >> F & 1);
   if constexpr (R == rounding::truncate) sum += (sum >> 31) & (unit - 1);
-  return sum >> 8;
+  return sum >> F;
 }
 
-/// `x` if `bad` is zero, else the end of the range of F with the sign of `sign`.
-template <int F>
+/// `x` if `bad` is zero, else the end of the range of Raw with the sign of `sign`.
+template <class Raw>
 FIXED_LANE_FUNCTION i32 saturated(i32 x, i32 bad, i32 sign) {
-  const i32 end = (sign >> 31) ^ std::int32_t{(std::numeric_limits<raw_t<F>>::max)()};
+  const i32 end = (sign >> 31) ^ std::int32_t{(std::numeric_limits<Raw>::max)()};
   return (x & ~bad) | (end & bad);
 }
 
-/// Wraps or saturates 32-bit sums in ulp to the range of 8.8.
-template <policy P>
-FIXED_LANE_FUNCTION i32 narrowed_8(i32 sum, i32& bad) {
+/// Wraps or saturates 32-bit sums in ulp to 16 bits.
+template <overflow O>
+FIXED_LANE_FUNCTION i32 narrowed(i32 sum, i32& bad) {
   const i32 low = (sum << 16) >> 16;
-  if constexpr (P.range == overflow::wrap) {
+  if constexpr (O == overflow::wrap) {
     return low;
   } else {
     const i32 out = i32(low != sum);
     bad |= out;
-    return P.range == overflow::saturate ? saturated<8>(low, out, sum) : low;
+    return O == overflow::saturate ? saturated<std::int16_t>(low, out, sum) : low;
   }
 }
 
-/// Wraps or saturates biased sums of 2^-32, in even and odd lanes, to the range of 16.16.
-template <policy P>
-FIXED_LANE_FUNCTION i32 narrowed_16(i64 even, i64 odd, i32& bad) {
-  const i32 low = middle(even, odd);
-  if constexpr (P.range == overflow::wrap) {
+/// Drops the last F bits of biased sums, in even and odd lanes, and wraps or saturates the rest to
+/// 32 bits.
+template <overflow O, int F>
+FIXED_LANE_FUNCTION i32 narrowed(i64 even, i64 odd, i32& bad) {
+  const i32 low = middle<F>(even, odd);
+  if constexpr (O == overflow::wrap) {
     return low;
   } else {
-    // In range if the upper 17 of the remaining 48 bits all equal the sign.
+    // In range if the remaining upper bits all equal the sign. With F = 0 they are a word.
     const i32 high = interleaved(u64(even) >> 32, u64(odd));
-    const i32 out = i32((high >> 15) != (low >> 31));
+    const i32 out = i32((high >> (F == 0 ? 0 : F - 1)) != (low >> 31));
     bad |= out;
-    return P.range == overflow::saturate ? saturated<16>(low, out, high) : low;
+    return O == overflow::saturate ? saturated<std::int32_t>(low, out, high) : low;
   }
 }
 
 FIXED_LANE_FUNCTION i64 odd_lanes(i32 x) { return i64(u64(x) >> 32); }
 
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
-  if constexpr (F == 8) {
-    return narrowed_8<P>(rounded_8<P.multiply>(a * b), bad);
+  constexpr int F = N::fraction_bits;
+  constexpr rounding R = N::rules.multiply;
+  constexpr overflow O = N::rules.product_range();
+  if constexpr (sizeof(N) == 2) {
+    return narrowed<O>(rounded<R, F>(a * b), bad);
   } else {
-    return narrowed_16<P>(biased<P.multiply>(mul_even(i64(a), i64(b))),
-                          biased<P.multiply>(mul_even(odd_lanes(a), odd_lanes(b))), bad);
+    return narrowed<O, F>(biased<R, F>(mul_even(i64(a), i64(b))),
+                          biased<R, F>(mul_even(odd_lanes(a), odd_lanes(b))), bad);
   }
 }
 
-template <int F, policy P>
+/// \pre F is at most the width of the stored integer - 2, so that the sums do not overflow
+template <class N>
 FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
-  if constexpr (F == 8) {
-    return narrowed_8<P>(rounded_8<P.multiply>(a * b + (c << 8)), bad);
+  constexpr int F = N::fraction_bits;
+  constexpr rounding R = N::rules.multiply;
+  constexpr overflow O = N::rules.product_range();
+  if constexpr (sizeof(N) == 2) {
+    return narrowed<O>(rounded<R, F>(a * b + (c << F)), bad);
   } else {
-    const i64 one = i64{} + (1 << 16);
+    const i64 one = i64{} + (1 << F);
     const i64 even = mul_even(i64(a), i64(b)) + mul_even(i64(c), one);
     const i64 odd = mul_even(odd_lanes(a), odd_lanes(b)) + mul_even(odd_lanes(c), one);
-    return narrowed_16<P>(biased<P.multiply>(even), biased<P.multiply>(odd), bad);
+    return narrowed<O, F>(biased<R, F>(even), biased<R, F>(odd), bad);
   }
 }
 
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
-  if constexpr (F == 8) {
-    return narrowed_8<P>(a + b, bad);
+  constexpr overflow O = N::rules.range;
+  if constexpr (sizeof(N) == 2) {
+    return narrowed<O>(a + b, bad);
   } else {
     const i32 sum = i32(u32(a) + u32(b));
-    if constexpr (P.range == overflow::wrap) {
+    if constexpr (O == overflow::wrap) {
       return sum;
     } else {
       // Out of range if the sign of the sum differs from the signs of both operands.
       const i32 out = ((a ^ sum) & (b ^ sum)) >> 31;
       bad |= out;
-      return P.range == overflow::saturate ? saturated<16>(sum, out, a) : sum;
+      return O == overflow::saturate ? saturated<std::int32_t>(sum, out, a) : sum;
     }
   }
 }
@@ -116,9 +131,10 @@ struct divisor_lanes {
   f64 value;
 };
 
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
-  if constexpr (P.divisor == divisor_width::whole_part) {
+  constexpr int F = N::fraction_bits;
+  if constexpr (N::rules.divisor == divisor_width::whole_part) {
     d = (d + ((d >> 31) & ((1 << F) - 1))) >> F;
   }
   return {zero_bits(d), doubles(d - (d == 0))};
@@ -149,38 +165,41 @@ FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
 
 /// Half a block of quotients under the policy. Sets a bit in `errors` for a divide error and in
 /// `overflows` for a result that is only out of range.
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
                                       std::uint32_t& overflows) {
-  constexpr int shift = numerator_shift<F, P>;
+  using raw = typename N::raw_type;
+  constexpr policy P = N::rules;
+  constexpr overflow O = P.quotient_range();
+  constexpr int shift = numerator_shift<N::fraction_bits, P>;
   constexpr bool by_floor = rounds_by_floor<P.divide>;
-  constexpr double low = (std::numeric_limits<raw_t<F>>::min)();
-  constexpr double high = (std::numeric_limits<raw_t<F>>::max)();
+  constexpr double low = (std::numeric_limits<raw>::min)();
+  constexpr double high = (std::numeric_limits<raw>::max)();
   const f64 numerator = doubles(n);
   f64 sum = sum_before_rounding<P.divide, shift>(numerator, d.value);
 
   errors = d.zeros;
   if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    // |n| 2^shift / |d| >= 2^(2 F); both sides are exact.
-    constexpr double units = std::int64_t{1} << (2 * F - shift);
+    // |n| 2^shift / |d| >= 2^bits; both sides are exact.
+    constexpr double units = std::int64_t{1} << (bits_of<raw> - shift);
     errors |= bits_at_least(magnitude_of(numerator), magnitude_of(d.value) * units);
   }
   overflows = 0;
-  if constexpr (P.fault == divide_fault::signed_quotient || P.range != overflow::wrap) {
+  if constexpr (P.fault == divide_fault::signed_quotient || O != overflow::wrap) {
     // Whether the floor or trunc of the sum will be above `high` or below `low`.
     const std::uint32_t above = bits_at_least(sum, f64{} + (high + 1));
     const std::uint32_t below =
         by_floor ? bits_below(sum, f64{} + low) : bits_at_least(f64{} + (low - 1), sum);
     if constexpr (P.fault == divide_fault::signed_quotient) errors |= above | below;
-    if constexpr (P.range != overflow::wrap) overflows = (above | below) & ~errors;
+    if constexpr (O != overflow::wrap) overflows = (above | below) & ~errors;
   }
-  if constexpr (P.range == overflow::saturate) sum = clamp(sum, f64{} + low, f64{} + high);
+  if constexpr (O == overflow::saturate) sum = clamp(sum, f64{} + low, f64{} + high);
   half_i32 result = low_words(whole<by_floor>(sum));
-  if constexpr (F == 8) result = (result << 16) >> 16;
+  if constexpr (sizeof(raw) == 2) result = (result << 16) >> 16;
   if (d.zeros != 0) [[unlikely]] {
     for (std::size_t i = 0; i < width / 2; ++i) {
       if ((d.zeros >> i & 1U) != 0) {
-        result[i] = limit_toward_zero<raw_t<F>>(static_cast<raw_t<F>>(n[i]));
+        result[i] = limit_toward_zero<raw>(static_cast<raw>(n[i]));
       }
     }
   }
@@ -194,7 +213,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 /// away from a half r + 1/2 (see detail::nearest_sqrt), so truncating the sum gives the nearest
 /// integer.
 template <int F>
-FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
+FIXED_LANE_FUNCTION half_i32 nearest_roots(half_i32 x, std::uint32_t& errors) {
   errors = bits(x);
   constexpr double units = 1 << F;
   const f64 n = doubles(x & ~(x >> 31)) * units;
@@ -202,10 +221,10 @@ FIXED_LANE_FUNCTION half_i32 nearest_root(half_i32 x, std::uint32_t& errors) {
 }
 
 /// Records the lanes set in `bad` whose bit is in `of`. Does nothing under overflow::wrap.
-template <policy P>
+template <overflow O>
 FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found,
                                         std::uint32_t of = ~0U) {
-  if constexpr (P.range != overflow::wrap) {
+  if constexpr (O != overflow::wrap) {
     const std::uint32_t out = bits(bad) & of;
     if (out != 0) [[unlikely]] {
       found.note_bits(fault::overflow, out, index);

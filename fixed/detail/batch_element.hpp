@@ -5,14 +5,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "fixed/detail/divide.hpp"
+#include "fixed/detail/exact.hpp"
 #include "fixed/detail/overflow.hpp"
-#include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
-#include "fixed/detail/storage.hpp"
+#include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
@@ -21,8 +22,8 @@ namespace fixproof::detail {
 enum class fault : std::uint8_t { none, divide_error, overflow, domain_error };
 
 /// The rows of a transform as stored integers; the fourth column is the translation.
-template <int FractionBits>
-using raw_transform = std::array<std::array<raw_t<FractionBits>, 4>, 3>;
+template <class Raw>
+using raw_transform = std::array<std::array<Raw, 4>, 3>;
 
 /// A stored integer, or those of a vertex, and the fault.
 template <class Raw>
@@ -31,112 +32,122 @@ struct outcome {
   fault what = fault::none;
 };
 
+/// The outcome of an operation on numbers N.
+template <class N>
+using outcome_of = outcome<typename N::raw_type>;
+
 /// The first of two faults.
 constexpr fault first_of(fault a, fault b) noexcept { return a != fault::none ? a : b; }
 
 /// The overflow rule inside a batch: wrap instead of throwing, because the report records the
 /// overflow.
-template <policy P>
+template <overflow O>
 inline constexpr overflow range_in_batch =
-    P.range == overflow::saturate ? overflow::saturate : overflow::wrap;
+    O == overflow::saturate ? overflow::saturate : overflow::wrap;
 
 /// Narrows a result that may be out of range. Under overflow::wrap it reports no fault.
-template <int F, policy P, class Wide>
-constexpr outcome<raw_t<F>> narrowed_element(Wide value) noexcept {
-  using raw = raw_t<F>;
+template <class Raw, overflow O, class Wide>
+constexpr outcome<Raw> narrowed_element(const Wide& value) noexcept {
   fault what = fault::none;
-  if constexpr (P.range != overflow::wrap) {
-    if (!fits<raw>(value)) what = fault::overflow;
+  if constexpr (O != overflow::wrap) {
+    if (!fits<Raw>(value)) what = fault::overflow;
   }
-  return {narrow<range_in_batch<P>, raw>(value, [] {}), what};
+  return {narrow<range_in_batch<O>, Raw>(value, [] {}), what};
 }
 
-template <int F, policy P>
-constexpr outcome<raw_t<F>> multiplied(raw_t<F> a, raw_t<F> b) noexcept {
-  using wide = product_t<raw_t<F>>;
-  return narrowed_element<F, P>(shift_right<P.multiply>(wide{a} * wide{b}, F));
+template <class N>
+constexpr outcome_of<N> multiplied(N a, N b) noexcept {
+  return narrowed_element<typename N::raw_type, N::rules.product_range()>(
+      rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
 }
 
-template <int F, policy P>
-constexpr outcome<raw_t<F>> multiplied_and_added(raw_t<F> a, raw_t<F> b, raw_t<F> c) noexcept {
-  using wide = product_t<raw_t<F>>;
-  const wide sum = wide{a} * wide{b} + wide{c} * (wide{1} << F);
-  return narrowed_element<F, P>(shift_right<P.multiply>(sum, F));
+template <class N>
+constexpr outcome_of<N> multiplied_and_added(N a, N b, N c) noexcept {
+  return narrowed_element<typename N::raw_type, N::rules.product_range()>(
+      rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
 }
 
 /// The result of the scalar divide, or the wrapped result if the scalar divide throws.
-template <int F, policy P>
-constexpr outcome<raw_t<F>> divided(raw_t<F> n, raw_t<F> d) noexcept {
-  const std::int32_t divisor = effective_divisor<raw_t<F>, F, P>(d);
-  if (divisor == 0) return {total_divide<raw_t<F>, F, P>(n, d), fault::divide_error};
-  const std::int64_t quotient = rounded_quotient<P.divide, numerator_shift<F, P>>(n, divisor);
-  outcome<raw_t<F>> result = narrowed_element<F, P>(quotient);
-  const division end = ending_of<raw_t<F>, F, P>(n, divisor, quotient);
+template <class Raw, int F, policy P>
+constexpr outcome<Raw> divided(number<Raw, F, P> n, number<Raw, F, P> d) noexcept {
+  const divisor_t<Raw> divisor = effective_divisor<Raw, F, P>(d.raw());
+  if (divisor == divisor_t<Raw>{0}) {
+    return {total_divide<Raw, F, P>(n.raw(), d.raw()), fault::divide_error};
+  }
+  const auto quotient = quotient_of<Raw, F, P>(n.raw(), divisor);
+  outcome<Raw> result = narrowed_element<Raw, P.quotient_range()>(quotient);
+  const division end = ending_of<Raw, F, P>(n.raw(), divisor, quotient);
   if (end == division::divide_error) result.what = fault::divide_error;
   return result;
 }
 
 /// Whether divided() may report a fault under a policy that never throws: the divisor is zero or
 /// the result is an end of the range. Has no branch.
-template <int F, policy P>
-constexpr bool may_be_fault(raw_t<F> d, raw_t<F> result) noexcept {
-  using limits = std::numeric_limits<raw_t<F>>;
-  bool may = effective_divisor<raw_t<F>, F, P>(d) == 0;
-  if constexpr (P.range == overflow::saturate) {
+template <class Raw, int F, policy P>
+constexpr bool may_be_fault(number<Raw, F, P> d, Raw result) noexcept {
+  using limits = std::numeric_limits<Raw>;
+  bool may = effective_divisor<Raw, F, P>(d.raw()) == divisor_t<Raw>{0};
+  if constexpr (P.quotient_range() == overflow::saturate) {
     may |= result == (limits::min)();
     may |= result == (limits::max)();
   }
   return may;
 }
 
-template <int F>
-constexpr outcome<raw_t<F>> rooted(raw_t<F> x) noexcept {
-  if (x < 0) return {0, fault::domain_error};
-  return {static_cast<raw_t<F>>(nearest_sqrt(std::int64_t{x} * (std::int64_t{1} << F)))};
+template <class N>
+constexpr outcome_of<N> rooted(N x) noexcept {
+  using raw = typename N::raw_type;
+  if (x.raw() < 0) return {0, fault::domain_error};
+  constexpr int F = N::fraction_bits;
+  constexpr overflow range = has_fast_root<raw, F> ? overflow::wrap : N::rules.range;
+  return narrowed_element<raw, range>(nearest_root<F>(x.raw()));
 }
 
 /// One row of a transform applied to a vertex: each product rounded, then summed from the left.
-template <int F, policy P>
-constexpr outcome<raw_t<F>> transformed(const std::array<raw_t<F>, 4>& row,
-                                        const std::array<raw_t<F>, 3>& v) noexcept {
-  using wide = product_t<raw_t<F>>;
-  outcome<raw_t<F>> sum = multiplied<F, P>(row[0], v[0]);
-  const auto add = [&sum](const outcome<raw_t<F>>& term) {
-    const outcome<raw_t<F>> next = narrowed_element<F, P>(wide{sum.raw} + wide{term.raw});
+template <class N>
+constexpr outcome_of<N> transformed(const std::array<typename N::raw_type, 4>& row,
+                                    const std::array<typename N::raw_type, 3>& v) noexcept {
+  const auto product = [&](std::size_t k) {
+    return multiplied(N::from_raw(row[k]), N::from_raw(v[k]));
+  };
+  outcome_of<N> sum = product(0);
+  const auto add = [&sum](const outcome_of<N>& term) {
+    const outcome_of<N> next =
+        narrowed_element<typename N::raw_type, N::rules.range>(exact_sum(sum.raw, term.raw));
     sum = {next.raw, first_of(sum.what, first_of(term.what, next.what))};
   };
-  add(multiplied<F, P>(row[1], v[1]));
-  add(multiplied<F, P>(row[2], v[2]));
+  add(product(1));
+  add(product(2));
   add({row[3]});
   return sum;
 }
 
 /// coordinate / depth * constant.
-template <int F, policy P>
-constexpr outcome<raw_t<F>> projected(raw_t<F> coordinate, raw_t<F> depth,
-                                      raw_t<F> constant) noexcept {
-  const outcome<raw_t<F>> quotient = divided<F, P>(coordinate, depth);
-  const outcome<raw_t<F>> product = multiplied<F, P>(quotient.raw, constant);
+template <class N>
+constexpr outcome_of<N> projected(N coordinate, N depth, N constant) noexcept {
+  const outcome_of<N> quotient = divided(coordinate, depth);
+  const outcome_of<N> product = multiplied(N::from_raw(quotient.raw), constant);
   return {product.raw, first_of(quotient.what, product.what)};
 }
 
 /// A transformed vertex and the first fault of its coordinates.
-template <int F, policy P>
-constexpr outcome<std::array<raw_t<F>, 3>> transformed_vertex(
-    const raw_transform<F>& by, const std::array<raw_t<F>, 3>& v) noexcept {
-  const auto x = transformed<F, P>(by[0], v);
-  const auto y = transformed<F, P>(by[1], v);
-  const auto z = transformed<F, P>(by[2], v);
+template <class N>
+constexpr outcome<std::array<typename N::raw_type, 3>> transformed_vertex(
+    const raw_transform<typename N::raw_type>& by,
+    const std::array<typename N::raw_type, 3>& v) noexcept {
+  const auto x = transformed<N>(by[0], v);
+  const auto y = transformed<N>(by[1], v);
+  const auto z = transformed<N>(by[2], v);
   return {{x.raw, y.raw, z.raw}, first_of(x.what, first_of(y.what, z.what))};
 }
 
 /// A projected point. A divide error in either coordinate takes precedence over an overflow in the
 /// other.
-template <int F, policy P>
-constexpr outcome<std::array<raw_t<F>, 2>> projected_point(
-    raw_t<F> constant, const std::array<raw_t<F>, 3>& v) noexcept {
-  const auto x = projected<F, P>(v[0], v[2], constant);
-  const auto y = projected<F, P>(v[1], v[2], constant);
+template <class N>
+constexpr outcome<std::array<typename N::raw_type, 2>> projected_point(
+    N constant, const std::array<typename N::raw_type, 3>& v) noexcept {
+  const auto x = projected(N::from_raw(v[0]), N::from_raw(v[2]), constant);
+  const auto y = projected(N::from_raw(v[1]), N::from_raw(v[2]), constant);
   const bool error = x.what == fault::divide_error || y.what == fault::divide_error;
   return {{x.raw, y.raw}, error ? fault::divide_error : first_of(x.what, y.what)};
 }

@@ -6,9 +6,9 @@
 /// FIXED_LANE_TARGET the attribute that enables the instructions in a function. Every function here
 /// needs that attribute, so templates on the instruction set are not possible.
 ///
-/// A block is `width` elements: one register of 32-bit lanes, also for 8.8, whose stored integers
-/// are widened on load. For 64-bit values, a register holds the even or the odd lanes, or half a
-/// block.
+/// A block is `width` elements: one register of 32-bit lanes, also for stored integers of 16 bits,
+/// which are widened on load. For 64-bit values, a register holds the even or the odd lanes, or
+/// half a block.
 
 #if defined(FIXED_LANES)
 #define FIXED_LANE_FUNCTION FIXED_LANE_TARGET __attribute__((always_inline)) inline
@@ -38,7 +38,6 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // mul_even(a, b)        products of the lower halves, in 64-bit lanes, signed or unsigned by type
 // unknown(x)            x, hidden from the optimiser: clang otherwise proves that operands have
 //                       32 bits, forgets it, and multiplies 64 bits in three products
-// middle(even, odd)     bits 16 to 47 of 64-bit lanes, in the even and in the odd lanes
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b if bit i of mask is set, else of a
 // permute(x, from)      lane i is x[from[i]]
@@ -71,7 +70,7 @@ FIXED_LANE_FUNCTION u64 unknown(u64 x) {
   asm("" : "+v"(x));
   return x;
 }
-/// The 16-bit words that middle() selects from each pair of registers.
+/// The 16-bit words that middle<16>() selects from each pair of registers.
 inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   std::array<std::int16_t, 32> from{};
   for (std::int16_t i = 0; i < 32; i += 4) {
@@ -83,7 +82,7 @@ inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   }
   return from;
 }();
-FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+FIXED_LANE_FUNCTION i32 middle_16(i64 even, i64 odd) {
   i32 from;
   __builtin_memcpy(&from, &middle_words, sizeof from);
   return i32(_mm512_permutex2var_epi16(__m512i(even), __m512i(from), __m512i(odd)));
@@ -169,9 +168,6 @@ template <unsigned mask>
 FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
   return i32(_mm256_blend_epi32(__m256i(a), __m256i(b), mask & 0xff));
 }
-FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
-  return blend<0xaa>(i32(u64(even) >> 16), i32(u64(odd) << 16));
-}
 FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
   return i32(_mm256_permutevar8x32_epi32(__m256i(x), __m256i(from)));
 }
@@ -235,9 +231,6 @@ FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
                       mask & 8 ? ~0U : 0U};
   return i32(vbslq_s32(uint32x4_t(from_b), int32x4_t(b), int32x4_t(a)));
 }
-FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
-  return blend<0xaa>(i32(u64(even) >> 16), i32(u64(odd) << 16));
-}
 FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
   return i32{x[from[0]], x[from[1]], x[from[2]], x[from[3]]};
 }
@@ -280,11 +273,20 @@ FIXED_LANE_FUNCTION i32 interleaved(u64 even, u64 odd) {
   return blend<0xaaaa>(i32(even), i32(odd));
 }
 
+/// Bits `low` to `low` + 31 of 64-bit lanes, in the even and in the odd lanes.
+template <int low>
+FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
+#if FIXED_LANE_BYTES == 64
+  if constexpr (low == 16) return middle_16(even, odd);
+#endif
+  return interleaved(u64(even) >> low, u64(odd) << (32 - low));
+}
+
 /// Loads a block; `base` points to the stored integer of element 0.
-template <int F>
+template <class Raw>
 FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index) {
-  const auto* from = static_cast<const raw_t<F>*>(base) + index;
-  if constexpr (F == 16) {
+  const auto* from = static_cast<const Raw*>(base) + index;
+  if constexpr (sizeof(Raw) == 4) {
     i32 x;
     __builtin_memcpy(&x, from, sizeof x);
     return x;
@@ -295,10 +297,10 @@ FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index) {
   }
 }
 
-template <int F>
+template <class Raw>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
-  auto* to = static_cast<raw_t<F>*>(base) + index;
-  if constexpr (F == 16) {
+  auto* to = static_cast<Raw*>(base) + index;
+  if constexpr (sizeof(Raw) == 4) {
     __builtin_memcpy(to, &x, sizeof x);
   } else {
     const narrow_i16 low = __builtin_convertvector(x, narrow_i16);
@@ -308,23 +310,23 @@ FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
 
 /// Whether results go to the caches or past them. Only 32-bit integers can bypass them.
 enum class stores : bool { cached, past_caches };
-template <int F>
-inline constexpr bool may_store_past = can_store_past&& F == 16;
+template <class Raw>
+inline constexpr bool may_store_past = can_store_past && sizeof(Raw) == 4;
 
 /// \pre past the caches: may_store_past, and element `index` is aligned to the register size
-template <int F, stores how>
+template <class Raw, stores how>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
   if constexpr (how == stores::past_caches) {
-    store_past(static_cast<raw_t<F>*>(base) + index, x);
+    store_past(static_cast<Raw*>(base) + index, x);
   } else {
-    store<F>(base, index, x);
+    store<Raw>(base, index, x);
   }
 }
 
-template <int F>
+template <class Raw>
 FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index) {
-  const auto* from = static_cast<const raw_t<F>*>(base) + index;
-  if constexpr (F == 16) {
+  const auto* from = static_cast<const Raw*>(base) + index;
+  if constexpr (sizeof(Raw) == 4) {
     half_i32 x;
     __builtin_memcpy(&x, from, sizeof x);
     return x;
@@ -335,10 +337,10 @@ FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index) {
   }
 }
 
-template <int F>
+template <class Raw>
 FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x) {
-  auto* to = static_cast<raw_t<F>*>(base) + index;
-  if constexpr (F == 16) {
+  auto* to = static_cast<Raw*>(base) + index;
+  if constexpr (sizeof(Raw) == 4) {
     __builtin_memcpy(to, &x, sizeof x);
   } else {
     const half_narrow_i16 low = __builtin_convertvector(x, half_narrow_i16);

@@ -10,32 +10,37 @@ namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
-  template <int F, policy P>
+  template <class N>
   FIXED_LANE_TARGET static std::size_t multiply(const void* a, const void* b, void* out,
                                                 std::size_t count, fault_recorder& found) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       i32 bad{};
-      store<F>(out, i, product<F, P>(load<F>(a, i), load<F>(b, i), bad));
-      note_overflows<P>(bad, i, found);
+      store<typename N::raw_type>(
+          out, i,
+          product<N>(load<typename N::raw_type>(a, i), load<typename N::raw_type>(b, i), bad));
+      note_overflows<N::rules.product_range()>(bad, i, found);
     }
     return i;
   }
 
-  template <int F, policy P>
+  template <class N>
   FIXED_LANE_TARGET static std::size_t mul_add(const void* a, const void* b, const void* c,
                                                void* out, std::size_t count,
                                                fault_recorder& found) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       i32 bad{};
-      store<F>(out, i, product_and_sum<F, P>(load<F>(a, i), load<F>(b, i), load<F>(c, i), bad));
-      note_overflows<P>(bad, i, found);
+      store<typename N::raw_type>(
+          out, i,
+          product_and_sum<N>(load<typename N::raw_type>(a, i), load<typename N::raw_type>(b, i),
+                             load<typename N::raw_type>(c, i), bad));
+      note_overflows<N::rules.product_range()>(bad, i, found);
     }
     return i;
   }
 
-  template <int F, policy P>
+  template <class N>
   FIXED_LANE_TARGET static std::size_t divide(const void* n, const void* d, void* out,
                                               std::size_t count, fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
@@ -44,8 +49,9 @@ struct loops {
     for (; count - i >= half; i += half) {
       std::uint32_t errors = 0;
       std::uint32_t overflows = 0;
-      const divisor_lanes divisor = divisor_of<F, P>(load_half<F>(d, i));
-      store_half<F>(out, i, quotient<F, P>(load_half<F>(n, i), divisor, errors, overflows));
+      const divisor_lanes divisor = divisor_of<N>(load_half<typename N::raw_type>(d, i));
+      store_half<typename N::raw_type>(
+          out, i, quotient<N>(load_half<typename N::raw_type>(n, i), divisor, errors, overflows));
       if (errors != 0) [[unlikely]] {
         found.note_bits(fault::divide_error, errors, i);
       }
@@ -56,7 +62,7 @@ struct loops {
     return i;
   }
 
-  template <int F>
+  template <class Raw, int F>
   FIXED_LANE_TARGET static std::size_t sqrt(const void* x, void* out, std::size_t count,
                                             fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
@@ -64,7 +70,7 @@ struct loops {
     std::size_t i = 0;
     for (; count - i >= half; i += half) {
       std::uint32_t errors = 0;
-      store_half<F>(out, i, nearest_root<F>(load_half<F>(x, i), errors));
+      store_half<Raw>(out, i, nearest_roots<F>(load_half<Raw>(x, i), errors));
       if (errors != 0) [[unlikely]] {
         found.note_bits(fault::domain_error, errors, i);
       }
@@ -73,14 +79,14 @@ struct loops {
   }
 
   /// Adds the products to `sum` modulo 2^64.
-  template <int F>
+  template <class Raw>
   FIXED_LANE_TARGET static std::size_t dot(const void* a, const void* b, std::size_t count,
                                            std::uint64_t& sum) {
     u64 sums{};
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
-      const i32 x = load<F>(a, i);
-      const i32 y = load<F>(b, i);
+      const i32 x = load<Raw>(a, i);
+      const i32 y = load<Raw>(b, i);
       sums += u64(mul_even(i64(x), i64(y))) + u64(mul_even(odd_lanes(x), odd_lanes(y)));
     }
     for (std::size_t lane = 0; lane < width / 2; ++lane) sum += sums[lane];
@@ -89,7 +95,7 @@ struct loops {
 
   /// Adds the products to `sum` exactly. Adds 2^63 to make each product non-negative, and sums its
   /// two halves separately. \pre count <= 2^30
-  template <int F>
+  template <class Raw>
   FIXED_LANE_TARGET static std::size_t dot(const void* a, const void* b, std::size_t count,
                                            wide_sum& sum) {
     constexpr std::uint64_t sign = std::uint64_t{1} << 63;
@@ -97,8 +103,8 @@ struct loops {
     u64 high{};
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
-      const i32 x = load<F>(a, i);
-      const i32 y = load<F>(b, i);
+      const i32 x = load<Raw>(a, i);
+      const i32 y = load<Raw>(b, i);
       const u64 even = u64(mul_even(i64(x), i64(y))) ^ sign;
       const u64 odd = u64(mul_even(odd_lanes(x), odd_lanes(y))) ^ sign;
       low += (even & 0xffffffff) + (odd & 0xffffffff);
@@ -112,22 +118,23 @@ struct loops {
     return i;
   }
 
-  template <int F, policy P>
-  FIXED_LANE_TARGET static std::size_t transform(const raw_transform<F>& by, const void* in,
-                                                 void* out, std::size_t count,
+  template <class N>
+  FIXED_LANE_TARGET static std::size_t transform(const raw_transform<typename N::raw_type>& by,
+                                                 const void* in, void* out, std::size_t count,
                                                  fault_recorder& found) {
-    return transform_blocks<F, P>(by, interleaved_vertices<F>{in, out}, count, found);
+    return transform_blocks<N>(by, interleaved_vertices<typename N::raw_type>{in, out}, count,
+                               found);
   }
 
-  template <int F, policy P>
-  FIXED_LANE_TARGET static std::size_t transform(const raw_transform<F>& by,
+  template <class N>
+  FIXED_LANE_TARGET static std::size_t transform(const raw_transform<typename N::raw_type>& by,
                                                  const std::array<const void*, 3>& in,
                                                  const std::array<void*, 3>& out, std::size_t count,
                                                  fault_recorder& found) {
-    return transform_blocks<F, P>(by, vertex_columns<F>{in, out}, count, found);
+    return transform_blocks<N>(by, vertex_columns<typename N::raw_type>{in, out}, count, found);
   }
 
-  template <int F, policy P>
+  template <class N>
   FIXED_LANE_TARGET static std::size_t project(std::int32_t constant, const void* in, void* out,
                                                std::size_t count, fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
@@ -135,13 +142,14 @@ struct loops {
     for (; count - i >= width; i += width) {
       i32 x;
       i32 y;
-      project_block<F, P>(load_vertices<F>(in, i), i32{} + constant, x, y, i, found);
-      store_points<F>(out, i, x, y);
+      project_block<N>(load_vertices<typename N::raw_type>(in, i), i32{} + constant, x, y, i,
+                       found);
+      store_points<typename N::raw_type>(out, i, x, y);
     }
     return i;
   }
 
-  template <int F, policy P>
+  template <class N>
   FIXED_LANE_TARGET static std::size_t project(std::int32_t constant,
                                                const std::array<const void*, 3>& in,
                                                const std::array<void*, 2>& out, std::size_t count,
@@ -151,38 +159,39 @@ struct loops {
     for (; count - i >= width; i += width) {
       i32 x;
       i32 y;
-      project_block<F, P>({load<F>(in[0], i), load<F>(in[1], i), load<F>(in[2], i)},
-                          i32{} + constant, x, y, i, found);
-      store<F>(out[0], i, x);
-      store<F>(out[1], i, y);
+      project_block<N>({load<typename N::raw_type>(in[0], i), load<typename N::raw_type>(in[1], i),
+                        load<typename N::raw_type>(in[2], i)},
+                       i32{} + constant, x, y, i, found);
+      store<typename N::raw_type>(out[0], i, x);
+      store<typename N::raw_type>(out[1], i, y);
     }
     return i;
   }
 
   /// The vector form of detail::nearest_sine().
-  template <int F>
+  template <class Raw, int F>
   FIXED_LANE_TARGET static std::size_t sines(const void* angles, void* results, std::size_t count,
                                              std::uint64_t ahead) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
-      const i32 raw = load<F>(angles, i);
+      const i32 raw = load<Raw>(angles, i);
       bool doubtful = false;
       i32 result = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
       if (doubtful) [[unlikely]] {
         result = nearest_sines<F>(raw, ahead);
       }
-      store<F>(results, i, result);
+      store<Raw>(results, i, result);
     }
     return i;
   }
 
   /// As sines(), for cosines and sines.
-  template <int F>
+  template <class Raw, int F>
   FIXED_LANE_TARGET static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                          void* sines, std::size_t count) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
-      const i32 raw = load<F>(angles, i);
+      const i32 raw = load<Raw>(angles, i);
       const turn_lanes turns = turns_of<F>(raw, 0);
       bool doubtful = false;
       i32 sine = sines_of<F>(turns, doubtful);
@@ -191,8 +200,8 @@ struct loops {
         sine = nearest_sines<F>(raw, 0);
         cosine = nearest_sines<F>(raw, quarter_turn);
       }
-      store<F>(sines, i, sine);
-      store<F>(cosines, i, cosine);
+      store<Raw>(sines, i, sine);
+      store<Raw>(cosines, i, cosine);
     }
     return i;
   }

@@ -33,15 +33,14 @@ void each_element(std::size_t i, std::size_t count, fault_recorder& found, const
 template <class N, class Element>
 std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to, std::size_t count,
                           fault_recorder& found, const Element& element) noexcept {
-  constexpr int F = N::fraction_bits;
-  constexpr policy P = N::rules;
+  using raw = typename N::raw_type;
   constexpr std::size_t block = 64;
-  std::array<raw_t<F>, block> results;
+  std::array<raw, block> results;
   for (; count - i >= block; i += block) {
     int suspect = 0;
     for (std::size_t k = 0; k < block; ++k) {
-      results[k] = total_divide<raw_t<F>, F, P>(n[i + k].raw(), d[i + k].raw());
-      suspect |= static_cast<int>(may_be_fault<F, P>(d[i + k].raw(), results[k]));
+      results[k] = total_divide<raw, N::fraction_bits, N::rules>(n[i + k].raw(), d[i + k].raw());
+      suspect |= static_cast<int>(may_be_fault(d[i + k], results[k]));
     }
     if (suspect != 0) {
       for (std::size_t k = 0; k < block; ++k) found.note(element(i + k).what, i + k);

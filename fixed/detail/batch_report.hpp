@@ -78,23 +78,25 @@ class fault_recorder {
     }
   }
 
-  /// Returns the report. If there are no marks, throws the error of the first element for which
-  /// policy P throws.
+  /// Returns the report. If there are no marks, throws the error of the first element for which an
+  /// operation with these rules throws.
   /// \param operation the name in the text of the error
-  template <policy P>
+  template <overflow O, divide_fault Fault>
   [[nodiscard]] batch::report finish(const char* operation) const {
     const fault_count& divides = of(fault::divide_error);
     const fault_count& ranges = of(fault::overflow);
     const fault_count& domains = of(fault::domain_error);
-    constexpr bool traps = P.range == overflow::trap;
-    if constexpr (traps || P.fault != divide_fault::none) {
+    constexpr bool traps = O == overflow::trap;
+    if constexpr (traps || Fault != divide_fault::none) {
       const bool before = !traps || divides.first < ranges.first;
       if (marks_.empty() && divides.count > 0 && before) {
         raise<divide_error>("divide error", operation, divides);
       }
     }
     if constexpr (traps) {
-      if (marks_.empty() && ranges.count > 0) raise<overflow_error>("overflow", operation, ranges);
+      if (marks_.empty() && ranges.count > 0 && ranges.first < domains.first) {
+        raise<overflow_error>("overflow", operation, ranges);
+      }
       if (marks_.empty() && domains.count > 0) {
         raise<domain_error>("domain error", operation, domains);
       }

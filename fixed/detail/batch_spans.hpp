@@ -15,26 +15,16 @@
 
 namespace fixproof::detail {
 
-/// The numbers that batches cover: 8.8 and 16.16, with one rule for overflow, and without
-/// half_even.
-template <class N>
-concept in_batches = (N::fraction_bits == 8 || N::fraction_bits == 16) &&
-                     std::is_signed_v<typename N::raw_type>&& bits_of<typename N::raw_type> ==
-                         2 * N::fraction_bits&& N::rules.products
-                         == overflow::as_range&& N::rules.quotients
-                         == overflow::as_range&& N::rules.multiply
-                         != rounding::half_even&& N::rules.divide != rounding::half_even;
-
 /// A range to which numbers N can be written.
 template <class Range, class N>
-concept output_of = in_batches<N> && number_range<Range> && std::same_as<N, element_t<Range>> &&
+concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
     requires(Range& range) {
   { *std::data(range) } -> std::same_as<N&>;
 };
 
 /// A range of numbers N.
 template <class Range, class N>
-concept input_of = in_batches<N> && number_range<Range> && std::same_as<N, element_t<Range>>;
+concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
 
 /// A type that can be built from two or three numbers N.
 template <class T, class N, std::size_t size>
@@ -48,7 +38,7 @@ concept made_of = (size == 2 &&
 
 /// A range whose elements consist of exactly `size` numbers N.
 template <class Range, class N, std::size_t size>
-concept tuples_of = in_batches<N> && std::is_trivially_copyable_v<element_t<Range>> &&
+concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
                         std::is_standard_layout_v<element_t<Range>> &&
                         sizeof(element_t<Range>) == size * sizeof(N) &&
                     made_of<element_t<Range>, N, size>&& requires(const Range& range) {
@@ -67,21 +57,21 @@ constexpr std::size_t shortest(const Ranges&... ranges) noexcept {
 
 /// Loads the stored integers of an element of `size` numbers. Copies one by one, because with a
 /// memcpy of more than a register GCC 12 keeps the array in memory.
-template <int F, std::size_t size>
-std::array<raw_t<F>, size> load_tuple(const void* base, std::size_t index) noexcept {
-  const auto* const from = static_cast<const char*>(base) + index * size * sizeof(raw_t<F>);
-  std::array<raw_t<F>, size> tuple;
+template <class Raw, std::size_t size>
+std::array<Raw, size> load_tuple(const void* base, std::size_t index) noexcept {
+  const auto* const from = static_cast<const char*>(base) + index * size * sizeof(Raw);
+  std::array<Raw, size> tuple;
   for (std::size_t c = 0; c < size; ++c) {
-    std::memcpy(&tuple[c], from + c * sizeof(raw_t<F>), sizeof(raw_t<F>));
+    std::memcpy(&tuple[c], from + c * sizeof(Raw), sizeof(Raw));
   }
   return tuple;
 }
 
-template <int F, std::size_t size>
-void store_tuple(void* base, std::size_t index, const std::array<raw_t<F>, size>& tuple) noexcept {
-  auto* const to = static_cast<char*>(base) + index * size * sizeof(raw_t<F>);
+template <class Raw, std::size_t size>
+void store_tuple(void* base, std::size_t index, const std::array<Raw, size>& tuple) noexcept {
+  auto* const to = static_cast<char*>(base) + index * size * sizeof(Raw);
   for (std::size_t c = 0; c < size; ++c) {
-    std::memcpy(to + c * sizeof(raw_t<F>), &tuple[c], sizeof(raw_t<F>));
+    std::memcpy(to + c * sizeof(Raw), &tuple[c], sizeof(Raw));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "fixed/detail/batch_element.hpp"
 #include "fixed/detail/batch_report.hpp"
@@ -16,6 +17,7 @@
 #include "fixed/detail/quotient.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/square_root.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/policy.hpp"
@@ -31,6 +33,37 @@ enum class path : std::uint8_t {
 };
 
 }  // namespace fixproof::batch
+
+namespace fixproof::detail {
+
+/// Whether vector registers multiply and add the numbers: stored integers of 16 or 32 bits with a
+/// sign.
+template <class N>
+inline constexpr bool has_lanes = std::is_signed_v<typename N::raw_type> &&
+                                  (sizeof(N) == 2 || sizeof(N) == 4);
+
+/// The same for multiply-add, whose sums must fit twice the width.
+template <class N>
+inline constexpr bool has_mul_add_lanes =
+    has_lanes<N>&& N::fraction_bits <= bits_of<typename N::raw_type> - 2;
+
+/// The same for quotients: their numerators must fit 48 bits.
+template <class N>
+inline constexpr bool has_quotient_lanes =
+    has_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
+
+/// The same for square roots.
+template <class N>
+inline constexpr bool has_root_lanes =
+    has_lanes<N>&& has_fast_root<typename N::raw_type, N::fraction_bits>;
+
+/// The overflow rule of a transform: that of its sums, or of its products if sums wrap.
+template <class N>
+inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
+                                                  ? N::rules.product_range()
+                                                  : N::rules.range;
+
+}  // namespace fixproof::detail
 
 // Requires g++ 12 or clang: vector types, their conversions, and per-function targets. Other
 // compilers take the portable path.
@@ -108,14 +141,17 @@ namespace fixproof::detail {
 
 /// Calls call(loops) with the loops of a path and returns its result. Returns 0, for no element
 /// done, on the portable path and on unavailable paths.
-template <class Call>
+/// \tparam has whether the loops cover the operation on the numbers
+template <bool has, class Call>
 std::size_t on_path(batch::path which, const Call& call) {
+  if constexpr (has) {
 #if defined(FIXED_BATCH_X86)
-  if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});
-  if (which == batch::path::avx2 && batch::has(which)) return call(avx2::loops{});
+    if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});
+    if (which == batch::path::avx2 && batch::has(which)) return call(avx2::loops{});
 #elif defined(FIXED_BATCH_NEON)
-  if (which == batch::path::neon) return call(neon::loops{});
+    if (which == batch::path::neon) return call(neon::loops{});
 #endif
+  }
   (void)which;
   (void)call;
   return 0;

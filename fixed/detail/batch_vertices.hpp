@@ -55,10 +55,9 @@ FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
 }
 
 /// Whether element `index` is aligned to the register size.
-template <int F>
+template <class Raw>
 bool is_register_aligned(const void* base, std::size_t index) {
-  return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(raw_t<F>)) % FIXED_LANE_BYTES ==
-         0;
+  return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(Raw)) % FIXED_LANE_BYTES == 0;
 }
 
 /// Prefetches the data read eight AVX-512 blocks later: in a stream of three registers per block,
@@ -76,34 +75,35 @@ FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
 }
 
 /// Loads the block of vertices that starts at `index`.
-template <int F>
+template <class Raw>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
-  constexpr std::size_t vertex = 3 * sizeof(raw_t<F>);
+  constexpr std::size_t vertex = 3 * sizeof(Raw);
   prefetch<vertex * width>(base, vertex * index);
-  const i32 first = load<F>(base, 3 * index);
-  const i32 second = load<F>(base, 3 * index + width);
-  const i32 third = load<F>(base, 3 * index + 2 * width);
+  const i32 first = load<Raw>(base, 3 * index);
+  const i32 second = load<Raw>(base, 3 * index + width);
+  const i32 third = load<Raw>(base, 3 * index + 2 * width);
   return {component<0>(first, second, third), component<1>(first, second, third),
           component<2>(first, second, third)};
 }
 
-template <int F, stores how>
+template <class Raw, stores how>
 FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v) {
   const i32 x = permute(v.x, lanes(from_vertices<0>));
   const i32 y = permute(v.y, lanes(from_vertices<1>));
   const i32 z = permute(v.z, lanes(from_vertices<2>));
-  store<F, how>(base, 3 * index, blend<lanes_of(2, 0)>(blend<lanes_of(1, 0)>(x, y), z));
-  store<F, how>(base, 3 * index + width, blend<lanes_of(2, 1)>(blend<lanes_of(1, 1)>(x, y), z));
-  store<F, how>(base, 3 * index + 2 * width, blend<lanes_of(2, 2)>(blend<lanes_of(1, 2)>(x, y), z));
+  store<Raw, how>(base, 3 * index, blend<lanes_of(2, 0)>(blend<lanes_of(1, 0)>(x, y), z));
+  store<Raw, how>(base, 3 * index + width, blend<lanes_of(2, 1)>(blend<lanes_of(1, 1)>(x, y), z));
+  store<Raw, how>(base, 3 * index + 2 * width,
+                  blend<lanes_of(2, 2)>(blend<lanes_of(1, 2)>(x, y), z));
 }
 
-template <int F>
+template <class Raw>
 FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 y) {
   const i32 low = lanes(from_points<0>);
   const i32 high = lanes(from_points<1>);
   constexpr unsigned odds = 0xaaaa;
-  store<F>(base, 2 * index, blend<odds>(permute(x, low), permute(y, low)));
-  store<F>(base, 2 * index + width, blend<odds>(permute(x, high), permute(y, high)));
+  store<Raw>(base, 2 * index, blend<odds>(permute(x, low), permute(y, low)));
+  store<Raw>(base, 2 * index + width, blend<odds>(permute(x, high), permute(y, high)));
 }
 
 /// \}
@@ -113,8 +113,8 @@ struct broadcast_transform {
   i32 rows[3][4];
 };
 
-template <int F>
-FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<F>& transform) {
+template <class Raw>
+FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<Raw>& transform) {
   broadcast_transform result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
@@ -124,58 +124,60 @@ FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<F>& transf
   return result;
 }
 
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION i32 coordinate(const i32 (&row)[4], const block_of_vertices& v, i32& bad) {
-  i32 sum = product<F, P>(row[0], v.x, bad);
-  sum = added<F, P>(sum, product<F, P>(row[1], v.y, bad), bad);
-  sum = added<F, P>(sum, product<F, P>(row[2], v.z, bad), bad);
-  return added<F, P>(sum, row[3], bad);
+  i32 sum = product<N>(row[0], v.x, bad);
+  sum = added<N>(sum, product<N>(row[1], v.y, bad), bad);
+  sum = added<N>(sum, product<N>(row[2], v.z, bad), bad);
+  return added<N>(sum, row[3], bad);
 }
 
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION block_of_vertices transformed_block(const broadcast_transform& t,
                                                         const block_of_vertices& v, i32& bad) {
-  return {coordinate<F, P>(t.rows[0], v, bad), coordinate<F, P>(t.rows[1], v, bad),
-          coordinate<F, P>(t.rows[2], v, bad)};
+  return {coordinate<N>(t.rows[0], v, bad), coordinate<N>(t.rows[1], v, bad),
+          coordinate<N>(t.rows[2], v, bad)};
 }
 
 /// \name Layouts of vertices in memory
 /// \{
 
 /// x y z x y z ...
-template <int F>
+template <class Raw>
 struct interleaved_vertices {
   const void* in;
   void* out;
 
   [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load(std::size_t i) const {
-    return load_vertices<F>(in, i);
+    return load_vertices<Raw>(in, i);
   }
   template <stores how>
   FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
-    store_vertices<F, how>(out, i, v);
+    store_vertices<Raw, how>(out, i, v);
   }
   [[nodiscard]] bool in_place() const { return in == out; }
   /// Whether the results from vertex i on are aligned to the register size.
-  [[nodiscard]] bool is_aligned(std::size_t i) const { return is_register_aligned<F>(out, 3 * i); }
+  [[nodiscard]] bool is_aligned(std::size_t i) const {
+    return is_register_aligned<Raw>(out, 3 * i);
+  }
 };
 
 /// Each coordinate in its own array.
-template <int F>
+template <class Raw>
 struct vertex_columns {
   std::array<const void*, 3> in;
   std::array<void*, 3> out;
 
   [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load(std::size_t i) const {
     using FIXED_LANES::load;
-    return {load<F>(in[0], i), load<F>(in[1], i), load<F>(in[2], i)};
+    return {load<Raw>(in[0], i), load<Raw>(in[1], i), load<Raw>(in[2], i)};
   }
   template <stores how>
   FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
     using FIXED_LANES::store;
-    store<F, how>(out[0], i, v.x);
-    store<F, how>(out[1], i, v.y);
-    store<F, how>(out[2], i, v.z);
+    store<Raw, how>(out[0], i, v.x);
+    store<Raw, how>(out[1], i, v.y);
+    store<Raw, how>(out[2], i, v.z);
   }
   [[nodiscard]] bool in_place() const {
     return std::any_of(out.begin(), out.end(), [this](const void* to) {
@@ -184,19 +186,19 @@ struct vertex_columns {
   }
   [[nodiscard]] bool is_aligned(std::size_t i) const {
     return std::all_of(out.begin(), out.end(),
-                       [i](const void* to) { return is_register_aligned<F>(to, i); });
+                       [i](const void* to) { return is_register_aligned<Raw>(to, i); });
   }
 };
 
 /// \}
 
 /// \param of the lanes whose overflows are recorded
-template <int F, policy P, stores how, class Places>
+template <class N, stores how, class Places>
 FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Places& places,
                                          std::size_t i, std::uint32_t of, fault_recorder& found) {
   i32 bad{};
-  places.template store<how>(i, transformed_block<F, P>(t, places.load(i), bad));
-  note_overflows<P>(bad, i, found, of);
+  places.template store<how>(i, transformed_block<N>(t, places.load(i), bad));
+  note_overflows<sums_and_products<N>>(bad, i, found, of);
 }
 
 /// From this many bytes on, results bypass the caches. It is more than a core's share of the
@@ -205,52 +207,54 @@ FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Pla
 inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 
 /// Transforms all whole blocks. \return the number of vertices done
-template <int F, policy P, class Places>
-FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<F>& by, const Places& places,
-                                               std::size_t count, fault_recorder& found) {
+template <class N, class Places>
+FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<typename N::raw_type>& by,
+                                               const Places& places, std::size_t count,
+                                               fault_recorder& found) {
   constexpr std::uint32_t all = ~0U;
-  const broadcast_transform t = broadcast<F>(by);
+  const broadcast_transform t = broadcast<typename N::raw_type>(by);
   std::size_t i = 0;
-  if constexpr (may_store_past<F>) {
+  if constexpr (may_store_past<typename N::raw_type>) {
     std::size_t first = 0;
     while (first < width && !places.is_aligned(first)) ++first;
-    const bool many = count >= past_caches_from / (3 * sizeof(raw_t<F>));
+    const bool many = count >= past_caches_from / (3 * sizeof(N));
     if (many && first < width && !places.in_place()) {
       // The first block overlaps the second; both compute the same values for the overlap.
-      transform_block<F, P, stores::cached>(t, places, 0, (1U << first) - 1, found);
+      transform_block<N, stores::cached>(t, places, 0, (1U << first) - 1, found);
       for (i = first; count - i >= width; i += width) {
-        transform_block<F, P, stores::past_caches>(t, places, i, all, found);
+        transform_block<N, stores::past_caches>(t, places, i, all, found);
       }
       wait_for_stores();
       return i;
     }
   }
   for (; count - i >= width; i += width) {
-    transform_block<F, P, stores::cached>(t, places, i, all, found);
+    transform_block<N, stores::cached>(t, places, i, all, found);
   }
   return i;
 }
 
 /// Projects a block: x / z * constant and y / z * constant.
-template <int F, policy P>
+template <class N>
 FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant, i32& x, i32& y,
                                        std::size_t index, fault_recorder& found) {
-  const divisor_lanes low = divisor_of<F, P>(lower(v.z));
-  const divisor_lanes high = divisor_of<F, P>(upper(v.z));
+  const divisor_lanes low = divisor_of<N>(lower(v.z));
+  const divisor_lanes high = divisor_of<N>(upper(v.z));
   std::uint32_t errors[4];
   std::uint32_t overflows[4];
-  x = join(quotient<F, P>(lower(v.x), low, errors[0], overflows[0]),
-           quotient<F, P>(upper(v.x), high, errors[1], overflows[1]));
-  y = join(quotient<F, P>(lower(v.y), low, errors[2], overflows[2]),
-           quotient<F, P>(upper(v.y), high, errors[3], overflows[3]));
+  x = join(quotient<N>(lower(v.x), low, errors[0], overflows[0]),
+           quotient<N>(upper(v.x), high, errors[1], overflows[1]));
+  y = join(quotient<N>(lower(v.y), low, errors[2], overflows[2]),
+           quotient<N>(upper(v.y), high, errors[3], overflows[3]));
   i32 bad{};
-  x = product<F, P>(x, constant, bad);
-  y = product<F, P>(y, constant, bad);
+  x = product<N>(x, constant, bad);
+  y = product<N>(y, constant, bad);
   const std::uint32_t no_quotient = errors[0] | errors[2] | (errors[1] | errors[3]) << (width / 2);
   if (no_quotient != 0) [[unlikely]] {
     found.note_bits(fault::divide_error, no_quotient, index);
   }
-  if constexpr (P.range != overflow::wrap) {
+  constexpr policy P = N::rules;
+  if constexpr (P.quotient_range() != overflow::wrap || P.product_range() != overflow::wrap) {
     const std::uint32_t out =
         (overflows[0] | overflows[2] | (overflows[1] | overflows[3]) << (width / 2) | bits(bad)) &
         ~no_quotient;

@@ -87,9 +87,9 @@ inline constexpr bool has_radians =
 /// Of all 2^32 sines and 2^32 cosines, the one nearest to a tie is cos(24783.448608...), stored
 /// integer 0x60cf72d8: its distance of 2^-48.8 is 140 times the error of precise_sine().
 template <int FractionBits>
-constexpr std::int32_t nearest_sine(raw_t<FractionBits> raw, std::uint64_t ahead) noexcept {
+constexpr std::int32_t nearest_sine(std::int32_t raw, std::uint64_t ahead) noexcept {
   using rounding = fast_rounding<FractionBits>;
-  const std::int32_t angle = std::int32_t{raw} * (1 << (16 - FractionBits));
+  const std::int32_t angle = raw * (1 << (16 - FractionBits));
   const std::uint64_t turns =
       static_cast<std::uint64_t>(std::int64_t{angle}) * turns_per_unit + turns_bias + ahead;
   // The error is 1/2 unit by rounding, and 0.021 by the error of turns_per_unit.

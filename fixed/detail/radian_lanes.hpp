@@ -56,7 +56,7 @@ FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, bool& doubtful) {
 template <int F>
 FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint64_t ahead) {
   for (std::size_t i = 0; i < width; ++i) {
-    raw[i] = nearest_sine<F>(static_cast<raw_t<F>>(raw[i]), ahead);
+    raw[i] = nearest_sine<F>(raw[i], ahead);
   }
   return raw;
 }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "fixed/detail/hardware.hpp"
+#include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
 
@@ -61,6 +63,24 @@ constexpr Wide nearest_sqrt_by_pairs(const Wide& n) noexcept {
     }
   }
   return root < rest ? root + Wide{1} : root;
+}
+
+/// Whether nearest_root() takes a hardware root.
+template <class Raw, int FractionBits>
+inline constexpr bool has_fast_root = std::numeric_limits<Raw>::digits + FractionBits < 48 &&
+                                      FractionBits <= std::numeric_limits<Raw>::digits;
+
+/// The root of a stored integer as a stored integer, nearest; out of range only if a half is.
+/// \pre raw >= 0
+template <int FractionBits, class Raw>
+constexpr auto nearest_root(Raw raw) noexcept {
+  if constexpr (has_fast_root<Raw, FractionBits>) {
+    return nearest_sqrt(std::int64_t{raw} * (std::int64_t{1} << FractionBits));
+  } else {
+    constexpr int bits = std::numeric_limits<Raw>::digits + FractionBits;
+    using wide = signed_t<bits + 3>;
+    return nearest_sqrt_by_pairs<(bits + 1) / 2>(wide{raw} << FractionBits);
+  }
 }
 
 }  // namespace fixproof::detail

@@ -40,18 +40,4 @@ using mul_add_t = signed_t<2 * bits_of<Raw> + (!std::is_signed_v<Raw>           
                                                : FractionBits <= bits_of<Raw> - 2 ? 0
                                                                                   : 1)>;
 
-/// The stored integer of the formats that fixed/batch.hpp covers: 8.8 and 16.16.
-template <int FractionBits>
-struct batch_raw;
-template <>
-struct batch_raw<8> {
-  using type = std::int16_t;
-};
-template <>
-struct batch_raw<16> {
-  using type = std::int32_t;
-};
-template <int FractionBits>
-using raw_t = typename batch_raw<FractionBits>::type;
-
 }  // namespace fixproof::detail

@@ -59,11 +59,12 @@ TEST(Usage, OperationsThatAreNoRoutines) {
   }
 }
 
-TEST(Usage, VerifyHasNoSums) {
+TEST(Usage, VerifyHasSumsOnlyInFormats) {
   for (const std::string_view name : {"add", "sub"}) {
-    expect_refused(fmt::format("verify {}", name),
-                   fmt::format("verify does not compare {}; `fixproof check", name));
-    expect_refused(fmt::format("verify mul {}", name), "verify does not compare");
+    expect_refused(
+        fmt::format("verify {}", name),
+        fmt::format("verify compares {} only in a format, such as --format q16_16", name));
+    expect_refused(fmt::format("verify mul {}", name), "only in a format");
   }
 }
 

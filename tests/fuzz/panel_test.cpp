@@ -58,7 +58,7 @@ TEST(Panel, HearsEveryVariantAtBothWidths) {
   // Two processors, rounded or not; chapter 52; the standard rules. All but chapter 52 also in 8.8.
   EXPECT_EQ(by_variant.size(), 11U);
   EXPECT_EQ(std::count_if(by_variant.begin(), by_variant.end(),
-                          [](const auto& tested) { return tested.variant.fraction_bits == 8; }),
+                          [](const auto& tested) { return tested.variant.format == cases::q8_8; }),
             5);
   for (const auto& tested : by_variant) EXPECT_EQ(tested.parties.front()->name(), "oracle");
   const auto& all = fuzz::parties_by_variant(fuzz::WordTarget::agreement);

@@ -147,7 +147,7 @@ TEST_P(MachineParty, SaysWhichMachineItIs) {
 
 TEST_P(MachineParty, HasNothingToSayOfTheRest) {
   const parties::Party& machine = find(GetParam().name);
-  EXPECT_FALSE(machine.answers({.operation = cases::Operation::mul, .fraction_bits = 8}));
+  EXPECT_FALSE(machine.answers({.operation = cases::Operation::mul, .format = cases::q8_8}));
   EXPECT_FALSE(machine.answers(
       {.operation = cases::Operation::mul, .build = {.target = cases::Target::standard}}));
   EXPECT_FALSE(machine.answers({.operation = cases::Operation::sqrt}));

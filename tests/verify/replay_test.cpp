@@ -37,9 +37,9 @@ Shell shell(const std::string& line) {
 
 TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
   for (const cases::Variant& listed : cases::all_variants()) {
-    for (const int bits : {16, 8}) {
+    for (const cases::Format& format : {cases::q16_16, cases::q8_8}) {
       cases::Variant v = listed;
-      v.fraction_bits = bits;
+      v.format = format;
       std::vector<const parties::Party*> able;
       for (const auto& party : parties::parties()) {
         if (party->answers(v) && party->name() != "interpreter") able.push_back(party.get());
@@ -48,7 +48,7 @@ TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
       if (!row.compared()) continue;
       std::vector<std::uint32_t> words(cases::words_in(v.operation));
       cases::make_cases(cases::Stream::scaled, v, 1, 3, words);
-      const std::string expected = parties::ask(*able.front(), v, words).text(2 * bits);
+      const std::string expected = parties::ask(*able.front(), v, words).text(format.word_bits);
       const std::string line = verify::replay(row, words);
       const Shell result = shell(line);
       EXPECT_EQ(result.status, 0) << line;
@@ -59,7 +59,7 @@ TEST(Replay, GivesTheAnswerOfTheJudgedPartyForEveryVariant) {
 }
 
 TEST(Replay, NamesPartiesThatAreNotAskedByDefault) {
-  const cases::Row row{{.operation = cases::Operation::mul, .fraction_bits = 8},
+  const cases::Row row{{.operation = cases::Operation::mul, .format = cases::q8_8},
                        {"interpreter", "model"}};
   const std::array<std::uint32_t, 2> words{0x0180, 0xff00};
   EXPECT_EQ(verify::replay(row, words),

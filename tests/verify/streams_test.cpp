@@ -42,9 +42,9 @@ struct Use {
 std::vector<Use> all_uses() {
   std::vector<Use> uses;
   for (const cases::Variant& listed : cases::all_variants()) {
-    for (const int bits : {16, 8}) {
+    for (const cases::Format& format : {cases::q16_16, cases::q8_8}) {
       cases::Variant v = listed;
-      v.fraction_bits = bits;
+      v.format = format;
       const cases::Plan plan(1, 1, {{v, {"a", "b"}}});
       for (const cases::Job& job : plan.jobs()) uses.push_back({job.stream, v});
     }
@@ -89,7 +89,7 @@ TEST(Streams, DifferBySeedAndAreNotOneCaseOverAndOver) {
     EXPECT_NE(one, other) << cases::name_of(stream);
     const auto cases = cases_of(stream, variant);
     const std::set<Case> distinct(cases.begin(), cases.end());
-    EXPECT_GT(distinct.size(), variant.fraction_bits == 16 ? sample / 4 : sample / 16)
+    EXPECT_GT(distinct.size(), variant.format == cases::q16_16 ? sample / 4 : sample / 16)
         << cases::name_of(stream);
   }
 }
@@ -115,7 +115,8 @@ TEST(Lattice, HoldsTheBoundariesInBothSigns) {
     EXPECT_EQ(set.size(), values.size());
     EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
     const std::uint32_t mask = ~0U >> (32 - bits);
-    for (const std::uint32_t value : values) {
+    for (const std::uint64_t all : values) {
+      const auto value = static_cast<std::uint32_t>(all);
       EXPECT_EQ(value & mask, value);
       EXPECT_TRUE(set.count(-value & mask)) << "no opposite of " << value;
     }
@@ -147,7 +148,7 @@ TEST(Lattice, StreamHoldsAllOrderedPairs) {
 }
 
 TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
-  const cases::Variant half{.operation = cases::Operation::mul, .fraction_bits = 8};
+  const cases::Variant half{.operation = cases::Operation::mul, .format = cases::q8_8};
   ASSERT_EQ(cases::size_of(cases::Stream::every, half), 1ULL << 32U);
   std::array<std::uint32_t, 4> words{};
   cases::make_cases(cases::Stream::every, half, seed, 0x12345678U, words);
@@ -172,7 +173,7 @@ TEST(Streams, EveryHalfWidthPairAndEveryAngleComesOnce) {
 class Constructed : public testing::TestWithParam<int> {
  protected:
   static std::vector<Case> made(cases::Operation operation, cases::Stream stream) {
-    return cases_of(stream, {.operation = operation, .fraction_bits = GetParam()});
+    return cases_of(stream, {.operation = operation, .format = {2 * GetParam(), GetParam()}});
   }
   static std::int64_t one() { return std::int64_t{1} << GetParam(); }
   static std::int64_t limit() { return std::int64_t{1} << (2 * GetParam() - 1); }
@@ -329,7 +330,7 @@ TEST(Streams, QuarterTurnsAreBesideMultiplesOfHalfPi) {
     const auto cases =
         cases_of(cases::Stream::quarter_turns, {.operation = cases::Operation::sin,
                                                 .build = {.target = cases::Target::standard},
-                                                .fraction_bits = bits});
+                                                .format = {2 * bits, bits}});
     const double quarter = std::ldexp(std::acos(0.0), bits);
     std::set<double> seen;
     for (const Case& c : cases) {

@@ -49,8 +49,9 @@ TEST(TableText, OperandsInDecimal) {
   const std::array<std::uint32_t, 1> angle{0xffff};
   EXPECT_EQ(cases::decimal_words(cossin, angle), "-0.1 degrees");
   const std::array<std::uint32_t, 1> half{0x80ff};
-  EXPECT_EQ(cases::decimal_words({.operation = cases::Operation::sqrt, .fraction_bits = 8}, half),
-            "-127.00391");
+  EXPECT_EQ(
+      cases::decimal_words({.operation = cases::Operation::sqrt, .format = cases::q8_8}, half),
+      "-127.00391");
 }
 
 TEST(Table, ShowsEachDistinctMismatchOnceOnOneLine) {

@@ -17,7 +17,7 @@ void expect_agreement(const fixproof::cases::Variant& variant) {
   const std::size_t out = fixproof::cases::words_out(variant.operation);
   const std::size_t cases = words.size() / in;
   std::vector<std::uint32_t> operands = words;
-  if (variant.fraction_bits == 8) {
+  if (variant.format == fixproof::cases::q8_8) {
     for (std::uint32_t& word : operands) word = (word ^ word >> 16U) & 0xFFFFU;
   }
   const auto answers = [&](const char* party) {
@@ -48,8 +48,8 @@ static_assert(static_cast<int>(Routine::concat) ==
 TEST(Compiled, AgreesWithTheInterpreter) {
   int programs = 0;
   for (fixproof::cases::Variant variant : fixproof::cases::all_variants()) {
-    for (const int bits : {16, 8}) {
-      variant.fraction_bits = bits;
+    for (const auto& format : {fixproof::cases::q16_16, fixproof::cases::q8_8}) {
+      variant.format = format;
       if (!fixproof::parties::has_program(variant)) continue;
       expect_agreement(variant);
       ++programs;

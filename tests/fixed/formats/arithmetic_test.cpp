@@ -140,6 +140,13 @@ TYPED_TEST(WideFormats, Integers) {
   }
 }
 
+// The policy of products decides whether mul_add throws.
+constexpr fixproof::policy products_throw{.products = fixproof::overflow::trap};
+template <class N>
+constexpr bool mul_add_throws = !noexcept(mul_add(N(), N(), N()));
+static_assert(mul_add_throws<fixproof::with_policy<fixproof::q16_16, products_throw>>);
+static_assert(!mul_add_throws<fixproof::number<std::int32_t, 16, formats::mixed>>);
+
 // The first products and quotients of other libraries that are not representable.
 TEST(Formats, KnownValues) {
   using fixproof::number;

@@ -192,4 +192,14 @@ constexpr bool equal_standard =
     inv_sqrt3_v<N>&& standard::phi_v<N> == phi_v<N>&& standard::egamma_v<N> == egamma_v<N>;
 static_assert(equal_standard<q16_16> && equal_standard<q8_8_trapping> && equal_standard<u32_32>);
 
+TEST(IntegerConstant, IsThatValue) {
+  static_assert(constant_v<q8_8, 127>.raw() == 127 * 256 &&
+                constant_v<q8_8, -128>.raw() == -128 * 256);
+  static_assert(constant_v<u0_64, 0>.raw() == 0 &&
+                constant_v<u48_16, (1ULL << 48) - 1>.raw() == ~0xffffULL);
+  static_assert(constant_v<q1_63, -1>.raw() == std::numeric_limits<std::int64_t>::min());
+  static_assert(constant_v<q16_16_saturating, -32768>.raw() ==
+                std::numeric_limits<std::int32_t>::min());
+}
+
 }  // namespace

@@ -123,4 +123,52 @@ TYPED_TEST(Uses, HashedAsKeys) {
   EXPECT_EQ(std::hash<N>()(lowest), std::hash<N>()(N::from_raw(lowest.raw())));
 }
 
+// Whether x op y compiles, to a concept.
+template <class A, class B>
+concept adds = requires(A a, B b) {
+  a + b;
+};
+template <class A, class B>
+concept compares = requires(A a, B b) {
+  a < b;
+}
+|| requires(A a, B b) { a == b; };
+template <class A, class B>
+concept masks = requires(A a, B b) {
+  a& b;
+}
+|| requires(A a, B b) { a | b; };
+template <class A>
+concept indexes = requires(A a, int* p) {
+  p[a];
+}
+|| requires(A a) { !a; }
+|| requires(A a) { ~a; };
+template <class A>
+concept has_sine = requires(A a) {
+  sin(a);
+};
+template <class A>
+concept makes_raw = requires(A a) {
+  q16_16::from_raw(a);
+};
+
+TEST(Refused, DoesNotCompileToConcepts) {
+  static_assert(adds<q16_16, q16_16> && adds<q16_16, int> && adds<long, q16_16>);
+  static_assert(!adds<q16_16, q8_8> && !adds<q16_16, double> && !adds<float, q16_16>);
+  static_assert(!adds<q16_16, bool> && !adds<char, q16_16> && !adds<q16_16, q16_16_saturating>);
+  static_assert(compares<q16_16, int> && !compares<q16_16, q8_8> && !compares<double, q16_16>);
+  static_assert(!masks<q16_16, int> && !masks<q16_16, q16_16> && !indexes<q16_16>);
+  static_assert(has_sine<q16_16> && !has_sine<q2_30> && makes_raw<int> && !makes_raw<double> &&
+                !makes_raw<q8_8>);
+  static_assert(std::is_constructible_v<q16_16, int> && std::is_constructible_v<q16_16, q8_8>);
+  static_assert(!std::is_constructible_v<q16_16, bool> &&
+                !std::is_constructible_v<q16_16, const char*>);
+  static_assert(!std::is_convertible_v<int, q16_16> && !std::is_convertible_v<double, q16_16>);
+  static_assert(!std::is_convertible_v<q8_8, q16_16> && !std::is_convertible_v<q16_16, double>);
+  static_assert(!std::is_convertible_v<q16_16, int> && !std::is_constructible_v<bool, q16_16>);
+  static_assert(std::is_constructible_v<double, q16_16> && std::is_constructible_v<int, q16_16>);
+  static_assert(!std::is_assignable_v<q16_16&, int> && !std::is_assignable_v<q16_16&, q8_8>);
+}
+
 }  // namespace

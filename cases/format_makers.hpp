@@ -1,0 +1,47 @@
+/// @file
+/// Random cases of any format, where stream_makers.hpp serves only those of the routines.
+#pragma once
+
+#include <cstdint>
+
+#include "cases/draw.hpp"
+#include "cases/format.hpp"
+
+namespace fixproof::cases {
+
+/// Two operands as words of the format.
+struct WordPair {
+  std::uint64_t first;
+  std::uint64_t second;
+};
+
+/// Every word is equally likely.
+std::uint64_t any_word(Draw& draw, const Format& format);
+/// Every width is equally likely, with either sign if the format has one.
+std::uint64_t any_width(Draw& draw, const Format& format);
+
+/// Tells whether a product can lie halfway between two units: there must be a fraction bit.
+constexpr bool has_product_ties(const Format& format) { return format.fraction_bits > 0; }
+
+/// Tells whether a quotient can lie halfway between two units. Only divisors of 2^(F+1) units and
+/// their multiples have such quotients.
+constexpr bool has_quotient_ties(const Format& format) {
+  return format.word_bits - (format.is_signed ? 1 : 0) >= format.fraction_bits + 2;
+}
+
+/// The exact product lies halfway between two units.
+WordPair product_tie_in(Draw& draw, const Format& format);
+/// ... or 2^-F of a unit from halfway.
+WordPair near_product_tie_in(Draw& draw, const Format& format);
+/// Twice the remainder is the divisor.
+WordPair quotient_tie_in(Draw& draw, const Format& format);
+/// Twice the remainder differs by one from an odd divisor.
+WordPair near_quotient_tie_in(Draw& draw, const Format& format);
+/// Quotients near the largest word.
+WordPair large_quotient_in(Draw& draw, const Format& format);
+/// Divisors below 1.0.
+WordPair small_divisor_in(Draw& draw, const Format& format);
+/// Operands whose roots come nearest to halfway.
+std::uint64_t root_tie_in(Draw& draw, const Format& format);
+
+}  // namespace fixproof::cases

@@ -1,0 +1,36 @@
+/// \file
+/// How a declaration that must not be used says what to write instead.
+#pragma once
+
+#include <cstddef>
+
+namespace fixproof::detail {
+
+/// A string literal as a template argument.
+template <std::size_t Length>
+struct advice {
+  char text[Length]{};
+
+  // NOLINTNEXTLINE(google-explicit-constructor): a literal converts where it is an argument.
+  constexpr advice(const char (&literal)[Length]) {
+    for (std::size_t i = 0; i < Length; ++i) text[i] = literal[i];
+  }
+};
+
+/// True for every text: a deleted function carries it where g++ prints it.
+template <advice Text>
+concept instead = true;
+
+}  // namespace fixproof::detail
+
+/// Ends a declaration that overload resolution finds and refuses. `text` says what to write; it is
+/// in the first line of the compiler's message. To a concept, the call is one that does not
+/// compile. Clang does not print the declaration of a deleted function, but the text of an
+/// unavailable one.
+#if defined(__clang__)
+#define FIXED_INSTEAD(text) __attribute__((unavailable(text)))
+#else
+#define FIXED_INSTEAD(text)                \
+  requires fixproof::detail::instead<text> \
+  = delete
+#endif

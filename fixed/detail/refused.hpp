@@ -1,0 +1,65 @@
+/// \file
+/// Operators and functions that do not compile, and what to write instead.
+#pragma once
+
+#include <type_traits>
+
+#include "fixed/detail/instead.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof {
+
+namespace detail {
+
+/// Arithmetic types that do not mix with numbers: floating point, bool and the character types.
+template <class T>
+concept foreign = std::is_arithmetic_v<T> && !integer<T>;
+
+}  // namespace detail
+
+/// \cond
+#define FIXED_REFUSED_OPERATOR(op, formats)                                                   \
+  template <class A, int FA, policy PA, class B, int FB, policy PB>                           \
+  number<A, FA, PA> operator op(number<A, FA, PA>, number<B, FB, PB>) FIXED_INSTEAD(formats); \
+  template <class Raw, int F, policy P, detail::foreign T>                                    \
+  number<Raw, F, P> operator op(number<Raw, F, P>, T)                                         \
+      FIXED_INSTEAD("only integers mix with numbers: convert, as in x " #op " q16_16(0.5)");  \
+  template <detail::foreign T, class Raw, int F, policy P>                                    \
+  number<Raw, F, P> operator op(T, number<Raw, F, P>)                                         \
+      FIXED_INSTEAD("only integers mix with numbers: convert, as in q16_16(0.5) " #op " x");
+FIXED_REFUSED_OPERATOR(+, "formats do not mix: name the result, as in add<q16_16>(a, b)")
+FIXED_REFUSED_OPERATOR(-, "formats do not mix: name the result, as in subtract<q16_16>(a, b)")
+FIXED_REFUSED_OPERATOR(*, "formats do not mix: name the result, as in multiply<q16_16>(a, b)")
+FIXED_REFUSED_OPERATOR(/, "formats do not mix: name the result, as in divide<q16_16>(a, b)")
+FIXED_REFUSED_OPERATOR(%, "formats do not mix: convert one, as in a % q16_16(b)")
+FIXED_REFUSED_OPERATOR(==, "formats do not compare: convert one, as in a == q16_16(b)")
+FIXED_REFUSED_OPERATOR(<=>, "formats do not compare: convert one, as in a < q16_16(b)")
+#undef FIXED_REFUSED_OPERATOR
+
+#define FIXED_REFUSED_BITS(op)                        \
+  template <class Raw, int F, policy P, class T>      \
+  number<Raw, F, P> operator op(number<Raw, F, P>, T) \
+      FIXED_INSTEAD("bits are those of the stored integer: from_raw(x.raw() " #op " mask)");
+FIXED_REFUSED_BITS(&)
+FIXED_REFUSED_BITS(|)
+FIXED_REFUSED_BITS(^)
+#undef FIXED_REFUSED_BITS
+
+template <class Raw, int F, policy P>
+number<Raw, F, P> operator~(number<Raw, F, P>)
+    FIXED_INSTEAD("bits are those of the stored integer: from_raw(~x.raw())");
+
+template <detail::integer Int, class Raw, int F, policy P>
+number<Raw, F, P> operator/(Int, number<Raw, F, P>)
+    FIXED_INSTEAD("an integer has no quotient by a number: write q16_16(1) / x");
+
+template <class A, int FA, policy PA, class B, int FB, policy PB>
+number<A, FA, PA> operator<<(number<A, FA, PA>, number<B, FB, PB>)
+    FIXED_INSTEAD("a shift counts places in an int: x << static_cast<int>(n)");
+template <class A, int FA, policy PA, class B, int FB, policy PB>
+number<A, FA, PA> operator>>(number<A, FA, PA>, number<B, FB, PB>)
+    FIXED_INSTEAD("a shift counts places in an int: x >> static_cast<int>(n)");
+/// \endcond
+
+}  // namespace fixproof

@@ -1,0 +1,147 @@
+/// \file
+/// Checks a batch operation against exact results: every length to 40 at unaligned addresses, all
+/// operands at once, in place, on every path of this processor, with marks and without.
+#pragma once
+
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "fixed/batch.hpp"
+#include "fixed/fixed.hpp"
+#include "tests/fixed/formats/reference.hpp"
+#include "tests/support/test.hpp"
+
+namespace batch_formats {
+
+using fixproof::overflow;
+using fixproof::policy;
+using fixproof::batch::path;
+using reference::integer;
+
+/// Every format that fixed/number.hpp and fixed/formats.hpp name.
+using formats_8 =
+    std::tuple<fixproof::q8_0, fixproof::q4_4, fixproof::q1_7, fixproof::u4_4, fixproof::u0_8>;
+using formats_16 = std::tuple<fixproof::q12_4, fixproof::q8_8, fixproof::q4_12, fixproof::q2_14,
+                              fixproof::q1_15, fixproof::u8_8, fixproof::u1_15, fixproof::u0_16>;
+using formats_32 = std::tuple<fixproof::q32_0, fixproof::q26_6, fixproof::q24_8, fixproof::q20_12,
+                              fixproof::q16_16, fixproof::q8_24, fixproof::q4_28, fixproof::q2_30,
+                              fixproof::q1_31, fixproof::u24_8, fixproof::u16_16, fixproof::u8_24,
+                              fixproof::u1_31, fixproof::u0_32>;
+using formats_64 = std::tuple<fixproof::q48_16, fixproof::q40_24, fixproof::q32_32,
+                              fixproof::q16_48, fixproof::q2_62, fixproof::q1_63, fixproof::u48_16,
+                              fixproof::u32_32, fixproof::u0_64>;
+/// And those with no or all bits after the point that have no name.
+using formats_at_the_ends =
+    std::tuple<fixproof::number<std::int16_t, 0>, fixproof::number<std::int16_t, 16>,
+               fixproof::number<std::uint16_t, 0>, fixproof::number<std::int32_t, 1>,
+               fixproof::number<std::int32_t, 32>, fixproof::number<std::uint32_t, 0>>;
+using every_format = decltype(std::tuple_cat(formats_8(), formats_16(), formats_32(), formats_64(),
+                                             formats_at_the_ends()));
+
+/// Calls `check` for the policy in every format.
+template <policy P, class Check, class... N>
+void under(const Check& check, std::type_identity<std::tuple<N...>> /*formats*/) {
+  (check.template operator()<fixproof::with_policy<N, P>>(), ...);
+}
+template <policy P, class Formats = every_format, class Check>
+void under(const Check& check) {
+  under<P>(check, std::type_identity<Formats>());
+}
+
+/// A number type at run time, so that the checks are compiled once.
+struct Type {
+  std::size_t size;
+  bool is_signed;
+  int fraction_bits;
+  policy rules;
+
+  template <class N>
+  static Type of() {
+    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
+  }
+  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
+  [[nodiscard]] integer one() const { return reference::power(2, fraction_bits); }
+  [[nodiscard]] integer count() const { return reference::power(2, bits()); }
+  [[nodiscard]] integer lowest() const { return is_signed ? -(count() / 2) : integer(0); }
+  [[nodiscard]] bool fits(const integer& x) const {
+    return x >= lowest() && x < lowest() + count();
+  }
+  [[nodiscard]] integer wrapped(const integer& x) const {
+    return x - count() * reference::below(x - lowest(), count());
+  }
+};
+std::ostream& operator<<(std::ostream& out, const Type& type);
+
+enum class Fault { none, divide_error, overflow, domain_error };
+
+/// The stored integer of one result, and its fault.
+struct Result {
+  integer raw;
+  Fault fault = Fault::none;
+};
+
+/// An exact result in units of the format, which a batch wraps where the type throws.
+Result narrowed(const Type& type, const integer& value, overflow rule);
+/// A sum of products of stored integers.
+Result product(const Type& type, const integer& sum);
+/// n / d, by the definition of every rule in fixed/policy.hpp.
+Result quotient(const Type& type, integer n, integer d);
+/// The first fault of several steps.
+Fault first(std::initializer_list<Fault> faults);
+
+/// The paths of this processor.
+std::vector<path> paths();
+
+/// Edges and random numbers as stored integers.
+std::vector<integer> operands(const Type& type, std::size_t count, unsigned seed);
+
+/// Stored integers in memory at any address that suits the type.
+class Column {
+ public:
+  Column(const Type& type, const std::vector<integer>& values);
+
+  [[nodiscard]] integer operator[](std::size_t i) const;
+  [[nodiscard]] std::size_t size() const { return bytes_.size() / type_.size; }
+  template <class N>
+  [[nodiscard]] std::span<N> numbers() {
+    // NOLINTNEXTLINE(*-reinterpret-cast): bytes become numbers
+    return {reinterpret_cast<N*>(bytes_.data()), size()};
+  }
+
+ private:
+  Type type_;
+  std::vector<std::byte> bytes_;
+};
+
+/// `count` elements of four columns; those of the results begin elsewhere.
+struct Spans {
+  std::array<Column*, 4> columns;
+  std::size_t at;
+  std::size_t at_result;
+  std::size_t count;
+
+  template <class N>
+  [[nodiscard]] std::span<const N> in(std::size_t which) const {
+    return columns[which]->numbers<N>().subspan(at, count);
+  }
+  template <class N>
+  [[nodiscard]] std::span<N> out() const {
+    return columns[3]->numbers<N>().subspan(at_result, count);
+  }
+};
+
+/// One operation on numbers of one type.
+struct Operation {
+  Type type;
+  /// Of the stored integers of three operands.
+  std::function<Result(const integer&, const integer&, const integer&)> expect;
+  std::function<fixproof::batch::report(const Spans&, const fixproof::batch::options&)> call;
+  /// Whether an element with this fault throws if there are no marks.
+  std::function<bool(Fault)> throws;
+};
+
+void check(const Operation& operation);
+
+}  // namespace batch_formats

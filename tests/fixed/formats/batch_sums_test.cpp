@@ -1,0 +1,169 @@
+/// Tests batches that sum or chain results, in every named format, against exact integers: dot,
+/// transform and project.
+#include "tests/fixed/formats/batch_check.hpp"
+#include "tests/fixed/formats/types.hpp"
+
+namespace batch_formats {
+namespace {
+
+namespace batch = fixproof::batch;
+
+constexpr auto dots = []<class N>() {
+  const Type type = Type::of<N>();
+  SCOPED_TRACE(testing::Message() << type);
+  constexpr std::size_t size = 400;
+  const auto a = operands(type, size, 4);
+  const auto b = operands(type, size, 5);
+  Column x(type, a);
+  Column y(type, b);
+  for (std::size_t count = 0; count <= 41; ++count) {
+    const std::size_t at = 7 * count % (size - 41);
+    const std::size_t terms = count <= 40 ? count : size - at;
+    integer sum = 0;
+    for (std::size_t i = at; i < at + terms; ++i) sum += a[i] * b[i];
+    const Result want = product(type, sum);
+    const bool throws =
+        want.fault == Fault::overflow && type.rules.product_range() == overflow::trap;
+    for (const path use : paths()) {
+      const auto got = reference::outcome([&] {
+        return batch::dot(x.numbers<N>().subspan(at, terms), y.numbers<N>().subspan(at, terms),
+                          use);
+      });
+      ASSERT_EQ(got, throws ? std::nullopt : std::optional(want.raw)) << terms << " terms";
+    }
+  }
+};
+
+/// Coordinates, and the fault of their element.
+struct Place {
+  std::vector<integer> coordinates;
+  Fault fault = Fault::none;
+};
+
+/// Each product is narrowed, then each sum.
+Result coordinate(const Type& type, const integer* row, const integer* vertex) {
+  Result sum = product(type, row[0] * vertex[0]);
+  const auto add = [&](const Result& term) {
+    const Result next = narrowed(type, sum.raw + term.raw, type.rules.range);
+    sum = {next.raw, first({sum.fault, term.fault, next.fault})};
+  };
+  add(product(type, row[1] * vertex[1]));
+  add(product(type, row[2] * vertex[2]));
+  add({row[3]});
+  return sum;
+}
+
+Place transformed(const Type& type, const std::vector<integer>& rows, const integer* vertex) {
+  const Result x = coordinate(type, rows.data(), vertex);
+  const Result y = coordinate(type, rows.data() + 4, vertex);
+  const Result z = coordinate(type, rows.data() + 8, vertex);
+  return {{x.raw, y.raw, z.raw}, first({x.fault, y.fault, z.fault})};
+}
+
+Place projected(const Type& type, const integer& constant, const integer* vertex) {
+  const Result x = quotient(type, vertex[0], vertex[2]);
+  const Result y = quotient(type, vertex[1], vertex[2]);
+  const Result to_x = product(type, x.raw * constant);
+  const Result to_y = product(type, y.raw * constant);
+  const bool error = x.fault == Fault::divide_error || y.fault == Fault::divide_error;
+  return {{to_x.raw, to_y.raw},
+          error ? Fault::divide_error : first({x.fault, to_x.fault, y.fault, to_y.fault})};
+}
+
+/// Compares results in `size` columns with the places.
+void compare(std::span<const Place> want, std::span<Column> got, const bool* marks,
+             const batch::report& report) {
+  batch::report whole;
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    const Fault fault = want[i].fault;
+    for (std::size_t c = 0; c < got.size(); ++c) {
+      ASSERT_EQ(got[c][i], want[i].coordinates[c]) << "vertex " << i << ", coordinate " << c;
+    }
+    ASSERT_EQ(marks[i], fault != Fault::none) << "vertex " << i;
+    whole.divide_errors += fault == Fault::divide_error ? 1U : 0U;
+    whole.overflows += fault == Fault::overflow ? 1U : 0U;
+    if (fault != Fault::none) whole.first = std::min(whole.first, i);
+  }
+  ASSERT_EQ(report, whole);
+}
+
+/// The components of tuples as columns.
+template <class N, std::size_t size>
+std::vector<Column> columns_of(const std::vector<std::array<N, size>>& tuples) {
+  std::vector<Column> columns;
+  for (std::size_t c = 0; c < size; ++c) {
+    std::vector<integer> values;
+    for (const auto& tuple : tuples) values.emplace_back(tuple[c].raw());
+    columns.emplace_back(Type::of<N>(), values);
+  }
+  return columns;
+}
+
+constexpr auto vertices = []<class N>() {
+  const Type type = Type::of<N>();
+  SCOPED_TRACE(testing::Message() << type);
+  const auto number = [](const integer& x) {
+    return N::from_raw(static_cast<typename N::raw_type>(x));
+  };
+  for (std::size_t count = 0; count <= 40; ++count) {
+    const auto seed = static_cast<unsigned>(10 + count);
+    const std::vector<integer> by = operands(type, 12, seed);
+    std::vector<integer> values = operands(type, 3 * count, seed + 100);
+    if (count > 3) values[5] = 0;  // a depth
+    std::vector<Place> moved;
+    std::vector<Place> points;
+    std::vector<std::array<N, 3>> in(count);
+    std::vector<std::array<N, 2>> flat(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      moved.push_back(transformed(type, by, &values[3 * i]));
+      points.push_back(projected(type, by[0], &values[3 * i]));
+      for (std::size_t c = 0; c < 3; ++c) in[i][c] = number(values[3 * i + c]);
+    }
+    std::array<std::array<N, 4>, 3> rows;
+    for (std::size_t k = 0; k < 12; ++k) rows[k / 4][k % 4] = number(by[k]);
+    const auto marks = std::make_unique<bool[]>(count);
+    for (const path use : paths()) {
+      const batch::options how{use, {marks.get(), count}};
+      auto out = in;
+      auto report = batch::transform(rows, out, out, how);
+      std::vector<Column> got = columns_of(out);
+      compare(moved, got, marks.get(), report);
+      got = columns_of(in);
+      report = batch::transform(rows, got[0].numbers<N>(), got[1].numbers<N>(), got[2].numbers<N>(),
+                                got[0].numbers<N>(), got[1].numbers<N>(), got[2].numbers<N>(), how);
+      compare(moved, got, marks.get(), report);
+      report = batch::project(in, rows[0][0], flat, how);
+      got = columns_of(flat);
+      compare(points, got, marks.get(), report);
+      got = columns_of(in);
+      report = batch::project(got[0].numbers<N>(), got[1].numbers<N>(), got[2].numbers<N>(),
+                              rows[0][0], got[0].numbers<N>(), got[1].numbers<N>(), how);
+      compare(points, std::span(got).first(2), marks.get(), report);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+};
+
+constexpr policy products_saturate{.multiply = fixproof::rounding::half_even,
+                                   .products = overflow::saturate};
+constexpr policy quotients_saturate{.quotients = overflow::saturate};
+
+/// A quotient may be a divide error while the other coordinate only overflows.
+constexpr policy saturate_or_fault{.range = overflow::saturate,
+                                   .fault = fixproof::divide_fault::signed_quotient};
+
+TEST(BatchesOfDots, HalfUpWrap) { under<fixproof::policies::wrapping>(dots); }
+TEST(BatchesOfDots, HalfEvenSaturate) { under<formats::even_saturate>(dots); }
+TEST(BatchesOfDots, HalfAwayTrap) { under<formats::away_trap>(dots); }
+TEST(BatchesOfDots, FloorWrapAndSumsTrap) { under<formats::mixed>(dots); }
+
+TEST(BatchesOfVertices, HalfUpWrap) { under<fixproof::policies::wrapping>(vertices); }
+TEST(BatchesOfVertices, HalfEvenSaturate) { under<formats::even_saturate>(vertices); }
+TEST(BatchesOfVertices, HalfAwayTrap) { under<formats::away_trap, formats_32>(vertices); }
+TEST(BatchesOfVertices, SumsTrap) { under<formats::mixed, formats_32>(vertices); }
+TEST(BatchesOfVertices, ProductsSaturate) { under<products_saturate, formats_32>(vertices); }
+TEST(BatchesOfVertices, SaturateOrFault) { under<saturate_or_fault, formats_16>(vertices); }
+TEST(BatchesOfVertices, QuotientsSaturate) { under<quotients_saturate, formats_16>(vertices); }
+
+}  // namespace
+}  // namespace batch_formats
