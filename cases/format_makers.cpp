@@ -30,7 +30,7 @@ std::uint64_t number(Draw& draw, int widest) {
 }
 
 /// Returns an odd number of 1 ... `widest` bits.
-std::uint64_t odd(Draw& draw, int widest) { return number(draw, number_from(draw, 1, widest)) | 1; }
+std::uint64_t odd_word(Draw& draw, int widest) { return number(draw, number_from(draw, 1, widest)) | 1; }
 
 /// Returns the word or, in half of the cases of a signed format, its negative. A product modulo
 /// 2^word_bits remains a tie.
@@ -78,13 +78,13 @@ WordPair product_tie_in(Draw& draw, const Format& format) {
   const int most = magnitude_bits(format) - 1;
   const int in_a = number_from(draw, std::max(0, twos - most), std::min(twos, most));
   const int in_b = twos - in_a;
-  const std::uint64_t a = odd(draw, most + 1 - in_a) << in_a;
-  const std::uint64_t b = odd(draw, most + 1 - in_b) << in_b;
+  const std::uint64_t a = odd_word(draw, most + 1 - in_a) << in_a;
+  const std::uint64_t b = odd_word(draw, most + 1 - in_b) << in_b;
   return either_sign(draw, a, b, format);
 }
 
 WordPair near_product_tie_in(Draw& draw, const Format& format) {
-  const std::uint64_t a = odd(draw, magnitude_bits(format));
+  const std::uint64_t a = odd_word(draw, magnitude_bits(format));
   const std::uint64_t half = std::uint64_t{1} << (format.fraction_bits - 1);
   // The low F bits of b decide the fraction of the product. The other bits are free.
   const std::uint64_t low = (half + 1) * inverse_of(a) & ones(format.fraction_bits);
@@ -97,13 +97,13 @@ WordPair near_product_tie_in(Draw& draw, const Format& format) {
 WordPair quotient_tie_in(Draw& draw, const Format& format) {
   // n 2^F = (q + 1/2) d holds for d = 2^(F+1) m and n = m (2q + 1).
   const int bits = magnitude_bits(format);
-  const std::uint64_t m = odd(draw, bits - format.fraction_bits - 1);
-  const std::uint64_t n = m * odd(draw, std::max(1, bits - static_cast<int>(std::bit_width(m))));
+  const std::uint64_t m = odd_word(draw, bits - format.fraction_bits - 1);
+  const std::uint64_t n = m * odd_word(draw, std::max(1, bits - static_cast<int>(std::bit_width(m))));
   return either_sign(draw, n, m << (format.fraction_bits + 1), format);
 }
 
 WordPair near_quotient_tie_in(Draw& draw, const Format& format) {
-  const std::uint64_t d = std::max<std::uint64_t>(3, odd(draw, magnitude_bits(format)));
+  const std::uint64_t d = std::max<std::uint64_t>(3, odd_word(draw, magnitude_bits(format)));
   // n 2^F leaves this remainder if n is the remainder halved F times modulo the odd d.
   std::uint64_t n = d / 2 + (draw.coin() ? 1 : 0);
   for (int i = 0; i < format.fraction_bits; ++i) n = n / 2 + (n % 2 == 0 ? 0 : d / 2 + 1);

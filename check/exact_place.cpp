@@ -110,8 +110,7 @@ std::string exact_text(Operation operation, const cases::Format& format,
     return fmt::format("{} + {:.5f}", floor.str(), fraction_of<Integer>({floor, part, whole}));
   }
   const Integer common = gcd(part, whole);
-  return fmt::format("{} + {}/{}", floor.str(), (part / common).str(),
-                     (whole / common).str());
+  return fmt::format("{} + {}/{}", floor.str(), (part / common).str(), (whole / common).str());
 }
 
 std::string_view name_of(CaseKind kind, cases::Operation operation) {

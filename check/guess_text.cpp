@@ -183,7 +183,8 @@ std::string guess_text(const Judge& judge) {
     const bool root = operation == cases::Operation::sqrt;
     if (followed.no_result == NoResult::mirror && names.size() == 1) {
       if (followed.rounding == oracle::Rounding::floor) names = {std::string(mirrored_down)};
-      if (followed.rounding == oracle::Rounding::truncate) names = {std::string(mirrored_toward_zero)};
+      if (followed.rounding == oracle::Rounding::truncate)
+        names = {std::string(mirrored_toward_zero)};
     }
     text += line_of(root ? "negative operand" : "divide by zero", none, names,
                     root ? "negative operands" : "zero divisors", followed);

@@ -108,7 +108,8 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
      [](auto& a, auto& b, auto&) { return Ulps(without_carry(a * b)); }, nullptr},
     any_format(Operation::mul, "(a >> {low}) * (b >> {high}), which drops the low {lost}",
                low_bits_dropped),
-    any_format(Operation::mul, "a * b >> {F} in {bits} bits, which drops the high half of the product",
+    any_format(Operation::mul,
+               "a * b >> {F} in {bits} bits, which drops the high half of the product",
                high_half_dropped),
     {Operation::mul, "(int)((float)a * b / 65536), which has 24 bits",
      [](auto& a, auto& b, auto&) {

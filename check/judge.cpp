@@ -34,8 +34,7 @@ void Judge::add(const JudgedCase& one) {
   const Expected expected = expected_of(rules_, one.words);
   const CaseKind kind = place.kind(rounded && !in_range);
   if (expected.judged) {
-    common_.add({one.words, place, kind, expected.said, one.said, rules_.format},
-                right);
+    common_.add({one.words, place, kind, expected.said, one.said, rules_.format}, right);
   } else {
     ++not_judged_;
   }
@@ -46,7 +45,8 @@ void Judge::add(const JudgedCase& one) {
     wrong_.add(one);
   }
   if (in_range && one.said) {
-    // The floor itself may lie below the range, so the distance is measured from the rounded result.
+    // The floor itself may lie below the range, so the distance is measured from the rounded
+    // result.
     const double up = rounded->word == place.floor.word ? 0 : 1;
     const double off =
         std::fabs(difference(*one.said, rounded->word, rules_.format) + up - place.fraction);

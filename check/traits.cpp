@@ -69,9 +69,13 @@ constexpr auto pair_traits = std::to_array<WholeTrait>({
     {About::both, "has equal operands",
      [](const TraitCase& c) { return c.words[0] == c.words[1]; }},
     {About::both, "has operands that differ only in sign",
-     [](const TraitCase& c) { return c.words[0] != 0 && c.words[0] == minus(c.words[1], c.format); }},
+     [](const TraitCase& c) {
+       return c.words[0] != 0 && c.words[0] == minus(c.words[1], c.format);
+     }},
     {About::both, "has two negative operands",
-     [](const TraitCase& c) { return is_negative(c.words[0], c.format) && is_negative(c.words[1], c.format); }},
+     [](const TraitCase& c) {
+       return is_negative(c.words[0], c.format) && is_negative(c.words[1], c.format);
+     }},
     {About::both, "has two odd operands",
      [](const TraitCase& c) { return (c.words[0] & c.words[1] & 1U) != 0; }},
 });
@@ -89,7 +93,10 @@ constexpr auto place_traits = std::to_array<WholeTrait>({
      [](const TraitCase& c) { return inexact(c.kind); }},
     {About::kind, "overflows", [](const TraitCase& c) { return c.kind == CaseKind::overflow; }},
     {About::sign, "has an exact result between -1 and 0 ulp",
-     [](const TraitCase& c) { return inexact(c.kind) && c.place.floor.negative && c.place.floor.word == cases::all_ones(c.format); }},
+     [](const TraitCase& c) {
+       return inexact(c.kind) && c.place.floor.negative &&
+              c.place.floor.word == cases::all_ones(c.format);
+     }},
     {About::sign, "has an exact result below 0",
      [](const TraitCase& c) { return c.place.has_result && c.place.negative; }},
     {About::sign, "has an exact result above 0",
@@ -114,9 +121,7 @@ constexpr bool goes_down(const TraitCase& c) {
 }
 constexpr bool up_by_1(const TraitCase& c) { return error_of(c) == 1; }
 constexpr bool down_by_1(const TraitCase& c) { return error_of(c) == cases::all_ones(c.format); }
-constexpr bool outward(const TraitCase& c) {
-  return c.place.negative ? down_by_1(c) : up_by_1(c);
-}
+constexpr bool outward(const TraitCase& c) { return c.place.negative ? down_by_1(c) : up_by_1(c); }
 constexpr bool inward(const TraitCase& c) { return c.place.negative ? up_by_1(c) : down_by_1(c); }
 /// Tells whether words have an integer part and a fraction.
 constexpr bool has_both_parts(const Format& f) {
@@ -223,8 +228,7 @@ std::string case_trait_text(cases::Operation operation, const Format& format,
       return fmt::format("has {} {}", noun,
                          hex_text(value_traits.at(of_operand)(format).value(), format));
     }
-    return fmt::format(
-        fmt::runtime(word_traits.at(of_operand - value_traits.size()).text), noun);
+    return fmt::format(fmt::runtime(word_traits.at(of_operand - value_traits.size()).text), noun);
   }
   const std::size_t rest = case_trait - operand_groups * operand_traits;
   return std::string(rest < pair_traits.size() ? pair_traits.at(rest).text

@@ -32,7 +32,8 @@ class RuleTrial {
 
   /// Returns the best of roundings(), judged on rounded results that fit a word.
   [[nodiscard]] BestRules rounding() const;
-  /// Returns the best of overflow_rules() of the format, judged on overflows under roundings()[rounding].
+  /// Returns the best of overflow_rules() of the format, judged on overflows under
+  /// roundings()[rounding].
   [[nodiscard]] BestRules overflow(std::size_t rounding) const;
   /// Returns the best of no_result_rules() of the format, which must not be empty.
   [[nodiscard]] BestRules no_result(std::size_t rounding) const;

@@ -80,8 +80,8 @@ std::string text_of(const JudgedCase& one, const Rules& rules) {
     hex += fmt::format("{}{}", space, hex_text(word, format));
     decimal += fmt::format("{}{}", space, decimal_text(word, format));
   }
-  std::string text =
-      fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number), support::printable(one.origin), hex, decimal);
+  std::string text = fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number),
+                                 support::printable(one.origin), hex, decimal);
   if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said, format));
   text += fmt::format("{} said; ", text_of_said(one.said, format));
   if (place.has_result) text += fmt::format("exact {} ulp, ", exact_text(operation, format, words));

@@ -53,8 +53,8 @@ constexpr std::uint64_t magnitude(std::uint64_t word, const cases::Format& forma
   return is_negative(word, format) ? minus(word, format) : word;
 }
 
-/// Joins the 32-bit parts of words, low half first, as cases have them. A word of at most 32 bits is
-/// one part.
+/// Joins the 32-bit parts of words, low half first, as cases have them. A word of at most 32 bits
+/// is one part.
 void join_words(std::span<const std::uint32_t> parts, const cases::Format& format,
                 std::span<std::uint64_t> words);
 

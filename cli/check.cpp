@@ -178,8 +178,9 @@ int check(const CheckOptions& options) {
   }
   // Show the verdict on the results judged so far, even after an error.
   if (judge.cases() > 0) {
-    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation, rules.format)
-                                                     : support::printable(options.from))
+    std::cout << heading(rules, options.from.empty()
+                                    ? options.cases.command_line(rules.operation, rules.format)
+                                    : support::printable(options.from))
               << check::verdict_text(judge);
   }
   if (support::Interrupt::flag()) {

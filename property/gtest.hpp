@@ -49,22 +49,22 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 
 /// Takes rules by their names, as enumerators of check/rules.hpp, and the format as a type of
 /// fixed/formats.hpp.
-#define FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result)   \
-  ::fixproof::property::subject<number>(                                               \
-      #function,                                                                       \
-      {::fixproof::cases::Operation::operation, ::oracle::Rounding::rounding,          \
-       ::fixproof::check::Overflow::overflow, ::fixproof::check::NoResult::no_result}, \
+#define FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result) \
+  ::fixproof::property::subject<number>(                                                \
+      #function,                                                                        \
+      {::fixproof::cases::Operation::operation, ::oracle::Rounding::rounding,           \
+       ::fixproof::check::Overflow::overflow, ::fixproof::check::NoResult::no_result},  \
       [](auto... operands) -> decltype(function(operands...)) { return function(operands...); })
 
 #define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result) \
   FIXPROOF_SUBJECT_IN(::fixproof::q16_16, function, operation, rounding, overflow, no_result)
 
 /// Registers tests in the current namespace. A trailing semicolon is optional.
-#define FIXPROOF_CHECK_IN(number, function, operation, rounding, overflow, no_result)                \
-  [[maybe_unused]] static const bool fixproof_check_##operation##_##function =                    \
-      ::fixproof::property::register_streams(                                                     \
-          FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result), __FILE__, \
-          __LINE__);
+#define FIXPROOF_CHECK_IN(number, function, operation, rounding, overflow, no_result)      \
+  [[maybe_unused]] static const bool fixproof_check_##operation##_##function =             \
+      ::fixproof::property::register_streams(                                              \
+          FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result), \
+          __FILE__, __LINE__);
 #define FIXPROOF_CHECK_MUL_IN(number, function, rounding, overflow) \
   FIXPROOF_CHECK_IN(number, function, mul, rounding, overflow, any)
 #define FIXPROOF_CHECK_DIV_IN(number, function, rounding, overflow, zero_divisor) \

@@ -44,11 +44,11 @@ bool register_property(const Subject& subject, const char* file, int line) {
 }  // namespace fixproof::property
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): function names become test names
-#define FIXPROOF_PROPERTY_IN(number, function, operation, rounding, overflow, no_result)             \
-  [[maybe_unused]] static const bool fixproof_property_##operation##_##function =                 \
-      ::fixproof::property::register_property<number>(                                            \
-          FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result), __FILE__, \
-          __LINE__);
+#define FIXPROOF_PROPERTY_IN(number, function, operation, rounding, overflow, no_result)   \
+  [[maybe_unused]] static const bool fixproof_property_##operation##_##function =          \
+      ::fixproof::property::register_property<number>(                                     \
+          FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result), \
+          __FILE__, __LINE__);
 #define FIXPROOF_PROPERTY_MUL_IN(number, function, rounding, overflow) \
   FIXPROOF_PROPERTY_IN(number, function, mul, rounding, overflow, any)
 #define FIXPROOF_PROPERTY_DIV_IN(number, function, rounding, overflow, zero_divisor) \

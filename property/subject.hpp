@@ -50,7 +50,7 @@ check::Said answer_of(Result result) {
 /// The format of a type's raw integers.
 template <class Number>
 constexpr cases::Format format_of() {
-  return {.word_bits = bits_of<typename Number::raw_type>,
+  return {.word_bits = ::fixproof::detail::bits_of<typename Number::raw_type>,
           .fraction_bits = Number::fraction_bits,
           .is_signed = std::is_signed_v<typename Number::raw_type>};
 }

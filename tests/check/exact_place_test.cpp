@@ -10,8 +10,8 @@ using fixproof::cases::q16_16;
 using fixproof::check::CaseKind;
 using Operands = std::vector<std::uint64_t>;
 
-void expect_place(Operation operation, const Operands& words, CaseKind kind, const std::string& text,
-                  bool negative) {
+void expect_place(Operation operation, const Operands& words, CaseKind kind,
+                  const std::string& text, bool negative) {
   const auto place = fixproof::check::exact_place(operation, q16_16, words);
   EXPECT_EQ(place.kind(false), kind) << text;
   EXPECT_EQ(fixproof::check::exact_text(operation, q16_16, words), text);
@@ -63,7 +63,8 @@ TEST(CheckPlace, WithoutAResult) {
 }
 
 TEST(CheckPlace, OverflowIsAKindOfItsOwn) {
-  const auto place = fixproof::check::exact_place(Operation::mul, q16_16, Operands{0x1000000, 0x800000});
+  const auto place =
+      fixproof::check::exact_place(Operation::mul, q16_16, Operands{0x1000000, 0x800000});
   EXPECT_EQ(place.kind(true), CaseKind::overflow);
 }
 

@@ -56,7 +56,8 @@ TEST(CheckFormats, ProductsOf16Bits) {
   // 3 * 2^14 / 2^15 is 1.5 ulps, and -3 * 2^14 / 2^15 is -1.5.
   EXPECT_EQ(expected("q1_15", rules, {3, 0x4000}), 2U);
   EXPECT_EQ(expected("q1_15", rules, {0xfffd, 0x4000}), 0xffffU);
-  // 255.99609375^2 is 65534.00, far above the range; the low 16 bits of 65535^2 / 256 = 16776704.004.
+  // 255.99609375^2 is 65534.00, far above the range; the low 16 bits of 65535^2 / 256 =
+  // 16776704.004.
   EXPECT_EQ(expected("u8_8", rules, {0xffff, 0xffff}), 0xffffU);
   EXPECT_EQ(expected("u8_8", {.operation = Operation::mul}, {0xffff, 0xffff}), 0xfe00U);
 }
@@ -127,8 +128,8 @@ TEST(CheckFormats, ATieIsToldFromItsNeighboursIn64Bits) {
 
 /// Judges a function on random words of the format.
 template <class Raw>
-Judge judged_in(Rules rules, const std::string& format, const std::function<Said(Raw, Raw)>& subject,
-                std::uint64_t cases = 20'000) {
+Judge judged_in(Rules rules, const std::string& format,
+                const std::function<Said(Raw, Raw)>& subject, std::uint64_t cases = 20'000) {
   rules.format = format_named(format);
   Judge judge(rules, 3);
   std::mt19937_64 random(1994);
@@ -173,10 +174,9 @@ TEST(CheckFormats, ASoundUnsignedMultiply) {
 }
 
 TEST(CheckFormats, ADifferenceThatSaturates) {
-  const Judge judge =
-      judged_in<std::uint16_t>({.operation = Operation::sub}, "u8_8", [](auto a, auto b) {
-        return Said(a < b ? 0U : static_cast<std::uint32_t>(a - b));
-      });
+  const Judge judge = judged_in<std::uint16_t>(
+      {.operation = Operation::sub}, "u8_8",
+      [](auto a, auto b) { return Said(a < b ? 0U : static_cast<std::uint32_t>(a - b)); });
   EXPECT_EQ(judge.tally(CaseKind::overflow, true).wrong, judge.wrong().count());
   expect_text(judge, "saturates to ffff and 0000 or gives 0000 whatever the sign on all ");
   expect_text(judge, "every wrong result is 0000: all ");

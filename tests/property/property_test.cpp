@@ -59,8 +59,9 @@ std::int64_t mul_of_q32_32(std::int64_t a, std::int64_t b) {
   const auto x = static_cast<std::uint64_t>(a);
   const auto y = static_cast<std::uint64_t>(b);
   const std::uint64_t low = (x & 0xffffffffU) * (y & 0xffffffffU);
-  // Modulo 2^64, the sign of a half that lies above the point does not matter.
-  const std::uint64_t high = (x >> 32U) * y + (x & 0xffffffffU) * (y >> 32U);
+  // The upper halves have the sign.
+  const std::uint64_t high = static_cast<std::uint64_t>(a >> 32) * y +
+                             (x & 0xffffffffU) * static_cast<std::uint64_t>(b >> 32);
   const std::uint64_t carry = (low + (std::uint64_t{1} << 31U)) >> 32U;
   return static_cast<std::int64_t>(high + carry);
 }

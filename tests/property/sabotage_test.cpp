@@ -15,7 +15,8 @@ constexpr check::Rules div_truncated{cases::Operation::div, Rounding::truncate,
 
 std::set<std::string_view> streams_that_fail(const Subject& subject) {
   std::set<std::string_view> names;
-  for (const auto& [stream, cases] : property::streams_of(subject.rules.operation, subject.rules.format)) {
+  for (const auto& [stream, cases] :
+       property::streams_of(subject.rules.operation, subject.rules.format)) {
     // A thousand cases suffice for the other streams; the lattice is enumerated in full.
     const auto few =
         stream == cases::Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
@@ -74,10 +75,9 @@ TEST(PropertySabotage, WhatIsWrongIsSaid) {
 
 /// A multiply that shifts without rounding.
 TEST(PropertySabotage, AShiftInQ2_30) {
-  const auto subject =
-      property::subject<q2_30>("shift", mul_half_up, [](std::int32_t a, std::int32_t b) {
-        return low_word(std::int64_t{a} * b >> 30);
-      });
+  const auto subject = property::subject<q2_30>(
+      "shift", mul_half_up,
+      [](std::int32_t a, std::int32_t b) { return low_word(std::int64_t{a} * b >> 30); });
   EXPECT_EQ(subject.rules.format, cases::format_named("q2_30"));
   EXPECT_TRUE(streams_that_fail(subject).contains("product_ties"));
   testing::internal::CaptureStderr();
