@@ -30,7 +30,9 @@ std::uint64_t number(Draw& draw, int widest) {
 }
 
 /// Returns an odd number of 1 ... `widest` bits.
-std::uint64_t odd_word(Draw& draw, int widest) { return number(draw, number_from(draw, 1, widest)) | 1; }
+std::uint64_t odd_word(Draw& draw, int widest) {
+  return number(draw, number_from(draw, 1, widest)) | 1;
+}
 
 /// Returns the word or, in half of the cases of a signed format, its negative. A product modulo
 /// 2^word_bits remains a tie.
@@ -98,7 +100,8 @@ WordPair quotient_tie_in(Draw& draw, const Format& format) {
   // n 2^F = (q + 1/2) d holds for d = 2^(F+1) m and n = m (2q + 1).
   const int bits = magnitude_bits(format);
   const std::uint64_t m = odd_word(draw, bits - format.fraction_bits - 1);
-  const std::uint64_t n = m * odd_word(draw, std::max(1, bits - static_cast<int>(std::bit_width(m))));
+  const std::uint64_t n =
+      m * odd_word(draw, std::max(1, bits - static_cast<int>(std::bit_width(m))));
   return either_sign(draw, n, m << (format.fraction_bits + 1), format);
 }
 

@@ -86,17 +86,20 @@ CaseKind ExactPlace::kind(bool overflows) const {
 
 ExactPlace exact_place(Operation operation, const cases::Format& format,
                        std::span<const std::uint64_t> words) {
-  const auto floor = rounded_result(operation, format, words, oracle::Rounding::floor);
+  constexpr auto down = oracle::Rounding::floor;
+  const bool narrow = format == cases::q16_16;
+  const auto ulps = narrow ? narrow_ulps(operation, words, down) : std::nullopt;
+  const auto floor =
+      ulps ? std::optional(narrow_word(*ulps)) : rounded_result(operation, format, words, down);
   if (!floor) return {.has_result = false, .negative = is_negative(words[0], format), .floor = {}};
   ExactPlace place{.negative = floor->negative, .floor = *floor};
   if (!is_rounded(operation)) return place;
-  if (format != cases::q16_16) {
+  if (!narrow) {
     fill(place, wide_exact(operation, format, words));
     return place;
   }
   const std::int64_t a = static_cast<std::int32_t>(words[0]);
   const std::int64_t b = static_cast<std::int32_t>(words.back());
-  const auto ulps = narrow_ulps(operation, words, oracle::Rounding::floor);
   fill(place, exact_of<std::int64_t>(operation, a, b, 65536, *ulps));
   return place;
 }

@@ -28,10 +28,10 @@ void Judge::add(const JudgedCase& one) {
   const auto rounded = rounded_result(rules_.operation, rules_.format, one.words, rules_.rounding);
   const ExactPlace place = exact_place(rules_.operation, rules_.format, one.words);
   const bool in_range = rounded && rounded->fits;
-  const bool right = keeps(rules_, one.words, one.said);
+  const bool right = keeps(rules_, one.words, rounded, one.said);
 
   ++cases_;
-  const Expected expected = expected_of(rules_, one.words);
+  const Expected expected = expected_of(rules_, one.words, rounded);
   const CaseKind kind = place.kind(rounded && !in_range);
   if (expected.judged) {
     common_.add({one.words, place, kind, expected.said, one.said, rules_.format}, right);

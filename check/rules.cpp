@@ -144,8 +144,7 @@ std::optional<Rounded> rounded_result(cases::Operation operation, const cases::F
   if (format == cases::q16_16) {
     const auto ulps = narrow_ulps(operation, words, rule);
     if (!ulps) return std::nullopt;
-    const auto word = static_cast<std::uint32_t>(*ulps);
-    return Rounded{word, static_cast<std::int32_t>(word) == *ulps, *ulps < 0};
+    return narrow_word(*ulps);
   }
   const auto ulps = exact_ulps(operation, format, words, rule);
   if (!ulps) return std::nullopt;
@@ -165,7 +164,17 @@ bool keeps(NoResult rule, const cases::Format& format, std::span<const std::uint
 }
 
 Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words) {
-  const auto rounded = rounded_result(rules.operation, rules.format, words, rules.rounding);
+  return expected_of(rules, words,
+                     rounded_result(rules.operation, rules.format, words, rules.rounding));
+}
+
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said) {
+  return keeps(rules, words, rounded_result(rules.operation, rules.format, words, rules.rounding),
+               said);
+}
+
+Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words,
+                     const std::optional<Rounded>& rounded) {
   if (!rounded) {
     return {rules.no_result != NoResult::any,
             no_result_of(rules.no_result, rules.format, words, rules.rounding)};
@@ -174,8 +183,8 @@ Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words) {
   return {rules.overflow != Overflow::any, overflowed(rules.overflow, rules.format, *rounded)};
 }
 
-bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said) {
-  const auto rounded = rounded_result(rules.operation, rules.format, words, rules.rounding);
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words,
+           const std::optional<Rounded>& rounded, Said said) {
   if (!rounded) return keeps(rules.no_result, rules.format, words, rules.rounding, said);
   if (rounded->fits) return said == rounded->word;
   return keeps(rules.overflow, rules.format, *rounded, said);

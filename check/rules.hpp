@@ -109,7 +109,12 @@ struct Expected {
   Said said;
 };
 Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words);
-
 bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said);
+
+/// The same, given the rounded result of the case.
+Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words,
+                     const std::optional<Rounded>& rounded);
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words,
+           const std::optional<Rounded>& rounded, Said said);
 
 }  // namespace fixproof::check

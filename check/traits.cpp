@@ -25,15 +25,11 @@ Value minus_one(const Format& f) {
 }
 
 /// The values of an operand that are traits; empty if the format lacks one.
-constexpr auto value_traits = std::to_array<Value (*)(const Format&)>({
-    [](const Format& f) { return Value(lowest(f)); },
-    [](const Format& f) { return Value(highest(f)); },
-    [](const Format&) { return Value(0); },
-    [](const Format&) { return Value(1); },
-    [](const Format& f) { return Value(cases::all_ones(f)); },
-    [](const Format& f) { return whole_one(f); },
-    minus_one,
-});
+constexpr std::size_t value_count = 7;
+std::array<Value, value_count> values_of(const Format& f) {
+  return {lowest(f),          highest(f),   Value(0),    Value(1),
+          cases::all_ones(f), whole_one(f), minus_one(f)};
+}
 constexpr auto word_traits = std::to_array<WordTrait>({
     {"has a power of two as {}",
      [](std::uint64_t w, const Format& f) { return std::has_single_bit(magnitude(w, f)); }},
@@ -45,7 +41,7 @@ constexpr auto word_traits = std::to_array<WordTrait>({
     {"has an odd {}", [](std::uint64_t w, const Format&) { return w % 2 == 1; }},
     {"has an even {}", [](std::uint64_t w, const Format&) { return w % 2 == 0; }},
 });
-constexpr std::size_t operand_traits = value_traits.size() + word_traits.size();
+constexpr std::size_t operand_traits = value_count + word_traits.size();
 constexpr std::size_t operand_groups = 3;  ///< first, second, either
 
 /// A trait of two operands or of the exact result.
@@ -182,11 +178,10 @@ TraitSet set_of(const Traits& traits, const TraitCase& of) {
 
 TraitSet set_of_operand(std::uint64_t word, const Format& format) {
   TraitSet set = 0;
-  for (std::size_t i = 0; i < value_traits.size(); ++i) {
-    set |= TraitSet{value_traits[i](format) == word} << i;
-  }
+  const auto values = values_of(format);
+  for (std::size_t i = 0; i < value_count; ++i) set |= TraitSet{values[i] == word} << i;
   for (std::size_t i = 0; i < word_traits.size(); ++i) {
-    set |= TraitSet{word_traits[i].holds(word, format)} << (value_traits.size() + i);
+    set |= TraitSet{word_traits[i].holds(word, format)} << (value_count + i);
   }
   return set;
 }
@@ -224,11 +219,11 @@ std::string case_trait_text(cases::Operation operation, const Format& format,
     const std::string_view with_article = noun_of(operation, static_cast<About>(group));
     const std::string_view noun = with_article.substr(with_article.find(' ') + 1);
     const std::size_t of_operand = case_trait % operand_traits;
-    if (of_operand < value_traits.size()) {
+    if (of_operand < value_count) {
       return fmt::format("has {} {}", noun,
-                         hex_text(value_traits.at(of_operand)(format).value(), format));
+                         hex_text(values_of(format).at(of_operand).value(), format));
     }
-    return fmt::format(fmt::runtime(word_traits.at(of_operand - value_traits.size()).text), noun);
+    return fmt::format(fmt::runtime(word_traits.at(of_operand - value_count).text), noun);
   }
   const std::size_t rest = case_trait - operand_groups * operand_traits;
   return std::string(rest < pair_traits.size() ? pair_traits.at(rest).text

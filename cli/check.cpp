@@ -243,12 +243,14 @@ void add_check(CLI::App& app, int& status) {
   add_check_options(*command, *options);
   command->footer(
       R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
-hex digits (no 0x), or DE for a divide error. Give check the same --level, --seed, --shard and
---cases as gen, so that both have the same cases. With --from it reads your own cases. It skips
+hex digits (no 0x), or DE for a divide error; 2, 4 or 16 digits in a --format of 8, 16 or 64 bits.
+Give check the same --format, --level, --seed, --shard and --cases as gen, so that both have the
+same cases. With --from it reads your own cases. It skips
 lines that start with #, in results and in cases.
 
 --overflow, --divide-by-zero and --negative-root say what to expect if the result does not fit a
-word or does not exist:
+word or does not exist. The words are those of 16.16; another --format has its own highest and
+lowest, and an unsigned one saturates a negative difference to 0:
   wrap        modulo 2^32
   saturate    7fffffff, or 80000000 if negative
   symmetric   7fffffff, or 80000001 if negative
@@ -268,6 +270,7 @@ Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 -o cases && ./mine < cases > results
   fixproof check div results --level 2 --rounding toward-zero --overflow saturate
+  fixproof gen mul --format q1_15 | ./mine | fixproof check mul --format q1_15 --rounding floor
   fixproof gen add | ./mine | fixproof check add --overflow saturate
   ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
   command->callback([options, command, &status] {
