@@ -17,8 +17,8 @@ constexpr std::size_t max_lines = 3;
 /// So few operands have like magnitudes by chance.
 constexpr std::uint64_t fewest_for_lengths = 10;
 
-std::size_t length_of(std::uint32_t word) {
-  return static_cast<std::size_t>(std::bit_width(magnitude(word)));
+std::size_t length_of(std::uint64_t word, const cases::Format& format) {
+  return static_cast<std::size_t>(64 - std::countl_zero(magnitude(word, format)));
 }
 
 }  // namespace
@@ -26,7 +26,9 @@ std::size_t length_of(std::uint32_t word) {
 void CommonTraits::add(const TraitCase& one, bool right) {
   const TraitSet traits = case_traits(operation_, one);
   Lengths& lengths = right ? right_lengths_ : wrong_lengths_;
-  for (std::size_t i = 0; i < one.words.size(); ++i) ++lengths.at(i).at(length_of(one.words.at(i)));
+  for (std::size_t i = 0; i < one.words.size(); ++i) {
+    ++lengths.at(i).at(length_of(one.words.at(i), format_));
+  }
   if (right) {
     ++right_;
     for (TraitSet rest = traits; rest != 0; rest &= rest - 1) {
@@ -55,7 +57,7 @@ std::vector<CommonTraits::Shared> CommonTraits::shared_traits() const {
   };
   for (std::size_t i = 0; i < case_trait_count(); ++i) {
     if ((of_wrong_ >> i & 1U) == 0) continue;
-    offer(about(i), {right_with_.at(i), case_trait_text(operation_, i)});
+    offer(about(i), {right_with_.at(i), case_trait_text(operation_, format_, i)});
   }
   if (wrong_ >= fewest_for_lengths) {
     for (std::size_t i = 0; i < cases::words_in(operation_); ++i) {
@@ -83,19 +85,20 @@ CommonTraits::Shared CommonTraits::shared_length(std::size_t operand) const {
   std::size_t most = wrong.size() - 1;
   while (wrong.at(least) == 0) ++least;
   while (wrong.at(most) == 0) --most;
-  // The magnitudes of 32 bits are only that of 80000000.
-  if (most >= 31) most = wrong.size() - 1;
+  // The longest magnitude of a signed format is only that of its lowest word.
+  const auto top = static_cast<std::size_t>(format_.word_bits);
+  if (format_.is_signed && most + 1 >= top) most = top;
   Shared shared;
   for (std::size_t length = least; length <= most; ++length) shared.right += right.at(length);
-  const auto lowest = least == 0 ? 0 : std::uint64_t{1} << (least - 1);
-  const auto highest = (std::uint64_t{1} << most) - 1;
+  const auto low = hex_text(least == 0 ? 0 : std::uint64_t{1} << (least - 1), format_);
+  const auto high = hex_text(most == 0 ? 0 : ~std::uint64_t{0} >> (64 - most), format_);
   shared.text = fmt::format("has {} ", noun_of(operation_, static_cast<About>(operand)));
-  if (most == wrong.size() - 1) {
-    shared.text += fmt::format("of {:08x} or more", lowest);
+  if (most == top) {
+    shared.text += fmt::format("of {} or more", low);
   } else if (least == 0) {
-    shared.text += fmt::format("of {:08x} or less", highest);
+    shared.text += fmt::format("of {} or less", high);
   } else {
-    shared.text += fmt::format("from {:08x} to {:08x}", lowest, highest);
+    shared.text += fmt::format("from {} to {}", low, high);
   }
   shared.text += " in magnitude";
   return shared;
@@ -106,7 +109,7 @@ std::vector<std::string> CommonTraits::lines() const {
   if (wrong_ < 2) return lines;
   if (of_wrong_results_ != 0) {
     const auto first = static_cast<std::size_t>(std::countr_zero(of_wrong_results_));
-    lines.push_back(fmt::format("every wrong result {}: all {}", result_trait_text(first),
+    lines.push_back(fmt::format("every wrong result {}: all {}", result_trait_text(format_, first),
                                 support::grouped(wrong_)));
   }
   for (const Shared& shared : shared_traits()) {

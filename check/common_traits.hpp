@@ -13,7 +13,8 @@ namespace fixproof::check {
 
 class CommonTraits {
  public:
-  explicit CommonTraits(cases::Operation operation) : operation_(operation) {}
+  CommonTraits(cases::Operation operation, const cases::Format& format)
+      : operation_(operation), format_(format) {}
 
   void add(const TraitCase& one, bool right);
 
@@ -25,7 +26,7 @@ class CommonTraits {
 
  private:
   /// The number of cases by operand and bit length of its magnitude.
-  using Lengths = std::array<std::array<std::uint64_t, 33>, 2>;
+  using Lengths = std::array<std::array<std::uint64_t, 65>, 2>;
   struct Shared {
     std::uint64_t right = 0;  ///< right cases that share the trait
     std::string text;
@@ -35,6 +36,7 @@ class CommonTraits {
   [[nodiscard]] bool tells(std::uint64_t sharing_right) const;
 
   cases::Operation operation_;
+  cases::Format format_;
   std::uint64_t right_ = 0;
   std::uint64_t wrong_ = 0;
   TraitSet of_wrong_ = ~TraitSet{};          ///< of every wrong case

@@ -2,41 +2,76 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
-#include <stdexcept>
 
-#include "check/rules.hpp"
+#include "check/exact_ulps.hpp"
 
 namespace fixproof::check {
 
 namespace {
 
-std::int64_t signed_ulps(std::uint32_t word) { return static_cast<std::int32_t>(word); }
+using cases::Operation;
+using oracle::Integer;
 
-/// Returns the place of numerator / denominator, given its floor. The denominator is positive.
-ExactPlace place_of_ratio(std::int64_t numerator, std::int64_t denominator, std::int64_t floor) {
-  ExactPlace place;
-  place.negative = numerator < 0;
-  place.floor = floor;
-  place.part = numerator - floor * denominator;
-  place.whole = denominator;
-  place.fraction = static_cast<double>(place.part) / static_cast<double>(denominator);
-  return place;
+/// An exact result in ulps: `floor` + `part` / `whole`, or the root of `floor` squared + `part`.
+template <class Number>
+struct Exact {
+  Number floor;
+  Number part;
+  Number whole;  ///< above 0 for a ratio, 0 for a root
+};
+
+template <class Number>
+Exact<Number> exact_of(Operation operation, const Number& a, const Number& b, const Number& one,
+                       const Number& floor) {
+  switch (operation) {
+    case Operation::mul:
+      return {floor, a * b - floor * one, one};
+    case Operation::div:
+      return b < 0 ? Exact<Number>{floor, floor * b - a * one, -b}
+                   : Exact<Number>{floor, a * one - floor * b, b};
+    case Operation::sqrt:
+      return {floor, a * one - floor * floor, 0};
+    default:
+      return {floor, 0, 1};
+  }
 }
 
-ExactPlace place_of_root(std::int64_t radicand, std::int64_t floor) {
-  ExactPlace place;
-  place.floor = floor;
-  const std::int64_t rest = radicand - floor * floor;
-  if (rest == 0) return place;
-  place.whole = 0;
-  // The difference of the root and its floor, computed without cancellation.
-  place.fraction = static_cast<double>(rest) /
-                   (std::sqrt(static_cast<double>(radicand)) + static_cast<double>(floor));
-  return place;
+template <class Number>
+double fraction_of(const Exact<Number>& exact) {
+  if (exact.part == 0) return 0;
+  const auto part = static_cast<double>(exact.part);
+  const auto floor = static_cast<double>(exact.floor);
+  if (exact.whole != 0) {
+    const double fraction = part / static_cast<double>(exact.whole);
+    // Rounding must not move a fraction across a half.
+    const bool below = exact.part < exact.whole - exact.part;
+    return below ? std::min(fraction, std::nextafter(0.5, 0)) : std::max(fraction, 0.5);
+  }
+  // The difference of the root and its floor, computed without cancellation. The root is above
+  // floor + 1/2 if and only if the part is above the floor.
+  const double fraction = part / (std::sqrt(floor * floor + part) + floor);
+  return exact.part > exact.floor ? std::max(fraction, 0.5)
+                                  : std::min(fraction, std::nextafter(0.5, 0));
+}
+
+template <class Number>
+void fill(ExactPlace& place, const Exact<Number>& exact) {
+  place.exact = exact.part == 0;
+  place.tie = !place.exact && exact.part == exact.whole - exact.part;
+  place.fraction = fraction_of(exact);
+}
+
+/// Returns the exact result, which must exist, in integers of any size.
+Exact<Integer> wide_exact(Operation operation, const cases::Format& format,
+                          std::span<const std::uint64_t> words) {
+  const oracle::Format wide = oracle_format(format);
+  const Integer a = oracle::ulps(words[0], wide);
+  const Integer b = oracle::ulps(words.back(), wide);
+  const auto floor = exact_ulps(operation, format, words, oracle::Rounding::floor);
+  return exact_of<Integer>(operation, a, b, Integer(1) << format.fraction_bits, *floor);
 }
 
 }  // namespace
@@ -44,29 +79,41 @@ ExactPlace place_of_root(std::int64_t radicand, std::int64_t floor) {
 CaseKind ExactPlace::kind(bool overflows) const {
   if (!has_result) return CaseKind::no_result;
   if (overflows) return CaseKind::overflow;
-  if (whole != 0 && part == 0) return CaseKind::exact;
-  if (whole != 0 && 2 * part == whole) return CaseKind::tie;
+  if (exact) return CaseKind::exact;
+  if (tie) return CaseKind::tie;
   return std::fabs(fraction - 0.5) < 1.0 / 1024 ? CaseKind::near_tie : CaseKind::between;
 }
 
-std::string ExactPlace::text() const {
-  if (!has_result) return "none";
-  if (whole == 0) return fmt::format("{} + {:.5f}", floor, fraction);
-  if (part == 0) return fmt::to_string(floor);
-  const std::int64_t common = std::gcd(part, whole);
-  return fmt::format("{} + {}/{}", floor, part / common, whole / common);
+ExactPlace exact_place(Operation operation, const cases::Format& format,
+                       std::span<const std::uint64_t> words) {
+  constexpr auto down = oracle::Rounding::floor;
+  const bool narrow = format == cases::q16_16;
+  const auto ulps = narrow ? narrow_ulps(operation, words, down) : std::nullopt;
+  const auto floor =
+      ulps ? std::optional(narrow_word(*ulps)) : rounded_result(operation, format, words, down);
+  if (!floor) return {.has_result = false, .negative = is_negative(words[0], format), .floor = {}};
+  ExactPlace place{.negative = floor->negative, .floor = *floor};
+  if (!is_rounded(operation)) return place;
+  if (!narrow) {
+    fill(place, wide_exact(operation, format, words));
+    return place;
+  }
+  const std::int64_t a = static_cast<std::int32_t>(words[0]);
+  const std::int64_t b = static_cast<std::int32_t>(words.back());
+  fill(place, exact_of<std::int64_t>(operation, a, b, 65536, *ulps));
+  return place;
 }
 
-ExactPlace exact_place(cases::Operation operation, std::span<const std::uint32_t> words) {
-  const auto floor = rounded_result(operation, words, oracle::Rounding::floor);
-  if (!floor) return {.has_result = false, .negative = words[0] >> 31U != 0};
-  if (!is_rounded(operation)) return place_of_ratio(*floor, 1, *floor);
-  constexpr std::int64_t one = 65536;
-  const std::int64_t a = signed_ulps(words[0]);
-  if (operation == cases::Operation::sqrt) return place_of_root(a * one, *floor);
-  const std::int64_t b = signed_ulps(words[1]);
-  if (operation == cases::Operation::mul) return place_of_ratio(a * b, one, *floor);
-  return place_of_ratio(b < 0 ? -a * one : a * one, std::abs(b), *floor);
+std::string exact_text(Operation operation, const cases::Format& format,
+                       std::span<const std::uint64_t> words) {
+  if (!rounded_result(operation, format, words, oracle::Rounding::floor)) return "none";
+  const auto [floor, part, whole] = wide_exact(operation, format, words);
+  if (part == 0) return floor.str();
+  if (whole == 0) {
+    return fmt::format("{} + {:.5f}", floor.str(), fraction_of<Integer>({floor, part, whole}));
+  }
+  const Integer common = gcd(part, whole);
+  return fmt::format("{} + {}/{}", floor.str(), (part / common).str(), (whole / common).str());
 }
 
 std::string_view name_of(CaseKind kind, cases::Operation operation) {

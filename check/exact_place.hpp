@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cases/variant.hpp"
+#include "check/rules.hpp"
 
 namespace fixproof::check {
 
@@ -21,23 +22,26 @@ enum class CaseKind : std::uint8_t {
 };
 inline constexpr std::size_t case_kinds = 6;
 
-/// An exact result in ulps: `floor` + `part` / `whole`. A root is not a ratio and has `whole` 0.
+/// Where an exact result lies among the words.
 struct ExactPlace {
   bool has_result = true;
   bool negative = false;  ///< the result is below 0; without a result, the first operand is
-  std::int64_t floor = 0;
-  std::int64_t part = 0;
-  std::int64_t whole = 1;
-  double fraction = 0;  ///< above the floor, in double precision
+  Rounded floor;          ///< the result rounded down
+  bool exact = true;      ///< a whole number of ulps
+  bool tie = false;       ///< halfway between two
+  double fraction = 0;    ///< ulps above the floor: below 1/2 if and only if the exact fraction is
 
   /// `overflows` tells whether the rounded result does not fit a word.
   [[nodiscard]] CaseKind kind(bool overflows) const;
-  /// Returns the result as text: `-1 + 1/2`, `46340 + 0.95001`.
-  [[nodiscard]] std::string text() const;
 };
 
-/// Returns the exact result of a judged operation.
-ExactPlace exact_place(cases::Operation operation, std::span<const std::uint32_t> words);
+/// Returns the place of the exact result of a judged operation.
+ExactPlace exact_place(cases::Operation operation, const cases::Format& format,
+                       std::span<const std::uint64_t> words);
+
+/// Returns the exact result in ulps as text: `-1 + 1/2`, `46340 + 0.95001`, `none`.
+std::string exact_text(cases::Operation operation, const cases::Format& format,
+                       std::span<const std::uint64_t> words);
 
 /// Returns the name of a kind. The name for a missing result depends on the operation.
 std::string_view name_of(CaseKind kind, cases::Operation operation);

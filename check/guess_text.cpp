@@ -14,18 +14,19 @@ namespace fixproof::check {
 
 namespace {
 
-std::string_view phrase(Overflow rule) {
+std::string phrase(Overflow rule, const cases::Format& format) {
+  const std::string high = hex_text(highest(format), format);
   switch (rule) {
     case Overflow::wrap:
       return "wraps";
     case Overflow::saturate:
-      return "saturates to 7fffffff and 80000000";
+      return fmt::format("saturates to {} and {}", high, hex_text(lowest(format), format));
     case Overflow::symmetric:
-      return "saturates to 7fffffff and 80000001";
+      return fmt::format("saturates to {} and {}", high, hex_text(minus_highest(format), format));
     case Overflow::maximum:
-      return "gives 7fffffff whatever the sign";
+      return fmt::format("gives {} whatever the sign", high);
     case Overflow::minimum:
-      return "gives 80000000 whatever the sign";
+      return fmt::format("gives {} whatever the sign", hex_text(lowest(format), format));
     case Overflow::error:
       return "says DE";
     case Overflow::any:
@@ -34,18 +35,23 @@ std::string_view phrase(Overflow rule) {
   return "gives anything";
 }
 
-std::string_view phrase(NoResult rule) {
+std::string phrase(NoResult rule, const cases::Format& format) {
+  const std::string high = hex_text(highest(format), format);
+  const auto by_sign = [&](std::uint64_t low) {
+    if (!format.is_signed) return fmt::format("gives {}", high);
+    return fmt::format("gives {} or {}, by the sign of the dividend", high, hex_text(low, format));
+  };
   switch (rule) {
     case NoResult::error:
       return "says DE";
     case NoResult::saturate:
-      return "gives 7fffffff or 80000000, by the sign of the dividend";
+      return by_sign(lowest(format));
     case NoResult::symmetric:
-      return "gives 7fffffff or 80000001, by the sign of the dividend";
+      return by_sign(minus_highest(format));
     case NoResult::maximum:
-      return "gives 7fffffff";
+      return fmt::format("gives {}", high);
     case NoResult::minimum:
-      return "gives 80000000";
+      return fmt::format("gives {}", hex_text(lowest(format), format));
     case NoResult::zero:
       return "gives 0";
     case NoResult::mirror:
@@ -61,7 +67,7 @@ constexpr std::string_view mirrored_down =
 constexpr std::string_view mirrored_toward_zero =
     "gives minus the root of the magnitude, rounded toward zero";
 
-std::string joined(const std::vector<std::string_view>& names, std::string_view last) {
+std::string joined(const std::vector<std::string>& names, std::string_view last) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) text += i + 1 == names.size() ? last : std::string_view(", ");
@@ -85,7 +91,7 @@ std::string share_of(const RuleScore& score) {
 /// Returns one line of the guess, with the exceptions below it.
 /// @param what the cases that the rule applies to, such as "cases that overflow"
 std::string line_of(std::string_view subject, const BestRules& best,
-                    const std::vector<std::string_view>& names, std::string_view what,
+                    const std::vector<std::string>& names, std::string_view what,
                     const Rules& shown_under) {
   const std::string label = fmt::format("  {:<16} ", subject);
   if (best.first.cases == 0) return fmt::format("{}unknown: there are no {}\n", label, what);
@@ -114,8 +120,8 @@ std::string rounding_line(const BestRules& best, const Rules& followed) {
   if (!is_rounded(followed.operation)) {
     return line_of("in range", best, {"exact"}, "cases that do not overflow", followed);
   }
-  std::vector<std::string_view> names;
-  for (const std::size_t i : best.rules) names.push_back(name_of(roundings()[i]));
+  std::vector<std::string> names;
+  for (const std::size_t i : best.rules) names.emplace_back(name_of(roundings()[i]));
   if (followed.operation == cases::Operation::sqrt && best.first.cases > 0) {
     // A root is never halfway, so the five roundings act as two: to nearest and down.
     const bool down = roundings()[best.rules.front()] == oracle::Rounding::floor;
@@ -125,11 +131,11 @@ std::string rounding_line(const BestRules& best, const Rules& followed) {
 }
 
 /// Returns a line that names idioms like the subject; empty if there are none.
-std::string idiom_line(const std::optional<Likeness>& likeness) {
+std::string idiom_line(const std::optional<Likeness>& likeness, const cases::Format& format) {
   constexpr std::size_t most_named = 3;
   if (!likeness || likeness->idioms.size() > most_named) return "";
-  std::vector<std::string_view> names;
-  for (const Idiom* idiom : likeness->idioms) names.push_back(idiom->text);
+  std::vector<std::string> names;
+  for (const Idiom* idiom : likeness->idioms) names.push_back(idiom->text_in(format));
   std::string text = fmt::format("  {:<16} {}, ", "looks like", joined(names, " or "));
   if (likeness->exceptions > 0) {
     text += fmt::format("but for {} of {} cases in range\n", support::grouped(likeness->exceptions),
@@ -145,36 +151,40 @@ std::string idiom_line(const std::optional<Likeness>& likeness) {
 std::string guess_text(const Judge& judge) {
   const RuleTrial& trial = judge.trial();
   const cases::Operation operation = judge.rules().operation;
-  Rules followed{.operation = operation};
+  const cases::Format format = judge.rules().format;
+  Rules followed{.operation = operation, .format = format};
   std::string text = "What the subject does, all rules tried:\n";
 
   const BestRules rounding = trial.rounding();
   // Roundings that agree on roots in range can differ on the mirrored root of a negative operand.
   // Choose the one with the fewest exceptions there.
-  const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&trial](std::size_t r) {
-    return trial.no_result(r).first.exceptions.count();
+  const bool lacks = can_lack_result(operation, format);
+  const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&](std::size_t r) {
+    return lacks ? trial.no_result(r).first.exceptions.count() : 0;
   });
   followed.rounding = roundings()[rule];
   text += rounding_line(rounding, followed);
-  text += idiom_line(judge.idioms().likeness());
+  text += idiom_line(judge.idioms().likeness(), format);
 
   const BestRules overflow = trial.overflow(rule);
-  std::vector<std::string_view> names;
-  for (const std::size_t i : overflow.rules) names.push_back(phrase(overflow_rules()[i]));
-  followed.overflow = overflow_rules()[overflow.rules.front()];
-  if (operation != cases::Operation::sqrt) {
+  std::vector<std::string> names;
+  const auto overflows = overflow_rules(format);
+  for (const std::size_t i : overflow.rules) names.push_back(phrase(overflows[i], format));
+  followed.overflow = overflows[overflow.rules.front()];
+  if (can_overflow(operation, format)) {
     text += line_of("overflow", overflow, names, "cases that overflow", followed);
   }
 
-  if (const auto rules = no_result_rules(operation); !rules.empty()) {
+  if (const auto rules = no_result_rules(operation, format); !rules.empty()) {
     const BestRules none = trial.no_result(rule);
     names.clear();
-    for (const std::size_t i : none.rules) names.push_back(phrase(rules[i]));
+    for (const std::size_t i : none.rules) names.push_back(phrase(rules[i], format));
     followed.no_result = rules[none.rules.front()];
     const bool root = operation == cases::Operation::sqrt;
     if (followed.no_result == NoResult::mirror && names.size() == 1) {
-      if (followed.rounding == oracle::Rounding::floor) names = {mirrored_down};
-      if (followed.rounding == oracle::Rounding::truncate) names = {mirrored_toward_zero};
+      if (followed.rounding == oracle::Rounding::floor) names = {std::string(mirrored_down)};
+      if (followed.rounding == oracle::Rounding::truncate)
+        names = {std::string(mirrored_toward_zero)};
     }
     text += line_of(root ? "negative operand" : "divide by zero", none, names,
                     root ? "negative operands" : "zero divisors", followed);

@@ -5,21 +5,32 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "cases/variant.hpp"
 #include "check/judged_case.hpp"
+#include "oracle/integer.hpp"
 
 namespace fixproof::check {
 
-/// Arithmetic in C on 16.16 words a and b.
+/// Arithmetic in C on words a and b.
 struct Idiom {
-  cases::Operation operation;
-  std::string_view text;
   /// Returns the result in ulps; empty for a divide error. Requires operands whose exact
   /// result fits a word.
-  std::optional<std::int64_t> (*result)(std::int64_t a, std::int64_t b);
+  template <class Number>
+  using Result = std::optional<Number> (*)(const Number& a, const Number& b,
+                                           const cases::Format& format);
+
+  cases::Operation operation;
+  /// The text in C, with named places that text_in() fills for a format.
+  std::string_view text;
+  Result<std::int64_t> narrow;   ///< for 16.16
+  Result<oracle::Integer> wide;  ///< for other formats; null if the idiom is only for 16.16
+
+  [[nodiscard]] std::string text_in(const cases::Format& format) const;
+  [[nodiscard]] bool is_for(cases::Operation operation, const cases::Format& format) const;
 };
 
 inline constexpr std::size_t idiom_count = 18;
@@ -35,7 +46,8 @@ struct Likeness {
 /// Compares a subject with every idiom.
 class IdiomTrial {
  public:
-  explicit IdiomTrial(cases::Operation operation) : operation_(operation) {}
+  IdiomTrial(cases::Operation operation, const cases::Format& format)
+      : operation_(operation), format_(format) {}
 
   /// Adds a case whose rounded result fits a word. `right` tells whether the subject's is right.
   void add(const JudgedCase& one, bool right);
@@ -46,6 +58,7 @@ class IdiomTrial {
 
  private:
   cases::Operation operation_;
+  cases::Format format_;
   std::uint64_t cases_ = 0;
   std::uint64_t wrong_ = 0;
   std::array<std::uint64_t, idiom_count> exceptions_{};

@@ -4,24 +4,37 @@
 
 namespace fixproof::check {
 
+namespace {
+
+/// Returns the value of a - b in ulps.
+double difference(std::uint64_t a, std::uint64_t b, const cases::Format& format) {
+  // With the sign bit inverted, the words of a signed format are in the order of their values.
+  const std::uint64_t flip = format.is_signed ? sign_bit(format) : 0;
+  const bool below = (a ^ flip) < (b ^ flip);
+  const std::uint64_t size = below ? (b ^ flip) - (a ^ flip) : (a ^ flip) - (b ^ flip);
+  return below ? -static_cast<double>(size) : static_cast<double>(size);
+}
+
+}  // namespace
+
 Judge::Judge(const Rules& rules, std::size_t max_shown)
     : rules_(rules),
       wrong_(max_shown),
-      trial_(rules.operation),
-      idioms_(rules.operation),
-      common_(rules.operation) {}
+      trial_(rules.operation, rules.format),
+      idioms_(rules.operation, rules.format),
+      common_(rules.operation, rules.format) {}
 
 void Judge::add(const JudgedCase& one) {
-  const auto ulps = rounded_result(rules_.operation, one.words, rules_.rounding);
-  const ExactPlace place = exact_place(rules_.operation, one.words);
-  const bool in_range = ulps && fits_word(*ulps);
-  const bool right = keeps(rules_, one.words, one.said);
+  const auto rounded = rounded_result(rules_.operation, rules_.format, one.words, rules_.rounding);
+  const ExactPlace place = exact_place(rules_.operation, rules_.format, one.words);
+  const bool in_range = rounded && rounded->fits;
+  const bool right = keeps(rules_, one.words, rounded, one.said);
 
   ++cases_;
-  const Expected expected = expected_of(rules_, one.words);
-  const CaseKind kind = place.kind(ulps && !in_range);
+  const Expected expected = expected_of(rules_, one.words, rounded);
+  const CaseKind kind = place.kind(rounded && !in_range);
   if (expected.judged) {
-    common_.add({one.words, place, kind, expected.said, one.said}, right);
+    common_.add({one.words, place, kind, expected.said, one.said, rules_.format}, right);
   } else {
     ++not_judged_;
   }
@@ -32,8 +45,11 @@ void Judge::add(const JudgedCase& one) {
     wrong_.add(one);
   }
   if (in_range && one.said) {
-    const std::int64_t above_floor = static_cast<std::int32_t>(*one.said) - place.floor;
-    const double off = std::fabs(static_cast<double>(above_floor) - place.fraction);
+    // The floor itself may lie below the range, so the distance is measured from the rounded
+    // result.
+    const double up = rounded->word == place.floor.word ? 0 : 1;
+    const double off =
+        std::fabs(difference(*one.said, rounded->word, rules_.format) + up - place.fraction);
     if (!largest_error_ || off > largest_error_->ulps) largest_error_ = {off, one};
   }
   if (in_range) idioms_.add(one, right);

@@ -16,7 +16,7 @@ namespace fixproof::check {
 struct JudgedCase {
   std::uint64_t number = 0;  ///< from 1, as results are counted
   std::string_view origin;   ///< the stream or the file of the case; must outlive the case
-  std::array<std::uint32_t, 2> words{};
+  std::array<std::uint64_t, 2> words{};
   Said said;
 };
 

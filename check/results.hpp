@@ -7,20 +7,17 @@
 #include <optional>
 #include <string>
 
-#include "check/rules.hpp"
+#include "check/word.hpp"
 
 namespace fixproof::check {
-
-/// Parses 8 lower-case hex digits, or DE for a divide error.
-/// @throws UsageError describing the defect
-Said parse_result(std::string_view line);
 
 /// Results in input order. It skips lines that start with #, and blank lines at the end. A blank
 /// line before a result is an error, because it would shift all later results to the wrong cases.
 class Results {
  public:
   /// @param name the name of the stream in errors
-  Results(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
+  Results(std::istream& in, std::string name, const cases::Format& format)
+      : in_(in), name_(std::move(name)), format_(format) {}
 
   /// Returns the next result; empty at the end.
   /// @throws UsageError naming the line
@@ -32,6 +29,7 @@ class Results {
  private:
   std::istream& in_;
   std::string name_;
+  cases::Format format_;
   std::string text_;
   std::uint64_t line_ = 0;
 };

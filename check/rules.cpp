@@ -1,19 +1,16 @@
 #include "check/rules.hpp"
 
 #include <array>
-#include <stdexcept>
 
+#include "check/exact_ulps.hpp"
 #include "oracle/fast.hpp"
+#include "oracle/format.hpp"
 
 namespace fixproof::check {
 
 namespace {
 
 using oracle::Rounding;
-
-constexpr std::uint32_t highest = 0x7fffffff;
-constexpr std::uint32_t lowest = 0x80000000;
-constexpr std::uint32_t minus_highest = 0x80000001;
 
 constexpr std::array<Rounding, 5> all_roundings{Rounding::half_up, Rounding::half_away,
                                                 Rounding::half_even, Rounding::floor,
@@ -24,19 +21,23 @@ constexpr std::array<Overflow, 6> all_overflow_rules{Overflow::wrap,      Overfl
 constexpr std::array<NoResult, 6> zero_divisor_rules{NoResult::error,     NoResult::saturate,
                                                      NoResult::symmetric, NoResult::maximum,
                                                      NoResult::minimum,   NoResult::zero};
+constexpr std::array<Overflow, 5> unsigned_overflow_rules{
+    Overflow::wrap, Overflow::saturate, Overflow::maximum, Overflow::minimum, Overflow::error};
+constexpr std::array<NoResult, 3> unsigned_divisor_rules{NoResult::error, NoResult::saturate,
+                                                         NoResult::zero};
 constexpr std::array<NoResult, 5> negative_root_rules{
     NoResult::error, NoResult::maximum, NoResult::minimum, NoResult::zero, NoResult::mirror};
 
-Said limit_of(NoResult rule, bool negative) {
+Said limit_of(NoResult rule, const cases::Format& format, bool negative) {
   switch (rule) {
     case NoResult::saturate:
-      return negative ? lowest : highest;
+      return negative ? lowest(format) : highest(format);
     case NoResult::symmetric:
-      return negative ? minus_highest : highest;
+      return negative ? minus_highest(format) : highest(format);
     case NoResult::maximum:
-      return highest;
+      return highest(format);
     case NoResult::minimum:
-      return lowest;
+      return lowest(format);
     case NoResult::zero:
       return 0;
     default:
@@ -44,35 +45,47 @@ Said limit_of(NoResult rule, bool negative) {
   }
 }
 
-Said mirrored_root(std::uint32_t radicand, Rounding rounding) {
-  // The magnitude of 80000000 does not fit a word; its root is 2^23.5 = 11863283.2 ulps.
-  constexpr std::int64_t of_lowest = 11'863'283;
-  const auto root = radicand == lowest ? std::optional(of_lowest)
-                                       : oracle::fast::exact_root(0U - radicand, rounding, 16);
-  // The mirrored root is negative, so floor rounds it away from zero.
-  const bool down = rounding == Rounding::floor;
-  if (!down) return static_cast<std::uint32_t>(-*root);
-  const bool exact = radicand != lowest && *root * *root == std::int64_t{0U - radicand} << 16;
-  return static_cast<std::uint32_t>(-*root - (exact ? 0 : 1));
+/// Minus a root that was rounded down or to nearest. It is negative, so floor rounds it away from
+/// zero unless it is exact.
+template <class Number>
+Number mirrored(const Number& root, const Number& square, Rounding rounding) {
+  const bool away = rounding == Rounding::floor && root * root != square;
+  return away ? -root - 1 : -root;
 }
 
-Said no_result_of(NoResult rule, std::span<const std::uint32_t> words, Rounding rounding) {
-  return rule == NoResult::mirror ? mirrored_root(words[0], rounding)
-                                  : limit_of(rule, is_negative(words[0]));
+Said mirrored_root(std::uint64_t radicand, const cases::Format& format, Rounding rounding) {
+  const std::uint64_t size = magnitude(radicand, format);
+  if (format == cases::q16_16 && radicand != lowest(format)) {
+    const auto root = oracle::fast::exact_root(static_cast<std::uint32_t>(size), rounding, 16);
+    const auto square = static_cast<std::int64_t>(size << 16U);
+    return static_cast<std::uint32_t>(mirrored(*root, square, rounding));
+  }
+  // The magnitude of the lowest word fits only an unsigned word.
+  oracle::Format wide = oracle_format(format);
+  wide.is_signed = false;
+  const auto root = oracle::exact_root(size, rounding, wide);
+  const oracle::Integer square = oracle::Integer(size) << format.fraction_bits;
+  return oracle::wrap(mirrored(*root, square, rounding), wide);
 }
 
-Said overflowed(Overflow rule, std::int64_t ulps) {
+Said no_result_of(NoResult rule, const cases::Format& format, std::span<const std::uint64_t> words,
+                  Rounding rounding) {
+  return rule == NoResult::mirror ? mirrored_root(words[0], format, rounding)
+                                  : limit_of(rule, format, is_negative(words[0], format));
+}
+
+Said overflowed(Overflow rule, const cases::Format& format, const Rounded& rounded) {
   switch (rule) {
     case Overflow::wrap:
-      return static_cast<std::uint32_t>(ulps);
+      return rounded.word;
     case Overflow::saturate:
-      return ulps < 0 ? lowest : highest;
+      return rounded.negative ? lowest(format) : highest(format);
     case Overflow::symmetric:
-      return ulps < 0 ? minus_highest : highest;
+      return rounded.negative ? minus_highest(format) : highest(format);
     case Overflow::maximum:
-      return highest;
+      return highest(format);
     case Overflow::minimum:
-      return lowest;
+      return lowest(format);
     default:
       return std::nullopt;
   }
@@ -116,48 +129,65 @@ std::span<const NoResult> no_result_rules(cases::Operation operation) {
   return {};
 }
 
-std::optional<std::int64_t> rounded_result(cases::Operation operation,
-                                           std::span<const std::uint32_t> words, Rounding rule) {
-  switch (operation) {
-    case cases::Operation::mul:
-      return oracle::fast::exact_product(words[0], words[1], rule, 16);
-    case cases::Operation::div:
-      return oracle::fast::exact_quotient(words[0], words[1], rule, 16);
-    case cases::Operation::sqrt:
-      return oracle::fast::exact_root(words[0], rule, 16);
-    case cases::Operation::add:
-      return oracle::fast::exact_sum(words[0], words[1], 16);
-    case cases::Operation::sub:
-      return oracle::fast::exact_difference(words[0], words[1], 16);
-    default:
-      throw std::invalid_argument("only mul, div, sqrt, add and sub are judged");
+std::span<const Overflow> overflow_rules(const cases::Format& format) {
+  if (!format.is_signed) return unsigned_overflow_rules;
+  return all_overflow_rules;
+}
+std::span<const NoResult> no_result_rules(cases::Operation operation, const cases::Format& format) {
+  if (!can_lack_result(operation, format)) return {};
+  if (!format.is_signed) return unsigned_divisor_rules;
+  return no_result_rules(operation);
+}
+
+std::optional<Rounded> rounded_result(cases::Operation operation, const cases::Format& format,
+                                      std::span<const std::uint64_t> words, Rounding rule) {
+  if (format == cases::q16_16) {
+    const auto ulps = narrow_ulps(operation, words, rule);
+    if (!ulps) return std::nullopt;
+    return narrow_word(*ulps);
   }
+  const auto ulps = exact_ulps(operation, format, words, rule);
+  if (!ulps) return std::nullopt;
+  const oracle::Format wide = oracle_format(format);
+  return Rounded{oracle::wrap(*ulps, wide), oracle::fits(*ulps, wide), *ulps < 0};
 }
 
-bool keeps(Overflow rule, std::int64_t ulps, Said said) {
-  return rule == Overflow::any || said == overflowed(rule, ulps);
+bool keeps(Overflow rule, const cases::Format& format, const Rounded& rounded, Said said) {
+  return rule == Overflow::any || said == overflowed(rule, format, rounded);
 }
 
-bool keeps(NoResult rule, std::span<const std::uint32_t> words, Rounding rounding, Said said) {
+bool keeps(NoResult rule, const cases::Format& format, std::span<const std::uint64_t> words,
+           Rounding rounding, Said said) {
   const bool by_sign = rule == NoResult::saturate || rule == NoResult::symmetric;
   if (rule == NoResult::any || (by_sign && words[0] == 0 && said == 0U)) return true;
-  return said == no_result_of(rule, words, rounding);
+  return said == no_result_of(rule, format, words, rounding);
 }
 
-Expected expected_of(const Rules& rules, std::span<const std::uint32_t> words) {
-  const auto ulps = rounded_result(rules.operation, words, rules.rounding);
-  if (!ulps) {
-    return {rules.no_result != NoResult::any, no_result_of(rules.no_result, words, rules.rounding)};
+Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words) {
+  return expected_of(rules, words,
+                     rounded_result(rules.operation, rules.format, words, rules.rounding));
+}
+
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said) {
+  return keeps(rules, words, rounded_result(rules.operation, rules.format, words, rules.rounding),
+               said);
+}
+
+Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words,
+                     const std::optional<Rounded>& rounded) {
+  if (!rounded) {
+    return {rules.no_result != NoResult::any,
+            no_result_of(rules.no_result, rules.format, words, rules.rounding)};
   }
-  if (fits_word(*ulps)) return {true, static_cast<std::uint32_t>(*ulps)};
-  return {rules.overflow != Overflow::any, overflowed(rules.overflow, *ulps)};
+  if (rounded->fits) return {true, rounded->word};
+  return {rules.overflow != Overflow::any, overflowed(rules.overflow, rules.format, *rounded)};
 }
 
-bool keeps(const Rules& rules, std::span<const std::uint32_t> words, Said said) {
-  const auto ulps = rounded_result(rules.operation, words, rules.rounding);
-  if (!ulps) return keeps(rules.no_result, words, rules.rounding, said);
-  if (fits_word(*ulps)) return said == static_cast<std::uint32_t>(*ulps);
-  return keeps(rules.overflow, *ulps, said);
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words,
+           const std::optional<Rounded>& rounded, Said said) {
+  if (!rounded) return keeps(rules.no_result, rules.format, words, rules.rounding, said);
+  if (rounded->fits) return said == rounded->word;
+  return keeps(rules.overflow, rules.format, *rounded, said);
 }
 
 }  // namespace fixproof::check

@@ -1,5 +1,5 @@
 /// @file
-/// The rounding, overflow and no-result rules that third-party 16.16 arithmetic can follow.
+/// The rounding, overflow and no-result rules that third-party fixed-point arithmetic can follow.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,20 @@
 #include <string_view>
 
 #include "cases/variant.hpp"
+#include "check/word.hpp"
 #include "oracle/rule.hpp"
 
 namespace fixproof::check {
 
-/// A subject's result: a word, or empty for a divide error.
-using Said = std::optional<std::uint32_t>;
-
-/// The result for a rounded value outside -2^31 ... 2^31 - 1 ulps.
+/// The result for a rounded value that does not fit a word. A negative value does not fit an
+/// unsigned word.
 enum class Overflow : std::uint8_t {
   any,        ///< every result is accepted
-  wrap,       ///< modulo 2^32
-  saturate,   ///< 7fffffff; 80000000 if negative
-  symmetric,  ///< 7fffffff; 80000001 if negative
-  maximum,    ///< 7fffffff whatever the sign
-  minimum,    ///< 80000000 whatever the sign
+  wrap,       ///< modulo 2^word_bits
+  saturate,   ///< highest(); lowest() if negative
+  symmetric,  ///< highest(); minus_highest() if negative
+  maximum,    ///< highest() whatever the sign
+  minimum,    ///< lowest() whatever the sign
   error,      ///< DE
 };
 
@@ -31,10 +30,10 @@ enum class Overflow : std::uint8_t {
 enum class NoResult : std::uint8_t {
   any,        ///< every result is accepted
   error,      ///< DE
-  saturate,   ///< 7fffffff; 80000000 if negative
-  symmetric,  ///< 7fffffff; 80000001 if negative
-  maximum,    ///< 7fffffff whatever the sign
-  minimum,    ///< 80000000 whatever the sign
+  saturate,   ///< highest(); lowest() if negative
+  symmetric,  ///< highest(); minus_highest() if negative
+  maximum,    ///< highest() whatever the sign
+  minimum,    ///< lowest() whatever the sign
   zero,       ///< 0
   mirror,     ///< roots only: minus the root of the magnitude, in the subject's rounding
 };
@@ -44,6 +43,7 @@ struct Rules {
   oracle::Rounding rounding = oracle::Rounding::half_up;
   Overflow overflow = Overflow::wrap;
   NoResult no_result = NoResult::error;
+  cases::Format format{};
 };
 
 constexpr bool is_judged(cases::Operation operation) {
@@ -57,6 +57,19 @@ constexpr bool is_rounded(cases::Operation operation) {
   return operation != cases::Operation::add && operation != cases::Operation::sub;
 }
 
+/// Tells whether a result can lie outside the range of words. A root does if a signed word has no
+/// bit before the point: sqrt(0.49) in q0_8.
+constexpr bool can_overflow(cases::Operation operation, const cases::Format& format) {
+  return operation != cases::Operation::sqrt ||
+         (format.is_signed && format.fraction_bits == format.word_bits);
+}
+
+/// Tells whether some operands have no result: a zero divisor, or a negative radicand.
+constexpr bool can_lack_result(cases::Operation operation, const cases::Format& format) {
+  return operation == cases::Operation::div ||
+         (operation == cases::Operation::sqrt && format.is_signed);
+}
+
 /// The names on the command line.
 std::string_view name_of(oracle::Rounding rule);
 std::string_view name_of(Overflow rule);
@@ -64,40 +77,44 @@ std::string_view name_of(NoResult rule);
 
 /// Every rounding, for options and for guesses.
 std::span<const oracle::Rounding> roundings();
-/// Every overflow rule except `any`.
+/// Every overflow rule except `any`, for options.
 std::span<const Overflow> overflow_rules();
-/// Every rule except `any` that applies to the operation; empty if it has a result for all
-/// operands.
+/// Every rule except `any` that applies to the operation, for options; empty if it has a result for
+/// all operands.
 std::span<const NoResult> no_result_rules(cases::Operation operation);
+/// Those that differ in the format, for guesses. An unsigned word has no sign to decide by.
+std::span<const Overflow> overflow_rules(const cases::Format& format);
+std::span<const NoResult> no_result_rules(cases::Operation operation, const cases::Format& format);
 
-/// The rounded result in ulps before overflow handling; empty for x / 0 and negative radicands.
-std::optional<std::int64_t> rounded_result(cases::Operation operation,
-                                           std::span<const std::uint32_t> words,
-                                           oracle::Rounding rule);
-
-constexpr bool fits_word(std::int64_t ulps) {
-  return ulps >= -(std::int64_t{1} << 31) && ulps < (std::int64_t{1} << 31);
-}
-
-constexpr bool is_negative(std::uint32_t word) { return word >> 31U != 0; }
-constexpr std::uint32_t magnitude(std::uint32_t word) {
-  return is_negative(word) ? 0U - word : word;
-}
+/// A rounded result before overflow handling.
+struct Rounded {
+  std::uint64_t word = 0;  ///< modulo 2^word_bits
+  bool fits = true;
+  bool negative = false;
+};
+/// The rounded result; empty for x / 0 and negative radicands.
+std::optional<Rounded> rounded_result(cases::Operation operation, const cases::Format& format,
+                                      std::span<const std::uint64_t> words, oracle::Rounding rule);
 
 /// Tells whether `said` is the rule's result for an overflow.
-bool keeps(Overflow rule, std::int64_t ulps, Said said);
+bool keeps(Overflow rule, const cases::Format& format, const Rounded& rounded, Said said);
 
 /// Tells whether `said` is the rule's result for operands without one; `rounding` is the subject's.
-bool keeps(NoResult rule, std::span<const std::uint32_t> words, oracle::Rounding rounding,
-           Said said);
+bool keeps(NoResult rule, const cases::Format& format, std::span<const std::uint64_t> words,
+           oracle::Rounding rounding, Said said);
 
 /// The expected result of a case. `judged` is false if the rules accept every result.
 struct Expected {
   bool judged = true;
   Said said;
 };
-Expected expected_of(const Rules& rules, std::span<const std::uint32_t> words);
+Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words);
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said);
 
-bool keeps(const Rules& rules, std::span<const std::uint32_t> words, Said said);
+/// The same, given the rounded result of the case.
+Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words,
+                     const std::optional<Rounded>& rounded);
+bool keeps(const Rules& rules, std::span<const std::uint64_t> words,
+           const std::optional<Rounded>& rounded, Said said);
 
 }  // namespace fixproof::check

@@ -15,11 +15,12 @@ namespace fixproof::check {
 
 /// A judged case with all that traits depend on.
 struct TraitCase {
-  std::array<std::uint32_t, 2> words{};
+  std::array<std::uint64_t, 2> words{};
   ExactPlace place;
   CaseKind kind = CaseKind::exact;
   Said expected;
   Said said;
+  cases::Format format{};
 };
 
 /// Bit i is set if trait i holds.
@@ -35,7 +36,8 @@ std::size_t case_trait_count();
 TraitSet case_traits(cases::Operation operation, const TraitCase& of);
 About about(std::size_t case_trait);
 /// Completes "every wrong case": `has divisor 80000000`, `is an exact tie`.
-std::string case_trait_text(cases::Operation operation, std::size_t case_trait);
+std::string case_trait_text(cases::Operation operation, const cases::Format& format,
+                            std::size_t case_trait);
 
 /// The name of an operand with its article: `a divisor`. `either` is `an operand`.
 std::string_view noun_of(cases::Operation operation, About operand);
@@ -44,6 +46,6 @@ std::string_view noun_of(cases::Operation operation, About operand);
 TraitSet result_traits(const TraitCase& of);
 std::size_t result_trait_count();
 /// Completes "every wrong result": `is 1 ulp too low`.
-std::string_view result_trait_text(std::size_t result_trait);
+std::string result_trait_text(const cases::Format& format, std::size_t result_trait);
 
 }  // namespace fixproof::check

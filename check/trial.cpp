@@ -28,23 +28,26 @@ BestRules best_of(std::span<const RuleScore> scores) {
 
 }  // namespace
 
-RuleTrial::RuleTrial(cases::Operation operation) : operation_(operation) {}
+RuleTrial::RuleTrial(cases::Operation operation, const cases::Format& format)
+    : operation_(operation), format_(format) {}
 
 void RuleTrial::add(const JudgedCase& one, bool negative) {
+  const auto overflows = overflow_rules(format_);
+  const auto no_results = no_result_rules(operation_, format_);
   for (std::size_t r = 0; r < rounding_count; ++r) {
     const oracle::Rounding rounding = roundings()[r];
-    const auto ulps = rounded_result(operation_, one.words, rounding);
-    if (!ulps) {
-      const auto rules = no_result_rules(operation_);
-      for (std::size_t i = 0; i < rules.size(); ++i) {
-        score(no_results_.at(r).at(i), keeps(rules[i], one.words, rounding, one.said), one,
-              negative);
+    const auto rounded = rounded_result(operation_, format_, one.words, rounding);
+    if (!rounded) {
+      for (std::size_t i = 0; i < no_results.size(); ++i) {
+        score(no_results_.at(r).at(i), keeps(no_results[i], format_, one.words, rounding, one.said),
+              one, negative);
       }
-    } else if (fits_word(*ulps)) {
-      score(in_range_.at(r), one.said == static_cast<std::uint32_t>(*ulps), one, negative);
+    } else if (rounded->fits) {
+      score(in_range_.at(r), one.said == rounded->word, one, negative);
     } else {
-      for (std::size_t i = 0; i < overflow_count; ++i) {
-        score(overflows_.at(r).at(i), keeps(overflow_rules()[i], *ulps, one.said), one, negative);
+      for (std::size_t i = 0; i < overflows.size(); ++i) {
+        score(overflows_.at(r).at(i), keeps(overflows[i], format_, *rounded, one.said), one,
+              negative);
       }
     }
   }
@@ -53,11 +56,12 @@ void RuleTrial::add(const JudgedCase& one, bool negative) {
 BestRules RuleTrial::rounding() const { return best_of(in_range_); }
 
 BestRules RuleTrial::overflow(std::size_t rounding) const {
-  return best_of(overflows_.at(rounding));
+  return best_of(std::span(overflows_.at(rounding)).first(overflow_rules(format_).size()));
 }
 
 BestRules RuleTrial::no_result(std::size_t rounding) const {
-  return best_of(std::span(no_results_.at(rounding)).first(no_result_rules(operation_).size()));
+  return best_of(
+      std::span(no_results_.at(rounding)).first(no_result_rules(operation_, format_).size()));
 }
 
 }  // namespace fixproof::check

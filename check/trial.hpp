@@ -25,16 +25,17 @@ struct BestRules {
 
 class RuleTrial {
  public:
-  explicit RuleTrial(cases::Operation operation);
+  RuleTrial(cases::Operation operation, const cases::Format& format);
 
   /// Adds a case. `negative` tells whether the exact result exists and is below 0.
   void add(const JudgedCase& one, bool negative);
 
   /// Returns the best of roundings(), judged on rounded results that fit a word.
   [[nodiscard]] BestRules rounding() const;
-  /// Returns the best of overflow_rules(), judged on overflows under roundings()[rounding].
+  /// Returns the best of overflow_rules() of the format, judged on overflows under
+  /// roundings()[rounding].
   [[nodiscard]] BestRules overflow(std::size_t rounding) const;
-  /// Returns the best of no_result_rules(), which must not be empty.
+  /// Returns the best of no_result_rules() of the format, which must not be empty.
   [[nodiscard]] BestRules no_result(std::size_t rounding) const;
 
  private:
@@ -43,6 +44,7 @@ class RuleTrial {
   static constexpr std::size_t max_no_result_count = 6;
 
   cases::Operation operation_;
+  cases::Format format_;
   std::array<RuleScore, rounding_count> in_range_;
   std::array<std::array<RuleScore, overflow_count>, rounding_count> overflows_;
   std::array<std::array<RuleScore, max_no_result_count>, rounding_count> no_results_;

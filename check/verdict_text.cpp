@@ -6,7 +6,6 @@
 #include <span>
 #include <string_view>
 
-#include "cases/words.hpp"
 #include "check/guess_text.hpp"
 #include "support/plain_text.hpp"
 
@@ -14,8 +13,8 @@ namespace fixproof::check {
 
 namespace {
 
-std::string text_of_said(Said said) {
-  return said ? cases::hex_words(std::span(&*said, 1), 32) : std::string("DE");
+std::string text_of_said(Said said, const cases::Format& format) {
+  return said ? hex_text(*said, format) : std::string("DE");
 }
 
 std::string table_line(std::string_view name, KindTally all, KindTally negative) {
@@ -67,21 +66,26 @@ std::string common_text(const Judge& judge) {
 }  // namespace
 
 std::string text_of(const JudgedCase& one, const Rules& rules) {
-  const std::size_t arity = cases::words_in(rules.operation);
-  const auto words = std::span(one.words).first(arity);
-  const cases::Variant variant{.operation = rules.operation,
-                               .build = {.target = cases::Target::standard}};
+  const cases::Operation operation = rules.operation;
+  const cases::Format& format = rules.format;
+  const auto words = std::span(one.words).first(cases::words_in(operation));
   const Expected expected = expected_of(rules, words);
-  const ExactPlace place = exact_place(rules.operation, words);
-  const auto ulps = rounded_result(rules.operation, words, rules.rounding);
-  const CaseKind kind = place.kind(ulps && !fits_word(*ulps));
+  const ExactPlace place = exact_place(operation, format, words);
+  const auto rounded = rounded_result(operation, format, words, rules.rounding);
+  const CaseKind kind = place.kind(rounded && !rounded->fits);
+  std::string hex;
+  std::string decimal;
+  for (const std::uint64_t word : words) {
+    const std::string_view space = hex.empty() ? "" : " ";
+    hex += fmt::format("{}{}", space, hex_text(word, format));
+    decimal += fmt::format("{}{}", space, decimal_text(word, format));
+  }
   std::string text = fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number),
-                                 support::printable(one.origin), cases::hex_words(words, 32),
-                                 cases::decimal_words(variant, words));
-  if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said));
-  text += fmt::format("{} said; ", text_of_said(one.said));
-  if (place.has_result) text += fmt::format("exact {} ulp, ", place.text());
-  return text + std::string(name_of(kind, rules.operation));
+                                 support::printable(one.origin), hex, decimal);
+  if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said, format));
+  text += fmt::format("{} said; ", text_of_said(one.said, format));
+  if (place.has_result) text += fmt::format("exact {} ulp, ", exact_text(operation, format, words));
+  return text + std::string(name_of(kind, operation));
 }
 
 std::string verdict_text(const Judge& judge) {

@@ -25,6 +25,7 @@ namespace {
 
 struct CheckOptions {
   std::string operation;
+  std::string format = "q16_16";
   std::string rounding;
   std::string overflow = "wrap";
   std::string divide_by_zero = "de";
@@ -57,6 +58,7 @@ check::Rules rules_of(const CheckOptions& options) {
     throw support::UsageError(
         fmt::format("check {}: choose mul, div, sqrt, add or sub", options.operation));
   }
+  rules.format = cases::format_named(options.format);
   if (check::is_rounded(rules.operation)) {
     if (options.rounding.empty()) {
       throw support::UsageError(
@@ -81,15 +83,16 @@ check::Rules rules_of(const CheckOptions& options) {
 std::string heading(const check::Rules& rules, const std::string& cases) {
   const bool rounded = check::is_rounded(rules.operation);
   std::string text =
-      fmt::format("{}: {}", cases::name_of(rules.operation),
+      fmt::format("{}{}: {}", cases::name_of(rules.operation),
+                  rules.format == cases::q16_16 ? "" : " " + cases::name_of(rules.format),
                   rounded ? check::name_of(rules.rounding) : std::string_view("exact"));
-  if (rules.operation != cases::Operation::sqrt) {
+  if (check::can_overflow(rules.operation, rules.format)) {
     text += fmt::format(", overflow {}", check::name_of(rules.overflow));
   }
   if (rules.operation == cases::Operation::div) {
     text += fmt::format(", divide by zero {}", check::name_of(rules.no_result));
   }
-  if (rules.operation == cases::Operation::sqrt) {
+  if (rules.operation == cases::Operation::sqrt && rules.format.is_signed) {
     text += fmt::format(", negative root {}", check::name_of(rules.no_result));
   }
   return text + fmt::format("; cases of {}\n\n", cases);
@@ -100,10 +103,12 @@ std::string heading(const check::Rules& rules, const std::string& cases) {
 void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& judge) {
   const support::Interrupt interrupt;
   support::FrameProgress progress(cases.count().value_or(1), "cases");
+  const cases::Format& format = judge.rules().format;
   const auto arity = cases::words_in(judge.rules().operation);
   check::JudgedCase one;
-  const auto words = std::span(one.words).first(arity);
-  while (!support::Interrupt::flag() && cases.next(words)) {
+  std::array<std::uint32_t, 4> room{};
+  const auto parts = std::span(room).first(arity * cases::words_per_number(format));
+  while (!support::Interrupt::flag() && cases.next(parts)) {
     const auto said = results.next();
     if (support::Interrupt::flag()) return;
     if (!said) {
@@ -112,6 +117,7 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
           results.name(), support::grouped(judge.cases()), judge.cases() == 1 ? "" : "s",
           cases.count() ? support::grouped(*cases.count()) : "more"));
     }
+    check::join_words(parts, format, std::span(one.words).first(arity));
     ++one.number;
     one.origin = cases.origin();
     one.said = *said;
@@ -126,25 +132,27 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
 }
 
 /// Rejects options that have no effect on the operation, because they are probably mistakes.
-void refuse_idle_options(const CLI::App& command, cases::Operation operation) {
+void refuse_idle_options(const CLI::App& command, cases::Operation operation,
+                         const cases::Format& format) {
   const auto refuse = [&command](const char* option, bool applies, std::string_view operations) {
     if (applies || command.count(option) == 0) return;
     throw support::UsageError(
         fmt::format("{} applies only to {}; leave it out", option, operations));
   };
   refuse("--rounding", check::is_rounded(operation), "mul, div and sqrt");
-  refuse("--overflow", operation != cases::Operation::sqrt, "mul, div, add and sub");
+  refuse("--overflow", check::can_overflow(operation, format), "mul, div, add and sub");
   refuse("--divide-by-zero", operation == cases::Operation::div, "div");
-  refuse("--negative-root", operation == cases::Operation::sqrt, "sqrt");
+  refuse("--negative-root", operation == cases::Operation::sqrt && format.is_signed,
+         "sqrt of a signed format");
 }
 
 int check(const CheckOptions& options) {
   const check::Rules rules = rules_of(options);
   std::unique_ptr<check::CaseSource> cases;
   if (options.from.empty()) {
-    cases = std::make_unique<check::GeneratedCases>(rules.operation, options.cases);
+    cases = std::make_unique<check::GeneratedCases>(rules.operation, options.cases, rules.format);
   } else {
-    cases = std::make_unique<check::FileCases>(rules.operation, options.from);
+    cases = std::make_unique<check::FileCases>(rules.operation, options.from, rules.format);
   }
   std::ifstream file;
   if (!options.results.empty()) {
@@ -159,7 +167,8 @@ int check(const CheckOptions& options) {
     }
   }
   const bool piped = options.results.empty();
-  check::Results results(piped ? std::cin : file, piped ? "standard input" : options.results);
+  check::Results results(piped ? std::cin : file, piped ? "standard input" : options.results,
+                         rules.format);
   check::Judge judge(rules, options.shown);
   std::string failure;
   try {
@@ -169,8 +178,9 @@ int check(const CheckOptions& options) {
   }
   // Show the verdict on the results judged so far, even after an error.
   if (judge.cases() > 0) {
-    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(rules.operation)
-                                                     : support::printable(options.from))
+    std::cout << heading(rules, options.from.empty()
+                                    ? options.cases.command_line(rules.operation, rules.format)
+                                    : support::printable(options.from))
               << check::verdict_text(judge);
   }
   if (support::Interrupt::flag()) {
@@ -189,6 +199,11 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   command.add_option("operation", options.operation, "mul, div, sqrt, add or sub")->required();
   command.add_option("results", options.results, "file of results; by default standard input")
       ->check(not_empty());
+  command
+      .add_option("--format", options.format,
+                  "format of the words: qW_F signed or uW_F unsigned, with W bits before the point "
+                  "and F after it, 8, 16, 32 or 64 in all")
+      ->capture_default_str();
   command.add_option("--rounding", options.rounding,
                      "expected rounding: half-up, half-away, half-even, floor or toward-zero; "
                      "required for mul, div and sqrt");
@@ -228,12 +243,14 @@ void add_check(CLI::App& app, int& status) {
   add_check_options(*command, *options);
   command->footer(
       R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
-hex digits (no 0x), or DE for a divide error. Give check the same --level, --seed, --shard and
---cases as gen, so that both have the same cases. With --from it reads your own cases. It skips
+hex digits (no 0x), or DE for a divide error; 2, 4 or 16 digits in a --format of 8, 16 or 64 bits.
+Give check the same --format, --level, --seed, --shard and --cases as gen, so that both have the
+same cases. With --from it reads your own cases. It skips
 lines that start with #, in results and in cases.
 
 --overflow, --divide-by-zero and --negative-root say what to expect if the result does not fit a
-word or does not exist:
+word or does not exist. The words are those of 16.16; another --format has its own highest and
+lowest, and an unsigned one saturates a negative difference to 0:
   wrap        modulo 2^32
   saturate    7fffffff, or 80000000 if negative
   symmetric   7fffffff, or 80000001 if negative
@@ -253,10 +270,12 @@ Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 -o cases && ./mine < cases > results
   fixproof check div results --level 2 --rounding toward-zero --overflow saturate
+  fixproof gen mul --format q1_15 | ./mine | fixproof check mul --format q1_15 --rounding floor
   fixproof gen add | ./mine | fixproof check add --overflow saturate
   ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
   command->callback([options, command, &status] {
-    refuse_idle_options(*command, cases::operation_named(options->operation));
+    refuse_idle_options(*command, cases::operation_named(options->operation),
+                        cases::format_named(options->format));
     status = check(*options);
   });
 }

@@ -123,7 +123,7 @@ std::optional<bool> all_correct(cases::Operation operation, const std::string& c
   const fuzz::MemoryFile file(cases);
   check::FileCases source(operation, file.path());
   std::istringstream in(results);
-  check::Results said(in, "results");
+  check::Results said(in, "results", cases::q16_16);
   std::array<std::uint32_t, 2> words{};
   const auto one_case = std::span(words).first(cases::words_in(operation));
   bool all = true;

@@ -118,6 +118,49 @@ TEST(CheckCommand, LinesThatAreNoResults) {
                      "lower-case hex digits, or DE for a divide error");
 }
 
+TEST(CheckCommand, ResultsOfOtherFormats) {
+  const ScratchFolder folder;
+  const auto judge = [&folder](std::string_view format, std::string_view one_case,
+                               std::string_view result) {
+    return command::fixproof(fmt::format("check mul --format {} --rounding half-up --from {}",
+                                         format, folder.write("cases", one_case)),
+                             result);
+  };
+  // 1.5 * 2.25 is 3.375.
+  const auto right = judge("q32_32", "0000000180000000 0000000240000000\n", "0000000360000000\n");
+  EXPECT_EQ(right.status, 0) << right.err;
+  expect_contains(right.out, "mul q32_32: half-up, overflow wrap");
+  EXPECT_EQ(judge("u8_8", "0180 0240\n", "0361\n").status, 1);
+  expect_usage_error(
+      judge("u8_8", "0180 0240\n", "00000360\n"),
+      "line 1: '00000360' has 8 hex digits instead of 4; a result is 4 lower-case hex "
+      "digits, or DE for a divide error");
+  expect_usage_error(judge("q9_8", "0180 0240\n", "0360\n"), "q9_8: no format");
+  expect_refused("check sqrt --format u8_8 --rounding floor --negative-root zero",
+                 "--negative-root applies only to sqrt of a signed format");
+}
+
+// A user's Q15 multiply, which saturates but does not round.
+TEST(CheckCommand, AFractionalMultiplyOfAnotherProgram) {
+  const auto cases = command::fixproof("gen mul --format q1_15 --cases 20000");
+  std::string results;
+  std::istringstream lines(cases.out);
+  for (std::string line; std::getline(lines, line);) {
+    const auto word = [&line](std::size_t at) {
+      const long bits = std::stol(line.substr(at, 4), nullptr, 16);
+      return bits < 0x8000 ? bits : bits - 0x10000;
+    };
+    const long shifted = std::min(word(0) * word(5) >> 15, 0x7fffL);
+    results += fmt::format("{:04x}\n", shifted & 0xffff);
+  }
+  const auto run = command::fixproof(
+      "check mul --format q1_15 --cases 20000 --rounding half-up --overflow saturate", results);
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out, "every wrong result is 1 ulp too low: all ");
+  expect_contains(run.out, "rounding         floor on all ");
+  expect_contains(run.out, "looks like       (int32_t)a * b >> 15, on all ");
+}
+
 TEST(CheckCommand, LinesThatAreNoCases) {
   const ScratchFolder folder;
   const auto cases = folder.write("cases", "# comment\n00018000\n");

@@ -29,7 +29,9 @@ inline Judge judged(const Rules& rules, const SubjectFunction& subject) {
   Judge judge(rules, 3);
   fixproof::check::JudgedCase one;
   const auto words = std::span(one.words).first(fixproof::cases::words_in(rules.operation));
-  while (cases.next(words)) {
+  std::array<std::uint32_t, 2> parts{};
+  while (cases.next(std::span(parts).first(words.size()))) {
+    fixproof::check::join_words(parts, rules.format, words);
     ++one.number;
     one.origin = "stream";
     one.said =

@@ -11,12 +11,12 @@ using fixproof::check::Overflow;
 using fixproof::check::Rules;
 using fixproof::check::Said;
 using oracle::Rounding;
-using Words = std::vector<std::uint32_t>;
+using Operands = std::vector<std::uint64_t>;
 
 constexpr std::uint32_t minus_one_ulp = 0xffffffff;
 constexpr std::uint32_t half = 0x8000;
 
-Said expected_word(const Rules& rules, const Words& words) {
+Said expected_word(const Rules& rules, const Operands& words) {
   const auto expected = fixproof::check::expected_of(rules, words);
   EXPECT_TRUE(expected.judged);
   return expected.said;
@@ -24,7 +24,7 @@ Said expected_word(const Rules& rules, const Words& words) {
 
 TEST(CheckRules, ProductsByEveryRounding) {
   // -1.5 ulps: -3 ulps * 0.5.
-  const Words words{0xfffffffd, half};
+  const Operands words{0xfffffffd, half};
   const auto product = [&](Rounding rounding) {
     return expected_word({.operation = Operation::mul, .rounding = rounding}, words);
   };
@@ -37,7 +37,7 @@ TEST(CheckRules, ProductsByEveryRounding) {
 
 TEST(CheckRules, QuotientsByEveryRounding) {
   // -1 / 131072 is -0.5 ulp.
-  const Words words{minus_one_ulp, 0x20000};
+  const Operands words{minus_one_ulp, 0x20000};
   const auto quotient = [&](Rounding rounding) {
     return expected_word({.operation = Operation::div, .rounding = rounding}, words);
   };
@@ -49,15 +49,15 @@ TEST(CheckRules, QuotientsByEveryRounding) {
 }
 
 TEST(CheckRules, SumsAndDifferences) {
-  const Words ends{0x7fffffff, minus_one_ulp};
-  const auto result = [&](Operation operation, Overflow overflow, const Words& words) {
+  const Operands ends{0x7fffffff, minus_one_ulp};
+  const auto result = [&](Operation operation, Overflow overflow, const Operands& words) {
     return expected_word({.operation = operation, .overflow = overflow}, words);
   };
   EXPECT_EQ(result(Operation::add, Overflow::saturate, ends), 0x7ffffffeU);
   EXPECT_EQ(result(Operation::sub, Overflow::saturate, ends), 0x7fffffffU);
   EXPECT_EQ(result(Operation::sub, Overflow::wrap, ends), 0x80000000U);
   EXPECT_EQ(result(Operation::sub, Overflow::error, ends), Said());
-  const Words lowest_twice{0x80000000, 0x80000000};
+  const Operands lowest_twice{0x80000000, 0x80000000};
   EXPECT_EQ(result(Operation::add, Overflow::wrap, lowest_twice), 0U);
   EXPECT_EQ(result(Operation::add, Overflow::symmetric, lowest_twice), 0x80000001U);
   EXPECT_EQ(result(Operation::sub, Overflow::symmetric, lowest_twice), 0U);
@@ -76,9 +76,9 @@ TEST(CheckRules, RootsToNearestAndDown) {
 
 TEST(CheckRules, OverflowByEveryRule) {
   // 256 * 128 is 2^31 ulps, the smallest overflow. -256 * 128.5 is just below the other end.
-  const Words above{0x1000000, 0x800000};
-  const Words below{0xff000000, 0x808000};
-  const auto said = [](Overflow overflow, const Words& words) {
+  const Operands above{0x1000000, 0x800000};
+  const Operands below{0xff000000, 0x808000};
+  const auto said = [](Overflow overflow, const Operands& words) {
     return expected_word({.operation = Operation::mul, .overflow = overflow}, words);
   };
   EXPECT_EQ(said(Overflow::wrap, above), 0x80000000);
@@ -101,9 +101,9 @@ TEST(CheckRules, TheLastResultThatFits) {
 }
 
 TEST(CheckRules, ZeroDivisorsByEveryRule) {
-  const Words positive{0x10000, 0};
-  const Words negative{0xffff0000, 0};
-  const auto said = [](NoResult rule, const Words& words) {
+  const Operands positive{0x10000, 0};
+  const Operands negative{0xffff0000, 0};
+  const auto said = [](NoResult rule, const Operands& words) {
     return expected_word({.operation = Operation::div, .no_result = rule}, words);
   };
   EXPECT_EQ(said(NoResult::error, positive), std::nullopt);
@@ -116,7 +116,7 @@ TEST(CheckRules, ZeroDivisorsByEveryRule) {
 }
 
 TEST(CheckRules, ZeroByZeroMayBeZeroWhereTheSignDecides) {
-  const Words words{0, 0};
+  const Operands words{0, 0};
   const auto keeps = [&](NoResult rule, Said said) {
     return fixproof::check::keeps(Rules{.operation = Operation::div, .no_result = rule}, words,
                                   said);
@@ -136,22 +136,22 @@ TEST(CheckRules, RootsOfNegativeNumbers) {
   };
   EXPECT_EQ(said(NoResult::zero, Rounding::half_up, minus_one_ulp), 0U);
   EXPECT_EQ(said(NoResult::error, Rounding::half_up, minus_one_ulp), std::nullopt);
-  EXPECT_EQ(said(NoResult::mirror, Rounding::half_up, 0xfffe0000), 0U - 92682U);
-  EXPECT_EQ(said(NoResult::mirror, Rounding::truncate, 0xfffe0000), 0U - 92681U);
-  EXPECT_EQ(said(NoResult::mirror, Rounding::floor, 0xfffe0000), 0U - 92682U);
+  EXPECT_EQ(said(NoResult::mirror, Rounding::half_up, 0xfffe0000), 0x100000000 - 92682U);
+  EXPECT_EQ(said(NoResult::mirror, Rounding::truncate, 0xfffe0000), 0x100000000 - 92681U);
+  EXPECT_EQ(said(NoResult::mirror, Rounding::floor, 0xfffe0000), 0x100000000 - 92682U);
   // -4.0 has an exact root.
   EXPECT_EQ(said(NoResult::mirror, Rounding::floor, 0xfffc0000), 0xfffe0000);
   // 2^23.5 is 11863283.20.
-  EXPECT_EQ(said(NoResult::mirror, Rounding::half_up, 0x80000000), 0U - 11863283U);
+  EXPECT_EQ(said(NoResult::mirror, Rounding::half_up, 0x80000000), 0x100000000 - 11863283U);
 }
 
 TEST(CheckRules, AnythingIsAcceptedWhereAskedFor) {
   const Rules rules{
       .operation = Operation::div, .overflow = Overflow::any, .no_result = NoResult::any};
   for (const Said said : {Said(), Said(7U), Said(0x80000000)}) {
-    EXPECT_TRUE(fixproof::check::keeps(rules, Words{0x10000, 0}, said));
-    EXPECT_TRUE(fixproof::check::keeps(rules, Words{0x7fffffff, 1}, said));
-    EXPECT_FALSE(fixproof::check::keeps(rules, Words{0x10000, 0x10000}, said));
+    EXPECT_TRUE(fixproof::check::keeps(rules, Operands{0x10000, 0}, said));
+    EXPECT_TRUE(fixproof::check::keeps(rules, Operands{0x7fffffff, 1}, said));
+    EXPECT_FALSE(fixproof::check::keeps(rules, Operands{0x10000, 0x10000}, said));
   }
 }
 

@@ -1,0 +1,28 @@
+#include "check/exact_ulps.hpp"
+
+#include "check/word.hpp"
+#include "oracle/format.hpp"
+
+namespace fixproof::check {
+
+std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const cases::Format& format,
+                                          std::span<const std::uint64_t> words,
+                                          oracle::Rounding rule) {
+  const oracle::Format wide = oracle_format(format);
+  switch (operation) {
+    case cases::Operation::mul:
+      return oracle::exact_product(words[0], words[1], rule, wide);
+    case cases::Operation::div:
+      return oracle::exact_quotient(words[0], words[1], rule, wide);
+    case cases::Operation::sqrt:
+      return oracle::exact_root(words[0], rule, wide);
+    case cases::Operation::add:
+      return oracle::ulps(words[0], wide) + oracle::ulps(words[1], wide);
+    case cases::Operation::sub:
+      return oracle::ulps(words[0], wide) - oracle::ulps(words[1], wide);
+    default:
+      refuse_operation();
+  }
+}
+
+}  // namespace fixproof::check

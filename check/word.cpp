@@ -1,0 +1,74 @@
+#include "check/word.hpp"
+
+#include <fmt/format.h>
+
+#include "cases/variant.hpp"
+#include "oracle/format.hpp"
+#include "oracle/unbounded.hpp"
+#include "support/hex.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::check {
+
+namespace {
+
+constexpr std::size_t digits_of(const cases::Format& format) {
+  return static_cast<std::size_t>(format.word_bits / 4);
+}
+
+/// The fewest places that distinguish all words: the smallest p with 10^p >= 2^fraction_bits.
+int places_of(const oracle::Integer& one) {
+  int places = 0;
+  for (oracle::Integer power = 1; power < one; power *= 10) ++places;
+  return places;
+}
+
+}  // namespace
+
+oracle::Format oracle_format(const cases::Format& format) {
+  return {format.word_bits, format.fraction_bits, format.is_signed};
+}
+
+void join_words(std::span<const std::uint32_t> parts, const cases::Format& format,
+                std::span<std::uint64_t> words) {
+  const std::size_t count = cases::words_per_number(format);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = parts[count * i];
+    if (count == 2) words[i] |= std::uint64_t{parts[2 * i + 1]} << 32U;
+  }
+}
+
+std::string hex_text(std::uint64_t word, const cases::Format& format) {
+  return fmt::format("{:0{}x}", word, digits_of(format));
+}
+
+std::string decimal_text(std::uint64_t word, const cases::Format& format) {
+  const oracle::Integer ulps = oracle::ulps(word, oracle_format(format));
+  const oracle::Integer one = oracle::Integer(1) << format.fraction_bits;
+  const int places = places_of(one);
+  oracle::Integer scale = 1;
+  for (int i = 0; i < places; ++i) scale *= 10;
+  const oracle::Integer value =
+      oracle::rounded(abs(ulps) * scale, one, oracle::Rounding::half_even);
+  const oracle::Integer whole = value / scale;
+  std::string fraction = (scale + value % scale).str().substr(1);
+  fraction.erase(fraction.find_last_not_of('0') + 1);
+  return fmt::format("{}{}{}{}", ulps < 0 ? "-" : "", whole.str(), fraction.empty() ? "" : ".",
+                     fraction);
+}
+
+std::string result_format(const cases::Format& format) {
+  return fmt::format("a result is {} lower-case hex digits, or DE for a divide error",
+                     digits_of(format));
+}
+
+Said parse_result(std::string_view line, const cases::Format& format) {
+  if (line == "DE") return std::nullopt;
+  try {
+    return support::parse_long_hex(line, digits_of(format));
+  } catch (const support::UsageError& error) {
+    throw support::UsageError(fmt::format("{}; {}", error.what(), result_format(format)));
+  }
+}
+
+}  // namespace fixproof::check
