@@ -40,7 +40,7 @@ Exact<Number> exact_of(Operation operation, const Number& a, const Number& b, co
 }
 
 template <class Number>
-double fraction_of(const Exact<Number>& exact) {
+double above_floor(const Exact<Number>& exact) {
   if (exact.part == 0) return 0;
   const auto part = static_cast<double>(exact.part);
   const auto floor = static_cast<double>(exact.floor);
@@ -61,7 +61,7 @@ template <class Number>
 void fill(ExactPlace& place, const Exact<Number>& exact) {
   place.exact = exact.part == 0;
   place.tie = !place.exact && exact.part == exact.whole - exact.part;
-  place.fraction = fraction_of(exact);
+  place.fraction = above_floor(exact);
 }
 
 /// Returns the exact result, which must exist, in integers of any size.
@@ -110,7 +110,7 @@ std::string exact_text(Operation operation, const cases::Format& format,
   const auto [floor, part, whole] = wide_exact(operation, format, words);
   if (part == 0) return floor.str();
   if (whole == 0) {
-    return fmt::format("{} + {:.5f}", floor.str(), fraction_of<Integer>({floor, part, whole}));
+    return fmt::format("{} + {:.5f}", floor.str(), above_floor<Integer>({floor, part, whole}));
   }
   const Integer common = gcd(part, whole);
   return fmt::format("{} + {}/{}", floor.str(), (part / common).str(), (whole / common).str());

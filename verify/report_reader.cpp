@@ -47,11 +47,19 @@ bool is_second(const Document& json, const Value& first, const Value& second) {
   return is;
 }
 
-std::vector<std::uint32_t> words_in_text(std::string_view text) {
+/// Reads numbers in hex. One of 64 bits is stored in two words, the low half first.
+std::vector<std::uint32_t> words_in_text(std::string_view text, const cases::Format& format) {
   std::vector<std::uint32_t> words;
   while (!text.empty()) {
     const auto space = std::min(text.find(' '), text.size());
-    words.push_back(integer_in<std::uint32_t>(text.substr(0, space), 16, "word"));
+    const std::string_view number = text.substr(0, space);
+    if (cases::words_per_number(format) == 2) {
+      const auto both = integer_in<std::uint64_t>(number, 16, "word");
+      words.push_back(static_cast<std::uint32_t>(both));
+      words.push_back(static_cast<std::uint32_t>(both >> 32U));
+    } else {
+      words.push_back(integer_in<std::uint32_t>(number, 16, "word"));
+    }
     text.remove_prefix(std::min(space + 1, text.size()));
   }
   return words;
@@ -161,7 +169,7 @@ std::vector<cases::Row> rows_in(const Document& json) {
   return rows;
 }
 
-Findings findings_in(const Document& json, const std::vector<std::string>& parties) {
+Findings findings_in(const Document& json, const cases::Row& row) {
   Findings found;
   found.cases = count_in(json.at("cases"));
   found.faults = count_in(json.at("faults"));
@@ -170,11 +178,11 @@ Findings findings_in(const Document& json, const std::vector<std::string>& parti
     Mismatch& m = found.shown.emplace_back();
     m.chunk = count_in(shown.at("chunk"));
     m.index = count_in(shown.at("case"));
-    m.words = words_in_text(shown.at("words").get<std::string>());
-    m.smallest = words_in_text(shown.at("smallest").get<std::string>());
+    m.words = words_in_text(shown.at("words").get<std::string>(), row.variant.format);
+    m.smallest = words_in_text(shown.at("smallest").get<std::string>(), row.variant.format);
     const Document& said = shown.at("said");
     if (said.empty()) continue;
-    for (const std::string& party : parties) {
+    for (const std::string& party : row.parties) {
       m.said.emplace_back(party, said.at(party).get<std::string>());
     }
   }
@@ -305,7 +313,7 @@ Report report_in(const Document& json) {
   if (report.makers.empty() && report.chunks_done() > 0) refuse("made_by names no build");
   read_chunks(json.at("chunks"), report);
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
-    report.findings[i] = findings_in(json.at("rows")[i], report.plan.rows()[i].parties);
+    report.findings[i] = findings_in(json.at("rows")[i], report.plan.rows()[i]);
   }
   report.seconds = json.at("seconds").get<double>();
   if (!(report.seconds >= 0)) refuse("negative seconds");

@@ -39,12 +39,14 @@ Bounds clocks_alone(Cpu cpu, std::initializer_list<x86::Instruction> instruction
 
 Bounds clocks_of_depth_write(Cpu cpu) {
   using namespace x86::notation;
+  using x86::notation::operator+;  // operators of fixproof, which is nearer, would hide it
   return clocks_alone(cpu,
                       {mov(byte[Screen + edi], al), mov(word[ZBuff + twice(edi)], bx), inc(edi)});
 }
 
 Bounds clocks_of_gouraud_write(Cpu cpu) {
   using namespace x86::notation;
+  using x86::notation::operator+;  // operators of fixproof, which is nearer, would hide it
   return clocks_alone(cpu, {stosb()});
 }
 

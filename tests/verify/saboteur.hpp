@@ -34,8 +34,8 @@ class Saboteur final : public parties::Party {
   }
   void fill(const cases::Variant& variant, const parties::Batch& batch) const override {
     honest_.answer(variant, batch);
-    const std::size_t in = cases::words_in(variant.operation);
-    const std::size_t out = cases::words_out(variant.operation);
+    const std::size_t in = cases::words_in(variant);
+    const std::size_t out = cases::words_out(variant);
     for (std::size_t i = 0; i < batch.endings.size(); ++i) {
       spoil_(batch.in.subspan(i * in, in), batch.out.subspan(i * out, out), batch.endings[i]);
     }
