@@ -23,14 +23,14 @@ constexpr std::array all_named{q(8, 0),   q(4, 4),  q(1, 7),  u(4, 4),   u(0, 8)
                                u(8, 24),  u(1, 31), u(0, 32), q(48, 16), q(40, 24), q(32, 32),
                                q(16, 48), q(2, 62), q(1, 63), u(48, 16), u(32, 32), u(0, 64)};
 
-/// Parses one or two digits without a leading zero.
+/// Parses one or two digits without a leading zero or a sign.
 std::optional<int> small_number(std::string_view digits) {
   if (digits.empty() || digits.size() > 2 || (digits.size() == 2 && digits[0] == '0')) return {};
-  int value = 0;
+  unsigned value = 0;  // of this type, from_chars takes no sign
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if (error != std::errc() || stop != end) return {};
-  return value;
+  return static_cast<int>(value);
 }
 
 }  // namespace
