@@ -167,14 +167,13 @@ std::uint64_t Plan::cases() const {
                          [](std::uint64_t sum, const Job& job) { return sum + job.cases; });
 }
 
+bool can_be_exhausted(const Variant& v) {
+  return words_in(v.operation) * static_cast<std::size_t>(operand_bits(v)) <= 32;
+}
+
 std::optional<Variant> at_level(int level, const Variant& variant) {
   Variant v = variant;
   if (level != 3) return v;
-  if (!has_routine_format(v)) {
-    const std::size_t bits = words_in(v.operation) * static_cast<std::size_t>(v.format.word_bits);
-    const bool few = words_in(v.operation) == 1 ? bits <= 32 : bits <= 16;
-    return few ? std::optional(v) : std::nullopt;
-  }
   switch (v.operation) {
     case Operation::mul:
     case Operation::div:

@@ -76,10 +76,12 @@ struct Shard {
 /// @throws UsageError for any other text
 Shard parse_shard(const std::string& text);
 
+/// Tells whether a variant has at most 2^32 cases.
+bool can_be_exhausted(const Variant& variant);
+
 /// Returns the form of `variant` that a level compares. Levels 1 and 2 compare it unchanged; level
 /// 3 compares multiply and divide at half width. Level 3 enumerates operands, so it has no
-/// transforms. In other formats it compares all pairs of 8-bit words and all single words of up to
-/// 32 bits. It also skips chapter 52, whose half-width program is that of chapter 54.
+/// transforms. It also skips chapter 52, whose half-width program is that of chapter 54.
 std::optional<Variant> at_level(int level, const Variant& variant);
 
 }  // namespace fixproof::cases

@@ -136,10 +136,10 @@ void add_gen(CLI::App& app, int& status) {
       "follow");
   command->footer(
       R"(Writes one case per line in the format that `fixproof eval` reads: operands as lower-case hex
-digits of two's complement, 8 or as many as --format has groups of four bits, separated by
-single spaces. The cases are those of `fixproof verify`, stream by stream: boundary words, random words, constructed ties and their
-neighbours. `fixproof check` makes the same cases from the same options and names the stream of
-a wrong one. `eval` and `check --from` skip the lines of --comments.
+digits of two's complement, separated by single spaces: 8 digits, or with --format one for every
+four bits. The cases are those of `fixproof verify`, stream by stream: boundary words, random
+words, constructed ties and their neighbours. `fixproof check` makes the same cases from the same
+options and names the stream of a wrong one. `eval` and `check --from` skip the lines of --comments.
 
 Exit status: 0 done, 2 bad usage, 130 interrupted.
 

@@ -227,7 +227,12 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
   const auto variants =
       selection.formats.empty() ? chosen_variants(selection) : variants_in_formats(selection);
   for (const cases::Variant& listed : variants) {
-    auto variant = cases::at_level(selection.level, listed);
+    const auto variant_in_format = [&]() -> std::optional<cases::Variant> {
+      if (selection.level == 3 && !cases::can_be_exhausted(listed)) return std::nullopt;
+      return listed;
+    };
+    auto variant =
+        selection.formats.empty() ? cases::at_level(selection.level, listed) : variant_in_format();
     if (!variant) continue;
     if (selection.half_width) {
       // The cosine table has no 8.8 values, so that no party computes cossin in 8.8.

@@ -115,7 +115,10 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
                            options.seed, counted(options.threads, "thread"),
                            counted(report.plan.rows().size(), "row"),
                            support::grouped(report.plan.cases()));
-  if (options.selection.level == 3) {
+  if (options.selection.level == 3 && !options.selection.formats.empty()) {
+    std::cout << "Level 3 tries all cases, and leaves out rows that have more than 2^32. Without\n"
+                 "--against, fast replaces oracle; levels 1 and 2 compare the two.\n";
+  } else if (options.selection.level == 3) {
     std::cout << "Level 3 tries all pairs of 8.8 words, all 16.16 words and all angles. Without\n"
                  "--against, fast replaces oracle; levels 1 and 2 compare the two.\n";
   }
@@ -303,7 +306,7 @@ In other formats than 16.16 and 8.8, --format, oracle, fast (up to 32 bits) and 
 formats) answer: add, sub, mul, div, sqrt, decimal, binary64.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
-With --format it has all pairs of words of 8 bits and all words of up to 32 bits.
+With --format it has all pairs of words of up to 16 bits and all words of up to 32 bits.
 On two processors level 2 takes some minutes and level 3 a quarter of an hour.
 An option that selects a rule leaves out the rows that follow another rule. It is an error to
 name a party that cannot run or does not answer every selected row.
