@@ -233,6 +233,10 @@ struct Known {
   const char* operands;
   const char* answer;
 };
+// GoogleTest puts this into the name of the test.
+void PrintTo(const Known& known, std::ostream* out) {
+  *out << known.format << ' ' << cases::name_of(known.operation) << ' ' << known.operands;
+}
 
 // By Python's fractions and integers, rounded to nearest with ties up, modulo the word.
 class KnownAnswers : public testing::TestWithParam<Known> {};
