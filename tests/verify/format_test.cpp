@@ -199,7 +199,7 @@ TEST(Formats, BytesWithoutQuotientTiesHaveNone) {
       for (std::uint64_t d = 1; d < 256; ++d) {
         const Integer divisor = oracle::ulps(d, exact);
         if (divisor == -128) continue;
-        found = found || from_tie(oracle::ulps(n, exact) * one, divisor) == 0;
+        found = found || from_tie(Integer(oracle::ulps(n, exact)) * one, divisor) == 0;
       }
     }
     EXPECT_EQ(found, has(Stream::quotient_ties, in_format(Operation::div, format))) << name;
