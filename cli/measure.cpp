@@ -27,16 +27,18 @@ struct MeasureOptions {
   bool host = false;
   bool stepping = false;
   std::vector<std::string> scenes;
+  std::string format;
   std::string json;
   measure::MeasureRequest request;
 };
 
 /// Reads the scenes and locks the JSON file, if one is named.
-/// @throws xsharp::SceneError, UsageError if the JSON file is an input, std::runtime_error if it
-///         cannot be written
+/// @throws xsharp::SceneError, UsageError if the format is not one or the JSON file is an input,
+///         std::runtime_error if that cannot be written
 measure::MeasureRequest read_request(const MeasureOptions& options,
                                      std::unique_ptr<support::OutputFile>& json) {
   measure::MeasureRequest request = options.request;
+  if (!options.format.empty()) request.format = cases::format_named(options.format);
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
     request.scenes.push_back(xsharp::read_scene(file));
@@ -101,12 +103,19 @@ void add_measure(CLI::App& app, int& status) {
       "measure the errors of values stepped across spans, with derived bounds, the wrong pixels, "
       "and clocks and nanoseconds of the loops");
   what->require_option(1);
+  CLI::Option* format = command
+                            ->add_option("--format", options->format,
+                                         "measure mul, div and sqrt in this format, such as q2_30: "
+                                         "the type under every rounding rule, float and double")
+                            ->check(not_empty())
+                            ->needs(accuracy);
   command
       ->add_option("scene", options->scenes,
                    "scene files whose operands are recorded, such as scenes/twelve_cubes.json")
       ->check(not_empty())
       ->excludes(host)
-      ->excludes(stepping);
+      ->excludes(stepping)
+      ->excludes(format);
   command
       ->add_option("--cases", options->request.cases,
                    "number of random operands of each kind, or of spans of each length")
@@ -122,7 +131,8 @@ void add_measure(CLI::App& app, int& status) {
   command->add_option("--json", options->json, "write the results to this file as JSON")
       ->check(not_empty());
   command->footer(
-      R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind.
+      R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind. With
+--format, it takes the formats that fixed/formats.hpp names and no scene, whose operands are 16.16.
 --clocks counts clocks by Intel's tables and tests the chapters' claims about speed.
 --host times this processor, by default with 100,000 results of each kind, and takes no scene.
 --stepping steps spans of 1 to 320 pixels, by default 200 of each length, and takes no scene.
@@ -132,15 +142,17 @@ value exceeds its derived bound, 2 bad usage or an invalid scene, 130 interrupte
 
 Examples:
   fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json
+  fixproof measure --accuracy --format q2_30
   fixproof measure --clocks scenes/twelve_cubes.json scenes/ball_and_cubes.json \
     scenes/shaded_ball.json --json clocks.json
   fixproof measure --host --json host.json
   fixproof measure --stepping --json stepping.json)");
   command->callback([options, &status] {
-    status = options->accuracy   ? run(*options, measure::measure_accuracy)
-             : options->host     ? run(*options, measure::measure_host)
-             : options->stepping ? run(*options, measure::measure_stepping)
-                                 : run(*options, measure::measure_clocks);
+    status = !options->format.empty() ? run(*options, measure::measure_format_accuracy)
+             : options->accuracy      ? run(*options, measure::measure_accuracy)
+             : options->host          ? run(*options, measure::measure_host)
+             : options->stepping      ? run(*options, measure::measure_stepping)
+                                      : run(*options, measure::measure_clocks);
   });
 }
 

@@ -24,10 +24,10 @@ std::string sparkline(const measure::ErrorHistogram& histogram) {
 std::string row_text(const measure::AccuracyRow& row) {
   const measure::ErrorStatistics& e = row.errors;
   if (e.cases() == 0) {
-    return fmt::format("  {:<24}no case has a result that fits\n", row.subject.name);
+    return fmt::format("  {:<24}no case has a result that fits\n", row.variant);
   }
   return fmt::format("  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6} |{}|\n",
-                     row.subject.name, support::grouped(e.cases()), support::grouped(row.beyond),
+                     row.variant, support::grouped(e.cases()), support::grouped(row.beyond),
                      support::grouped(row.faults), largest_text(e.max()),
                      error_text(e.mean(), true), error_text(e.mean_error()),
                      error_text(e.root_mean_square()), share_text(e.correct()),
@@ -55,29 +55,41 @@ std::string pixels_text(const measure::AccuracyResult& result) {
   return text + "\n\nSafe from: at this distance and beyond, no point is half a pixel off.\n";
 }
 
-}  // namespace
-
-std::string text_of(const measure::AccuracyResult& result) {
+/// @param extra what only this measurement needs to explain
+std::string rows_text(std::uint64_t seed, const std::vector<measure::AccuracyRow>& rows,
+                      const std::string& extra) {
   std::string text =
-      made_by(result.seed) +
+      made_by(seed) +
       "\n\nErrors are results minus exact results, in units of the last place. A result is correct "
       "if no\nother word is nearer to the exact result. Left out are cases whose exact result does "
       "not fit a word\nor does not exist. #DE counts divide errors where the result would fit. The "
       "mean is the bias, +- its\nstandard error for random cases; a mean of two or three standard "
       "errors may be chance. Each\nhistogram goes from -span to span, scaled to its largest "
       "count.\n" +
-      missing_libraries();
-  if (result.scenes.empty()) text += "Name a SCENE to add the operands of a scene.\n";
+      extra;
   text += fmt::format("\n{:<26}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6}\n", "",
                       "cases", "left out", "#DE", "max", "mean", "+-", "rms", "correct", "span");
   std::string heading;
-  for (const measure::AccuracyRow& row : result.rows) {
+  for (const measure::AccuracyRow& row : rows) {
     const std::string here = fmt::format("{}, {}", row.operation, support::printable(row.operands));
     if (here != heading) text += fmt::format("\n{}\n", here);
     heading = here;
     text += row_text(row);
   }
-  return text + pixels_text(result);
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const measure::AccuracyResult& result) {
+  const std::string extra =
+      missing_libraries() +
+      (result.scenes.empty() ? "Name a SCENE to add the operands of a scene.\n" : "");
+  return rows_text(result.seed, result.rows, extra) + pixels_text(result);
+}
+
+std::string text_of(const measure::FormatAccuracyResult& result) {
+  return rows_text(result.seed, result.rows, "");
 }
 
 }  // namespace fixproof::cli

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "measure/accuracy/accuracy.hpp"
+#include "measure/accuracy/format_accuracy.hpp"
 #include "measure/clocks/clocks.hpp"
 #include "measure/host/host.hpp"
 #include "measure/stepping/stepping.hpp"
@@ -13,6 +14,7 @@
 namespace fixproof::cli {
 
 std::string text_of(const measure::AccuracyResult& result);
+std::string text_of(const measure::FormatAccuracyResult& result);
 std::string text_of(const measure::ClockResult& result);
 std::string text_of(const measure::HostResult& result);
 std::string text_of(const measure::SteppingResult& result);

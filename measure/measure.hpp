@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/format.hpp"
 #include "support/frame_progress.hpp"
 #include "xsharp/scene.hpp"
 
@@ -16,6 +17,7 @@ namespace fixproof::measure {
 /// The options of `fixproof measure`. Each measurement has its own default for `cases`.
 struct MeasureRequest {
   std::vector<xsharp::Scene> scenes;   ///< whose operands are recorded
+  cases::Format format;                ///< used by measure_format_accuracy() only
   std::uint64_t seed = 1994;           ///< seed of the random operands
   std::optional<std::uint64_t> cases;  ///< random cases of each kind
   std::uint64_t rounds = 101;          ///< each round times every loop once

@@ -1,50 +1,15 @@
 // The type in the formats that fixed/formats.hpp names.
 #include <array>
 #include <system_error>
-#include <type_traits>
 
-#include "fixed/fixed.hpp"
-#include "fixed/formats.hpp"
 #include "parties/formats.hpp"
+#include "parties/with_format.hpp"
 
 namespace fixproof::parties {
 
 namespace {
 
-template <class... Numbers>
-struct List {};
-
-// In the order of cases::named_formats().
-using Named =
-    List<q8_0, q4_4, q1_7, u4_4, u0_8, q12_4, q8_8, q4_12, q2_14, q1_15, u8_8, u1_15, u0_16, q32_0,
-         q26_6, q24_8, q20_12, q16_16, q8_24, q4_28, q2_30, q1_31, u24_8, u16_16, u8_24, u1_31,
-         u0_32, q48_16, q40_24, q32_32, q16_48, q2_62, q1_63, u48_16, u32_32, u0_64>;
-
-template <class Number>
-constexpr cases::Format format_of() {
-  using Raw = typename Number::raw_type;
-  return {.word_bits = static_cast<int>(8 * sizeof(Raw)),
-          .fraction_bits = Number::fraction_bits,
-          .is_signed = std::is_signed_v<Raw>};
-}
-
-/// Calls call(std::type_identity<N>()) for the type of a format; false if there is none.
-template <class Call, class... Numbers>
-bool with_number_in(const cases::Format& format, const Call& call, List<Numbers...> /*numbers*/) {
-  return ((format_of<Numbers>() == format && (call(std::type_identity<Numbers>()), true)) || ...);
-}
-
 using Result = std::optional<std::uint64_t>;
-
-template <class Number>
-Number number_from(std::uint64_t word) {
-  return Number::from_raw(static_cast<typename Number::raw_type>(word));
-}
-
-template <class Number>
-std::uint64_t bits_of(Number x) {
-  return static_cast<std::make_unsigned_t<typename Number::raw_type>>(x.raw());
-}
 
 template <class Number>
 Result through_text(Number x) {
@@ -89,15 +54,13 @@ void answer(const cases::Variant& v, const Batch& batch) {
 }  // namespace
 
 bool is_named(const cases::Format& format) {
-  return with_number_in(
-      format, [](auto /*type*/) {}, Named());
+  return with_number_in(format, [](auto /*type*/) {});
 }
 
 void answer_by_type(const cases::Variant& v, const Batch& batch) {
-  with_number_in(
-      v.format,
-      [&]<class Number>(std::type_identity<Number> /*type*/) { answer<Number>(v, batch); },
-      Named());
+  with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
+    answer<Number>(v, batch);
+  });
 }
 
 }  // namespace fixproof::parties

@@ -15,23 +15,6 @@ constexpr std::uint64_t points_share = 10;
 
 }  // namespace
 
-static void to_json(Json& json, const AccuracyRow& row) {
-  const ErrorStatistics& e = row.errors;
-  json = {{"operation", row.operation},
-          {"operands", row.operands},
-          {"variant", row.subject.name},
-          {"alike", row.subject.alike},
-          {"cases", e.cases()},
-          {"left_out", row.beyond},
-          {"faults", row.faults},
-          {"max", e.max()},
-          {"mean", e.mean()},
-          {"mean_error", e.mean_error()},
-          {"rms", e.root_mean_square()},
-          {"correct", e.correct()},
-          {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
-}
-
 static void to_json(Json& json, const DistanceOctave& o) {
   json = {{"from", o.nearest},
           {"to", 2 * o.nearest},

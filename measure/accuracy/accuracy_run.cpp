@@ -51,32 +51,29 @@ bool fits(const ExactResult& exact) {
          exact.numerator <= (limit - 1) * exact.denominator;
 }
 
-void add(AccuracyRow& row, CaseWords in, const ExactResult& exact) {
-  const auto result = row.subject.answer(in);
-  if (!result) {
-    ++row.faults;
-    return;
-  }
-  add_error(row.errors, *result, exact);
+/// The result is mantissa / 2^places.
+void add_scaled(ErrorStatistics& errors, const Integer& mantissa, int places,
+                const ExactResult& exact) {
+  const Integer denominator = exact.denominator << places;
+  const Integer off = mantissa * exact.denominator - (exact.numerator << places);
+  errors.add(static_cast<double>(off) / static_cast<double>(denominator),
+             2 * abs(off) <= denominator);
 }
 
 }  // namespace
 
+void add_error(ErrorStatistics& errors, const Integer& result, const ExactResult& exact) {
+  add_scaled(errors, result, 0, exact);
+}
+
 void add_error(ErrorStatistics& errors, double result, const ExactResult& exact) {
-  // The result is mantissa * 2^-places.
-  int places = 0;
-  double mantissa = result;
-  if (result != std::trunc(result)) {
-    int exponent = 0;
-    constexpr int bits = std::numeric_limits<double>::digits;
-    mantissa = std::ldexp(std::frexp(result, &exponent), bits);
-    places = bits - exponent;  // positive, because the result is not a whole number
-  }
-  const Integer denominator = exact.denominator << places;
-  const Integer off = Integer(static_cast<std::int64_t>(mantissa)) * exact.denominator -
-                      (exact.numerator << places);
-  errors.add(static_cast<double>(off) / static_cast<double>(denominator),
-             2 * abs(off) <= denominator);
+  if (result == std::trunc(result)) return add_scaled(errors, Integer(result), 0, exact);
+  int exponent = 0;
+  constexpr int bits = std::numeric_limits<double>::digits;
+  const double mantissa = std::ldexp(std::frexp(result, &exponent), bits);
+  // Positive, because the result is not a whole number.
+  const int places = bits - exponent;
+  add_scaled(errors, Integer(static_cast<std::int64_t>(mantissa)), places, exact);
 }
 
 std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std::uint64_t seed,
@@ -144,18 +141,43 @@ OperandSet scene_operands(const MeasuredOperation& operation, const std::string&
   return set;
 }
 
+void to_json(support::Json& json, const AccuracyRow& row) {
+  const ErrorStatistics& e = row.errors;
+  json = {{"operation", row.operation},
+          {"operands", row.operands},
+          {"variant", row.variant},
+          {"alike", row.alike},
+          {"cases", e.cases()},
+          {"left_out", row.beyond},
+          {"faults", row.faults},
+          {"max", e.max()},
+          {"mean", e.mean()},
+          {"mean_error", e.mean_error()},
+          {"rms", e.root_mean_square()},
+          {"correct", e.correct()},
+          {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
+}
+
 std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,
                                         const std::atomic<bool>& stop) {
   std::vector<AccuracyRow> rows;
   for (const Subject& subject : operation.subjects) {
-    rows.push_back({operation.name, subject, set.name, {}, 0, 0});
+    rows.push_back({operation.name, set.name, subject.name, subject.alike, {}, 0, 0});
   }
   const CaseWords words = set.words;
   for (std::size_t i = 0; i + operation.words <= words.size() && !stop; i += operation.words) {
     const CaseWords in = words.subspan(i, operation.words);
     const auto exact = operation.exact(in);
     const bool counts = exact && fits(*exact);
-    for (AccuracyRow& row : rows) counts ? add(row, in, *exact) : void(++row.beyond);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (!counts) {
+        ++rows[k].beyond;
+      } else if (const auto result = operation.subjects[k].answer(in)) {
+        add_error(rows[k].errors, *result, *exact);
+      } else {
+        ++rows[k].faults;
+      }
+    }
   }
   return rows;
 }

@@ -10,6 +10,7 @@
 #include "measure/accuracy/error_statistics.hpp"
 #include "measure/accuracy/subjects.hpp"
 #include "player/model_call.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::measure {
 
@@ -30,15 +31,20 @@ OperandSet scene_operands(const MeasuredOperation& operation, const std::string&
 
 struct AccuracyRow {
   std::string operation;
-  Subject subject;
-  std::string operands;
+  std::string operands;  ///< the name of the set
+  std::string variant;   ///< a preset of the type, a library, float or double
+  std::string alike;     ///< presets with the same results; may be empty
   ErrorStatistics errors;
   std::uint64_t beyond = 0;  ///< cases without an exact result, or with one that does not fit
   std::uint64_t faults = 0;  ///< divide errors although the exact result fits
 };
 
-/// Adds the error of `result`, which is in ulps, computed exactly. A result within half an ulp
-/// counts as correct.
+/// The members that accuracy.hpp lists.
+void to_json(support::Json& json, const AccuracyRow& row);
+
+/// Adds the error of `result` ulps, computed exactly. A result within half an ulp counts as
+/// correct.
+void add_error(ErrorStatistics& errors, const oracle::Integer& result, const ExactResult& exact);
 void add_error(ErrorStatistics& errors, double result, const ExactResult& exact);
 
 /// Returns one row for each subject. If `stop` ends the run early, the rows cover the cases so far.

@@ -20,7 +20,7 @@ measure::AccuracyRow row_of_set(std::string_view operation, std::string_view sub
                                 const measure::OperandSet& set) {
   for (measure::AccuracyRow& row :
        measure::measure_errors(operation_named_here(operation), set, never)) {
-    if (row.subject.name == subject) return std::move(row);
+    if (row.variant == subject) return std::move(row);
   }
   throw std::invalid_argument("no such subject");
 }

@@ -10,14 +10,27 @@ namespace {
 
 TEST(MeasureCommand, WantsOneThingToMeasure) {
   for (const char* arguments :
-       {"measure", "measure --accuracy --clocks", "measure --accuracy --cases 0",
-        "measure --accuracy --seed -1", "measure --clocks no/such/scene.json",
-        "measure --host --accuracy", "measure --host " SCENES "/solid.json",
-        "measure --clocks --rounds 3", "measure --host --rounds 0",
-        "measure --host --json /no/such/folder/file", "measure --stepping --clocks",
-        "measure --stepping " SCENES "/solid.json", "measure --accuracy --rounds 3",
-        "measure --stepping --cases 0", "measure --stepping --json /no/such/folder/file",
+       {"measure",
+        "measure --accuracy --clocks",
+        "measure --accuracy --cases 0",
+        "measure --accuracy --seed -1",
+        "measure --clocks no/such/scene.json",
+        "measure --host --accuracy",
+        "measure --host " SCENES "/solid.json",
+        "measure --clocks --rounds 3",
+        "measure --host --rounds 0",
+        "measure --host --json /no/such/folder/file",
+        "measure --stepping --clocks",
+        "measure --stepping " SCENES "/solid.json",
+        "measure --accuracy --rounds 3",
+        "measure --stepping --cases 0",
+        "measure --stepping --json /no/such/folder/file",
         "measure --accuracy --json /no/such/folder/file",
+        "measure --host --format q2_30",
+        "measure --format q2_30",
+        "measure --accuracy --format q2_31",
+        "measure --accuracy --format q5_3",
+        "measure --accuracy --format q2_30 " SCENES "/solid.json",
         "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
     command::expect_refused(arguments, "");
   }
@@ -56,6 +69,25 @@ TEST(MeasureCommand, SaysWhatMadeItAndWritesTheSameAsJson) {
               200U);
   }
   EXPECT_EQ(json.at("pixels").at("variants").size(), 4U);
+}
+
+TEST(MeasureCommand, MeasuresAFormat) {
+  const auto [out, json] = measured("--accuracy --format q2_30 --cases 200");
+  EXPECT_EQ(json.at("format"), "q2_30");
+  std::map<std::string, int> found;
+  for (const auto& row : json.at("accuracy")) {
+    ++found[row.at("variant")];
+    EXPECT_EQ(row.at("cases").get<std::uint64_t>() + row.at("left_out").get<std::uint64_t>(), 200U);
+  }
+  EXPECT_EQ(found, (std::map<std::string, int>{{"double", 6},
+                                               {"float", 6},
+                                               {"q2_30", 2},
+                                               {"q2_30, floor", 4},
+                                               {"q2_30, half away", 4},
+                                               {"q2_30, half even", 4},
+                                               {"q2_30, half up", 4},
+                                               {"q2_30, truncate", 4}}));
+  EXPECT_NE(out.find("mul, log-uniform"), std::string::npos);
 }
 
 /// Whether the times are positive and ordered.

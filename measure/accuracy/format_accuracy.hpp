@@ -1,0 +1,33 @@
+/// @file
+/// The errors of products, quotients and square roots in a format.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cases/format.hpp"
+#include "measure/accuracy/accuracy_run.hpp"
+#include "measure/measure.hpp"
+#include "support/json.hpp"
+
+namespace fixproof::measure {
+
+struct FormatAccuracyResult {
+  std::uint64_t seed = 0;
+  cases::Format format;
+  std::vector<AccuracyRow> rows;
+};
+
+/// Measures the type under each rounding rule, and float and double, whose results are not rounded
+/// to words. Operands are log-uniform or uniform; uniform factors are small enough for every
+/// product to fit.
+/// @throws support::UsageError if fixed/formats.hpp does not name the request's format
+std::optional<FormatAccuracyResult> measure_format_accuracy(const MeasureRequest& request,
+                                                            MeasureProgress& progress);
+
+/// As that of AccuracyResult, with the name of the `format`, but without scenes, libraries and
+/// pixels.
+void to_json(support::Json& json, const FormatAccuracyResult& result);
+
+}  // namespace fixproof::measure
