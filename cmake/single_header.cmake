@@ -1,60 +1,104 @@
-# The number type in one file:
+# The library in one file, without comments:
 #
 #     cmake -D OUT=fixed.hpp -P cmake/single_header.cmake
 #
-# writes fixed/fixed.hpp with every header of this library in the place where it is included first.
-# fixed/batch.hpp, which compiles one source again for each instruction set, is not part of it.
-# fixed/format.hpp comes last and outside the include guard: including the file again after fmt gives
-# fmt's formatter, as including that header again does.
+# The file has three parts:
+#   1. fixed/fixed.hpp with every header of this library in the place where it is included first;
+#   2. fixed/format.hpp, outside the include guard: including the file again after fmt adds fmt's
+#      formatter, as including that header again does;
+#   3. fixed/batch.hpp and fixed/batch_radian.hpp, if FIXED_BATCH is defined. Their vector code is
+#      compiled once for each instruction set, so it comes first and the file includes itself.
 cmake_minimum_required(VERSION 3.22)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 include(${root}/fixed/version.cmake)
 if(NOT OUT)
   message(FATAL_ERROR "usage: cmake -D OUT=FILE -P cmake/single_header.cmake")
 endif()
+get_filename_component(own_name ${OUT} NAME)
 
-# read_header(HEADER RESULT): its text, without what only a file of its own needs.
+# The standard headers of a program without a run-time library. The file includes them once, first.
+set(standard_headers array bit cfloat compare concepts cstddef cstdint limits numbers optional
+    type_traits utility)
+list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE standard_includes)
+list(JOIN standard_includes "" standard_includes)
+list(JOIN standard_headers "|" standard_header)
+
+# read_header(HEADER RESULT): its text, without comments and what only a file of its own needs, indented
+# by tabs.
 function(read_header header result)
   file(READ ${root}/${header} text)
+  string(REGEX REPLACE " *//[^\n]*" "" text "\n${text}")
+  string(REGEX REPLACE "\n\n+" "\n" text "${text}")
+  while(text MATCHES "\n\t*  ")
+    string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
+  endwhile()
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
-  set(${result} "\n// ${header}\n${text}" PARENT_SCOPE)
+  string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
+  set(${result} "\n// ${header}${text}" PARENT_SCOPE)
 endfunction()
 
-read_header(fixed/fixed.hpp text)
-set(done fixed/fixed.hpp)
-while(text MATCHES "\n#include \"(fixed/[a-z_/]+[.]hpp)\"")
-  set(header ${CMAKE_MATCH_1})
-  string(FIND "${text}" "${CMAKE_MATCH_0}" at)
-  string(LENGTH "${CMAKE_MATCH_0}" length)
-  math(EXPR after "${at} + ${length}")
-  string(SUBSTRING "${text}" 0 ${at} before)
-  string(SUBSTRING "${text}" ${after} -1 text)
-  set(included "")
-  if(NOT header IN_LIST done AND NOT header STREQUAL fixed/format.hpp)
-    list(APPEND done ${header})
-    read_header(${header} included)
-  endif()
-  set(text "${before}${included}${text}")
-endwhile()
+# expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
+set(done fixed/format.hpp)
+macro(expand start result)
+  set(text "${start}")
+  while(text MATCHES "\n#include \"(fixed/[a-z_/]+[.]hpp)\"")
+    set(header ${CMAKE_MATCH_1})
+    string(FIND "${text}" "${CMAKE_MATCH_0}" at)
+    string(LENGTH "${CMAKE_MATCH_0}" length)
+    math(EXPR after "${at} + ${length}")
+    string(SUBSTRING "${text}" 0 ${at} before)
+    string(SUBSTRING "${text}" ${after} -1 text)
+    set(included "")
+    if(NOT header IN_LIST done)
+      list(APPEND done ${header})
+      read_header(${header} included)
+    endif()
+    set(text "${before}${included}${text}")
+  endwhile()
+  set(${result} "${text}")
+endmacro()
 
+set(parts fixed/detail/batch_parts.hpp)
+expand("\n#include \"fixed/fixed.hpp\"" number)
 read_header(fixed/format.hpp format)
 string(REGEX REPLACE "\n#include \"fixed/[^\n]*" "" format "${format}")
+read_header(${parts} lanes)
+expand("${lanes}" lanes)
+read_header(fixed/detail/batch_targets.hpp targets)
+string(REPLACE "#include \"${parts}\"" "#include \"${own_name}\"" targets "${targets}")
+list(APPEND done fixed/detail/batch_targets.hpp)
+expand("${targets}" targets)
+expand("\n#include \"fixed/batch.hpp\"\n#include \"fixed/batch_radian.hpp\"" batch)
+
 file(READ ${root}/LICENSE license)
 string(STRIP "${license}" license)
 string(REPLACE "\n" "\n// " license "// ${license}")
 string(REPLACE "// \n" "//\n" license "${license}")
 file(WRITE ${OUT} "\
-// Fixproof ${fixed_version}: 16.16 and 8.8 fixed-point numbers, header-only C++20.
-// Made of fixed/fixed.hpp and what it includes; change those, not this file.
+// Fixproof ${fixed_version}: fixed-point numbers, header-only C++20.
+// Made of the headers in fixed/, whose comments document everything; change those, not this file.
+// #define FIXED_BATCH before including this file to have the operations over spans, too. They need
+// the file under its own name, ${own_name}.
 //
 ${license}
+#if defined(FIXED_LANES)
+${lanes}
+#else
+
 #ifndef FIXED_SINGLE_HEADER
 #define FIXED_SINGLE_HEADER
-${text}
+${standard_includes}${number}
 #endif  // FIXED_SINGLE_HEADER
 
 #if __STDC_HOSTED__
 ${format}
 #endif
+
+#if defined(FIXED_BATCH) && !defined(FIXED_SINGLE_HEADER_BATCH)
+#define FIXED_SINGLE_HEADER_BATCH
+${targets}${batch}
+#endif  // FIXED_BATCH
+
+#endif  // FIXED_LANES
 ")
-message(STATUS "${OUT}: the number type ${fixed_version} in one file")
+message(STATUS "${OUT}: the library ${fixed_version} in one file")
