@@ -74,4 +74,18 @@ struct Signed {
   return root + (rest > root ? 1 : 0);
 }
 
+/// The same, faster if the root is `guess` or one more, as in sweeps. Sets `guess` to the root.
+[[nodiscard]] constexpr std::optional<LongWord> sqrt(LongWord word, const Format& format,
+                                                     LongWord& guess) {
+  const Signed x = signed_ulps(word, format);
+  if (x.negative) return std::nullopt;
+  const std::uint64_t n = x.magnitude << format.fraction_bits;
+  constexpr std::uint64_t highest = 0xFFFFFFFF;
+  // r is nearest if (r - 1/2)^2 < n < (r + 1/2)^2, in integers r^2 - r < n <= r^2 + r.
+  for (std::uint64_t r = guess; r <= guess + 1 && r > 0 && r < highest; ++r) {
+    if (r * r - r < n && n <= r * r + r) return guess = r;
+  }
+  return guess = *sqrt(word, format);
+}
+
 }  // namespace oracle::fast

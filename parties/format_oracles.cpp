@@ -68,10 +68,12 @@ void answer_fast(const cases::Variant& v, const Batch& batch) {
     case Operation::div:
       return each(
           [&](LongWord a, LongWord b) -> Result { return oracle::fast::quotient(a, b, format); });
-    case Operation::sqrt:
+    case Operation::sqrt: {
+      LongWord guess = 0;
       return each([&](LongWord a, LongWord /*b*/) -> Result {
-        return oracle::fast::sqrt(a, format).value_or(0);
+        return oracle::fast::sqrt(a, format, guess).value_or(0);
       });
+    }
     default:
       // A double holds every word of 32 bits.
       return each([](LongWord a, LongWord /*b*/) -> Result { return a; });

@@ -65,7 +65,27 @@ constexpr Wide nearest_sqrt_by_pairs(const Wide& n) noexcept {
   return root < rest ? root + Wide{1} : root;
 }
 
-/// Whether nearest_root() takes a hardware root.
+/// The integer nearest to sqrt(n). The root of a double is off by less than 1, because the double
+/// is off by at most 2^-52 n in every rounding mode.
+constexpr std::int64_t nearest_sqrt_of_word(std::uint64_t n) noexcept {
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      constexpr std::uint64_t highest = 0xFFFFFFFF;
+      auto root = static_cast<std::uint64_t>(sqrt(static_cast<double>(n)));
+      if (root > highest) root = highest;
+      if (root * root > n) --root;
+      std::uint64_t rest = n - root * root;
+      if (rest > 2 * root) {
+        rest -= 2 * root + 1;
+        ++root;
+      }
+      return static_cast<std::int64_t>(root + (rest > root ? 1 : 0));
+    }
+  }
+  return static_cast<std::int64_t>(nearest_sqrt_by_pairs<32>(n));
+}
+
+/// Whether nearest_root() takes a hardware root without a correction.
 template <class Raw, int FractionBits>
 inline constexpr bool has_fast_root = std::numeric_limits<Raw>::digits + FractionBits < 48 &&
                                       FractionBits <= std::numeric_limits<Raw>::digits;
@@ -76,6 +96,8 @@ template <int FractionBits, class Raw>
 constexpr auto nearest_root(Raw raw) noexcept {
   if constexpr (has_fast_root<Raw, FractionBits>) {
     return nearest_sqrt(std::int64_t{raw} * (std::int64_t{1} << FractionBits));
+  } else if constexpr (sizeof(Raw) < sizeof(std::int64_t)) {
+    return nearest_sqrt_of_word(static_cast<std::uint64_t>(raw) << FractionBits);
   } else {
     constexpr int bits = std::numeric_limits<Raw>::digits + FractionBits;
     using wide = signed_t<bits + 3>;

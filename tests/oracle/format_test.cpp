@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "oracle/fast_format.hpp"
 #include "oracle/unbounded.hpp"
 
 namespace {
@@ -110,6 +111,27 @@ TEST(OracleFormat, AgreesWithTheOracleOf16Dot16) {
       ASSERT_EQ(oracle::exact_product(a, b, rule, format), oracle::exact_product(a, b, rule, 16));
       ASSERT_EQ(oracle::exact_quotient(a, b, rule, format), oracle::exact_quotient(a, b, rule, 16));
       ASSERT_EQ(oracle::exact_root(a, rule, format), oracle::exact_root(a, rule, 16));
+    }
+  }
+}
+
+// A right guess, one below the root, and any other, at the words where the root steps.
+TEST(OracleFormat, FastRootsDoNotDependOnTheGuess) {
+  for (const Format format : {Format{32, 30, true}, Format{32, 32, false}, Format{16, 3, false}}) {
+    for (std::uint64_t r = 1; r < std::uint64_t{1} << format.bits; r = r * 5 / 4 + 1) {
+      for (const std::uint64_t n : {r * r - r, r * r, r * r + r}) {
+        const LongWord first = n >> format.fraction_bits;
+        for (LongWord word = first; word <= first + 1 && word >> format.bits == 0; ++word) {
+          const auto exact = oracle::exact_root(word, Rounding::half_up, format);
+          for (LongWord guess : {r - 1, r, r + 1, LongWord{0}, ~LongWord{0}}) {
+            const auto root = oracle::fast::sqrt(word, format, guess);
+            ASSERT_EQ(root.has_value(), exact.has_value());
+            if (!exact) continue;
+            ASSERT_EQ(Integer(*root), *exact) << word;
+            ASSERT_EQ(guess, *root);
+          }
+        }
+      }
     }
   }
 }

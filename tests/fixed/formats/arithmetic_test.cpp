@@ -161,4 +161,25 @@ TEST(Formats, KnownValues) {
   EXPECT_EQ(sqrt(q32_32(2)).raw(), 6074001000);  // 6074000999.95
 }
 
+// The root of a double needs its correction there: at squares, and halfway between two.
+TEST(Formats, RootsOfWordsBesideSquaresAndHalves) {
+  const auto check = [](std::uint64_t n) {
+    const integer expected = reference::root(integer(n));
+    ASSERT_EQ(integer(fixproof::detail::nearest_sqrt_of_word(n)), expected) << n;
+  };
+  std::mt19937_64 random(64);
+  for (int i = 0; i < 60'000; ++i) {
+    // Every bit length, and often the greatest roots.
+    const std::uint64_t r =
+        i % 3 == 0 ? 0xFFFFFFFF - random() % 1000 : (random() >> 32) >> random() % 32;
+    for (const std::uint64_t n : {r * r, r * r + r}) {
+      check(n - 1);
+      check(n);
+      check(n + 1);
+    }
+  }
+  check(0);
+  check(~std::uint64_t{0});
+}
+
 }  // namespace
