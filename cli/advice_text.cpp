@@ -31,6 +31,21 @@ std::string percent_text(double share) {
 
 }  // namespace
 
+std::string scene_line(const std::string& scene, std::uint64_t frames, double budget) {
+  return fmt::format(
+      "{}: {} frames, {} at {} frames a second; budget {} pixels.\n"
+      "Pixels: the largest distance of any corner from its exact place, which double computes from "
+      "scratch,\nbefore corners are rounded to whole pixels.",
+      support::printable(scene), support::grouped(frames), after(frames), trade::advised_rate,
+      budget);
+}
+
+std::string stopped_line(std::uint64_t frames, std::uint64_t wanted, bool has_json) {
+  return fmt::format("STOPPED after {} of {} frames: no advice is given{}\n",
+                     support::grouped(frames), support::grouped(wanted),
+                     has_json ? "; no JSON is written" : "");
+}
+
 std::string table_of(const trade::AdviceReport& report) {
   const bool has_bus = report.cpu == x86model::Cpu::i8088;
   const auto bus_text = [has_bus](const std::string& text) {

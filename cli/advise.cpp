@@ -33,6 +33,7 @@ struct AdviseOptions {
   x86model::Cpu cpu = x86model::Cpu::i386;
   bool host = false;
   bool repaired = false;
+  bool formats = false;
   std::string json;
 };
 
@@ -66,14 +67,7 @@ double drift_of(const xsharp::Scene& scene, const trade::Choice& choice, std::ui
 }
 
 std::string heading(const trade::AdviceReport& report) {
-  std::string text = fmt::format(
-      "{}: {} frames, {} at {} frames a second; budget {} pixels.\n"
-      "Pixels: the largest distance of any corner from its exact place, which double computes from "
-      "scratch,\nbefore corners are rounded to whole pixels.\n",
-      support::printable(report.scene), support::grouped(report.frames),
-      support::duration(static_cast<double>(report.frames) /
-                        static_cast<double>(trade::advised_rate)),
-      trade::advised_rate, report.budget);
+  std::string text = scene_line(report.scene, report.frames, report.budget) + '\n';
   if (report.cpu) {
     text += fmt::format(
         "Least and most: clocks of the listings alone on the {}, mean of {} frames of the first "
@@ -100,9 +94,7 @@ std::string heading(const trade::AdviceReport& report) {
 }
 
 int stopped(std::uint64_t frames, std::uint64_t wanted, const AdviseOptions& options) {
-  std::cout << fmt::format("STOPPED after {} of {} frames: no advice is given{}\n",
-                           support::grouped(frames), support::grouped(wanted),
-                           options.json.empty() ? "" : "; no JSON is written");
+  std::cout << stopped_line(frames, wanted, !options.json.empty());
   return support::interrupted_status;
 }
 
@@ -113,12 +105,13 @@ int advise_on(const AdviseOptions& options) {
   if (options.repaired) scene.arithmetic.repaired = true;
   require_objects(scene);
   const auto json = player::open_output("--json", options.json, scene.files);
+  const std::uint64_t wanted = options.minutes * 60 * trade::advised_rate;
+  if (options.formats) return advise_formats(scene, budget, wanted, json.get());
 
   trade::AdviceReport report{
       .scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};
   if (!options.host) report.cpu = options.cpu;
   const auto choices = trade::choices_on(report.cpu);
-  const std::uint64_t wanted = options.minutes * 60 * trade::advised_rate;
   report.frames = wanted;
 
   const support::Interrupt interrupt;
@@ -188,6 +181,12 @@ void add_advise(CLI::App& app, int& status) {
       "--repaired", options->repaired,
       "use the repaired 8088 ConcatXforms, which keeps a carry that the printed one loses; see "
       "docs/findings.md, 18");
+  command
+      ->add_flag("--formats", options->formats,
+                 "find the narrowest word and the fewest fraction bits instead")
+      ->excludes(command->get_option("--cpu"))
+      ->excludes(command->get_option("--host"))
+      ->excludes(command->get_option("--repaired"));
   command->add_option("--json", options->json, "write the results to this file as JSON")
       ->check(not_empty());
   command->footer(
@@ -197,13 +196,18 @@ orthogonality never or after every 600, 60, 10 or 1 rotations. Among choices of 
 With --host, costs are equal if the medians differ by less than the interquartile range of the
 rounds. The cost includes stepping along surfaces; the budget applies to corners only.
 render --beside shows the error that stepping adds at the pixels.
+With --formats, advise computes the corners with 0 to 24 fraction bits in every number and half-up
+rounding, for the scene's way of turning and for orientations from scratch. It takes the fewest
+fraction bits within the budget and the narrowest word that holds every result, and times batches
+of that width and of q16_16 on this processor.
 
 Exit status: 0 a choice stays within the budget, 1 none does, 2 bad usage or an invalid scene,
 130 interrupted.
 
 Examples:
   fixproof advise scenes/twelve_cubes.json --budget 0.5px
-  fixproof advise scenes/shaded_ball.json --budget 2px --minutes 5 --cpu 8088)");
+  fixproof advise scenes/shaded_ball.json --budget 2px --minutes 5 --cpu 8088
+  fixproof advise scenes/twelve_cubes.json --budget 0.5px --formats)");
   command->callback([options, &status] { status = advise_on(*options); });
 }
 

@@ -16,13 +16,13 @@ namespace {
 constexpr std::array<Turning, 6> turnings{
     {{false, 0}, {false, 600}, {false, 60}, {false, 10}, {false, 1}, {true, 0}}};
 
+}  // namespace
+
 std::string name_of(const Turning& turning) {
   if (turning.from_scratch) return "from scratch";
   if (turning.restore_every == 0) return "never restored";
   return fmt::format("restored every {}", turning.restore_every);
 }
-
-}  // namespace
 
 std::vector<Choice> choices_on(std::optional<x86model::Cpu> cpu) {
   using enum x86model::Cpu;

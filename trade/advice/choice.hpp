@@ -22,6 +22,9 @@ struct Turning {
   friend bool operator==(const Turning&, const Turning&) = default;
 };
 
+/// `from scratch`, `never restored` or `restored every 60`.
+std::string name_of(const Turning& turning);
+
 /// A build of the listings and a way of turning.
 struct Choice {
   cases::Build build{};  ///< for i386 or i8088; scene_with() decides about the repair
