@@ -30,6 +30,7 @@
 #pragma once
 
 #include "fixed/checked.hpp"
+#include "fixed/cmath.hpp"
 #include "fixed/constants.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"

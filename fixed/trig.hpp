@@ -38,9 +38,10 @@ template <class Number>
 [[nodiscard]] constexpr cos_sin<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
   static_assert(std::is_signed_v<typename Number::raw_type> &&
                     detail::bits_of<typename Number::raw_type> <= 32 &&
-                    Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2,
+                    Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2 &&
+                    Number::fraction_bits > 0,
                 "the result of sin_cos_of_tenths() is a signed number of at most 32 "
-                "bits that can represent 1");
+                "bits that can represent 1 and 1/2");
   constexpr int turn = 3600;
   constexpr int quarter = turn / 4;
   constexpr const auto& table = detail::cosine_table<Number::fraction_bits, quarter / 90>;

@@ -50,27 +50,41 @@ class Draws {
   template <class Number>
   Number number() {
     using raw = typename Number::raw_type;
+    constexpr int bits = Number::fraction_bits;
+    constexpr std::uint64_t one = bits < 64 ? std::uint64_t{1} << bits : 0;
+    constexpr std::uint64_t half = bits > 0 ? std::uint64_t{1} << (bits - 1) : 0;
     static constexpr std::array edges{raw{0},
                                       raw{1},
-                                      raw{-1},
+                                      static_cast<raw>(-1),
                                       std::numeric_limits<raw>::min(),
                                       std::numeric_limits<raw>::max(),
-                                      static_cast<raw>(raw{1} << Number::fraction_bits),
-                                      static_cast<raw>(raw{1} << (Number::fraction_bits - 1)),
-                                      static_cast<raw>(-(raw{1} << (Number::fraction_bits - 1)))};
+                                      static_cast<raw>(one),
+                                      static_cast<raw>(half),
+                                      static_cast<raw>(0 - half)};
     const std::uint64_t w = word();
     if ((w & 7U) == 0) return Number::from_raw(edges.at((w >> 3U) & 7U));
     const auto narrower = (w >> 8U) % std::numeric_limits<raw>::digits;
-    return Number::from_raw(static_cast<raw>(static_cast<raw>(w >> 32U) >> narrower));
+    const std::uint64_t random = sizeof(raw) == 8 ? word() : w >> 32U;
+    return Number::from_raw(static_cast<raw>(static_cast<raw>(random) >> narrower));
   }
 
  private:
   std::uint64_t state_;
 };
 
-/// All operations of the type, numbered. A trapping type takes part only where it does not throw;
-/// the tests cover its exceptions.
+/// The operations of the presets, numbered. A trapping type takes part only where it does not
+/// throw; the tests cover its exceptions.
 constexpr std::uint64_t operations = 17;
+/// Those of the other formats: also exact intermediate results, and overflow as a value.
+constexpr std::uint64_t format_operations = 19;
+
+/// Whether the number has angles in tenths of a degree, and in radians.
+template <class N>
+constexpr bool has_tenths = std::is_signed_v<typename N::raw_type> &&
+                            sizeof(N) <= 4 && N::fraction_bits > 0 &&
+                            N::fraction_bits < std::numeric_limits<typename N::raw_type>::digits;
+template <class N>
+constexpr bool has_radians = has_tenths<N> && sizeof(N) * 4 == N::fraction_bits && sizeof(N) > 1;
 
 template <class N>
 void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
@@ -104,9 +118,13 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
     case 6:
       return returning([&] { digest.add(sqrt(a)); });
     case 7: {
-      const auto [cosine, sine] = sin_cos_of_tenths<N>(static_cast<std::int32_t>(draw.word()));
-      digest.add(cosine);
-      digest.add(sine);
+      if constexpr (!has_tenths<N>) {
+        digest.add(a % (b == N() ? N::from_raw(1) : b));
+      } else {
+        const auto [cosine, sine] = sin_cos_of_tenths<N>(static_cast<std::int32_t>(draw.word()));
+        digest.add(cosine);
+        digest.add(sine);
+      }
       return;
     }
     case 8:
@@ -148,9 +166,30 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
       return;
     }
     case 15: {
-      const auto [cosine, sine] = sin_cos(a);
-      digest.add(cosine);
-      digest.add(sine);
+      if constexpr (!has_radians<N>) {
+        digest.add(a << static_cast<int>(draw.word() % 8));
+        digest.add(b >> static_cast<int>(draw.word() % 8));
+      } else {
+        const auto [cosine, sine] = sin_cos(a);
+        digest.add(cosine);
+        digest.add(sine);
+      }
+      return;
+    }
+    case 17: {
+      digest.add(mul_div(a, b, c == N() ? N::from_raw(1) : c));
+      digest.add(multiply<q32_32>(a, b));
+      digest.add(accumulator<N>().add_product(a, b).subtract_product(b, c).add(c).result());
+      return;
+    }
+    case 18: {
+      const auto product = overflowing_multiply(a, b);
+      digest.add(product.value);
+      digest.add(product.overflow ? 1U : 0U);
+      digest.add(saturating_add(a, b));
+      digest.add(saturating_multiply(b, c));
+      const auto difference = checked_subtract(a, c);
+      difference ? digest.add(*difference) : digest.add("none");
       return;
     }
     default:
@@ -161,14 +200,15 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
   }
 }
 
-template <class... Numbers>
+/// @tparam kinds the number of operations of each type
+template <std::uint64_t kinds, class... Numbers>
 std::uint64_t digest_of(std::uint64_t count) {
   using Function = void (*)(std::uint64_t, Draws&, Digest&);
   constexpr std::array<Function, sizeof...(Numbers)> types{compute<Numbers>...};
   Digest digest;
   for (std::uint64_t i = 0; i < count; ++i) {
     Draws draw(i);
-    types.at(i / operations % types.size())(i % operations, draw, digest);
+    types.at(i / kinds % types.size())(i % kinds, draw, digest);
   }
   return digest.value();
 }
@@ -179,11 +219,16 @@ int main(int argc, char** argv) {
   using namespace fixproof;
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
   const std::uint64_t value =
-      digest_of<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386, q16_16_i386_mul_rounded,
-                q16_16_i386_div_rounded, q16_16_i386_unrounded, q16_16_i8088,
-                q16_16_i8088_mul_rounded, q16_16_i8088_div_rounded, q16_16_i8088_unrounded, q8_8,
-                q8_8_saturating, q8_8_trapping, q8_8_i386, q8_8_i386_mul_rounded,
-                q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088, q8_8_i8088_mul_rounded,
-                q8_8_i8088_div_rounded, q8_8_i8088_unrounded>(count);
-  std::cout << count << " operations: " << std::hex << value << '\n';
+      digest_of<operations, q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386,
+                q16_16_i386_mul_rounded, q16_16_i386_div_rounded, q16_16_i386_unrounded,
+                q16_16_i8088, q16_16_i8088_mul_rounded, q16_16_i8088_div_rounded,
+                q16_16_i8088_unrounded, q8_8, q8_8_saturating, q8_8_trapping, q8_8_i386,
+                q8_8_i386_mul_rounded, q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088,
+                q8_8_i8088_mul_rounded, q8_8_i8088_div_rounded, q8_8_i8088_unrounded>(count);
+  const std::uint64_t of_formats =
+      digest_of<format_operations, q8_0, q4_4, q1_7, u4_4, u0_8, q12_4, q4_12, q2_14, q1_15, u8_8,
+                u1_15, u0_16, q32_0, q26_6, q24_8, q20_12, q8_24, q4_28, q2_30, q1_31, u24_8,
+                u16_16, u8_24, u1_31, u0_32, q48_16, q40_24, q32_32, q16_48, q2_62, q1_63, u48_16,
+                u32_32, u0_64>(count);
+  std::cout << count << " operations: " << std::hex << value << ", formats " << of_formats << '\n';
 }

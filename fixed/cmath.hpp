@@ -1,0 +1,146 @@
+/// \file
+/// Functions of <cmath> that are exact on numbers: remainders, parts, neighbours and signs.
+/// fixed/math.hpp and fixed/trig.hpp have the others.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "fixed/detail/storage.hpp"
+#include "fixed/math.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof {
+
+namespace detail {
+
+/// The magnitude of a stored integer.
+template <class Raw>
+constexpr std::uint64_t magnitude(Raw raw) noexcept {
+  const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(raw));
+  return raw < 0 ? 0 - bits : bits;
+}
+
+}  // namespace detail
+
+/// x % y: the remainder of the quotient truncated toward zero, with the sign of x. Exact.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> fmod(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
+    number<Raw, F, P>::divide_never_throws) {
+  return x % y;
+}
+
+/// x - n * y, exact, where n is the integer nearest to x / y, and even if two are as near. Sets
+/// *quotient to the low 31 bits of n with its sign. Division by zero is an error where x % y makes
+/// it one; otherwise the remainder and the quotient are 0. Signed formats only, because the
+/// remainder can be negative.
+///
+///     int n = 0;
+///     const q16_16 rest = remquo(q16_16(9.5), q16_16(2), &n);  // -0.5, and n is 5
+template <class Raw, int F, policy P>
+requires(std::is_signed_v<Raw>) [[nodiscard]] constexpr number<Raw, F, P> remquo(
+    number<Raw, F, P> x, number<Raw, F, P> y,
+    int* quotient) noexcept(number<Raw, F, P>::divide_never_throws) {
+  const number<Raw, F, P> truncated = x % y;
+  *quotient = 0;
+  if (y.raw() == 0) return truncated;
+  const std::uint64_t divisor = detail::magnitude(y.raw());
+  const std::uint64_t rest = detail::magnitude(truncated.raw());
+  std::uint64_t whole = detail::magnitude(x.raw()) / divisor;
+  const std::uint64_t missing = divisor - rest;
+  const bool up = rest > missing || (rest == missing && whole % 2 != 0);
+  if (up) ++whole;
+  const int low = static_cast<int>(whole & 0x7FFFFFFF);
+  *quotient = (x.raw() < 0) == (y.raw() < 0) ? low : -low;
+  if (!up) return truncated;
+  // At most half the divisor, on the other side of zero.
+  const auto other = static_cast<std::int64_t>(missing);
+  return number<Raw, F, P>::from_raw(static_cast<Raw>(x.raw() < 0 ? other : -other));
+}
+
+/// The remainder of remquo().
+///
+///     static_assert(remainder(q16_16(9.5), q16_16(2)) == q16_16(-0.5));
+template <class Raw, int F, policy P>
+requires(std::is_signed_v<Raw>) [[nodiscard]] constexpr number<Raw, F, P> remainder(
+    number<Raw, F, P> x, number<Raw, F, P> y) noexcept(number<Raw, F, P>::divide_never_throws) {
+  int quotient = 0;
+  return remquo(x, y, &quotient);
+}
+
+/// The fraction of x, with the sign of x. Sets *whole to trunc(x).
+///
+///     q16_16 whole;
+///     const q16_16 rest = modf(q16_16(-12.25), &whole);  // -0.25, and whole is -12
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> modf(
+    number<Raw, F, P> x, number<Raw, F, P>* whole) noexcept(number<Raw, F, P>::never_throws) {
+  *whole = trunc(x);
+  return x - *whole;
+}
+
+/// The nearest whole number; ties go to the even one. The policy handles overflow.
+///
+///     static_assert(rint(q16_16(2.5)) == 2 && rint(q16_16(3.5)) == 4);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> rint(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::whole<rounding::half_even>(x, "rint");
+}
+/// rint(x).
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> nearbyint(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return rint(x);
+}
+
+/// x with the sign of `sign`; 0 counts as positive. The policy handles overflow, as in -x. Unsigned
+/// numbers are unchanged.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> copysign(
+    number<Raw, F, P> x, number<Raw, F, P> sign) noexcept(number<Raw, F, P>::never_throws) {
+  return (x.raw() < 0) == (sign.raw() < 0) || x.raw() == 0 ? x : -x;
+}
+
+/// The number next to `from` in the direction of `toward`; `from` if they are equal.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> nextafter(number<Raw, F, P> from,
+                                                    number<Raw, F, P> toward) noexcept {
+  if (from == toward) return from;
+  const int step = from < toward ? 1 : -1;
+  return number<Raw, F, P>::from_raw(static_cast<Raw>(from.raw() + static_cast<Raw>(step)));
+}
+/// nextafter(from, toward).
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> nexttoward(number<Raw, F, P> from,
+                                                     number<Raw, F, P> toward) noexcept {
+  return nextafter(from, toward);
+}
+
+/// Whether x is negative.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr bool(signbit)(number<Raw, F, P> x) noexcept {
+  return x.raw() < 0;
+}
+/// True: there are no infinities and no NaN.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr bool(isfinite)(number<Raw, F, P> /*x*/) noexcept {
+  return true;
+}
+/// False.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr bool(isinf)(number<Raw, F, P> /*x*/) noexcept {
+  return false;
+}
+/// False.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr bool(isnan)(number<Raw, F, P> /*x*/) noexcept {
+  return false;
+}
+/// Whether x is not 0: every other number has the same precision.
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr bool(isnormal)(number<Raw, F, P> x) noexcept {
+  return x.raw() != 0;
+}
+
+}  // namespace fixproof
