@@ -40,12 +40,6 @@ std::string scene_line(const std::string& scene, std::uint64_t frames, double bu
       budget);
 }
 
-std::string stopped_line(std::uint64_t frames, std::uint64_t wanted, bool has_json) {
-  return fmt::format("STOPPED after {} of {} frames: no advice is given{}\n",
-                     support::grouped(frames), support::grouped(wanted),
-                     has_json ? "; no JSON is written" : "");
-}
-
 std::string table_of(const trade::AdviceReport& report) {
   const bool has_bus = report.cpu == x86model::Cpu::i8088;
   const auto bus_text = [has_bus](const std::string& text) {

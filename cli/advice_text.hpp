@@ -5,10 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "support/output_file.hpp"
 #include "trade/advice/advice.hpp"
 #include "trade/advice/formats.hpp"
-#include "xsharp/scene.hpp"
 
 namespace fixproof::cli {
 
@@ -25,13 +23,5 @@ std::string sentences_of(const trade::FormatReport& report);
 /// `twelve cubes: 18,000 frames, 5 min 00 s at 60 frames a second; budget 0.5 pixels.`, and what a
 /// pixel is.
 std::string scene_line(const std::string& scene, std::uint64_t frames, double budget);
-
-/// What advise prints if it is interrupted.
-std::string stopped_line(std::uint64_t frames, std::uint64_t wanted, bool has_json);
-
-/// `advise --formats`. @param json where to write the report; null for nowhere
-/// @return the exit status
-int advise_formats(const xsharp::Scene& scene, double budget, std::uint64_t frames,
-                   support::OutputFile* json);
 
 }  // namespace fixproof::cli

@@ -94,8 +94,38 @@ std::string heading(const trade::AdviceReport& report) {
 }
 
 int stopped(std::uint64_t frames, std::uint64_t wanted, const AdviseOptions& options) {
-  std::cout << stopped_line(frames, wanted, !options.json.empty());
+  std::cout << fmt::format("STOPPED after {} of {} frames: no advice is given{}\n",
+                           support::grouped(frames), support::grouped(wanted),
+                           options.json.empty() ? "" : "; no JSON is written");
   return support::interrupted_status;
+}
+
+/// @param json where to write the report; null for nowhere
+int advise_formats(const xsharp::Scene& scene, double budget, std::uint64_t frames,
+                   const AdviseOptions& options, support::OutputFile* json) {
+  trade::FormatReport report{
+      .scene = scene.name, .frames = frames, .budget = budget, .tried = {}, .costs = {}};
+  const support::Interrupt interrupt;
+  const std::atomic<bool>& stop = support::Interrupt::flag();
+  {
+    support::FrameProgress progress(frames);
+    report.tried = trade::try_formats(scene, budget, report.frames, stop,
+                                      [&](std::uint64_t done) { progress.show(done); });
+  }
+  const auto take = trade::narrowest(report.tried);
+  if (take && !stop) {
+    const int width = trade::integer_width(report.tried[*take].word_bits);
+    report.costs = trade::format_costs(scene, width, stop);
+  }
+  std::cout << fmt::format(
+      "{}\nEach row has that many fraction bits in every number; products and quotients are "
+      "rounded half up. Word: the\nbits of the largest result, with the sign. A run ends when it "
+      "exceeds the budget, and its word is that until then.\n\n{}\n",
+      scene_line(report.scene, report.frames, report.budget), table_of(report));
+  if (stop) return stopped(report.frames, frames, options);
+  std::cout << sentences_of(report);
+  if (json != nullptr) json->replace(support::json_text(report));
+  return take ? 0 : 1;
 }
 
 int advise_on(const AdviseOptions& options) {
@@ -106,7 +136,7 @@ int advise_on(const AdviseOptions& options) {
   require_objects(scene);
   const auto json = player::open_output("--json", options.json, scene.files);
   const std::uint64_t wanted = options.minutes * 60 * trade::advised_rate;
-  if (options.formats) return advise_formats(scene, budget, wanted, json.get());
+  if (options.formats) return advise_formats(scene, budget, wanted, options, json.get());
 
   trade::AdviceReport report{
       .scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};

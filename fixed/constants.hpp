@@ -80,6 +80,7 @@ constexpr Number nearest() noexcept {
 namespace constants {
 
 inline constexpr constant pi{3, 0x243f6a8885a308d3, 0x13198a2e03707344};
+inline constexpr constant half_pi{1, 0x921fb54442d18469, 0x898cc51701b839a2};
 inline constexpr constant tau{6, 0x487ed5110b4611a6, 0x2633145c06e0e689};
 inline constexpr constant e{2, 0xb7e151628aed2a6a, 0xbf7158809cf4f3c7};
 inline constexpr constant ln2{0, 0xb17217f7d1cf79ab, 0xc9e3b39803f2f6af};
@@ -118,6 +119,10 @@ inline constexpr Number pi_v = detail::nearest<Number, detail::constants::pi>();
 /// 2 pi, a whole turn in radians: 6.28318530717958647692...
 template <any_number Number>
 inline constexpr Number tau_v = detail::nearest<Number, detail::constants::tau>();
+
+/// pi / 2, a right angle in radians: 1.57079632679489661923... pi_v<Number> / 2 would round twice.
+template <any_number Number>
+inline constexpr Number half_pi_v = detail::nearest<Number, detail::constants::half_pi>();
 
 /// The base of the natural logarithm: 2.71828182845904523536...
 template <any_number Number>

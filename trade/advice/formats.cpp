@@ -54,10 +54,10 @@ class FractionScreen final : public ScreenRun {
 std::vector<TriedFormat> try_formats(const xsharp::Scene& scene, double budget,
                                      std::uint64_t& frames, const std::atomic<bool>& stop,
                                      const std::function<void(std::uint64_t)>& frame_done) {
-  std::vector<Turning> turnings{{scene.from_scratch, scene.restore_every}};
-  if (!scene.from_scratch) turnings.push_back({.from_scratch = true});
+  std::vector<Turning> ways{{scene.from_scratch, scene.restore_every}};
+  if (!scene.from_scratch) ways.push_back({.from_scratch = true});
   std::vector<TriedFormat> tried;
-  for (const Turning& turning : turnings) {
+  for (const Turning& turning : ways) {
     for (int bits = 0; bits <= max_tried_fraction_bits; ++bits) {
       tried.push_back({bits, turning, {}, 0});
     }

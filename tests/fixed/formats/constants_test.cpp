@@ -135,6 +135,7 @@ void expect_nearest(const std::vector<Given>& all, const integer& value, int who
 TEST(Constants, Circle) {
   EXPECT_CONSTANT(pi, pi, 2);
   EXPECT_CONSTANT(tau, 2 * pi, 3);
+  EXPECT_CONSTANT(half_pi, pi / 2, 1);
   EXPECT_CONSTANT(inv_pi, over(unit, pi), -1);
   EXPECT_CONSTANT(inv_sqrtpi, root(over(unit, pi)), 0);
 }
@@ -163,6 +164,7 @@ TEST(Constants, Words) {
   };
   expect(detail::constants::pi, pi);
   expect(detail::constants::tau, 2 * pi);
+  expect(detail::constants::half_pi, pi / 2);
   expect(detail::constants::e, euler_number());
   expect(detail::constants::ln2, ln2);
   expect(detail::constants::ln10, ln10);
@@ -179,6 +181,8 @@ TEST(Constants, Words) {
 
 // The policy has no part in it: 92681.9 units.
 static_assert(sqrt2_v<q16_16>.raw() == 92682 && sqrt2_v<q16_16_i386_unrounded>.raw() == 92682);
+// 26353589.27 units, of which half of the rounded pi is 26353589.5.
+static_assert(half_pi_v<q8_24>.raw() == 26353589 && (pi_v<q8_24> / 2).raw() == 26353590);
 static_assert(sqrt2_v<q16_16_trapping>.raw() == 92682 && sqrt2_v<u1_15>.raw() == 46341);
 
 namespace standard = std::numbers;

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <span>
 
 #include "cli/advice_text.hpp"
-#include "support/frame_progress.hpp"
-#include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -25,11 +22,9 @@ std::string cells_of(const trade::TriedFormat& tried) {
                      over ? support::duration(seconds) : "");
 }
 
-double share_saved(double now, double before) { return 100 * (before - now) / before; }
-
-/// `50.0 % less`, `100.0 % more`
+/// `50 % less`, `100 % more`
 std::string change_text(double now, double before) {
-  const double saved = share_saved(now, before);
+  const double saved = 100 * (before - now) / before;
   return fmt::format("{:.0f} % {}", std::abs(saved), saved < 0 ? "more" : "less");
 }
 
@@ -84,8 +79,7 @@ std::string sentences_of(const trade::FormatReport& report) {
   const int before = best.word_bits - best.fraction_bits;
   std::string text = fmt::format(
       "Take {} fraction bits, orientations {}: at most {:.3f} pixels off. Every result fits {} "
-      "bits "
-      "before the\npoint, with the sign, so {} bits are the narrowest word: q{}_{}",
+      "bits before the\npoint, with the sign, so {} bits are the narrowest word: q{}_{}",
       best.fraction_bits, name_of(best.turning), best.error.pixels, before, width,
       width - best.fraction_bits, best.fraction_bits);
   const int spare = width - best.word_bits;
@@ -109,36 +103,6 @@ std::string sentences_of(const trade::FormatReport& report) {
              then.nanoseconds.median, today.nanoseconds.median,
              change_text(then.nanoseconds.median, today.nanoseconds.median)) +
          other_turnings(report, *take);
-}
-
-int advise_formats(const xsharp::Scene& scene, double budget, std::uint64_t frames,
-                   support::OutputFile* json) {
-  trade::FormatReport report{
-      .scene = scene.name, .frames = frames, .budget = budget, .tried = {}, .costs = {}};
-  const support::Interrupt interrupt;
-  const std::atomic<bool>& stop = support::Interrupt::flag();
-  {
-    support::FrameProgress progress(frames);
-    report.tried = trade::try_formats(scene, budget, report.frames, stop,
-                                      [&](std::uint64_t done) { progress.show(done); });
-  }
-  const auto take = trade::narrowest(report.tried);
-  if (take && !stop) {
-    const int width = trade::integer_width(report.tried[*take].word_bits);
-    report.costs = trade::format_costs(scene, width, stop);
-  }
-  std::cout << fmt::format(
-      "{}\nEach row has that many fraction bits in every number; products and quotients are "
-      "rounded half up. Word: the\nbits of the largest result, with the sign. A run ends when it "
-      "exceeds the budget, and its word is that until then.\n\n{}\n",
-      scene_line(report.scene, report.frames, report.budget), table_of(report));
-  if (stop) {
-    std::cout << stopped_line(report.frames, frames, json != nullptr);
-    return support::interrupted_status;
-  }
-  std::cout << sentences_of(report);
-  if (json != nullptr) json->replace(support::json_text(report));
-  return take ? 0 : 1;
 }
 
 }  // namespace fixproof::cli
