@@ -23,6 +23,7 @@ inline constexpr const char* no_printed_shift =
     "--as-printed to shift twice by one (docs/findings.md, 8)";
 
 /// The processors whose clocks are known, by the names that options accept.
+// NOLINTNEXTLINE(cert-err58-cpp): without memory for it, no command can run
 inline const std::map<std::string, x86model::Cpu> cpu_names{{"8088", x86model::Cpu::i8088},
                                                             {"286", x86model::Cpu::i286},
                                                             {"386", x86model::Cpu::i386},

@@ -36,7 +36,9 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
   static constexpr int log10_below(int bits) noexcept {
     return fixproof::detail::decimal_digits(bits > 0 ? bits : 0);
   }
-  static constexpr int log10_above(int bits) noexcept { return log10_below(bits) + (bits > 0); }
+  static constexpr int log10_above(int bits) noexcept {
+    return log10_below(bits) + (bits > 0 ? 1 : 0);
+  }
 
  public:
   /// \name Properties of the type

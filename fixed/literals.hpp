@@ -106,6 +106,7 @@ consteval N literal() {
 namespace fixproof::literals {
 
 /// \cond
+// NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines two operators
 #define FIXED_LITERAL(type)                                    \
   template <char... Chars>                                     \
   consteval type operator""_##type() {                         \
@@ -115,6 +116,7 @@ namespace fixproof::literals {
   consteval type operator""_##type##_rounded() {               \
     return fixproof::detail::literal<type, true, Chars...>();  \
   }
+// NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 FIXED_LITERAL(q16_16)
 FIXED_LITERAL(q8_8)
 FIXED_LITERAL(q8_0)

@@ -100,11 +100,10 @@ class number {
   ///     static_assert(q16_16(40000) == q16_16(40000 - 65536));
   ///     static_assert(q16_16_saturating(40000).raw() == 0x7fffffff);
   template <detail::integer Int>
-  explicit constexpr number(Int value) noexcept(never_throws) {
-    raw_ = detail::narrow<P.range, raw_type>(
-        detail::units<raw_type, FractionBits, P.range>(value),
-        [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
-  }
+  explicit constexpr number(Int value) noexcept(never_throws)
+      : raw_(detail::narrow<P.range, raw_type>(
+            detail::units<raw_type, FractionBits, P.range>(value),
+            [value] { detail::raise<overflow_error>("overflow", "conversion", value); })) {}
 
   /// Converts a float or double, rounded by policy::multiply. The policy handles overflow; wrapping
   /// keeps the rounded value modulo the range, however large. NaN becomes 0 and an infinity becomes

@@ -107,6 +107,7 @@ requires detail::has_radians<Raw, F>
 }
 
 /// \cond
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
 #define FIXED_REFUSED_ANGLE(name)                                                           \
   template <class Number, class T>                                                          \
   requires std::is_arithmetic_v<T> Number name(T)                                           \

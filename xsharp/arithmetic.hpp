@@ -129,6 +129,7 @@ struct Arithmetic<double> {
 template <class N>
 concept Scalar = std::totally_ordered<N> && requires(N a, std::int32_t i) {
   { a + a } -> std::same_as<N>;
+  // NOLINTNEXTLINE(misc-redundant-expression): only the type counts
   { a - a } -> std::same_as<N>;
   { -a } -> std::same_as<N>;
   { a* a } -> std::same_as<N>;

@@ -5,6 +5,7 @@
 /// view space and looks down -z; y is up.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -206,10 +207,9 @@ inline double level_of(const Spot& spot) {
 /// Whether polygons have values at their points.
 inline bool interpolates(const Scene& scene) {
   if (scene.depth_buffer != DepthBuffering::off) return true;
-  for (const ObjectDescription& object : scene.objects) {
-    if (object.surface.kind != SurfaceKind::flat) return true;
-  }
-  return false;
+  return std::ranges::any_of(scene.objects, [](const ObjectDescription& object) {
+    return object.surface.kind != SurfaceKind::flat;
+  });
 }
 
 }  // namespace xsharp

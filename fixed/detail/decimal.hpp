@@ -34,10 +34,12 @@ constexpr char* write_decimal(char* out, Raw raw) noexcept {
   }
   const auto digit = [&out](word value) { *out++ = static_cast<char>('0' + value); };
   constexpr bool has_whole = FractionBits < std::numeric_limits<word>::digits;
+  // NOLINTNEXTLINE(bugprone-branch-clone): without fraction bits both are 0
   const word whole = has_whole ? magnitude >> (has_whole ? FractionBits : 0) : word{0};
   word power = 1;
   while (whole / power >= 10) power *= 10;
   for (; power != 0; power /= 10) digit(whole / power % 10);
+  // NOLINTNEXTLINE(bugprone-branch-clone): likewise
   word fraction = magnitude - (has_whole ? whole << (has_whole ? FractionBits : 0) : word{0});
   if (fraction != 0) *out++ = '.';
   if constexpr (FractionBits + 4 <= std::numeric_limits<word>::digits) {

@@ -80,7 +80,7 @@ constexpr Raw total_divide(Raw n, Raw d) noexcept {
     // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent
     // vectorisation.
     const std::int32_t by_zero = -std::int32_t{divisor == 0};
-    const std::int32_t limit = limit_toward_zero<Raw>(n);
+    const auto limit = static_cast<std::int32_t>(limit_toward_zero<Raw>(n));
     std::int32_t quotient = 0;
     if constexpr (saturates) {
       quotient = saturated_quotient<Raw, P.divide, shift>(n, divisor - by_zero);

@@ -66,6 +66,7 @@ constexpr scaled_float<Wide> scale(Float x, int scale) noexcept {
 
 /// raw / 2^FractionBits to the nearest Float, ties to even.
 template <binary_float Float, int FractionBits, class Raw>
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): two branches, for narrow and wide
 constexpr Float to_float(Raw raw) noexcept {
   // Signed for narrow numbers, which is faster.
   using word =

@@ -9,9 +9,9 @@ namespace fixproof::detail {
 /// A string literal as a template argument.
 template <std::size_t Length>
 struct advice {
-  char text[Length]{};
+  char text[Length]{};  // NOLINT(*-avoid-c-arrays): as that of the literal
 
-  // NOLINTNEXTLINE(google-explicit-constructor): a literal converts where it is an argument.
+  // NOLINTNEXTLINE(google-explicit-constructor,*-avoid-c-arrays): a literal is one, and converts
   constexpr advice(const char (&literal)[Length]) {
     for (std::size_t i = 0; i < Length; ++i) text[i] = literal[i];
   }
@@ -28,6 +28,7 @@ concept instead = true;
 /// compile. Clang does not print the declaration of a deleted function, but the text of an
 /// unavailable one.
 #if defined(__clang__)
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute
 #define FIXED_INSTEAD(text) __attribute__((unavailable(text)))
 #else
 #define FIXED_INSTEAD(text)                \

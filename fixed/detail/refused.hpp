@@ -19,6 +19,7 @@ concept foreign = std::is_arithmetic_v<T> && !integer<T>;
 }  // namespace detail
 
 /// \cond
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares operators
 #define FIXED_REFUSED_OPERATOR(op, formats)                                                   \
   template <class A, int FA, policy PA, class B, int FB, policy PB>                           \
   number<A, FA, PA> operator op(number<A, FA, PA>, number<B, FB, PB>) FIXED_INSTEAD(formats); \
@@ -37,6 +38,7 @@ FIXED_REFUSED_OPERATOR(==, "formats do not compare: convert one, as in a == q16_
 FIXED_REFUSED_OPERATOR(<=>, "formats do not compare: convert one, as in a < q16_16(b)")
 #undef FIXED_REFUSED_OPERATOR
 
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): likewise
 #define FIXED_REFUSED_BITS(op)                        \
   template <class Raw, int F, policy P, class T>      \
   number<Raw, F, P> operator op(number<Raw, F, P>, T) \

@@ -55,11 +55,11 @@ constexpr Int shift_right(Int value, int bits) noexcept {
 template <rounding R>
 constexpr bool rounds_up(std::strong_ordering order, bool exact, bool negative, bool odd) noexcept {
   if constexpr (R == rounding::half_up) {
-    return order >= 0;
+    return std::is_gteq(order);
   } else if constexpr (R == rounding::half_away) {
-    return order > 0 || (order == 0 && !negative);
+    return std::is_gt(order) || (std::is_eq(order) && !negative);
   } else if constexpr (R == rounding::half_even) {
-    return order > 0 || (order == 0 && odd);
+    return std::is_gt(order) || (std::is_eq(order) && odd);
   } else if constexpr (R == rounding::truncate) {
     return negative && !exact;
   } else {

@@ -24,7 +24,7 @@ inline void group_digits(std::string& digits, const std::string& grouping, char 
   for (std::size_t i = 0; i < grouping.size();) {
     const char group = grouping[i];
     if (group <= 0 || group == (std::numeric_limits<char>::max)()) return;
-    const auto length = static_cast<std::size_t>(group);
+    const std::size_t length = static_cast<unsigned char>(group);
     if (end <= length) return;
     end -= length;
     digits.insert(end, 1, separator);

@@ -98,9 +98,9 @@ class wide_integer {
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < Words; ++i) {
       const std::uint64_t sum = a.words_[i] + carry;
-      carry = std::uint64_t{sum < carry};
+      carry = sum < carry ? 1U : 0U;
       a.words_[i] = sum + b.words_[i];
-      carry += std::uint64_t{a.words_[i] < sum};
+      carry += a.words_[i] < sum ? 1U : 0U;
     }
     return a;
   }
@@ -109,9 +109,9 @@ class wide_integer {
     std::uint64_t borrow = 0;
     for (std::size_t i = 0; i < Words; ++i) {
       const std::uint64_t difference = a.words_[i] - b.words_[i];
-      const std::uint64_t lost = std::uint64_t{a.words_[i] < b.words_[i]};
+      const std::uint64_t lost = a.words_[i] < b.words_[i] ? 1U : 0U;
       a.words_[i] = difference - borrow;
-      borrow = lost + std::uint64_t{difference < borrow};
+      borrow = lost + (difference < borrow ? 1U : 0U);
     }
     return a;
   }
@@ -123,10 +123,10 @@ class wide_integer {
       for (std::size_t k = 0; i + k < Words; ++k) {
         two_words product = multiply_words(a.words_[i], b.words_[k]);
         product.low += carry;
-        product.high += std::uint64_t{product.low < carry};
+        product.high += product.low < carry ? 1U : 0U;
         std::uint64_t& word = result.words_[i + k];
         word += product.low;
-        carry = product.high + std::uint64_t{word < product.low};
+        carry = product.high + (word < product.low ? 1U : 0U);
       }
     }
     return result;

@@ -166,10 +166,10 @@ WordPair not_negative(WordPair in, Operation operation, const Format& format) {
 }
 
 struct Part {
-  Operation operation;
+  Operation operation = Operation::mul;
   Format format;
-  OperandStream stream;
-  std::uint64_t key;  ///< of the operands
+  OperandStream stream = streams.front();
+  std::uint64_t key = 0;  ///< of the operands
 
   /// The operands of case i.
   [[nodiscard]] WordPair operands(std::uint64_t i) const {
@@ -184,6 +184,7 @@ std::vector<AccuracyRow> measure_stream(const Part& part,
                                         std::uint64_t cases, const std::atomic<bool>& stop) {
   const oracle::Format format = oracle_format(part.format);
   std::vector<AccuracyRow> rows;
+  rows.reserve(subjects.size());
   for (const FormatSubject& subject : subjects) {
     rows.push_back({name_of(part.operation), part.stream.name, subject.name, "", {}, 0, 0});
   }

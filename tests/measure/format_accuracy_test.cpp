@@ -1,6 +1,8 @@
 // Tests that the errors in a format are those that its rounding rules promise.
 #include "measure/accuracy/format_accuracy.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "tests/measure/never.hpp"
@@ -39,7 +41,7 @@ TEST(FormatAccuracy, EveryRuleHasTheErrorsThatItPromises) {
     const auto rows = rows_in(format);
     for (const std::string operation : {"mul", "div"}) {
       const auto errors = [&](const std::string& rule) {
-        return rows.at(operation + ", uniform, " + format + ", " + rule).errors;
+        return rows.at(fmt::format("{}, uniform, {}, {}", operation, format, rule)).errors;
       };
       for (const char* nearest : {"half up", "half even", "half away"}) {
         EXPECT_LE(errors(nearest).max(), 0.5) << operation << format << nearest;

@@ -4,8 +4,4 @@
 
 #include <atomic>
 
-namespace {
-
-const std::atomic<bool> never{false};
-
-}  // namespace
+inline const std::atomic<bool> never{false};

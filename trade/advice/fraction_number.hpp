@@ -74,6 +74,7 @@ class FractionNumber {
     return result(static_cast<std::int64_t>(quotient));
   }
   friend constexpr bool operator==(FractionNumber, FractionNumber) = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is clang's own
   friend constexpr auto operator<=>(FractionNumber, FractionNumber) = default;
   explicit operator double() const {
     return std::ldexp(static_cast<double>(ulps_), -fraction_bits());
@@ -84,6 +85,7 @@ class FractionNumber {
 
   static Wide half() { return Wide{1} << fraction_bits() >> 1; }
 
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): set by Scope alone
   static inline thread_local FractionRun* current = nullptr;
 
   std::int64_t ulps_ = 0;

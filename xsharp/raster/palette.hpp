@@ -129,6 +129,7 @@ constexpr Palette ramps_palette() {
     double highlight = c;
     for (int doubled = 0; doubled < 4; ++doubled) highlight *= highlight;
     const auto level = [&](double reflected) {
+      // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and lround is not constexpr
       return static_cast<std::uint8_t>(255 * ((0.1 + 0.65 * c) * reflected + 0.25 * highlight) +
                                        0.5);
     };
@@ -161,7 +162,8 @@ constexpr std::uint8_t index_of(const Color& color) {
   const auto pure = [](unsigned start, std::uint8_t component) {
     return static_cast<std::uint8_t>(start + (component >> 2U));
   };
-  const int components = int{color.red != 0} + int{color.green != 0} + int{color.blue != 0};
+  const int components =
+      (color.red != 0 ? 1 : 0) + (color.green != 0 ? 1 : 0) + (color.blue != 0 ? 1 : 0);
   if (components == 1) {
     if (color.red != 0) return pure(64, color.red);
     if (color.green != 0) return pure(128, color.green);
