@@ -1,5 +1,5 @@
 /// \file
-/// Functions of <cmath> that are exact on numbers: remainders, parts, neighbours and signs.
+/// Functions of `<cmath>` that are exact on numbers: remainders, parts, neighbours and signs.
 /// fixed/math.hpp and fixed/trig.hpp have the others.
 #pragma once
 
