@@ -14,9 +14,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "batch/batch.hpp"
 #include "bench/batch_loops.hpp"
 #include "bench/batch_operands.hpp"
-#include "fixed/batch.hpp"
 #include "fixed/fixed.hpp"
 
 namespace {

@@ -39,7 +39,7 @@ results before they time them. [trade.md](trade.md#time-on-this-processor) sets 
 
 ## Arrays
 
-`batch_bench`: the operations of `fixed/batch.hpp` on 1,024 elements in the first-level cache, in arrays that begin at
+`batch_bench`: the operations of `batch/batch.hpp` on 1,024 elements in the first-level cache, in arrays that begin at
 multiples of 64 bytes. The limit is what the scarcest resource alone takes on the fastest path, by `limit_bench`:
 RESOURCES.
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "fixed/batch_radian.hpp"
+#include "batch/radian.hpp"
 #include "fixed/fixed.hpp"
 #include "oracle/fast_sine.hpp"
 #if defined(FIXPROOF_LIBFIXMATH)

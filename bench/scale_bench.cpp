@@ -106,7 +106,7 @@ void frame(benchmark::State& state) {
   xsharp::Picture picture;
   animation.draw(picture);
   const std::size_t after = mallinfo2().uordblks + mallinfo2().hblkhd;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     animation.move();
     animation.draw(picture);
     benchmark::DoNotOptimize(picture.points.data());
@@ -121,7 +121,7 @@ void sort_from(benchmark::State& state, const std::vector<std::size_t>& order) {
   std::vector<std::int32_t> depths(order.size());
   std::iota(depths.begin(), depths.end(), 0);
   std::vector<std::size_t> sorted;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     sorted = order;
     xsharp::sort_by_depth(sorted, std::span<const std::int32_t>(depths));
     benchmark::DoNotOptimize(sorted.data());
@@ -159,7 +159,7 @@ void sort_reversed(benchmark::State& state) {
 void copy(benchmark::State& state) {
   const std::vector<std::int32_t> from(static_cast<std::size_t>(state.range(0) * vertices * 3), 7);
   std::vector<std::int32_t> to(from.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     std::copy(from.begin(), from.end(), to.begin());
     benchmark::DoNotOptimize(to.data());
     benchmark::ClobberMemory();

@@ -24,6 +24,11 @@ class Draw {
   /// Returns 0 ... count-1, for 1 <= count <= 2^32. The bias is below count / 2^32.
   constexpr std::uint64_t below(std::uint64_t count) { return (bits() >> 32U) * count >> 32U; }
 
+  /// Returns first ... last.
+  constexpr int between(int first, int last) {
+    return first + static_cast<int>(below(static_cast<std::uint64_t>(last - first) + 1));
+  }
+
   constexpr bool coin() { return bits() >> 63U != 0; }
 
   /// Returns a magnitude of 0 ... `widest` bits, for a `widest` of 0 ... 62. Every width is equally

@@ -35,6 +35,11 @@ constexpr std::uint64_t all_ones(const Format& format) {
   return ~std::uint64_t{0} >> (64 - format.word_bits);
 }
 
+/// The bits of the largest word.
+constexpr int magnitude_bits(const Format& format) {
+  return format.word_bits - (format.is_signed ? 1 : 0);
+}
+
 /// Returns qW_F for a signed format, uW_F for an unsigned one: W bits before the point, the sign
 /// included, and F after it.
 std::string name_of(const Format& format);

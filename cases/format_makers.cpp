@@ -7,9 +7,6 @@ namespace fixproof::cases {
 
 namespace {
 
-/// The bits of the largest word.
-int magnitude_bits(const Format& format) { return format.word_bits - (format.is_signed ? 1 : 0); }
-
 /// The largest word.
 std::uint64_t largest(const Format& format) {
   return all_ones(format) >> (format.is_signed ? 1 : 0);
@@ -18,20 +15,16 @@ std::uint64_t largest(const Format& format) {
 /// Returns 2^bits - 1, for 0 ... 64 bits.
 std::uint64_t ones(int bits) { return bits == 0 ? 0 : ~std::uint64_t{0} >> (64 - bits); }
 
-int number_from(Draw& draw, int first, int last) {
-  return first + static_cast<int>(draw.below(static_cast<std::uint64_t>(last - first) + 1));
-}
-
 /// Returns a number of 0 ... `widest` bits. Every width is equally likely. 0 <= widest <= 64
 std::uint64_t any_number(Draw& draw, int widest) {
-  const int width = number_from(draw, 0, widest);
+  const int width = draw.between(0, widest);
   if (width == 0) return 0;
   return (draw.bits() & ones(width)) | std::uint64_t{1} << (width - 1);
 }
 
 /// Returns an odd number of 1 ... `widest` bits.
 std::uint64_t odd_number(Draw& draw, int widest) {
-  return any_number(draw, number_from(draw, 1, widest)) | 1;
+  return any_number(draw, draw.between(1, widest)) | 1;
 }
 
 /// Returns the word or, in half of the cases of a signed format, its negative. A product modulo
@@ -78,7 +71,7 @@ WordPair product_tie_in(Draw& draw, const Format& format) {
   // A tie has exactly F - 1 factors of two in the product.
   const int twos = format.fraction_bits - 1;
   const int most = magnitude_bits(format) - 1;
-  const int in_a = number_from(draw, std::max(0, twos - most), std::min(twos, most));
+  const int in_a = draw.between(std::max(0, twos - most), std::min(twos, most));
   const int in_b = twos - in_a;
   const std::uint64_t a = odd_number(draw, most + 1 - in_a) << in_a;
   const std::uint64_t b = odd_number(draw, most + 1 - in_b) << in_b;
@@ -89,7 +82,8 @@ WordPair near_product_tie_in(Draw& draw, const Format& format) {
   const std::uint64_t a = odd_number(draw, magnitude_bits(format));
   const std::uint64_t half = std::uint64_t{1} << (format.fraction_bits - 1);
   // The low F bits of b decide the fraction of the product. The other bits are free.
-  const std::uint64_t low = (half + 1) * inverse_of(a) & ones(format.fraction_bits);
+  const std::uint64_t beside = draw.coin() ? half + 1 : half - 1;
+  const std::uint64_t low = beside * inverse_of(a) & ones(format.fraction_bits);
   const std::uint64_t high = any_number(draw, format.word_bits) & ~ones(format.fraction_bits);
   const WordPair pair = either_sign(draw, a, high | low, format);
   if (draw.coin()) return pair;
@@ -133,9 +127,12 @@ WordPair small_divisor_in(Draw& draw, const Format& format) {
 
 std::uint64_t root_tie_in(Draw& draw, const Format& format) {
   // A root r + 1/2 has the radicand r (r + 1) + 1/4, which is 2^F times the operand.
-  const int root_bits = std::min(63, (magnitude_bits(format) + format.fraction_bits) / 2);
-  const std::uint64_t x = rectangle(any_number(draw, root_bits), format.fraction_bits);
-  return std::min(x, largest(format) - 1) + (draw.coin() ? 1 : 0);
+  const int bits = magnitude_bits(format);
+  // The largest root has half of these bits, rounded up; 64-bit words leave no room for that.
+  const int root_bits = (bits + format.fraction_bits + (bits < 64 ? 1 : 0)) / 2;
+  std::uint64_t r = std::min(any_number(draw, root_bits), ~std::uint64_t{} - 1);
+  while (rectangle(r, format.fraction_bits) >= largest(format)) r /= 2;
+  return rectangle(r, format.fraction_bits) + (draw.coin() ? 1 : 0);
 }
 
 }  // namespace fixproof::cases

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "cases/conversion_makers.hpp"
 #include "cases/format_makers.hpp"
 #include "support/usage_error.hpp"
 
@@ -98,13 +99,24 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
     case Operation::binary64:
     case Operation::add:
     case Operation::sub:
+    case Operation::to_decimal:
       break;
+    case Operation::from_binary64:
+    case Operation::convert:
+    case Operation::from_decimal:
+      return {{Stream::lattice},
+              {Stream::uniform, sample},
+              {Stream::scaled, sample},
+              {Stream::value_ties, sample},
+              {Stream::near_value_ties, sample}};
   }
   return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};
 }
 
-/// Whether a format that no routine has offers cases of a stream.
-bool offers(const Format& format, Stream stream) {
+/// Whether a conversion, or an operation of a format that no routine has, offers cases of a stream.
+bool offers(const Variant& variant, Stream stream) {
+  if (is_conversion(variant.operation)) return has_conversion_stream(stream, variant);
+  const Format& format = variant.format;
   switch (stream) {
     case Stream::product_ties:
     case Stream::near_product_ties:
@@ -125,10 +137,10 @@ std::vector<Share> streams_of(const Variant& variant, int level) {
   if (has_routine_format(variant)) {
     return sampled_streams(variant.operation, sample_of(variant.operation) * factor);
   }
-  // There are three dozen formats, each with its own plan.
+  // There are three dozen formats, each with its own plan. A conversion has many pairs of them.
   constexpr std::uint64_t sample = 10'000;
   std::vector<Share> shares = sampled_streams(variant.operation, sample * factor);
-  std::erase_if(shares, [&](const Share& one) { return !offers(variant.format, one.stream); });
+  std::erase_if(shares, [&](const Share& one) { return !offers(variant, one.stream); });
   return shares;
 }
 

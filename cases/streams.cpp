@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "cases/conversion_makers.hpp"
 #include "cases/draw.hpp"
 #include "cases/format_makers.hpp"
 #include "cases/stream_makers.hpp"
@@ -15,7 +16,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::string_view, 19> stream_names{"uniform",
+constexpr std::array<std::string_view, 21> stream_names{"uniform",
                                                         "scaled",
                                                         "lattice",
                                                         "every",
@@ -33,7 +34,9 @@ constexpr std::array<std::string_view, 19> stream_names{"uniform",
                                                         "transform_ties",
                                                         "root_ties",
                                                         "quarter_turns",
-                                                        "hard_angles"};
+                                                        "hard_angles",
+                                                        "value_ties",
+                                                        "near_value_ties"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
   throw std::invalid_argument(
@@ -103,7 +106,9 @@ void count_hard_angles(const Format& format, std::uint64_t first, std::span<std:
   }
 }
 
-bool is_stream_of(Stream stream, Operation operation) {
+bool is_stream_of(Stream stream, const Variant& variant) {
+  const Operation operation = variant.operation;
+  if (is_conversion(operation)) return has_conversion_stream(stream, variant);
   const std::size_t arity = words_in(operation);
   switch (stream) {
     case Stream::uniform:
@@ -129,6 +134,9 @@ bool is_stream_of(Stream stream, Operation operation) {
       return operation == Operation::xformvec || operation == Operation::concat;
     case Stream::root_ties:
       return operation == Operation::sqrt;
+    case Stream::value_ties:
+    case Stream::near_value_ties:
+      return false;
     case Stream::quarter_turns:
     case Stream::hard_angles:
       break;
@@ -169,6 +177,9 @@ std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
   if (stream != Stream::lattice && stream != Stream::every) return std::nullopt;
   const std::size_t arity = words_in(variant.operation);
   const int bits = operand_bits(variant);
+  if (stream == Stream::lattice && is_conversion(variant.operation)) {
+    return conversion_lattice_size(variant);
+  }
   if (stream == Stream::lattice && arity <= 2) {
     const std::uint64_t values = boundary_lattice(bits).size();
     return arity == 1 ? values : values * values;
@@ -224,15 +235,33 @@ void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std
   }
 }
 
+void make_conversion_cases(Stream stream, const Variant& variant, std::uint64_t key,
+                           std::uint64_t first, std::span<std::uint32_t> words) {
+  const std::size_t each = words_in(variant);
+  if (stream == Stream::every) return count_every(1, operand_format(variant), first, words);
+  if (stream == Stream::lattice) {
+    for (std::size_t i = 0; i * each < words.size(); ++i) {
+      conversion_lattice_case(variant, first + i, words.subspan(i * each, each));
+    }
+    return;
+  }
+  each_case(each, key, first, words, [&](Draw& draw, std::span<std::uint32_t> one_case) {
+    conversion_case(stream, draw, variant, one_case);
+  });
+}
+
 }  // namespace
 
 void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::uint64_t first,
                 std::span<std::uint32_t> words) {
   const Operation operation = variant.operation;
-  if (!is_stream_of(stream, operation)) refuse(stream, variant);
+  if (!is_stream_of(stream, variant)) refuse(stream, variant);
   // The key leaves out the variant's rules, so all variants of an operation get the same cases.
   const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +
                             static_cast<std::uint64_t>(stream);
+  if (is_conversion(operation)) {
+    return make_conversion_cases(stream, variant, key, first, words);
+  }
   if (!has_routine_format(variant)) return make_cases_in(stream, variant, key, first, words);
   const Format format{.word_bits = operand_bits(variant),
                       .fraction_bits = variant.format.fraction_bits};
@@ -286,6 +315,8 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
       return cases([&](Draw& draw, auto one_case) { one_case[0] = quarter_turn(draw, format); });
     case Stream::hard_angles:
       return count_hard_angles(format, first, words);
+    default:
+      refuse(stream, variant);
   }
 }
 

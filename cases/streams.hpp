@@ -45,6 +45,9 @@ enum class Stream : std::uint8_t {
   // sin and cos.
   quarter_turns,  ///< words next to multiples of a quarter turn, and one unit from them
   hard_angles,    ///< the 16.16 words whose sine or cosine comes nearest to halfway
+  // Conversions. Their uniform doubles have any bits; their uniform decimals have few digits.
+  value_ties,       ///< the operand lies halfway between two words of the results
+  near_value_ties,  ///< ... or next to halfway: the next double or word, or a digit far behind
 };
 
 std::string_view name_of(Stream stream);

@@ -11,7 +11,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 12> operations{{
+constexpr std::array<std::pair<std::string_view, Operation>, 16> operations{{
     {"mul", Operation::mul},
     {"div", Operation::div},
     {"cossin", Operation::cossin},
@@ -24,6 +24,10 @@ constexpr std::array<std::pair<std::string_view, Operation>, 12> operations{{
     {"binary64", Operation::binary64},
     {"add", Operation::add},
     {"sub", Operation::sub},
+    {"from_binary64", Operation::from_binary64},
+    {"convert", Operation::convert},
+    {"from_decimal", Operation::from_decimal},
+    {"to_decimal", Operation::to_decimal},
 }};
 
 /// Returns the operation called `name` among `known`; `kind` is for the error message.

@@ -27,6 +27,11 @@ enum class Operation : std::uint8_t {
   binary64,  ///< conversion to double and back: the identity
   add,       ///< a + b, for `gen`, `eval` and `check`
   sub,       ///< a - b, likewise
+  // Conversions, for `gen` and `check`.
+  from_binary64,  ///< a double to a word
+  convert,        ///< a word of another format to a word
+  from_decimal,   ///< decimal text to a word
+  to_decimal,     ///< a word to decimal text
 };
 
 /// One operation under one set of rules, at one width.
@@ -35,6 +40,8 @@ struct Variant {
   Build build{};
   /// Of the operands and results. Routines exist in 16.16 and 8.8.
   Format format = q16_16;
+  /// Of the operand of `convert`, whose result has the other format.
+  Format from = q16_16;
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };
@@ -91,9 +98,26 @@ constexpr Variant variant_of(Operation operation, const Build& build) {
   return variant;
 }
 
-/// The width of each operand. The angle of cossin has half the bits of a word.
+constexpr bool is_conversion(Operation o) { return o >= Operation::from_binary64; }
+
+/// The format of each operand that is a word.
+constexpr const Format& operand_format(const Variant& v) {
+  return v.operation == Operation::convert ? v.from : v.format;
+}
+
+/// The width of each operand. The angle of cossin has half the bits of a word. A case of
+/// from_decimal has 96 bits, which append_decimal_operand() turns into text.
 constexpr int operand_bits(const Variant& v) {
-  return v.operation == Operation::cossin ? v.format.word_bits / 2 : v.format.word_bits;
+  switch (v.operation) {
+    case Operation::cossin:
+      return v.format.word_bits / 2;
+    case Operation::from_binary64:
+      return 64;
+    case Operation::from_decimal:
+      return 96;
+    default:
+      return operand_format(v).word_bits;
+  }
 }
 
 /// Cases and answers are stored in words of 32 bits. A number of 64 bits takes two, the low half
@@ -102,19 +126,18 @@ constexpr std::size_t words_per_number(const Format& format) {
   return format.word_bits > 32 ? 2 : 1;
 }
 constexpr std::size_t words_in(const Variant& v) {
-  return words_in(v.operation) * words_per_number(v.format);
+  return words_in(v.operation) * static_cast<std::size_t>((operand_bits(v) + 31) / 32);
 }
 constexpr std::size_t words_out(const Variant& v) {
   return words_out(v.operation) * words_per_number(v.format);
 }
 /// The bits of each stored word of an operand.
-constexpr int stored_bits(const Variant& v) {
-  return v.format.word_bits > 32 ? 32 : operand_bits(v);
-}
+constexpr int stored_bits(const Variant& v) { return operand_bits(v) > 32 ? 32 : operand_bits(v); }
 
-/// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models.
+/// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models. A
+/// conversion has not.
 constexpr bool has_routine_format(const Variant& v) {
-  return v.format == q16_16 || v.format == q8_8;
+  return !is_conversion(v.operation) && (v.format == q16_16 || v.format == q8_8);
 }
 
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }

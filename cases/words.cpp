@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "cases/conversion_makers.hpp"
 #include "support/hex.hpp"
 #include "support/usage_error.hpp"
 
@@ -18,20 +20,10 @@ std::int32_t signed_word(std::uint32_t word, int bits) {
 }
 
 /// The exact value of a word of 64 bits.
-std::string exact_decimal(const Format& format, std::uint64_t word) {
+std::string decimal_of_64(const Format& format, std::uint64_t word) {
   const bool negative = format.is_signed && word >> 63U != 0;
-  const std::uint64_t magnitude = negative ? 0 - word : word;
-  const int f = format.fraction_bits;
-  std::string text = fmt::format("{}{}.", negative ? "-" : "", f == 64 ? 0 : magnitude >> f);
-  // The fraction fills 64 bits. Ten times it is computed in halves; the digit is what exceeds them.
-  for (std::uint64_t rest = f == 0 ? 0 : magnitude << (64 - f); rest != 0;) {
-    const std::uint64_t low = (rest & 0xffffffffU) * 10;
-    const std::uint64_t high = (rest >> 32U) * 10 + (low >> 32U);
-    text += static_cast<char>('0' + (high >> 32U));
-    rest = high << 32U | (low & 0xffffffffU);
-  }
-  if (text.back() == '.') text.pop_back();
-  return text;
+  return fmt::format("{}{}", negative ? "-" : "",
+                     exact_decimal(negative ? 0 - word : word, format.fraction_bits));
 }
 
 std::string decimal(const Variant& v, std::uint32_t word) {
@@ -55,9 +47,32 @@ std::uint64_t joined(std::span<const std::uint32_t> halves) {
 
 }  // namespace
 
+std::string exact_decimal(std::uint64_t magnitude, int fraction_bits, bool and_half) {
+  const int f = fraction_bits;
+  std::string text = fmt::format("{}.", f == 64 ? 0 : magnitude >> f);
+  // The fraction fills three words, the highest last. The digit is what exceeds ten times it.
+  std::uint64_t top = f == 0 ? 0 : magnitude << (64 - f);
+  std::uint32_t below = 0;
+  if (and_half && f == 64) below = 0x80000000U;
+  if (and_half && f < 64) top |= std::uint64_t{1} << (63 - f);
+  std::array<std::uint32_t, 3> rest{below, static_cast<std::uint32_t>(top),
+                                    static_cast<std::uint32_t>(top >> 32U)};
+  while (rest != std::array<std::uint32_t, 3>{}) {
+    std::uint64_t carry = 0;
+    for (std::uint32_t& word : rest) {
+      const std::uint64_t product = std::uint64_t{word} * 10 + carry;
+      word = static_cast<std::uint32_t>(product);
+      carry = product >> 32U;
+    }
+    text += static_cast<char>('0' + carry);
+  }
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
   const auto digits = static_cast<std::size_t>(operand_bits(v) / 4);
-  const std::size_t each = words_per_number(v.format);
+  const std::size_t each = digits > 8 ? 2 : 1;
   const std::size_t numbers = words.size() / each;
   for (std::size_t i = 0; i < numbers; ++i) {
     const auto space = line.find(' ');
@@ -83,6 +98,11 @@ void append_words(std::string& to, std::span<const std::uint32_t> words, int bit
   }
 }
 
+void append_operands(std::string& to, const Variant& v, std::span<const std::uint32_t> words) {
+  if (v.operation == Operation::from_decimal) return append_decimal_operand(to, words, v.format);
+  append_words(to, words, operand_bits(v));
+}
+
 std::string hex_words(std::span<const std::uint32_t> words, int bits) {
   std::string text;
   append_words(text, words, bits);
@@ -94,7 +114,7 @@ std::string decimal_words(const Variant& v, std::span<const std::uint32_t> words
   std::string text;
   for (std::size_t i = 0; i < words.size(); i += each) {
     if (i > 0) text += ' ';
-    text += each == 2 ? exact_decimal(v.format, joined(words.subspan(i, 2))) : decimal(v, words[i]);
+    text += each == 2 ? decimal_of_64(v.format, joined(words.subspan(i, 2))) : decimal(v, words[i]);
   }
   return text;
 }

@@ -11,6 +11,10 @@
 
 namespace fixproof::cases {
 
+/// Returns the exact value of `magnitude` units of 2^-fraction_bits, and half a unit more if
+/// `and_half`. 0 <= fraction_bits <= 64
+std::string exact_decimal(std::uint64_t magnitude, int fraction_bits, bool and_half = false);
+
 /// Parses the operands of one case into words_in(v) words. The line has one group of hex digits per
 /// operand, separated by single spaces.
 /// @throws UsageError describing the defect of the line
@@ -22,6 +26,9 @@ std::string hex_words(std::span<const std::uint32_t> words, int bits);
 
 /// Appends the same.
 void append_words(std::string& to, std::span<const std::uint32_t> words, int bits);
+
+/// Appends the operands of one case as parse_words() reads them; for from_decimal a decimal number.
+void append_operands(std::string& to, const Variant& v, std::span<const std::uint32_t> words);
 
 /// Formats the operands in decimal, angles in degrees. Values of more than 32 bits are exact,
 /// others have enough places to distinguish them; for 16.16 five.

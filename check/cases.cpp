@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 
@@ -17,10 +18,6 @@ namespace {
 
 constexpr std::uint64_t cases_of_batch = 1024;
 
-cases::Variant variant_of(cases::Operation operation, const cases::Format& format) {
-  return {.operation = operation, .build = {.target = cases::Target::standard}, .format = format};
-}
-
 /// A plan has cases only for rows of at least two parties, so the row has two placeholders.
 cases::Plan plan_of(const cases::Variant& variant, const CaseOptions& options) {
   return {static_cast<int>(options.level), options.seed, {{variant, {"a", "b"}}}};
@@ -28,10 +25,21 @@ cases::Plan plan_of(const cases::Variant& variant, const CaseOptions& options) {
 
 }  // namespace
 
-std::string CaseOptions::command_line(cases::Operation operation,
-                                      const cases::Format& format) const {
-  std::string text = fmt::format("fixproof gen {}", cases::name_of(operation));
+cases::Variant variant_of(cases::Operation operation, const cases::Format& format,
+                          const cases::Format& from) {
+  return {.operation = operation,
+          .build = {.target = cases::Target::standard},
+          .format = format,
+          .from = from};
+}
+
+std::string CaseOptions::command_line(const cases::Variant& variant) const {
+  std::string text = fmt::format("fixproof gen {}", cases::name_of(variant.operation));
+  const cases::Format& format = cases::operand_format(variant);
   if (format != cases::q16_16) text += fmt::format(" --format {}", cases::name_of(format));
+  if (variant.operation == cases::Operation::convert) {
+    text += fmt::format(" --to {}", cases::name_of(variant.format));
+  }
   text += fmt::format(" --level {}", level);
   if (seed != CaseOptions{}.seed) text += fmt::format(" --seed {}", seed);
   if (shard != CaseOptions{}.shard) text += fmt::format(" --shard {}", shard);
@@ -39,9 +47,8 @@ std::string CaseOptions::command_line(cases::Operation operation,
   return text;
 }
 
-GeneratedCases::GeneratedCases(cases::Operation operation, const CaseOptions& options,
-                               const cases::Format& format)
-    : variant_(variant_of(operation, format)),
+GeneratedCases::GeneratedCases(const cases::Variant& variant, const CaseOptions& options)
+    : variant_(variant),
       plan_(plan_of(variant_, options)),
       shard_(cases::parse_shard(options.shard)),
       seed_(options.seed),
@@ -100,26 +107,46 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
   }
 }
 
-FileCases::FileCases(cases::Operation operation, std::string path, const cases::Format& format)
-    : variant_(variant_of(operation, format)), path_(std::move(path)), file_(path_) {
+std::optional<Converted> GeneratedCases::next_converted() {
+  std::array<std::uint32_t, 3> room{};
+  const auto words = std::span(room).first(cases::words_in(variant_));
+  if (!next(words)) return std::nullopt;
+  std::string line;
+  cases::append_operands(line, variant_, words);
+  return parse_converted(line, variant_);
+}
+
+FileCases::FileCases(const cases::Variant& variant, std::string path)
+    : variant_(variant), path_(std::move(path)), file_(path_) {
   if (!file_) {
     throw support::UsageError(
         fmt::format("cannot read {}: {}", path_, std::generic_category().message(errno)));
   }
 }
 
-bool FileCases::next(std::span<std::uint32_t> words) {
+template <class Parse>
+bool FileCases::next_line(Parse parse) {
   std::string line;
   try {
     do {
       ++line_;
       if (!support::read_line(file_, line)) return false;
     } while (support::is_blank_or_comment(line));
-    cases::parse_words(line, variant_, words);
+    parse(line);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}, line {}: {}", path_, line_, error.what()));
   }
   return true;
+}
+
+bool FileCases::next(std::span<std::uint32_t> words) {
+  return next_line([&](const std::string& line) { cases::parse_words(line, variant_, words); });
+}
+
+std::optional<Converted> FileCases::next_converted() {
+  std::optional<Converted> converted;
+  next_line([&](const std::string& line) { converted = parse_converted(line, variant_); });
+  return converted;
 }
 
 }  // namespace fixproof::check

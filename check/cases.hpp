@@ -13,6 +13,7 @@
 
 #include "cases/plan.hpp"
 #include "cases/variant.hpp"
+#include "check/operands.hpp"
 
 namespace fixproof::check {
 
@@ -24,9 +25,13 @@ struct CaseOptions {
   std::optional<std::uint64_t> cases;  ///< the maximum number, evenly spread
 
   /// Returns the command that writes these cases.
-  [[nodiscard]] std::string command_line(cases::Operation operation,
-                                         const cases::Format& format = cases::q16_16) const;
+  [[nodiscard]] std::string command_line(const cases::Variant& variant) const;
 };
+
+/// Returns the operation in a format, under the rules of the type.
+/// @param from the format of the operands of convert
+cases::Variant variant_of(cases::Operation operation, const cases::Format& format = cases::q16_16,
+                          const cases::Format& from = cases::q16_16);
 
 class CaseSource : private boost::noncopyable {
  public:
@@ -35,6 +40,8 @@ class CaseSource : private boost::noncopyable {
 
   /// Reads the words of the next case, words_in(variant) of them; false at the end.
   virtual bool next(std::span<std::uint32_t> words) = 0;
+  /// Reads the operand of the next case of a conversion; empty at the end.
+  virtual std::optional<Converted> next_converted() = 0;
   /// The stream or the file of the last case. The text lives as long as the source.
   [[nodiscard]] virtual std::string_view origin() const = 0;
   /// The number of cases, if it is known in advance.
@@ -45,10 +52,10 @@ class CaseSource : private boost::noncopyable {
 class GeneratedCases final : public CaseSource {
  public:
   /// @throws UsageError for an invalid shard
-  GeneratedCases(cases::Operation operation, const CaseOptions& options,
-                 const cases::Format& format = cases::q16_16);
+  GeneratedCases(const cases::Variant& variant, const CaseOptions& options);
 
   bool next(std::span<std::uint32_t> words) override;
+  std::optional<Converted> next_converted() override;
   [[nodiscard]] std::string_view origin() const override { return origin_; }
   [[nodiscard]] std::optional<std::uint64_t> count() const override { return count_; }
   /// Returns the number of these cases that are from a stream.
@@ -81,14 +88,19 @@ class GeneratedCases final : public CaseSource {
 class FileCases final : public CaseSource {
  public:
   /// @throws UsageError if the file cannot be read
-  FileCases(cases::Operation operation, std::string path,
-            const cases::Format& format = cases::q16_16);
+  FileCases(const cases::Variant& variant, std::string path);
 
   /// @throws UsageError naming the line that is not a case
   bool next(std::span<std::uint32_t> words) override;
+  /// @throws UsageError naming the line that is not a case
+  std::optional<Converted> next_converted() override;
   [[nodiscard]] std::string_view origin() const override { return path_; }
 
  private:
+  /// Reads the next line that is not a comment and passes it on; false at the end.
+  template <class Parse>
+  bool next_line(Parse parse);
+
   cases::Variant variant_;
   std::string path_;
   std::ifstream file_;

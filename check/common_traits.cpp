@@ -60,7 +60,7 @@ std::vector<CommonTraits::Shared> CommonTraits::shared_traits() const {
     offer(about(i), {right_with_.at(i), case_trait_text(operation_, format_, i)});
   }
   if (wrong_ >= fewest_for_lengths) {
-    for (std::size_t i = 0; i < cases::words_in(operation_); ++i) {
+    for (std::size_t i = 0; i < words_of(operation_); ++i) {
       offer(static_cast<About>(i), shared_length(i));
     }
   }

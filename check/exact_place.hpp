@@ -18,14 +18,14 @@ enum class CaseKind : std::uint8_t {
   near_tie,   ///< less than 1/1024 ulp from halfway
   between,    ///< any other fraction
   overflow,   ///< the rounded result does not fit a word
-  no_result,  ///< a zero divisor, or the root of a negative number
+  no_result,  ///< a zero divisor, the root of a negative number, NaN or an infinity
 };
 inline constexpr std::size_t case_kinds = 6;
 
 /// Where an exact result lies among the words.
 struct ExactPlace {
   bool has_result = true;
-  bool negative = false;  ///< the result is below 0; without a result, the first operand is
+  bool negative = false;  ///< the result is below 0; without a result, Operands::sign() is
   Rounded floor;          ///< the result rounded down
   bool exact = true;      ///< a whole number of ulps
   bool tie = false;       ///< halfway between two
@@ -37,11 +37,11 @@ struct ExactPlace {
 
 /// Returns the place of the exact result of a judged operation.
 ExactPlace exact_place(cases::Operation operation, const cases::Format& format,
-                       std::span<const std::uint64_t> words);
+                       const Operands& operands);
 
 /// Returns the exact result in ulps as text: `-1 + 1/2`, `46340 + 0.95001`, `none`.
 std::string exact_text(cases::Operation operation, const cases::Format& format,
-                       std::span<const std::uint64_t> words);
+                       const Operands& operands);
 
 /// Returns the name of a kind. The name for a missing result depends on the operation.
 std::string_view name_of(CaseKind kind, cases::Operation operation);

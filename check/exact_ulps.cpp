@@ -6,8 +6,12 @@
 namespace fixproof::check {
 
 std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const cases::Format& format,
-                                          std::span<const std::uint64_t> words,
-                                          oracle::Rounding rule) {
+                                          const Operands& operands, oracle::Rounding rule) {
+  if (const Converted* converted = operands.converted()) {
+    if (!converted->value) return std::nullopt;
+    return oracle::to_ulps(*converted->value, rule, format.fraction_bits);
+  }
+  const auto words = operands.words();
   const oracle::Format wide = oracle_format(format);
   switch (operation) {
     case cases::Operation::mul:

@@ -16,14 +16,14 @@
 namespace fixproof::check {
 
 [[noreturn]] inline void refuse_operation() {
-  throw std::invalid_argument("only mul, div, sqrt, add and sub are judged");
+  throw std::invalid_argument("only mul, div, sqrt, add, sub and conversions are judged");
 }
 
-/// The rounded result in ulps in any format; empty for x / 0 and negative radicands.
+/// The rounded result in ulps in any format; empty for x / 0, negative radicands, NaN and the
+/// infinities.
 /// @throws std::invalid_argument for an operation that is not judged
 std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const cases::Format& format,
-                                          std::span<const std::uint64_t> words,
-                                          oracle::Rounding rule);
+                                          const Operands& operands, oracle::Rounding rule);
 
 /// The same in 16.16, about ten times as fast: a result has less than 49 bits.
 inline std::optional<std::int64_t> narrow_ulps(cases::Operation operation,

@@ -35,11 +35,12 @@ std::string phrase(Overflow rule, const cases::Format& format) {
   return "gives anything";
 }
 
-std::string phrase(NoResult rule, const cases::Format& format) {
+std::string phrase(NoResult rule, const cases::Format& format, std::string_view sign_of) {
   const std::string high = hex_text(highest(format), format);
   const auto by_sign = [&](std::uint64_t low) {
     if (!format.is_signed) return fmt::format("gives {}", high);
-    return fmt::format("gives {} or {}, by the sign of the dividend", high, hex_text(low, format));
+    return fmt::format("gives {} or {}, by the sign of the {}", high, hex_text(low, format),
+                       sign_of);
   };
   switch (rule) {
     case NoResult::error:
@@ -66,6 +67,17 @@ constexpr std::string_view mirrored_down =
     "gives minus the root of the magnitude, rounded down, away from zero";
 constexpr std::string_view mirrored_toward_zero =
     "gives minus the root of the magnitude, rounded toward zero";
+
+/// The names of operands without a result.
+struct NoResultNames {
+  std::string_view cases;
+  std::string_view sign_of;  ///< the operand whose sign decides
+};
+NoResultNames no_result_names(cases::Operation operation) {
+  if (operation == cases::Operation::sqrt) return {"negative operands", "operand"};
+  if (operation == cases::Operation::from_binary64) return {"NaNs and infinities", "infinity"};
+  return {"zero divisors", "dividend"};
+}
 
 std::string joined(const std::vector<std::string>& names, std::string_view last) {
   std::string text;
@@ -118,7 +130,9 @@ std::string line_of(std::string_view subject, const BestRules& best,
 /// Returns the line of the rounding, or of exact results in range.
 std::string rounding_line(const BestRules& best, const Rules& followed) {
   if (!is_rounded(followed.operation)) {
-    return line_of("in range", best, {"exact"}, "cases that do not overflow", followed);
+    const bool text = followed.operation == cases::Operation::to_decimal;
+    return text ? line_of("text", best, {"reads as the operand"}, "cases", followed)
+                : line_of("in range", best, {"exact"}, "cases that do not overflow", followed);
   }
   std::vector<std::string> names;
   for (const std::size_t i : best.rules) names.emplace_back(name_of(roundings()[i]));
@@ -178,16 +192,17 @@ std::string guess_text(const Judge& judge) {
   if (const auto rules = no_result_rules(operation, format); !rules.empty()) {
     const BestRules none = trial.no_result(rule);
     names.clear();
-    for (const std::size_t i : none.rules) names.push_back(phrase(rules[i], format));
+    const NoResultNames called = no_result_names(operation);
+    for (const std::size_t i : none.rules) {
+      names.push_back(phrase(rules[i], format, called.sign_of));
+    }
     followed.no_result = rules[none.rules.front()];
-    const bool root = operation == cases::Operation::sqrt;
     if (followed.no_result == NoResult::mirror && names.size() == 1) {
       if (followed.rounding == oracle::Rounding::floor) names = {std::string(mirrored_down)};
       if (followed.rounding == oracle::Rounding::truncate)
         names = {std::string(mirrored_toward_zero)};
     }
-    text += line_of(root ? "negative operand" : "divide by zero", none, names,
-                    root ? "negative operands" : "zero divisors", followed);
+    text += line_of(name_of(CaseKind::no_result, operation), none, names, called.cases, followed);
   }
 
   if (const auto& error = judge.largest_error(); error && error->ulps > 0) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/format.hpp"
+#include "oracle/unbounded.hpp"
 
 namespace fixproof::check {
 
@@ -92,6 +93,16 @@ constexpr auto quotient_and_half = []<class Number>(const Number& a, const Numbe
   return std::optional<Number>(half_and_cut<Number>(a * one<Number>(f), b));
 };
 
+constexpr auto value_and_half = [](const Integer& a, const Integer& b, const Format&) {
+  return std::optional(half_and_cut<Integer>(a, b));
+};
+constexpr auto cut_single = [](const Integer& a, const Integer& b, const Format&) {
+  const int dropped = a == 0 ? 0 : static_cast<int>(msb(abs(a))) - 23;
+  if (dropped <= 0) return std::optional<Integer>(a / b);
+  const Integer kept = oracle::rounded(a, Integer(1) << dropped, oracle::Rounding::half_even);
+  return std::optional<Integer>((kept << dropped) / b);
+};
+
 using Ulps = std::optional<std::int64_t>;
 
 constexpr std::array<Idiom, idiom_count> all_idioms{{
@@ -140,6 +151,11 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
        return Ulps(cut(std::sqrt(static_cast<float>(a) / scale) * scale));
      },
      nullptr},
+    {Operation::from_binary64, "(int)(x * {one} + 0.5), which cuts negative results toward zero",
+     nullptr, value_and_half},
+    {Operation::from_decimal, "(int)(x * {one} + 0.5), which cuts negative results toward zero",
+     nullptr, value_and_half},
+    {Operation::from_binary64, "(int)((float)x * {one}), which has 24 bits", nullptr, cut_single},
 }};
 
 }  // namespace
@@ -174,6 +190,20 @@ void IdiomTrial::add(const JudgedCase& one, bool right) {
   const auto compare = [&](std::size_t i, const auto& result, const auto& word) {
     if (one.said != (result ? Said(word(*result)) : Said())) ++exceptions_.at(i);
   };
+  const oracle::Format wide = oracle_format(format_);
+  const auto compare_wide = [&](const Integer& a, const Integer& b) {
+    const auto word = [&wide](const Integer& ulps) { return oracle::wrap(ulps, wide); };
+    for (std::size_t i = 0; i < all_idioms.size(); ++i) {
+      if (!all_idioms.at(i).is_for(operation_, format_)) continue;
+      const auto result = all_idioms.at(i).wide(a, b, format_);
+      // Single precision rounds to the end of the range what lies before it.
+      if (!result || oracle::fits(*result, wide)) compare(i, result, word);
+    }
+  };
+  if (one.converted) {
+    const auto& [numerator, denominator] = *one.converted->value;
+    return compare_wide(numerator << format_.fraction_bits, denominator);
+  }
   if (format_ == cases::q16_16) {
     const std::int64_t a = static_cast<std::int32_t>(one.words[0]);
     const std::int64_t b = static_cast<std::int32_t>(one.words[1]);
@@ -184,14 +214,7 @@ void IdiomTrial::add(const JudgedCase& one, bool right) {
     }
     return;
   }
-  const oracle::Format wide = oracle_format(format_);
-  const Integer a = oracle::ulps(one.words[0], wide);
-  const Integer b = oracle::ulps(one.words[1], wide);
-  const auto word = [&wide](const Integer& ulps) { return oracle::wrap(ulps, wide); };
-  for (std::size_t i = 0; i < all_idioms.size(); ++i) {
-    if (!all_idioms.at(i).is_for(operation_, format_)) continue;
-    compare(i, all_idioms.at(i).wide(a, b, format_), word);
-  }
+  compare_wide(oracle::ulps(one.words[0], wide), oracle::ulps(one.words[1], wide));
 }
 
 std::optional<Likeness> IdiomTrial::likeness() const {

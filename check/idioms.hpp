@@ -15,7 +15,8 @@
 
 namespace fixproof::check {
 
-/// Arithmetic in C on words a and b.
+/// Arithmetic in C on words a and b, or on the operand x of a conversion. The exact value of x is
+/// a / b ulps of the result.
 struct Idiom {
   /// Returns the result in ulps; empty for a divide error. Requires operands whose exact
   /// result fits a word.
@@ -26,14 +27,14 @@ struct Idiom {
   cases::Operation operation;
   /// The text in C, with named places that text_in() fills for a format.
   std::string_view text;
-  Result<std::int64_t> narrow;   ///< for 16.16
+  Result<std::int64_t> narrow;   ///< for words of 16.16; null for conversions
   Result<oracle::Integer> wide;  ///< for other formats; null if the idiom is only for 16.16
 
   [[nodiscard]] std::string text_in(const cases::Format& format) const;
-  [[nodiscard]] bool is_for(cases::Operation operation, const cases::Format& format) const;
+  [[nodiscard]] bool is_for(cases::Operation of, const cases::Format& format) const;
 };
 
-inline constexpr std::size_t idiom_count = 18;
+inline constexpr std::size_t idiom_count = 21;
 const std::array<Idiom, idiom_count>& idioms();
 
 /// The idioms with the fewest exceptions. Several tie if no case tells them apart.

@@ -25,13 +25,14 @@ Judge::Judge(const Rules& rules, std::size_t max_shown)
       common_(rules.operation, rules.format) {}
 
 void Judge::add(const JudgedCase& one) {
-  const auto rounded = rounded_result(rules_.operation, rules_.format, one.words, rules_.rounding);
-  const ExactPlace place = exact_place(rules_.operation, rules_.format, one.words);
+  const Operands operands = one.operands();
+  const auto rounded = rounded_result(rules_.operation, rules_.format, operands, rules_.rounding);
+  const ExactPlace place = exact_place(rules_.operation, rules_.format, operands);
   const bool in_range = rounded && rounded->fits;
-  const bool right = keeps(rules_, one.words, rounded, one.said);
+  const bool right = keeps(rules_, operands, rounded, one.said);
 
   ++cases_;
-  const Expected expected = expected_of(rules_, one.words, rounded);
+  const Expected expected = expected_of(rules_, operands, rounded);
   const CaseKind kind = place.kind(rounded && !in_range);
   if (expected.judged) {
     common_.add({one.words, place, kind, expected.said, one.said, rules_.format}, right);

@@ -19,9 +19,9 @@ std::optional<Said> Results::next() {
     if (blank != 0) {
       line_ = blank;
       throw support::UsageError(
-          fmt::format("a blank line is not a result; {}", result_format(format_)));
+          fmt::format("a blank line is not a result; {}", result_format(format_, decimal_)));
     }
-    return parse_result(text_, format_);
+    return decimal_ ? parse_decimal_result(text_, format_) : parse_result(text_, format_);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}, line {}: {}", name_, line_, error.what()));
   }

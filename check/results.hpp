@@ -16,13 +16,16 @@ namespace fixproof::check {
 class Results {
  public:
   /// @param name the name of the stream in errors
-  Results(std::istream& in, std::string name, const cases::Format& format)
-      : in_(in), name_(std::move(name)), format_(format) {}
+  /// @param decimal results are decimal numbers, not words
+  Results(std::istream& in, std::string name, const cases::Format& format, bool decimal = false)
+      : in_(in), name_(std::move(name)), format_(format), decimal_(decimal) {}
 
   /// Returns the next result; empty at the end.
   /// @throws UsageError naming the line
   std::optional<Said> next();
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// The last result as it stands on its line.
+  [[nodiscard]] const std::string& text() const { return text_; }
   /// The line number of the last result, from 1.
   [[nodiscard]] std::uint64_t line() const { return line_; }
 
@@ -30,6 +33,7 @@ class Results {
   std::istream& in_;
   std::string name_;
   cases::Format format_;
+  bool decimal_;
   std::string text_;
   std::uint64_t line_ = 0;
 };

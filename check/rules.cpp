@@ -68,10 +68,10 @@ Said mirrored_root(std::uint64_t radicand, const cases::Format& format, Rounding
   return oracle::wrap(mirrored(*root, square, rounding), wide);
 }
 
-Said no_result_of(NoResult rule, const cases::Format& format, std::span<const std::uint64_t> words,
+Said no_result_of(NoResult rule, const cases::Format& format, const Operands& operands,
                   Rounding rounding) {
-  return rule == NoResult::mirror ? mirrored_root(words[0], format, rounding)
-                                  : limit_of(rule, format, is_negative(words[0], format));
+  return rule == NoResult::mirror ? mirrored_root(operands.words()[0], format, rounding)
+                                  : limit_of(rule, format, operands.sign(format) < 0);
 }
 
 Said overflowed(Overflow rule, const cases::Format& format, const Rounded& rounded) {
@@ -124,7 +124,9 @@ std::string_view name_of(NoResult rule) {
 std::span<const Rounding> roundings() { return all_roundings; }
 std::span<const Overflow> overflow_rules() { return all_overflow_rules; }
 std::span<const NoResult> no_result_rules(cases::Operation operation) {
-  if (operation == cases::Operation::div) return zero_divisor_rules;
+  if (operation == cases::Operation::div || operation == cases::Operation::from_binary64) {
+    return zero_divisor_rules;
+  }
   if (operation == cases::Operation::sqrt) return negative_root_rules;
   return {};
 }
@@ -140,13 +142,13 @@ std::span<const NoResult> no_result_rules(cases::Operation operation, const case
 }
 
 std::optional<Rounded> rounded_result(cases::Operation operation, const cases::Format& format,
-                                      std::span<const std::uint64_t> words, Rounding rule) {
-  if (format == cases::q16_16) {
-    const auto ulps = narrow_ulps(operation, words, rule);
+                                      const Operands& operands, Rounding rule) {
+  if (format == cases::q16_16 && operands.converted() == nullptr) {
+    const auto ulps = narrow_ulps(operation, operands.words(), rule);
     if (!ulps) return std::nullopt;
     return narrow_word(*ulps);
   }
-  const auto ulps = exact_ulps(operation, format, words, rule);
+  const auto ulps = exact_ulps(operation, format, operands, rule);
   if (!ulps) return std::nullopt;
   const oracle::Format wide = oracle_format(format);
   return Rounded{oracle::wrap(*ulps, wide), oracle::fits(*ulps, wide), *ulps < 0};
@@ -156,36 +158,36 @@ bool keeps(Overflow rule, const cases::Format& format, const Rounded& rounded, S
   return rule == Overflow::any || said == overflowed(rule, format, rounded);
 }
 
-bool keeps(NoResult rule, const cases::Format& format, std::span<const std::uint64_t> words,
-           Rounding rounding, Said said) {
+bool keeps(NoResult rule, const cases::Format& format, const Operands& operands, Rounding rounding,
+           Said said) {
   const bool by_sign = rule == NoResult::saturate || rule == NoResult::symmetric;
-  if (rule == NoResult::any || (by_sign && words[0] == 0 && said == 0U)) return true;
-  return said == no_result_of(rule, format, words, rounding);
+  if (rule == NoResult::any || (by_sign && operands.sign(format) == 0 && said == 0U)) return true;
+  return said == no_result_of(rule, format, operands, rounding);
 }
 
-Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words) {
-  return expected_of(rules, words,
-                     rounded_result(rules.operation, rules.format, words, rules.rounding));
+Expected expected_of(const Rules& rules, const Operands& operands) {
+  return expected_of(rules, operands,
+                     rounded_result(rules.operation, rules.format, operands, rules.rounding));
 }
 
-bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said) {
-  return keeps(rules, words, rounded_result(rules.operation, rules.format, words, rules.rounding),
-               said);
+bool keeps(const Rules& rules, const Operands& operands, Said said) {
+  return keeps(rules, operands,
+               rounded_result(rules.operation, rules.format, operands, rules.rounding), said);
 }
 
-Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words,
+Expected expected_of(const Rules& rules, const Operands& operands,
                      const std::optional<Rounded>& rounded) {
   if (!rounded) {
     return {rules.no_result != NoResult::any,
-            no_result_of(rules.no_result, rules.format, words, rules.rounding)};
+            no_result_of(rules.no_result, rules.format, operands, rules.rounding)};
   }
   if (rounded->fits) return {true, rounded->word};
   return {rules.overflow != Overflow::any, overflowed(rules.overflow, rules.format, *rounded)};
 }
 
-bool keeps(const Rules& rules, std::span<const std::uint64_t> words,
-           const std::optional<Rounded>& rounded, Said said) {
-  if (!rounded) return keeps(rules.no_result, rules.format, words, rules.rounding, said);
+bool keeps(const Rules& rules, const Operands& operands, const std::optional<Rounded>& rounded,
+           Said said) {
+  if (!rounded) return keeps(rules.no_result, rules.format, operands, rules.rounding, said);
   if (rounded->fits) return said == rounded->word;
   return keeps(rules.overflow, rules.format, *rounded, said);
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cases/variant.hpp"
+#include "check/operands.hpp"
 #include "check/word.hpp"
 #include "oracle/rule.hpp"
 
@@ -25,8 +26,9 @@ enum class Overflow : std::uint8_t {
   error,      ///< DE
 };
 
-/// The result for a zero divisor or for the root of a negative number. The sign is that of the
-/// dividend. Rules that depend on the sign also accept 0 for 0 / 0.
+/// The result for a zero divisor, for the root of a negative number, and for NaN and the
+/// infinities. The sign is that of the dividend or the infinity. Rules that depend on the sign also
+/// accept 0 for 0 / 0 and NaN.
 enum class NoResult : std::uint8_t {
   any,        ///< every result is accepted
   error,      ///< DE
@@ -44,29 +46,34 @@ struct Rules {
   Overflow overflow = Overflow::wrap;
   NoResult no_result = NoResult::error;
   cases::Format format{};
+  cases::Format from = cases::q16_16;  ///< of the operands of convert
 };
 
 constexpr bool is_judged(cases::Operation operation) {
   using enum cases::Operation;
   return operation == mul || operation == div || operation == sqrt || operation == add ||
-         operation == sub;
+         operation == sub || cases::is_conversion(operation);
 }
 
-/// Tells whether results are rounded. Sums and differences of words are exact.
+/// Tells whether results are rounded. Sums and differences of words are exact, and the text of a
+/// word need only read as that word.
 constexpr bool is_rounded(cases::Operation operation) {
-  return operation != cases::Operation::add && operation != cases::Operation::sub;
+  using enum cases::Operation;
+  return operation != add && operation != sub && operation != to_decimal;
 }
 
 /// Tells whether a result can lie outside the range of words. A root does if a signed word has no
 /// bit before the point: sqrt(0.49) in q0_8.
 constexpr bool can_overflow(cases::Operation operation, const cases::Format& format) {
+  if (operation == cases::Operation::to_decimal) return false;
   return operation != cases::Operation::sqrt ||
          (format.is_signed && format.fraction_bits == format.word_bits);
 }
 
-/// Tells whether some operands have no result: a zero divisor, or a negative radicand.
+/// Tells whether some operands have no result: a zero divisor, a negative radicand, or a double
+/// that is not finite.
 constexpr bool can_lack_result(cases::Operation operation, const cases::Format& format) {
-  return operation == cases::Operation::div ||
+  return operation == cases::Operation::div || operation == cases::Operation::from_binary64 ||
          (operation == cases::Operation::sqrt && format.is_signed);
 }
 
@@ -92,15 +99,15 @@ struct Rounded {
   bool fits = true;
   bool negative = false;
 };
-/// The rounded result; empty for x / 0 and negative radicands.
+/// The rounded result; empty for operands without one.
 std::optional<Rounded> rounded_result(cases::Operation operation, const cases::Format& format,
-                                      std::span<const std::uint64_t> words, oracle::Rounding rule);
+                                      const Operands& operands, oracle::Rounding rule);
 
 /// Tells whether `said` is the rule's result for an overflow.
 bool keeps(Overflow rule, const cases::Format& format, const Rounded& rounded, Said said);
 
 /// Tells whether `said` is the rule's result for operands without one; `rounding` is the subject's.
-bool keeps(NoResult rule, const cases::Format& format, std::span<const std::uint64_t> words,
+bool keeps(NoResult rule, const cases::Format& format, const Operands& operands,
            oracle::Rounding rounding, Said said);
 
 /// The expected result of a case. `judged` is false if the rules accept every result.
@@ -108,13 +115,13 @@ struct Expected {
   bool judged = true;
   Said said;
 };
-Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words);
-bool keeps(const Rules& rules, std::span<const std::uint64_t> words, Said said);
+Expected expected_of(const Rules& rules, const Operands& operands);
+bool keeps(const Rules& rules, const Operands& operands, Said said);
 
 /// The same, given the rounded result of the case.
-Expected expected_of(const Rules& rules, std::span<const std::uint64_t> words,
+Expected expected_of(const Rules& rules, const Operands& operands,
                      const std::optional<Rounded>& rounded);
-bool keeps(const Rules& rules, std::span<const std::uint64_t> words,
-           const std::optional<Rounded>& rounded, Said said);
+bool keeps(const Rules& rules, const Operands& operands, const std::optional<Rounded>& rounded,
+           Said said);
 
 }  // namespace fixproof::check

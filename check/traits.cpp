@@ -172,16 +172,20 @@ static_assert(wrong_traits.size() <= max_traits);
 template <class Traits>
 TraitSet set_of(const Traits& traits, const TraitCase& of) {
   TraitSet set = 0;
-  for (std::size_t i = 0; i < traits.size(); ++i) set |= TraitSet{traits[i].holds(of)} << i;
+  for (std::size_t i = 0; i < traits.size(); ++i) {
+    set |= static_cast<TraitSet>(traits[i].holds(of)) << i;
+  }
   return set;
 }
 
 TraitSet set_of_operand(std::uint64_t word, const Format& format) {
   TraitSet set = 0;
   const auto values = values_of(format);
-  for (std::size_t i = 0; i < value_count; ++i) set |= TraitSet{values[i] == word} << i;
+  for (std::size_t i = 0; i < value_count; ++i) {
+    set |= static_cast<TraitSet>(values[i] == word) << i;
+  }
   for (std::size_t i = 0; i < word_traits.size(); ++i) {
-    set |= TraitSet{word_traits[i].holds(word, format)} << (value_count + i);
+    set |= static_cast<TraitSet>(word_traits[i].holds(word, format)) << (value_count + i);
   }
   return set;
 }
@@ -193,9 +197,10 @@ std::size_t case_trait_count() {
 }
 
 TraitSet case_traits(cases::Operation operation, const TraitCase& of) {
-  const TraitSet first = set_of_operand(of.words[0], of.format);
+  const std::size_t count = words_of(operation);
+  const TraitSet first = count == 0 ? 0 : set_of_operand(of.words[0], of.format);
   TraitSet operands = first;
-  if (cases::words_in(operation) == 2) {
+  if (count == 2) {
     const TraitSet second = set_of_operand(of.words[1], of.format);
     operands |= second << operand_traits | (first | second) << (2 * operand_traits) |
                 set_of(pair_traits, of) << (operand_groups * operand_traits);
@@ -226,8 +231,11 @@ std::string case_trait_text(cases::Operation operation, const Format& format,
     return fmt::format(fmt::runtime(word_traits.at(of_operand - value_count).text), noun);
   }
   const std::size_t rest = case_trait - operand_groups * operand_traits;
-  return std::string(rest < pair_traits.size() ? pair_traits.at(rest).text
-                                               : place_traits.at(rest - pair_traits.size()).text);
+  if (rest < pair_traits.size()) return std::string(pair_traits.at(rest).text);
+  if (rest == pair_traits.size() && operation == cases::Operation::from_binary64) {
+    return "has NaN or an infinity as operand";
+  }
+  return std::string(place_traits.at(rest - pair_traits.size()).text);
 }
 
 std::string_view noun_of(cases::Operation operation, About operand) {
@@ -239,7 +247,6 @@ std::string_view noun_of(cases::Operation operation, About operand) {
 }
 
 TraitSet result_traits(const TraitCase& of) { return set_of(wrong_traits, of); }
-std::size_t result_trait_count() { return wrong_traits.size(); }
 std::string result_trait_text(const Format& format, std::size_t result_trait) {
   return fmt::format(fmt::runtime(wrong_traits.at(result_trait).text),
                      hex_text(highest(format), format), hex_text(lowest(format), format),

@@ -31,6 +31,11 @@ inline constexpr std::size_t max_traits = 64;
 enum class About : std::uint8_t { first, second, either, both, kind, sign };
 inline constexpr std::size_t parts_of_case = 6;
 
+/// The operands that traits describe: words of the results' format.
+constexpr std::size_t words_of(cases::Operation operation) {
+  return cases::is_conversion(operation) ? 0 : cases::words_in(operation);
+}
+
 /// The number of traits of a case. They depend on the operands and the exact result only.
 std::size_t case_trait_count();
 TraitSet case_traits(cases::Operation operation, const TraitCase& of);
@@ -44,7 +49,6 @@ std::string_view noun_of(cases::Operation operation, About operand);
 
 /// The traits of a wrong result beside the expected one.
 TraitSet result_traits(const TraitCase& of);
-std::size_t result_trait_count();
 /// Completes "every wrong result": `is 1 ulp too low`.
 std::string result_trait_text(const cases::Format& format, std::size_t result_trait);
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "check/cases.hpp"
 #include "check/guess_text.hpp"
 #include "support/plain_text.hpp"
 
@@ -15,6 +16,22 @@ namespace {
 
 std::string text_of_said(Said said, const cases::Format& format) {
   return said ? hex_text(*said, format) : std::string("DE");
+}
+
+/// Returns the words in hex and, in parentheses, their values; the operand of a conversion
+/// likewise.
+std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
+  if (one.converted) {
+    return text_of(*one.converted, variant_of(rules.operation, rules.format, rules.from));
+  }
+  std::string hex;
+  std::string decimal;
+  for (const std::uint64_t word : std::span(one.words).first(cases::words_in(rules.operation))) {
+    const std::string_view space = hex.empty() ? "" : " ";
+    hex += fmt::format("{}{}", space, hex_text(word, rules.format));
+    decimal += fmt::format("{}{}", space, decimal_text(word, rules.format));
+  }
+  return fmt::format("{} ({})", hex, decimal);
 }
 
 std::string table_line(std::string_view name, KindTally all, KindTally negative) {
@@ -68,23 +85,22 @@ std::string common_text(const Judge& judge) {
 std::string text_of(const JudgedCase& one, const Rules& rules) {
   const cases::Operation operation = rules.operation;
   const cases::Format& format = rules.format;
-  const auto words = std::span(one.words).first(cases::words_in(operation));
-  const Expected expected = expected_of(rules, words);
-  const ExactPlace place = exact_place(operation, format, words);
-  const auto rounded = rounded_result(operation, format, words, rules.rounding);
+  const Operands operands = one.operands();
+  const Expected expected = expected_of(rules, operands);
+  const ExactPlace place = exact_place(operation, format, operands);
+  const auto rounded = rounded_result(operation, format, operands, rules.rounding);
   const CaseKind kind = place.kind(rounded && !rounded->fits);
-  std::string hex;
-  std::string decimal;
-  for (const std::uint64_t word : words) {
-    const std::string_view space = hex.empty() ? "" : " ";
-    hex += fmt::format("{}{}", space, hex_text(word, format));
-    decimal += fmt::format("{}{}", space, decimal_text(word, format));
+  std::string text = fmt::format("case {} ({}): {}: ", support::grouped(one.number),
+                                 support::printable(one.origin), text_of_operands(one, rules));
+  if (operation == cases::Operation::to_decimal) {
+    return text + fmt::format("{} expected, {} said", decimal_text(*expected.said, format),
+                              support::printable(one.said_text));
   }
-  std::string text = fmt::format("case {} ({}): {} ({}): ", support::grouped(one.number),
-                                 support::printable(one.origin), hex, decimal);
   if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said, format));
   text += fmt::format("{} said; ", text_of_said(one.said, format));
-  if (place.has_result) text += fmt::format("exact {} ulp, ", exact_text(operation, format, words));
+  if (place.has_result) {
+    text += fmt::format("exact {} ulp, ", exact_text(operation, format, operands));
+  }
   return text + std::string(name_of(kind, operation));
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "cases/format.hpp"
+#include "oracle/decimal.hpp"
 #include "oracle/format.hpp"
 
 namespace fixproof::check {
@@ -33,8 +34,7 @@ constexpr std::uint64_t minus_highest(const cases::Format& format) {
 
 /// Returns the word of 1.0; empty if the format does not have it.
 constexpr std::optional<std::uint64_t> whole_one(const cases::Format& format) {
-  const int magnitude_bits = format.word_bits - (format.is_signed ? 1 : 0);
-  if (format.fraction_bits >= magnitude_bits) return std::nullopt;
+  if (format.fraction_bits >= cases::magnitude_bits(format)) return std::nullopt;
   return std::uint64_t{1} << format.fraction_bits;
 }
 /// Returns the bits of a word that have a place after the point.
@@ -67,10 +67,19 @@ std::string decimal_text(std::uint64_t word, const cases::Format& format);
 oracle::Format oracle_format(const cases::Format& format);
 
 /// Returns what a result of the format looks like, for errors.
-std::string result_format(const cases::Format& format);
+std::string result_format(const cases::Format& format, bool decimal = false);
 
 /// Parses lower-case hex digits, as many as a word has, or DE for a divide error.
 /// @throws UsageError describing the defect
 Said parse_result(std::string_view line, const cases::Format& format);
+
+/// Parses a decimal number. Returns the nearest word; empty if that is out of range.
+/// @throws UsageError for any other text
+Said parse_decimal_result(std::string_view line, const cases::Format& format);
+
+/// Parses a number of oracle::decimal_value(), which may have an exponent of -1000 ... 1000 after
+/// an e, of at most 1,000 characters.
+/// @throws UsageError for any other text
+oracle::Ratio parse_decimal(std::string_view text);
 
 }  // namespace fixproof::check

@@ -222,7 +222,8 @@ void add_advise(CLI::App& app, int& status) {
   command->footer(
       R"(Tries every routine that the processor can run, with and without rounding of multiplies and of
 divides. Orientations are computed from scratch, or by appending rotations and restoring
-orthogonality never or after every 600, 60, 10 or 1 rotations. Among choices of equal cost, advise takes the most accurate.
+orthogonality never or after every 600, 60, 10 or 1 rotations. Among choices of equal cost, advise
+takes the most accurate.
 With --host, costs are equal if the medians differ by less than the interquartile range of the
 rounds. The cost includes stepping along surfaces; the budget applies to corners only.
 render --beside shows the error that stepping adds at the pixels.

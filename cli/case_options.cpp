@@ -3,8 +3,28 @@
 #include <cstdint>
 
 #include "cli/arguments.hpp"
+#include "support/usage_error.hpp"
 
 namespace fixproof::cli {
+
+void add_result_format(CLI::App& command, std::string& to) {
+  command.add_option("--to", to, "format of the results of convert, such as q8_8")
+      ->check(not_empty());
+}
+
+cases::Variant variant_in(cases::Operation operation, const cases::Format& format,
+                          const std::string& to) {
+  const bool converts = operation == cases::Operation::convert;
+  if (converts && to.empty()) {
+    throw support::UsageError(
+        "convert: --to is required; name the format of the results, such as q8_8");
+  }
+  if (!converts && !to.empty()) {
+    throw support::UsageError("--to applies only to convert; leave it out");
+  }
+  return converts ? check::variant_of(operation, cases::format_named(to), format)
+                  : check::variant_of(operation, format);
+}
 
 void add_case_options(CLI::App& command, check::CaseOptions& options) {
   command

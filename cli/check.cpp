@@ -26,15 +26,20 @@ namespace {
 struct CheckOptions {
   std::string operation;
   std::string format = "q16_16";
+  std::string to;
   std::string rounding;
   std::string overflow = "wrap";
   std::string divide_by_zero = "de";
   std::string negative_root = "de";
+  std::string not_finite = "de";
   std::string results;
   std::string from;
   check::CaseOptions cases;
   std::size_t shown = 10;
 };
+
+constexpr std::string_view judged_operations =
+    "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal or to_decimal";
 
 template <class Rule>
 Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
@@ -56,9 +61,12 @@ check::Rules rules_of(const CheckOptions& options) {
   rules.operation = cases::operation_named(options.operation);
   if (!check::is_judged(rules.operation)) {
     throw support::UsageError(
-        fmt::format("check {}: choose mul, div, sqrt, add or sub", options.operation));
+        fmt::format("check {}: choose {}", options.operation, judged_operations));
   }
-  rules.format = cases::format_named(options.format);
+  const cases::Variant variant =
+      variant_in(rules.operation, cases::format_named(options.format), options.to);
+  rules.format = variant.format;
+  rules.from = variant.from;
   if (check::is_rounded(rules.operation)) {
     if (options.rounding.empty()) {
       throw support::UsageError(
@@ -76,15 +84,26 @@ check::Rules rules_of(const CheckOptions& options) {
   const auto root = rule_named("--negative-root", options.negative_root,
                                check::no_result_rules(cases::Operation::sqrt),
                                std::optional(check::NoResult::any));
-  rules.no_result = rules.operation == cases::Operation::sqrt ? root : zero;
+  const auto not_finite = rule_named("--not-finite", options.not_finite,
+                                     check::no_result_rules(cases::Operation::from_binary64),
+                                     std::optional(check::NoResult::any));
+  rules.no_result = rules.operation == cases::Operation::sqrt            ? root
+                    : rules.operation == cases::Operation::from_binary64 ? not_finite
+                                                                         : zero;
   return rules;
+}
+
+std::string formats_of(const check::Rules& rules) {
+  if (rules.operation == cases::Operation::convert) {
+    return fmt::format(" {} to {}", cases::name_of(rules.from), cases::name_of(rules.format));
+  }
+  return rules.format == cases::q16_16 ? "" : " " + cases::name_of(rules.format);
 }
 
 std::string heading(const check::Rules& rules, const std::string& cases) {
   const bool rounded = check::is_rounded(rules.operation);
   std::string text =
-      fmt::format("{}{}: {}", cases::name_of(rules.operation),
-                  rules.format == cases::q16_16 ? "" : " " + cases::name_of(rules.format),
+      fmt::format("{}{}: {}", cases::name_of(rules.operation), formats_of(rules),
                   rounded ? check::name_of(rules.rounding) : std::string_view("exact"));
   if (check::can_overflow(rules.operation, rules.format)) {
     text += fmt::format(", overflow {}", check::name_of(rules.overflow));
@@ -95,6 +114,9 @@ std::string heading(const check::Rules& rules, const std::string& cases) {
   if (rules.operation == cases::Operation::sqrt && rules.format.is_signed) {
     text += fmt::format(", negative root {}", check::name_of(rules.no_result));
   }
+  if (rules.operation == cases::Operation::from_binary64) {
+    text += fmt::format(", not finite {}", check::name_of(rules.no_result));
+  }
   return text + fmt::format("; cases of {}\n\n", cases);
 }
 
@@ -104,30 +126,37 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   const support::Interrupt interrupt;
   support::FrameProgress progress(cases.count().value_or(1), "cases");
   const cases::Format& format = judge.rules().format;
+  const bool converts = cases::is_conversion(judge.rules().operation);
   const auto arity = cases::words_in(judge.rules().operation);
   check::JudgedCase one;
   std::array<std::uint32_t, 4> room{};
   const auto parts = std::span(room).first(arity * cases::words_per_number(format));
-  while (!support::Interrupt::flag() && cases.next(parts)) {
+  const auto next_case = [&] {
+    if (converts) return (one.converted = cases.next_converted()).has_value();
+    if (!cases.next(parts)) return false;
+    check::join_words(parts, format, std::span(one.words).first(arity));
+    return true;
+  };
+  while (!support::Interrupt::flag() && next_case()) {
     const auto said = results.next();
     if (support::Interrupt::flag()) return;
     if (!said) {
       throw support::UsageError(fmt::format(
-          "{} ends after {} result{}, but there are {} cases; give check the options of gen",
+          "{} ends after {} result{}, but there are {} cases; give check the same options as gen",
           results.name(), support::grouped(judge.cases()), judge.cases() == 1 ? "" : "s",
           cases.count() ? support::grouped(*cases.count()) : "more"));
     }
-    check::join_words(parts, format, std::span(one.words).first(arity));
     ++one.number;
     one.origin = cases.origin();
     one.said = *said;
+    if (converts) one.said_text = results.text();
     judge.add(one);
     if (cases.count() && judge.cases() % 4096 == 0) progress.show(judge.cases());
   }
   if (!support::Interrupt::flag() && results.next()) {
-    throw support::UsageError(
-        fmt::format("{}, line {}: one result too many for {} cases; give check the options of gen",
-                    results.name(), results.line(), support::grouped(judge.cases())));
+    throw support::UsageError(fmt::format(
+        "{}, line {}: one result too many for {} cases; give check the same options as gen",
+        results.name(), results.line(), support::grouped(judge.cases())));
   }
 }
 
@@ -139,8 +168,9 @@ void refuse_idle_options(const CLI::App& command, cases::Operation operation,
     throw support::UsageError(
         fmt::format("{} applies only to {}; leave it out", option, operations));
   };
-  refuse("--rounding", check::is_rounded(operation), "mul, div and sqrt");
-  refuse("--overflow", check::can_overflow(operation, format), "mul, div, add and sub");
+  refuse("--rounding", check::is_rounded(operation), "results that are rounded");
+  refuse("--overflow", check::can_overflow(operation, format), "results that can overflow");
+  refuse("--not-finite", operation == cases::Operation::from_binary64, "from_binary64");
   refuse("--divide-by-zero", operation == cases::Operation::div, "div");
   refuse("--negative-root", operation == cases::Operation::sqrt && format.is_signed,
          "sqrt of a signed format");
@@ -148,11 +178,12 @@ void refuse_idle_options(const CLI::App& command, cases::Operation operation,
 
 int check(const CheckOptions& options) {
   const check::Rules rules = rules_of(options);
+  const cases::Variant variant = check::variant_of(rules.operation, rules.format, rules.from);
   std::unique_ptr<check::CaseSource> cases;
   if (options.from.empty()) {
-    cases = std::make_unique<check::GeneratedCases>(rules.operation, options.cases, rules.format);
+    cases = std::make_unique<check::GeneratedCases>(variant, options.cases);
   } else {
-    cases = std::make_unique<check::FileCases>(rules.operation, options.from, rules.format);
+    cases = std::make_unique<check::FileCases>(variant, options.from);
   }
   std::ifstream file;
   if (!options.results.empty()) {
@@ -168,7 +199,7 @@ int check(const CheckOptions& options) {
   }
   const bool piped = options.results.empty();
   check::Results results(piped ? std::cin : file, piped ? "standard input" : options.results,
-                         rules.format);
+                         rules.format, rules.operation == cases::Operation::to_decimal);
   check::Judge judge(rules, options.shown);
   std::string failure;
   try {
@@ -178,9 +209,8 @@ int check(const CheckOptions& options) {
   }
   // Show the verdict on the results judged so far, even after an error.
   if (judge.cases() > 0) {
-    std::cout << heading(rules, options.from.empty()
-                                    ? options.cases.command_line(rules.operation, rules.format)
-                                    : support::printable(options.from))
+    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(variant)
+                                                     : support::printable(options.from))
               << check::verdict_text(judge);
   }
   if (support::Interrupt::flag()) {
@@ -189,14 +219,15 @@ int check(const CheckOptions& options) {
     return judge.wrong().count() > 0 ? 1 : support::interrupted_status;
   }
   if (!failure.empty()) throw support::UsageError(failure);
-  if (judge.cases() == 0)
+  if (judge.cases() == 0) {
     throw support::UsageError(
         "nothing was judged, because there are no cases; check --from, --shard and --cases");
+  }
   return judge.wrong().count() > 0 ? 1 : 0;
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
-  command.add_option("operation", options.operation, "mul, div, sqrt, add or sub")->required();
+  command.add_option("operation", options.operation, std::string(judged_operations))->required();
   command.add_option("results", options.results, "file of results; by default standard input")
       ->check(not_empty());
   command
@@ -206,7 +237,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       ->capture_default_str();
   command.add_option("--rounding", options.rounding,
                      "expected rounding: half-up, half-away, half-even, floor or toward-zero; "
-                     "required for mul, div and sqrt");
+                     "required unless results are exact (add, sub, to_decimal)");
   command
       .add_option(
           "--overflow", options.overflow,
@@ -221,6 +252,13 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       .add_option("--negative-root", options.negative_root,
                   "expected result of sqrt below 0: de, maximum, minimum, zero, mirror or any")
       ->capture_default_str();
+  command
+      .add_option(
+          "--not-finite", options.not_finite,
+          "expected result of from_binary64 of NaN and infinities: de, saturate, symmetric, "
+          "maximum, minimum, zero or any")
+      ->capture_default_str();
+  add_result_format(command, options.to);
   auto* from = command
                    .add_option("--from", options.from,
                                "file of cases; by default check makes the cases of gen")
@@ -245,10 +283,14 @@ void add_check(CLI::App& app, int& status) {
       R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
 hex digits (no 0x), or DE for a divide error; 2, 4 or 16 digits in a --format of 8, 16 or 64 bits.
 Give check the same --format, --level, --seed, --shard and --cases as gen, so that both have the
-same cases. With --from it reads your own cases. It skips
-lines that start with #, in results and in cases.
+same cases. With --from it reads your own cases. It skips lines that start with #, in results and
+in cases.
 
---overflow, --divide-by-zero and --negative-root say what to expect if the result does not fit a
+from_binary64 takes a double as 16 hex digits, convert a word of --format and results of --to,
+from_decimal a decimal number such as -1.5, and to_decimal a word. A result of to_decimal is a
+decimal number such as -1.5 or 2e-3, right if the nearest word is the operand.
+
+--overflow, --divide-by-zero, --negative-root and --not-finite say what to expect if the result does not fit a
 word or does not exist. The words are those of 16.16; another --format has its own highest and
 lowest, and an unsigned one saturates a negative difference to 0:
   wrap        modulo 2^32
@@ -262,7 +304,7 @@ lowest, and an unsigned one saturates a negative difference to 0:
   any         every result is accepted and counted
 A square root is never a tie, so half-up, half-away and half-even agree. floor and toward-zero
 agree too, except under mirror, where floor rounds away from zero. Under saturate and
-symmetric, 0 / 0 may also be 0.
+symmetric, 0 / 0 and NaN may also be 0.
 
 Exit status: 0 all results are right, 1 a wrong result, 2 bad usage or input, 130 interrupted.
 
@@ -271,6 +313,8 @@ Examples:
   fixproof gen div --level 2 -o cases && ./mine < cases > results
   fixproof check div results --level 2 --rounding toward-zero --overflow saturate
   fixproof gen mul --format q1_15 | ./mine | fixproof check mul --format q1_15 --rounding floor
+  fixproof gen from_binary64 --format q8_24 | ./mine |
+    fixproof check from_binary64 --format q8_24 --rounding half-even --overflow saturate
   fixproof gen add | ./mine | fixproof check add --overflow saturate
   ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
   command->callback([options, command, &status] {

@@ -28,9 +28,10 @@ void write(const DosOptions& options) {
   }
   if (key.build.shl_as_printed) throw support::UsageError(no_printed_shift);
   const auto bytes = machine_code::dos_command(key);
-  if (bytes.empty())
+  if (bytes.empty()) {
     throw support::UsageError(
         fmt::format("there is no DOS program for {}", machine_code::name_of(key)));
+  }
   const std::string contents(bytes.begin(), bytes.end());
   if (!options.file.empty()) return support::replace_file(options.file, contents);
   if (isatty(STDOUT_FILENO) != 0) {

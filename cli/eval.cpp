@@ -47,7 +47,7 @@ cases::Variant chosen(const EvalOptions& options) {
             .build = {.target = cases::Target::standard},
             .format = cases::format_named(options.format)};
   }
-  const cases::Operation operation = cases::operation_named(options.operation);
+  const cases::Operation operation = answered_operation_named(options.operation);
   if (cases::is_routine(operation)) {
     const cases::Variant variant = v.choose(operation);
     if (v.has_printed_shift(variant)) throw support::UsageError(no_printed_shift);

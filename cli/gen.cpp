@@ -26,6 +26,7 @@ struct GenOptions {
   std::string operation;
   check::CaseOptions cases;
   std::string format;
+  std::string to;
   std::string file;
   bool comments = false;
 };
@@ -66,26 +67,25 @@ class LineOutput {
 
 int generate(const GenOptions& options) {
   constexpr std::size_t flush_size = 1U << 16U;
+  const cases::Operation operation = cases::operation_named(options.operation);
   const bool in_format = !options.format.empty();
-  const cases::Operation operation = in_format ? format_operation_named(options.operation)
-                                               : cases::operation_named(options.operation);
-  const cases::Format format = in_format ? cases::format_named(options.format) : cases::q16_16;
-  check::GeneratedCases cases(operation, options.cases, format);
+  if (in_format && !cases::is_conversion(operation)) format_operation_named(options.operation);
+  const cases::Variant variant = variant_in(
+      operation, in_format ? cases::format_named(options.format) : cases::q16_16, options.to);
+  check::GeneratedCases cases(variant, options.cases);
   const std::uint64_t all = *cases.count();
-  if (all == 0)
+  if (all == 0) {
     throw support::UsageError(
         fmt::format("--shard {}: this part has no cases; use fewer parts", options.cases.shard));
+  }
   LineOutput output(options.file);
-  const cases::Variant variant{
-      .operation = operation, .build = {.target = cases::Target::standard}, .format = format};
-  const int bits = cases::operand_bits(variant);
   std::array<std::uint32_t, cases::max_words_in> room{};
   const auto words = std::span(room).first(cases::words_in(variant));
   const support::Interrupt interrupt;
   support::FrameProgress progress(all, "cases");
   std::string pending;
   if (options.comments) {
-    pending = fmt::format("# {}: {} cases\n", options.cases.command_line(operation, format), all);
+    pending = fmt::format("# {}: {} cases\n", options.cases.command_line(variant), all);
   }
   std::string_view stream;
   std::uint64_t done = 0;
@@ -94,7 +94,7 @@ int generate(const GenOptions& options) {
       stream = cases.origin();
       pending += fmt::format("# {}: {} cases\n", stream, cases.count_of(stream));
     }
-    cases::append_words(pending, words, bits);
+    cases::append_operands(pending, variant, words);
     pending += '\n';
     ++done;
     if (pending.size() < flush_size) continue;
@@ -119,14 +119,15 @@ void add_gen(CLI::App& app, int& status) {
       app.add_subcommand("gen", "write the cases of a verification as input for another program");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, sqrt, add, sub, sin, cos, cossin, xformvec, concat, decimal or "
-                   "binary64")
+                   "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, "
+                   "sin, cos, cossin, xformvec, concat, decimal or binary64")
       ->required();
   command
       ->add_option("--format", options->format,
-                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal "
-                   "or binary64")
+                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal, "
+                   "binary64 and conversions")
       ->check(not_empty());
+  add_result_format(*command, options->to);
   add_case_options(*command, options->cases);
   command->add_option("-o,--output", options->file, "output file; by default standard output")
       ->check(not_empty());
@@ -138,8 +139,10 @@ void add_gen(CLI::App& app, int& status) {
       R"(Writes one case per line in the format that `fixproof eval` reads: operands as lower-case hex
 digits of two's complement, separated by single spaces: 8 digits, or with --format one for every
 four bits. The cases are those of `fixproof verify`, stream by stream: boundary words, random
-words, constructed ties and their neighbours. `fixproof check` makes the same cases from the same
-options and names the stream of a wrong one. `eval` and `check --from` skip the lines of --comments.
+words, constructed ties and their neighbours. The operands of conversions are a double as 16 hex
+digits (from_binary64), a word of --format (convert, to_decimal) or a decimal number (from_decimal).
+`fixproof check` makes the same cases from the same options and names the stream of a wrong result.
+`eval` and `check --from` skip the lines of --comments.
 
 Exit status: 0 done, 2 bad usage, 130 interrupted.
 
@@ -147,6 +150,7 @@ Examples:
   fixproof gen mul | ./mine | fixproof check mul --rounding half-up
   fixproof gen div --level 2 --shard 1/4 -o cases.txt
   fixproof gen mul --format q2_30         # words of eight digits, in units of 2^-30
+  fixproof gen convert --format q16_16 --to q8_8
   fixproof gen sqrt --cases 1000          # a thousand cases, evenly spread
   fixproof gen div --comments | less      # with the names of the streams)");
   command->callback([options, &status] { status = generate(*options); });

@@ -52,7 +52,8 @@ void add_merge(CLI::App& app, int& status) {
       R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
 a chunk. All parts must come from this build, and their parties must have used the same libraries
 and processors. If chunks are missing, merge prints a table of those that it has and names the
-missing shards. It then exits with status 1 if there are mismatches, otherwise with 2. `verify --resume SUM` runs the rest.
+missing shards. It then exits with status 1 if there are mismatches, otherwise with 2.
+`verify --resume SUM` runs the rest.
 
 Example:
   fixproof verify --shard 1/2 --report a.json     # on one machine

@@ -53,6 +53,7 @@ std::uint64_t SceneOptions::frame_count(const xsharp::Scene& scene) const {
 
 xsharp::Scene SceneOptions::read() const { return applied_to(xsharp::read_scene(file)); }
 
+// One line for each option.  NOLINTNEXTLINE(readability-function-cognitive-complexity)
 xsharp::Scene SceneOptions::applied_to(xsharp::Scene scene) const {
   xsharp::ArithmeticChoice& choice = scene.arithmetic;
   if (by) choice.by = *by;

@@ -93,8 +93,17 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
 
 }  // namespace
 
-cases::Operation format_operation_named(std::string_view name) {
+cases::Operation answered_operation_named(std::string_view name) {
   const cases::Operation operation = cases::operation_named(name);
+  if (cases::is_conversion(operation)) {
+    throw support::UsageError(
+        fmt::format("{} is a conversion, which only gen and check take", name));
+  }
+  return operation;
+}
+
+cases::Operation format_operation_named(std::string_view name) {
+  const cases::Operation operation = answered_operation_named(name);
   if (std::ranges::find(format_operations, operation) == format_operations.end()) {
     throw support::UsageError(fmt::format(
         "{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, decimal or "
@@ -129,7 +138,7 @@ std::vector<cases::Variant> chosen_variants(const Selection& selection) {
   std::vector<cases::Variant> variants = cases::all_variants();
   std::vector<cases::Operation> operations;
   for (const std::string& name : selection.operations) {
-    operations.push_back(cases::operation_named(name));
+    operations.push_back(answered_operation_named(name));
     if (std::ranges::find(variants, operations.back(), &cases::Variant::operation) ==
         variants.end()) {
       throw support::UsageError(fmt::format(
@@ -144,8 +153,9 @@ std::vector<cases::Variant> chosen_variants(const Selection& selection) {
 }
 
 std::vector<cases::Variant> chosen_routines(const Selection& selection) {
-  for (const std::string& name : selection.operations)
+  for (const std::string& name : selection.operations) {
     static_cast<void>(cases::routine_named(name));
+  }
   std::vector<cases::Variant> variants = chosen_variants(selection);
   std::erase_if(variants, [](const cases::Variant& v) {
     return !parties::has_program(v) ||

@@ -24,8 +24,13 @@ struct Selection {
   std::vector<std::string> against;  ///< the default parties of the level if empty
 };
 
-/// Returns the operation, which exists in every format.
-/// @throws std::invalid_argument for an unknown operation, UsageError for one of 16.16 alone
+/// Returns the operation, which parties answer.
+/// @throws std::invalid_argument for an unknown operation, UsageError for a conversion
+cases::Operation answered_operation_named(std::string_view name);
+
+/// Returns the operation, which parties answer in every format.
+/// @throws std::invalid_argument for an unknown operation, UsageError for a conversion and for an
+///         operation of 16.16 alone
 cases::Operation format_operation_named(std::string_view name);
 
 /// Returns the parties without duplicates, the judged one first.

@@ -74,9 +74,10 @@ State parse_state(std::string_view text, x86::Target cpu) {
     const std::string_view wide = x86::name_of(singlestep::shown_registers[i], x86::Size::dword);
     auto digits = take(fields, narrow);
     if (cpu == x86::Target::i386 && fields.contains(wide)) {
-      if (digits)
+      if (digits) {
         throw support::UsageError(
             fmt::format("both {} and {} are given; remove one", narrow, wide));
+      }
       digits = take(fields, wide);
       state.wide[i] = true;
     }

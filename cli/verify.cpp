@@ -299,11 +299,11 @@ void add_verify(CLI::App& app, int& status) {
   type            fixproof::number
   silicon         the assembled listings, on this processor
   unicorn         the assembled listings, on an emulator
-  batch           fixed/batch.hpp and batch_radian.hpp on the fastest path;
+  batch           batch/batch.hpp and radian.hpp on the fastest path;
                   mul, div, xformvec, sqrt, sin and cos
   batch-portable, batch-neon, batch-avx2, batch-avx512    one path of batch
-In other formats than 16.16 and 8.8, --format, oracle, fast (up to 32 bits) and type (the named
-formats) answer: add, sub, mul, div, sqrt, decimal, binary64.
+With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
+sqrt, decimal and binary64.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
 With --format it has all pairs of words of up to 16 bits and all words of up to 32 bits.

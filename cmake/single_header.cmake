@@ -6,7 +6,7 @@
 #   1. fixed/fixed.hpp with every header of this library in the place where it is included first;
 #   2. fixed/format.hpp, outside the include guard: including the file again after fmt adds fmt's
 #      formatter, as including that header again does;
-#   3. fixed/batch.hpp and fixed/batch_radian.hpp, if FIXED_BATCH is defined. Their vector code is
+#   3. batch/batch.hpp and batch/radian.hpp, if FIXED_BATCH is defined. Their vector code is
 #      compiled once for each instruction set, so it comes first and the file includes itself.
 cmake_minimum_required(VERSION 3.22)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
@@ -41,7 +41,7 @@ endfunction()
 set(done fixed/format.hpp)
 macro(expand start result)
   set(text "${start}")
-  while(text MATCHES "\n#include \"(fixed/[a-z_/]+[.]hpp)\"")
+  while(text MATCHES "\n#include \"((fixed|batch)/[a-z_/]+[.]hpp)\"")
     set(header ${CMAKE_MATCH_1})
     string(FIND "${text}" "${CMAKE_MATCH_0}" at)
     string(LENGTH "${CMAKE_MATCH_0}" length)
@@ -58,17 +58,17 @@ macro(expand start result)
   set(${result} "${text}")
 endmacro()
 
-set(parts fixed/detail/batch_parts.hpp)
+set(parts batch/detail/parts.hpp)
 expand("\n#include \"fixed/fixed.hpp\"" number)
 read_header(fixed/format.hpp format)
 string(REGEX REPLACE "\n#include \"fixed/[^\n]*" "" format "${format}")
 read_header(${parts} lanes)
 expand("${lanes}" lanes)
-read_header(fixed/detail/batch_targets.hpp targets)
+read_header(batch/detail/targets.hpp targets)
 string(REPLACE "#include \"${parts}\"" "#include \"${own_name}\"" targets "${targets}")
-list(APPEND done fixed/detail/batch_targets.hpp)
+list(APPEND done batch/detail/targets.hpp)
 expand("${targets}" targets)
-expand("\n#include \"fixed/batch.hpp\"\n#include \"fixed/batch_radian.hpp\"" batch)
+expand("\n#include \"batch/batch.hpp\"\n#include \"batch/radian.hpp\"" batch)
 
 file(READ ${root}/LICENSE license)
 string(STRIP "${license}" license)
@@ -76,7 +76,7 @@ string(REPLACE "\n" "\n// " license "// ${license}")
 string(REPLACE "// \n" "//\n" license "${license}")
 file(WRITE ${OUT} "\
 // Fixproof ${fixed_version}: fixed-point numbers, header-only C++20.
-// Made of the headers in fixed/, whose comments document everything; change those, not this file.
+// Made of the headers in fixed/ and batch/, whose comments document everything; change those, not this file.
 // #define FIXED_BATCH before including this file to have the operations over spans, too. They need
 // the file under its own name, ${own_name}.
 //

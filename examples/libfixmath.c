@@ -1,23 +1,37 @@
-/* libfixmath as a subject of `fixproof check`: mul, div or sqrt of the cases on standard input. */
+/* libfixmath as a subject of `fixproof check`: one operation, for the cases on standard input. */
 #include <inttypes.h>
 #include <libfixmath/fix16.h>
 #include <stdio.h>
 #include <string.h>
 
+static double double_of(uint64_t bits) {
+  double value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
 int main(int argc, char** argv) {
   const char* operation = argc == 2 ? argv[1] : "";
   char line[256];
   while (fgets(line, sizeof line, stdin)) {
-    uint32_t a = 0;
+    uint64_t a = 0;
     uint32_t b = 0;
     fix16_t result;
-    if (sscanf(line, "%" SCNx32 " %" SCNx32, &a, &b) < 1) return 2;
+    sscanf(line, "%" SCNx64 " %" SCNx32, &a, &b);
     if (strcmp(operation, "mul") == 0) {
       result = fix16_mul((fix16_t)a, (fix16_t)b);
     } else if (strcmp(operation, "div") == 0) {
       result = fix16_div((fix16_t)a, (fix16_t)b);
     } else if (strcmp(operation, "sqrt") == 0) {
       result = fix16_sqrt((fix16_t)a);
+    } else if (strcmp(operation, "from_binary64") == 0) {
+      result = fix16_from_dbl(double_of(a));
+    } else if (strcmp(operation, "from_decimal") == 0) {
+      result = fix16_from_str(line);
+    } else if (strcmp(operation, "to_decimal") == 0) {
+      fix16_to_str((fix16_t)a, line, 5);
+      puts(line);
+      continue;
     } else {
       return 2;
     }

@@ -2,10 +2,10 @@
 /// Overflow as a value: four forms of every operation that can overflow, the same under every
 /// policy.
 ///
-/// checked_X returns nothing if the result is out of range or there is none. overflowing_X returns
-/// the wrapped result and whether it is out of range. saturating_X returns the end of the range
-/// instead, and wrapping_X reduces the result modulo the range. The policy decides only how they
-/// round, and which part of a divisor counts. None of them throws.
+/// checked_X returns nothing if the result is out of range or does not exist. overflowing_X returns
+/// the wrapped result and whether the exact one is out of range. saturating_X returns the end of
+/// the range instead, and wrapping_X reduces the result modulo the range. The policy decides only
+/// how they round, and which part of a divisor counts. None of them throws.
 ///
 ///     static_assert(!checked_add(q16_16(32767), q16_16(1)));
 ///     static_assert(overflowing_add(q16_16(32767), q16_16(1)).overflow);
@@ -23,6 +23,7 @@
 #include "fixed/detail/overflow.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
+#include "fixed/traits.hpp"
 
 namespace fixproof {
 
@@ -30,16 +31,13 @@ namespace fixproof {
 template <class Number>
 struct overflowing {
   Number value;           ///< The result modulo the range.
-  bool overflow = false;  ///< Whether that is not the result.
+  bool overflow = false;  ///< Whether the result is out of range or does not exist.
 
   /// Whether both members are equal.
   friend constexpr bool operator==(const overflowing&, const overflowing&) = default;
 };
 
 namespace detail {
-
-template <class N>
-concept number_type = is_number<N>;
 
 template <class N, class Wide>
 constexpr N wrapped(const Wide& value) noexcept {
@@ -77,19 +75,19 @@ constexpr auto with_quotient(N n, N d, const Done& done, const ByZero& by_zero) 
 /// \{
 
 /// a + b.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_add(N a, N b) noexcept {
   return detail::if_in_range<N>(detail::exact_sum(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_add(N a, N b) noexcept {
   return detail::flagged<N>(detail::exact_sum(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_add(N a, N b) noexcept {
   return detail::saturated_to<N>(detail::exact_sum(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_add(N a, N b) noexcept {
   return detail::wrapped<N>(detail::exact_sum(a.raw(), b.raw()));
 }
@@ -99,19 +97,19 @@ template <detail::number_type N>
 /// \{
 
 /// a - b.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_subtract(N a, N b) noexcept {
   return detail::if_in_range<N>(detail::exact_difference(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_subtract(N a, N b) noexcept {
   return detail::flagged<N>(detail::exact_difference(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_subtract(N a, N b) noexcept {
   return detail::saturated_to<N>(detail::exact_difference(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_subtract(N a, N b) noexcept {
   return detail::wrapped<N>(detail::exact_difference(a.raw(), b.raw()));
 }
@@ -121,22 +119,22 @@ template <detail::number_type N>
 /// \{
 
 /// a * b, rounded once by policy::multiply.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_multiply(N a, N b) noexcept {
   return detail::if_in_range<N>(
       detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_multiply(N a, N b) noexcept {
   return detail::flagged<N>(
       detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_multiply(N a, N b) noexcept {
   return detail::saturated_to<N>(
       detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_multiply(N a, N b) noexcept {
   return detail::wrapped<N>(
       detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
@@ -147,22 +145,22 @@ template <detail::number_type N>
 /// \{
 
 /// a * b + c, rounded once by policy::multiply.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_mul_add(N a, N b, N c) noexcept {
   return detail::if_in_range<N>(
       detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_mul_add(N a, N b, N c) noexcept {
   return detail::flagged<N>(
       detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_mul_add(N a, N b, N c) noexcept {
   return detail::saturated_to<N>(
       detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_mul_add(N a, N b, N c) noexcept {
   return detail::wrapped<N>(
       detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
@@ -173,19 +171,19 @@ template <detail::number_type N>
 /// \{
 
 /// -a.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_negate(N a) noexcept {
   return detail::if_in_range<N>(detail::exact_negative(a.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_negate(N a) noexcept {
   return detail::flagged<N>(detail::exact_negative(a.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_negate(N a) noexcept {
   return detail::saturated_to<N>(detail::exact_negative(a.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_negate(N a) noexcept {
   return detail::wrapped<N>(detail::exact_negative(a.raw()));
 }
@@ -195,19 +193,19 @@ template <detail::number_type N>
 /// \{
 
 /// The absolute value of a.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_abs(N a) noexcept {
   return detail::if_in_range<N>(detail::exact_magnitude(a.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_abs(N a) noexcept {
   return detail::flagged<N>(detail::exact_magnitude(a.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_abs(N a) noexcept {
   return detail::saturated_to<N>(detail::exact_magnitude(a.raw()));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_abs(N a) noexcept {
   return detail::wrapped<N>(detail::exact_magnitude(a.raw()));
 }
@@ -217,19 +215,19 @@ template <detail::number_type N>
 /// \{
 
 /// a * 2^places, for places of 0 or more.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_shift_left(N a, int places) noexcept {
   return detail::if_in_range<N>(detail::exact_shift_left(a.raw(), places));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_shift_left(N a, int places) noexcept {
   return detail::flagged<N>(detail::exact_shift_left(a.raw(), places));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_shift_left(N a, int places) noexcept {
   return detail::saturated_to<N>(detail::exact_shift_left(a.raw(), places));
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_shift_left(N a, int places) noexcept {
   return detail::wrapped<N>(detail::exact_shift_left(a.raw(), places));
 }
@@ -239,13 +237,13 @@ template <detail::number_type N>
 /// \{
 
 /// n / d, rounded once by policy::divide.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_divide(N n, N d) noexcept {
   return detail::with_quotient(
       n, d, [](const auto& quotient) { return detail::if_in_range<N>(quotient); },
       [](N) -> std::optional<N> { return std::nullopt; });
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr overflowing<N> overflowing_divide(N n, N d) noexcept {
   return detail::with_quotient(
       n, d, [](const auto& quotient) { return detail::flagged<N>(quotient); },
@@ -253,13 +251,13 @@ template <detail::number_type N>
         return overflowing<N>{limit, true};
       });
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N saturating_divide(N n, N d) noexcept {
   return detail::with_quotient(
       n, d, [](const auto& quotient) { return detail::saturated_to<N>(quotient); },
       [](N limit) { return limit; });
 }
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr N wrapping_divide(N n, N d) noexcept {
   return detail::with_quotient(
       n, d, [](const auto& quotient) { return detail::wrapped<N>(quotient); },
@@ -268,14 +266,14 @@ template <detail::number_type N>
 /// \}
 
 /// n % d, or nothing if d is zero. No other remainder overflows.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_remainder(N n, N d) noexcept {
   if (d.raw() == 0) return std::nullopt;
   return n % d;
 }
 
 /// The square root, or nothing for a negative number or a result out of range.
-template <detail::number_type N>
+template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_sqrt(N x) noexcept {
   if (x.raw() < 0) return std::nullopt;
   using wrapping = number<typename N::raw_type, N::fraction_bits>;
@@ -295,27 +293,27 @@ template <detail::number_type N>
 class sticky_status {
  public:
   /// The wrapped sum; see overflowing_add().
-  template <detail::number_type N>
+  template <any_number N>
   [[nodiscard]] constexpr N add(N a, N b) noexcept {
     return keep(overflowing_add(a, b));
   }
   /// The wrapped difference; see overflowing_subtract().
-  template <detail::number_type N>
+  template <any_number N>
   [[nodiscard]] constexpr N subtract(N a, N b) noexcept {
     return keep(overflowing_subtract(a, b));
   }
   /// The wrapped product; see overflowing_multiply().
-  template <detail::number_type N>
+  template <any_number N>
   [[nodiscard]] constexpr N multiply(N a, N b) noexcept {
     return keep(overflowing_multiply(a, b));
   }
   /// The wrapped quotient; see overflowing_divide().
-  template <detail::number_type N>
+  template <any_number N>
   [[nodiscard]] constexpr N divide(N n, N d) noexcept {
     return keep(overflowing_divide(n, d));
   }
   /// Keeps the result of any overflowing_ function.
-  template <detail::number_type N>
+  template <any_number N>
   constexpr N keep(const overflowing<N>& result) noexcept {
     overflow_ = overflow_ || result.overflow;
     return result.value;

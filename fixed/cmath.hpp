@@ -30,10 +30,10 @@ template <class Raw, int F, policy P>
   return x % y;
 }
 
-/// x - n * y, exact, where n is the integer nearest to x / y, and even if two are as near. Sets
-/// *quotient to the low 31 bits of n with its sign. Division by zero is an error where x % y makes
-/// it one; otherwise the remainder and the quotient are 0. Signed formats only, because the
-/// remainder can be negative.
+/// x - n * y, exact, where n is the integer nearest to x / y, ties to even. Sets *quotient to the
+/// low 31 bits of n with its sign. Division by zero is an error where x % y makes it one; otherwise
+/// the remainder and the quotient are 0. Signed formats only, because the remainder can be
+/// negative.
 ///
 ///     int n = 0;
 ///     const q16_16 rest = remquo(q16_16(9.5), q16_16(2), &n);  // -0.5, and n is 5

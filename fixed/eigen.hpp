@@ -42,7 +42,7 @@ struct NumTraits<fixproof::number<Raw, FractionBits, P>>
   static constexpr number lowest() noexcept { return std::numeric_limits<number>::lowest(); }
 };
 
-/// A matrix or array times an integer; the integer counts with its exact value.
+/// A matrix or array times an integer, which has its exact value.
 template <class Raw, int FractionBits, fixproof::policy P, fixproof::detail::integer Int>
 struct ScalarBinaryOpTraits<
     fixproof::number<Raw, FractionBits, P>, Int,

@@ -1,5 +1,5 @@
 /// \file
-/// All of namespace fixproof except fixed/batch.hpp, fixed/batch_radian.hpp, fixed/bytes.hpp,
+/// All of namespace fixproof except batch/batch.hpp, batch/radian.hpp, fixed/bytes.hpp,
 /// fixed/eigen.hpp and property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"

@@ -7,12 +7,13 @@
 /// | --- | --- |
 /// | `align` | `<`, `>` (the default) or `^`; `fill` is one char, a space by default |
 /// | `sign` | what stands before a number that is not negative: `+`, a space, or `-` for nothing |
-/// | `#` | adds `0x`, `0X` or `0b` to types `x`, `X` and `b`, and a point to a decimal without one
-/// | | `0` | pads with zeros after the sign; without effect beside `align` | | no type | the exact
-/// value, as to_chars() writes it; with a precision, as `f` | | `f` | `precision` digits after the
-/// point, 6 by default | | `e` | scientific, with `precision` digits after the point, 6 by default:
-/// `-1.5e+00` | | `x`, `X` | the exact value in hexadecimal with a hexadecimal fraction: -1.5 is
-/// `-1.8` | | `b` | the same in binary |
+/// | `#` | adds `0x`, `0X` or `0b` to `x`, `X` and `b`, and a point to a decimal without one |
+/// | `0` | pads with zeros after the sign; without effect beside `align` |
+/// | no type | the exact value, as to_chars() writes it; with a precision, as `f` |
+/// | `f` | `precision` digits after the point, 6 by default |
+/// | `e` | scientific, with `precision` digits after the point, 6 by default: `-1.5e+00` |
+/// | `x`, `X` | the exact value in hexadecimal, with a hexadecimal fraction: -1.5 is `-1.8` |
+/// | `b` | the same in binary |
 ///
 /// `f` and `e` round the exact value to nearest, ties to even; a negative number that rounds to
 /// zero keeps its sign, as in printf. Types `x`, `X` and `b` take no precision. Width and precision

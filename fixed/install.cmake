@@ -3,14 +3,14 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fixed
+install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fixproof/fixed
   FILES_MATCHING PATTERN "*.hpp")
 if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/../LICENSE)  # not where only this folder was copied
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/../LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/fixproof)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/fixproof)
-install(TARGETS fixproof_fixed EXPORT fixproof INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS fixproof_fixed EXPORT fixproof INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fixproof)
 install(EXPORT fixproof FILE fixproof-config.cmake NAMESPACE fixproof:: DESTINATION ${package_dir})
 # Before 1.0.0 a minor version may change what is there, results too.
 if(PROJECT_VERSION_MAJOR EQUAL 0)

@@ -7,6 +7,7 @@
 #include <optional>  // std::hash
 
 #include "fixed/detail/decimal.hpp"
+#include "fixed/detail/rounding.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 
@@ -20,19 +21,15 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
   /// Binary digits before the point, without the sign; -1 if a half is out of range.
   static constexpr int whole_bits = raw_limits::digits - FractionBits;
 
-  static constexpr bool to_nearest(fixproof::rounding r) noexcept {
-    return r == fixproof::rounding::half_up || r == fixproof::rounding::half_away ||
-           r == fixproof::rounding::half_even;
-  }
-
   static constexpr std::float_round_style style() noexcept {
-    if (to_nearest(P.multiply) && to_nearest(P.divide)) return std::round_to_nearest;
+    using fixproof::detail::is_to_nearest;
+    if (is_to_nearest<P.multiply> && is_to_nearest<P.divide>) return std::round_to_nearest;
     if (P.multiply != P.divide) return std::round_indeterminate;
     return P.multiply == fixproof::rounding::floor ? std::round_toward_neg_infinity
                                                    : std::round_toward_zero;
   }
 
-  /// The decimal digits of 2^bits that are full, and those that are full or begun.
+  /// bits * log10(2) rounded down, and rounded up; 0 for no bits.
   static constexpr int log10_below(int bits) noexcept {
     return fixproof::detail::decimal_digits(bits > 0 ? bits : 0);
   }

@@ -21,8 +21,8 @@
 namespace fixproof {
 
 /// x rounded to an integer by rule R, as std::int32_t for numbers of at most 32 bits and as
-/// std::int64_t for wider ones. In range, except for the highest of 32 or 64 unsigned bits, which
-/// are modulo the range.
+/// std::int64_t for wider ones. The highest results for 32 or 64 unsigned bits are out of range and
+/// wrap.
 ///
 ///     static_assert(to_integer<rounding::half_up>(q16_16(-1.5)) == -1);
 ///     static_assert(to_integer<rounding::half_away>(q16_16(-1.5)) == -2);
@@ -140,9 +140,12 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> lerp(
     number<Raw, F, P> a, number<Raw, F, P> b,
     number<Raw, F, P> t) noexcept(number<Raw, F, P>::never_throws) {
+  // The difference has one bit more than Raw. Half a unit does not fit beside the largest product
+  // if every bit is after the point.
+  constexpr int spare = !std::is_signed_v<Raw> ? 2 : F < detail::bits_of<Raw> ? 0 : 1;
   // Adding `a` to the product could overflow. Adding it after rounding is equivalent if the
   // rounding uses the sign and the parity of the sum.
-  using wide = detail::signed_t<2 * detail::bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2)>;
+  using wide = detail::signed_t<2 * detail::bits_of<Raw> + spare>;
   const wide start{a.raw()};
   const wide product = (wide{b.raw()} - start) * wide{t.raw()};
   const wide floor = start + (product >> F);

@@ -37,6 +37,12 @@ constexpr To narrowed_to(const Wide& value, const char* operation, A a,
   }));
 }
 
+/// The bits of a sum of numbers of two formats, with the sign.
+template <class A, int FA, class B, int FB>
+inline constexpr int sum_bits = larger(signed_bits<A> + larger(FA, FB) - FA,
+                                       signed_bits<B> + larger(FA, FB) - FB) +
+                                1;
+
 }  // namespace detail
 
 /// a + b as a To, rounded once by policy::multiply of To. Its policy handles overflow.
@@ -46,9 +52,7 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
 [[nodiscard]] constexpr To add(number<A, FA, PA> a,
                                number<B, FB, PB> b) noexcept(To::never_throws) {
   constexpr int fraction = detail::larger(FA, FB);
-  constexpr int bits = detail::larger(detail::signed_bits<A> + fraction - FA,
-                                      detail::signed_bits<B> + fraction - FB) +
-                       1;
+  constexpr int bits = detail::sum_bits<A, FA, B, FB>;
   using wide = detail::signed_t<bits>;
   const wide sum = (wide{a.raw()} << (fraction - FA)) + (wide{b.raw()} << (fraction - FB));
   return detail::narrowed_to<To, To::rules.range>(detail::rescaled<To, fraction, bits>(sum), "add",
@@ -60,9 +64,7 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
 [[nodiscard]] constexpr To subtract(number<A, FA, PA> a,
                                     number<B, FB, PB> b) noexcept(To::never_throws) {
   constexpr int fraction = detail::larger(FA, FB);
-  constexpr int bits = detail::larger(detail::signed_bits<A> + fraction - FA,
-                                      detail::signed_bits<B> + fraction - FB) +
-                       1;
+  constexpr int bits = detail::sum_bits<A, FA, B, FB>;
   using wide = detail::signed_t<bits>;
   const wide difference = (wide{a.raw()} << (fraction - FA)) - (wide{b.raw()} << (fraction - FB));
   return detail::narrowed_to<To, To::rules.range>(detail::rescaled<To, fraction, bits>(difference),
@@ -82,7 +84,7 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
 }
 
 /// n / d as a To, rounded once by policy::divide of To. Its policy handles overflow and a zero
-/// divisor. The divide of one processor, which the other policies describe, has no mixed form.
+/// divisor. A policy that describes the divide of one processor does not compile.
 ///
 ///     static_assert(divide<q2_30>(q16_16(1), q16_16(3)).raw() == 357913941);  // 2^30 / 3
 template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
@@ -103,9 +105,7 @@ template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
       detail::raise<divide_error>("divide error", "divide", detail::operand<A, FA>{n.raw()},
                                   detail::operand<B, FB>{d.raw()});
     }
-    using limits = std::numeric_limits<raw>;
-    const raw end = n.raw() < 0 ? (limits::min)() : (limits::max)();
-    return To::from_raw(n.raw() == 0 ? raw{0} : end);
+    return To::from_raw(detail::by_zero<raw>(n.raw() < 0, n.raw() == 0));
   }
   return detail::narrowed_to<To, To::rules.quotient_range()>(
       detail::rounded_ratio<To::rules.divide>(wide{n.raw()} << detail::larger(up, 0),

@@ -193,7 +193,9 @@ class number {
   template <std::integral Int>
   requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
     using wide = detail::signed_t<detail::larger(64, detail::signed_bits<Raw> + 1)>;
-    return static_cast<Int>(detail::shift_right<rounding::truncate>(wide{raw_}, FractionBits));
+    using whole = std::conditional_t<std::is_signed_v<Raw>, std::int64_t, std::uint64_t>;
+    return static_cast<Int>(
+        static_cast<whole>(detail::shift_right<rounding::truncate>(wide{raw_}, FractionBits)));
   }
 
   /// Compares values for equality. Numbers of different types do not compare.
@@ -300,8 +302,9 @@ class number {
   }
 
   /// \name Integers
-  /// An integer counts with its exact value, also where the type has no such number. There is no
-  /// integer / number; write q16_16(1) / x. bool and the character types do not mix with numbers.
+  /// An integer has its exact value, even if the type cannot represent it. An integer divided by a
+  /// number does not compile: write q16_16(1) / x. bool and the character types do not mix with
+  /// numbers.
   ///
   ///     static_assert(q16_16(1.5) * 2 == 3 && q8_8(0.5) * 200 == 100);
   ///     static_assert(q16_16(2) / 3 == q16_16::from_raw(43691));  // 43690.67

@@ -32,8 +32,8 @@ enum class divisor_width {
 enum class divide_fault {
   none,               ///< only for a zero divisor under overflow::trap
   zero_divisor,       ///< if the divisor, reduced by divisor_width, is zero
-  unsigned_quotient,  ///< if the truncated magnitude of the quotient is at least 2^32 units (2^16
-                      ///< in 8.8)
+  unsigned_quotient,  ///< if the truncated magnitude of the quotient is at least 2^bits units, for
+                      ///< the bits of the type: 32 in 16.16
   signed_quotient,    ///< if the rounded quotient is outside the range of the type
 };
 

@@ -11,7 +11,8 @@
 
 namespace fixproof {
 
-/// Whether T is a fixproof::number of any format and policy, const or not. A reference is none.
+/// Whether T is a fixproof::number of any format and policy, const or not. A reference to one is
+/// not.
 ///
 ///     static_assert(is_number_v<q16_16> && is_number_v<const q2_62> && !is_number_v<int>);
 template <class T>
@@ -26,8 +27,8 @@ concept any_number = is_number_v<T>;
 
 }  // namespace fixproof
 
-/// The common type of a number and an integer is the number, as the result of their arithmetic.
-/// Two different number types have none, because formats mix only through named calls such as
+/// The common type of a number and an integer is the number, as is the result of their arithmetic.
+/// Two different number types have none, because formats mix only through named functions such as
 /// fixproof::add. Neither have a number and a bool, a character type or a floating-point type.
 ///
 ///     static_assert(std::is_same_v<std::common_type_t<q16_16, int>, q16_16>);

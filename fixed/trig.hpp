@@ -1,8 +1,8 @@
 /// \file
-/// Sine and cosine. sin, cos and sin_cos take radians. sin_of_tenths and so on take integers in
-/// tenths of a degree, as CosSin of FIXED.ASM does, and name the type of the result. Radians
-/// need 8.8 or 16.16; tenths of a degree need a signed type of at most 32 bits that can
-/// represent 1.
+/// Sine and cosine. sin, cos and sin_cos take radians. sin_of_tenths and the functions like it take
+/// integers in tenths of a degree, as CosSin of FIXED.ASM does, and name the type of the result.
+/// Radians need 8.8 or 16.16; tenths of a degree need a signed type of at most 32 bits that can
+/// represent 1 and has a fraction bit.
 #pragma once
 
 #include <concepts>

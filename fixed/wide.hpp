@@ -15,8 +15,9 @@
 namespace fixproof {
 
 /// a * b / c, rounded once by policy::divide. The policy handles overflow of the result, as for
-/// quotients; the product cannot overflow. A zero divisor counts as in operator/, with the sign of
-/// the product. All of the divisor is used under every policy.
+/// quotients; the product cannot overflow. A zero divisor is handled as in operator/, with the sign
+/// of the product. The rest of a processor's divide does not apply: all of the divisor is used, and
+/// only a zero divisor is a divide error.
 ///
 ///     static_assert(mul_div(q16_16(30000), q16_16(20000), q16_16(25000)) == q16_16(24000));
 template <class Raw, int F, policy P>
@@ -32,9 +33,7 @@ template <class Raw, int F, policy P>
       detail::raise<divide_error>("divide error", "mul_div", operand{a.raw()}, operand{b.raw()},
                                   operand{c.raw()});
     }
-    using limits = std::numeric_limits<Raw>;
-    if (product == wide{0}) return N();
-    return N::from_raw(product < wide{0} ? (limits::min)() : (limits::max)());
+    return N::from_raw(detail::by_zero<Raw>(product < wide{0}, product == wide{0}));
   }
   return N::from_raw(detail::narrow<P.quotient_range(), Raw>(
       detail::rounded_ratio<P.divide>(product, wide{c.raw()}),
@@ -42,7 +41,7 @@ template <class Raw, int F, policy P>
 }
 
 /// n / d of two integers as a number, rounded once by policy::divide. The policy handles overflow
-/// and a zero divisor, as for quotients.
+/// and a zero divisor, as for quotients; see mul_div().
 ///
 ///     static_assert(ratio<q2_30>(1, 3).raw() == 357913941);  // 2^30 / 3
 ///     static_assert(ratio<q16_16>(1000000007, 1000000000).raw() == 65536);
@@ -56,8 +55,7 @@ template <class Number, detail::integer Int>
     if constexpr (!Number::divide_never_throws) {
       detail::raise<divide_error>("divide error", "ratio", n, d);
     }
-    using limits = std::numeric_limits<raw>;
-    return Number::from_raw(n == 0 ? raw{0} : n < 0 ? (limits::min)() : (limits::max)());
+    return Number::from_raw(detail::by_zero<raw>(n < 0, n == 0));
   }
   return Number::from_raw(detail::narrow<Number::rules.quotient_range(), raw>(
       detail::rounded_ratio<Number::rules.divide>(wide{n} << F, wide{d}),

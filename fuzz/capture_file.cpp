@@ -91,7 +91,7 @@ std::string compressed(std::string_view bytes) {
   stream.next_out = packed.data();
   stream.avail_out = static_cast<uInt>(packed.size());
   const int status = deflate(&stream, Z_FINISH);
-  const std::string text(packed.data(), stream.next_out);
+  std::string text(packed.data(), stream.next_out);
   deflateEnd(&stream);
   if (status != Z_STREAM_END) fuzz::report_finding("zlib does not finish");
   return text;

@@ -14,6 +14,7 @@
 #include "fuzz/finding.hpp"
 
 /// Of the sanitizers' runtime, if there is one.
+// NOLINTNEXTLINE(bugprone-reserved-identifier)
 extern "C" void __sanitizer_set_report_fd(void* descriptor) __attribute__((weak));
 
 namespace fixproof::fuzz {
@@ -41,7 +42,7 @@ class CapturedOutput {
   CapturedOutput& operator=(CapturedOutput&&) = delete;
 
   /// Restores the descriptor and returns what was written.
-  std::string text() const {
+  [[nodiscard]] std::string text() const {
     std::fflush(nullptr);
     dup2(before_, descriptor_);
     report_to(descriptor_);

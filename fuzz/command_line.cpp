@@ -98,7 +98,7 @@ class Folder {
     fs::current_path(scratch_.path());
   }
   /// Returns the name and the contents of every file.
-  std::map<std::string, std::string> files() const {
+  [[nodiscard]] std::map<std::string, std::string> files() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(scratch_.path())) {
       if (!entry.is_regular_file()) continue;

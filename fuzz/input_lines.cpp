@@ -121,7 +121,7 @@ std::optional<std::uint32_t> right(cases::Operation operation,
 std::optional<bool> all_correct(cases::Operation operation, const std::string& cases,
                                 const std::string& results) {
   const fuzz::MemoryFile file(cases);
-  check::FileCases source(operation, file.path());
+  check::FileCases source(check::variant_of(operation), file.path());
   std::istringstream in(results);
   check::Results said(in, "results", cases::q16_16);
   std::array<std::uint32_t, 2> words{};

@@ -24,7 +24,7 @@ struct VariantParties {
 /// One entry per variant of these operations; multiply and divide also at half width. Omits parties
 /// that this build lacks or that do not answer a variant.
 std::vector<VariantParties> parties_by_variant(std::span<const cases::Operation> operations,
-                                               std::span<const std::string_view> parties);
+                                               std::span<const std::string_view> names);
 
 /// Describes a disagreement with the oracle: the smallest case that shows it, every answer, and the
 /// command that reproduces it. Uses the first words that the operation takes, reduced to its

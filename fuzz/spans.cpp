@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fixed/batch.hpp"
-#include "fixed/batch_radian.hpp"
+#include "batch/batch.hpp"
+#include "batch/radian.hpp"
 #include "fixed/fixed.hpp"
 #include "fuzz/finding.hpp"
 #include "fuzz/words.hpp"
@@ -91,7 +91,7 @@ struct Layout {
   [[nodiscard]] Range output(std::size_t i) const {
     return {out[i], out[i] + count * shape().out_width};
   }
-  /// As fixed/batch.hpp permits it.
+  /// As batch/batch.hpp permits it.
   [[nodiscard]] bool permitted() const {
     for (std::size_t o = 0; o < shape().outputs; ++o) {
       for (std::size_t i = 0; i < shape().inputs; ++i) {

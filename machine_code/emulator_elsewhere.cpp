@@ -13,10 +13,12 @@ std::string Emulator::version() { return "none"; }
 // Callers check absence() first.
 Emulator::Emulator(std::span<const std::uint8_t> /*code*/) { throw std::logic_error(absence()); }
 Emulator::~Emulator() = default;
+// NOLINTBEGIN(readability-convert-member-functions-to-static): the other emulator has a state
 std::uint8_t* Emulator::memory() const { return nullptr; }
 void Emulator::run(const Calls& /*calls*/) {}
 CallEnding Emulator::trace(SegmentMachine& /*m*/, const Step& /*step*/, std::size_t /*limit*/) {
   return CallEnding::fault;
 }
+// NOLINTEND(readability-convert-member-functions-to-static)
 
 }  // namespace fixproof::machine_code

@@ -5,9 +5,14 @@
 #include <limits>
 
 namespace oracle {
+namespace {
 
-std::optional<Integer> from_decimal(std::string_view text, Rounding rule, int fraction_bits) {
-  const Integer unit = one(fraction_bits);
+/// @throws std::invalid_argument unless fraction_bits is 2 ... 16
+void require_routine_format(int fraction_bits) { static_cast<void>(one(fraction_bits)); }
+
+}  // namespace
+
+std::optional<Ratio> decimal_value(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
 
@@ -27,11 +32,10 @@ std::optional<Integer> from_decimal(std::string_view text, Rounding rule, int fr
     }
   }
   if (!any_digit) return std::nullopt;
-  return rounded((negative ? -digits : digits) * unit, scale, rule);
+  return Ratio{negative ? -digits : digits, scale};
 }
 
-std::optional<Integer> from_double(double value, Rounding rule, int fraction_bits) {
-  const Integer unit = one(fraction_bits);
+std::optional<Ratio> double_value(double value) {
   if (!std::isfinite(value)) return std::nullopt;
   // value = significand * 2^exponent with a whole significand.
   int exponent = 0;
@@ -42,7 +46,25 @@ std::optional<Integer> from_double(double value, Rounding rule, int fraction_bit
   exponent -= kDigits;
   if (exponent > 0) numerator <<= exponent;
   if (exponent < 0) denominator <<= -exponent;
-  return rounded(numerator * unit, denominator, rule);
+  return Ratio{numerator, denominator};
+}
+
+Integer to_ulps(const Ratio& value, Rounding rule, int fraction_bits) {
+  return rounded(value.numerator << fraction_bits, value.denominator, rule);
+}
+
+std::optional<Integer> from_decimal(std::string_view text, Rounding rule, int fraction_bits) {
+  require_routine_format(fraction_bits);
+  const auto value = decimal_value(text);
+  if (!value) return std::nullopt;
+  return to_ulps(*value, rule, fraction_bits);
+}
+
+std::optional<Integer> from_double(double value, Rounding rule, int fraction_bits) {
+  require_routine_format(fraction_bits);
+  const auto ratio = double_value(value);
+  if (!ratio) return std::nullopt;
+  return to_ulps(*ratio, rule, fraction_bits);
 }
 
 std::string to_decimal(Word word, int fraction_bits) {

@@ -34,7 +34,7 @@ Integer scaled_cos(std::int32_t angle_tenths, int digits) {
   require_digits(digits);
   // The series is slightly off for the five rational cosines (Niven), whose exact values are known.
   const int turned = (angle_tenths % 3600 + 3600) % 3600;
-  const Integer unit = Integer(1) << (16 + digits);
+  Integer unit = Integer(1) << (16 + digits);
   switch (turned) {
     case 0:
       return unit;

@@ -1,6 +1,6 @@
 // The batch operations on each path. They take a whole chunk of cases at a time, and their reports
 // must agree with the elements they mark.
-#include "fixed/batch.hpp"
+#include "batch/batch.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "fixed/batch_radian.hpp"
+#include "batch/radian.hpp"
 #include "parties/answer.hpp"
 #include "parties/parties.hpp"
 #include "parties/with_number.hpp"
@@ -21,6 +21,7 @@ namespace {
 
 class Marks {
  public:
+  // NOLINTNEXTLINE(*-avoid-c-arrays): std::vector<bool> is no span
   explicit Marks(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {}
 
   [[nodiscard]] std::span<bool> all() const { return {marks_.get(), size_}; }
@@ -37,6 +38,7 @@ class Marks {
 
  private:
   std::size_t size_;
+  // NOLINTNEXTLINE(*-avoid-c-arrays): std::vector<bool> is no span
   std::unique_ptr<bool[]> marks_;
 };
 

@@ -131,10 +131,11 @@ class Oracle final : public Party {
         case cases::Operation::sub:
           return store(oracle::sub(in[0], in[1], bits), out);
         case cases::Operation::binary64:
-          break;
+          return store(
+              word_of_ulps(oracle::from_double(double_of(in[0], bits), rounding, bits), bits), out);
+        default:  // a conversion, which answers() refuses
+          return false;
       }
-      return store(word_of_ulps(oracle::from_double(double_of(in[0], bits), rounding, bits), bits),
-                   out);
     });
   }
 };

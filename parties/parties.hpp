@@ -14,7 +14,7 @@ std::unique_ptr<Party> make_interpreter();
 std::unique_ptr<Party> make_oracle();
 std::unique_ptr<Party> make_fast_oracle();
 std::unique_ptr<Party> make_type();
-/// Makes `batch`, which takes the best path, and one party per path of fixed/batch.hpp.
+/// Makes `batch`, which takes the best path, and one party per path of batch/batch.hpp.
 std::vector<std::unique_ptr<Party>> make_batch_parties();
 std::unique_ptr<Party> make_silicon();
 std::unique_ptr<Party> make_unicorn();

@@ -62,7 +62,7 @@ class Party : private boost::noncopyable {
 
 /// Returns the parties of this build, including the absent ones: model (compiled run), interpreter
 /// (the same programs step by step), oracle (big integers), fast (the oracle's answers from
-/// built-in integers), type (fixproof::number), batch (fixed/batch.hpp), its paths batch-portable,
+/// built-in integers), type (fixproof::number), batch (batch/batch.hpp), its paths batch-portable,
 /// batch-neon, batch-avx2 and batch-avx512, silicon (the listings as machine code on this
 /// processor), and unicorn (the same code on an emulator).
 const std::vector<std::unique_ptr<Party>>& parties();

@@ -387,7 +387,7 @@ Value Evaluator::call(const std::string& name, const Function& function, Values 
     }
     scope.emplace_back(function.parameters[i].first, std::move(arguments[i]));
   }
-  const Value value =
+  Value value =
       function.body == nullptr ? Value{function.result, 0} : value_of(*function.body, scope);
   if (value.sort != function.result) refuse(fmt::format("{} is of another sort", name));
   if (is_constant) constants_.emplace(name, value);

@@ -36,7 +36,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// would mean that the program cannot be started
 std::filesystem::path temporary_folder() {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if (!error) return folder;
   const char* const named = std::getenv("TMPDIR");
   throw std::runtime_error(fmt::format("TMPDIR names no folder for temporary files: {}: {}",

@@ -90,7 +90,7 @@ Proof prove(const cases::Variant& v, const x86model::Program& program, const Sol
       return proof;
     }
   }
-  proof.remarks.push_back("the solver's counterexample does not fail when run");
+  proof.remarks.emplace_back("the solver's counterexample does not fail when run");
   return proof;
 }
 

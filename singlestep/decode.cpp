@@ -176,7 +176,8 @@ class Decoder {
             .size = size == Size::byte ? Size::none : size,
             .value = signed_number(size)};
   }
-  Operand memory(Addressing addressing, unsigned base, std::int32_t displacement) const {
+  [[nodiscard]] Operand memory(Addressing addressing, unsigned base,
+                               std::int32_t displacement) const {
     return {.kind = Operand::Kind::memory,
             .size = size_,
             .addressing = addressing,

@@ -100,7 +100,7 @@ class Scanner {
     return members;
   }
 
-  Json parse(std::string_view part) const {
+  [[nodiscard]] Json parse(std::string_view part) const {
     try {
       return support::parse_strictly(part);
     } catch (const Json::parse_error& error) {
@@ -272,7 +272,7 @@ void read_json(std::string_view text, Cpu cpu, const UseCase& use) {
   if (scanner.peek() == ']') throw support::UsageError("the array has no cases");
   do {
     if (scanner.peek() != '{') {
-      scanner.parse(scanner.value());
+      static_cast<void>(scanner.parse(scanner.value()));
       throw support::UsageError(fmt::format("case {} is not an object", scanner.cases()));
     }
     Case c = case_in(scanner.one_case(), cpu, scanner);

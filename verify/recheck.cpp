@@ -42,8 +42,8 @@ void recheck(const Report& report, std::span<const parties::Party* const> partie
     if (again == report.chunks[chunk]) continue;
     const cases::Chunk place = report.plan.chunk(chunk);
     throw std::runtime_error(fmt::format(
-        "chunk {} ({}, {}) holds other results than its cases give here: {}; run again: {}", chunk,
-        cases::name_of(report.plan.rows()[place.job->row].variant),
+        "chunk {} ({}, {}) has results that differ from those computed here: {}; run again: {}",
+        chunk, cases::name_of(report.plan.rows()[place.job->row].variant),
         cases::name_of(place.job->stream), text_of(report.chunks[chunk]), text_of(again)));
   }
 }

@@ -41,7 +41,7 @@ struct Findings {
 /// The findings of one chunk, and the digest of all answers that the parties gave in it.
 struct ChunkFindings {
   Findings findings;
-  std::uint64_t answers;
+  std::uint64_t answers = 0;
 };
 
 /// What a report keeps of a finished chunk, so that running it again shows whether it is true.

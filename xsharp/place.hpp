@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "fixed/batch.hpp"
+#include "batch/batch.hpp"
 #include "xsharp/clip.hpp"
 #include "xsharp/project.hpp"
 #include "xsharp/transform.hpp"
@@ -55,7 +55,7 @@ Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertic
   return unplaced;
 }
 
-/// Places vertices with fixed/batch.hpp, in blocks that fit the first-level cache, to the same
+/// Places vertices with batch/batch.hpp, in blocks that fit the first-level cache, to the same
 /// bits. Vertices that a batch marks are recomputed one by one, so that they fault, saturate or
 /// throw as the type does.
 template <fixproof::policy P>

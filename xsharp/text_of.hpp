@@ -20,7 +20,7 @@ std::string text_of(const Words&... words) {
 /// The shortest text that is read back as the same number.
 inline std::string digits_of(double value) {
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   return {digits.data(), end};
 }
 

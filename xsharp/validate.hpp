@@ -125,7 +125,7 @@ inline void validate_depth_measure(const Scene& scene) {
   for (const ObjectDescription& object : scene.objects) {
     if (object.surface.kind == SurfaceKind::texture) {
       throw SceneError(text_of("object '", object.name,
-                               "': a texture needs depth_measure \"inverse\", not \"z\""));
+                               R"(': a texture needs depth_measure "inverse", not "z")"));
     }
   }
 }
@@ -138,7 +138,7 @@ inline void validate_ramp_light(const Scene& scene) {
     if (is_on_ramp(object.surface) && scene.palette != PaletteKind::ramps) {
       throw SceneError(text_of("object '", object.name, "': surface.kind is \"",
                                surface_words.at(static_cast<std::size_t>(object.surface.kind)),
-                               "\", so palette must be \"ramps\""));
+                               R"(", so palette must be "ramps")"));
     }
     if (is_lit(object.surface) && level > 1.0001) {
       throw SceneError(text_of("the spots' intensities, each the mean of three, add up to ", level,
@@ -178,7 +178,7 @@ inline void validate_setting(const Scene& scene) {
   require_word("arithmetic.target", scene.arithmetic.target,
                {"i386", "i8088", "standard", "saturating", "trapping"});
   if (scene.arithmetic.by == "model" && !is_listing(scene.arithmetic)) {
-    throw SceneError("arithmetic.by is \"model\", which has no target \"" +
+    throw SceneError(R"(arithmetic.by is "model", which has no target ")" +
                      scene.arithmetic.target + "\"");
   }
   try {

@@ -4,18 +4,13 @@
 
 #include <cstdint>
 
+#include "fixed/detail/wide_integer.hpp"
+
 namespace fixproof::detail {
 
 /// floor(a * b / 2^64).
 constexpr std::uint64_t multiply_high(std::uint64_t a, std::uint64_t b) noexcept {
-  constexpr std::uint64_t low_half = 0xffffffff;
-  const std::uint64_t a0 = a & low_half;
-  const std::uint64_t a1 = a >> 32;
-  const std::uint64_t b0 = b & low_half;
-  const std::uint64_t b1 = b >> 32;
-  const std::uint64_t middle = a1 * b0 + (a0 * b0 >> 32);
-  const std::uint64_t carry = ((middle & low_half) + a0 * b1) >> 32;
-  return a1 * b1 + (middle >> 32) + carry;
+  return multiply_words(a, b).high;
 }
 
 /// pi/2 in units of 2^-62, to nearest.

@@ -102,7 +102,9 @@ struct decimal_parts {
   }
 
  private:
-  static constexpr bool is_short = is_built_in<fraction_t> && sizeof(fraction_t) == 8;
+  /// The fraction is rounded by itself: its last bit decides ties to even, so there must be one.
+  static constexpr bool is_short = FractionBits > 0 && is_built_in<fraction_t> &&
+                                   sizeof(fraction_t) == 8;
 
   /// The fraction in units of half of 10^-fraction_digits.
   [[nodiscard]] constexpr fraction_t scaled() const noexcept {

@@ -48,6 +48,14 @@ constexpr Raw limit_toward_zero(Raw n) noexcept {
   return n == 0 ? Raw{0} : end;
 }
 
+/// The same for a numerator of any type.
+template <class Raw>
+constexpr Raw by_zero(bool negative, bool zero) noexcept {
+  using limits = std::numeric_limits<Raw>;
+  if (zero) return Raw{0};
+  return negative ? (limits::min)() : (limits::max)();
+}
+
 /// Whether quotient.hpp has the quotient in a form that compilers vectorise.
 template <class Raw, int FractionBits, policy P>
 inline constexpr bool has_fast_quotient =

@@ -48,8 +48,8 @@ constexpr mul_add_t<Raw, FractionBits> rounded_mul_add(Raw a, Raw b, Raw c) noex
   return shift_right<R>(sum, FractionBits);
 }
 
-/// a * 2^places for 0 <= places. From the width of Raw on, the result is that of its width, which
-/// leaves the range too, or is 0.
+/// a * 2^places for 0 <= places. More places than the width of Raw count as its width, for which
+/// every result except 0 is out of range.
 template <class Raw>
 constexpr auto exact_shift_left(Raw a, int places) noexcept {
   using wide = signed_t<signed_bits<Raw> + bits_of<Raw>>;

@@ -23,7 +23,7 @@ template <class Wide>
 struct scaled_float {
   enum class kind {
     finite,    ///< `integer` is the result
-    beyond,    ///< the result exceeds Wide; `integer` is it modulo 2^64
+    beyond,    ///< the result exceeds every Raw; `integer` is the result modulo 2^64
     infinite,  ///< `integer` is 0
     nan,       ///< `integer` is 0
   };

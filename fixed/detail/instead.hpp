@@ -17,15 +17,15 @@ struct advice {
   }
 };
 
-/// True for every text: a deleted function carries it where g++ prints it.
+/// True for every text: g++ prints the constraints of a deleted function, and so the text.
 template <advice Text>
 concept instead = true;
 
 }  // namespace fixproof::detail
 
-/// Ends a declaration that overload resolution finds and refuses. `text` says what to write; it is
-/// in the first line of the compiler's message. To a concept, the call is one that does not
-/// compile. Clang does not print the declaration of a deleted function, but the text of an
+/// Ends a declaration whose use does not compile. `text` says what to write; it is in the first
+/// line of the compiler's message. In a `requires` expression such a use is false, not an error.
+/// Clang does not print the declaration of a deleted function, but it prints the text of an
 /// unavailable one.
 #if defined(__clang__)
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute

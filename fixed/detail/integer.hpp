@@ -29,7 +29,7 @@ constexpr Wide reduced(Int value) noexcept {
 template <class Raw>
 using factor_product_t = signed_t<larger(64, 2 * bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 2))>;
 
-/// An integer for products. The limit leaves every range of Raw.
+/// An integer for products. The limit is outside every range of Raw.
 template <class Raw, overflow O, integer Int>
 constexpr factor_product_t<Raw> factor(Int value) noexcept {
   return reduced < factor_product_t<Raw>, Raw, O, std::is_signed_v<Raw> ? 32 : 33 > (value);
@@ -39,7 +39,7 @@ constexpr factor_product_t<Raw> factor(Int value) noexcept {
 template <class Raw, int FractionBits>
 using units_t = signed_t<larger(64, (bits_of<Raw> == 64 ? 66 : 36) + FractionBits)>;
 
-/// An integer in units of 2^-FractionBits, for sums. With the limit, every sum leaves the range.
+/// An integer in units of 2^-FractionBits, for sums. At the limit, every sum is out of range.
 template <class Raw, int FractionBits, overflow O, integer Int>
 constexpr auto units(Int value) noexcept {
   return reduced<units_t<Raw, FractionBits>, Raw, O, 34>(value) << FractionBits;
@@ -52,7 +52,7 @@ constexpr auto divide_by_integer(Raw raw, Int d) noexcept {
     using wide = signed_t<66>;
     return rounded_ratio<R>(wide{raw}, wide{d});
   } else {
-    // Every divisor of 34 bits or more rounds alike: the quotient is less than a half.
+    // Every divisor of 34 bits or more gives the same result: the quotient is less than a half.
     return rounded_ratio<R>(std::int64_t{raw}, clamp_far<34>(d));
   }
 }

@@ -23,7 +23,7 @@ struct text_style {
   std::size_t precision = 6;
 };
 
-/// The text of one number, but for padding and grouping.
+/// The text of one number, without padding and grouping.
 class number_text {
  public:
   template <int FractionBits, class Raw>
@@ -56,6 +56,7 @@ class number_text {
 
   /// Writes the sign and 0x; zeros that pad the number follow it.
   template <class Out>
+  // NOLINTNEXTLINE(modernize-use-nodiscard): an output iterator, as of std::copy
   constexpr Out write_head(Out out) const {
     return copy(head_.data(), head_.data() + head_size_, out);
   }
@@ -68,6 +69,7 @@ class number_text {
 
   /// Writes the point and what follows it.
   template <class Out>
+  // NOLINTNEXTLINE(modernize-use-nodiscard)
   constexpr Out write_rest(Out out, char point = '.') const {
     if (has_point_) *out++ = point;
     out = copy(whole_end(), digits_.data() + end_, out);

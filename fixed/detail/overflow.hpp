@@ -35,8 +35,8 @@ constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::tra
   }
 }
 
-/// Limits an integer to +-(2^Bits - 1). 32 bits are out of every range but leave room for shifts
-/// and for products with a stored integer.
+/// Limits an integer to +-(2^Bits - 1). Limits of 32 bits or more are out of every range, but leave
+/// room for shifts and for products with a stored integer.
 template <int Bits = 32, std::integral Int>
 constexpr std::int64_t clamp_far(Int value) noexcept {
   constexpr std::int64_t limit = (std::int64_t{1} << Bits) - 1;

@@ -37,7 +37,7 @@ inline std::int32_t upper_bits(double x) noexcept {
 /// q its double in the current mode: |q - Q| < |Q| 2^-52 = |N / D| 2^-52 <= 2^-5 / |D|. If Q is an
 /// integer or an integer plus a half, it has at most 48 bits, so q = Q and q +- 1/2 is exact.
 ///
-/// If not, Q is at least 1 / |D| from every integer and 1 / (2 |D|) from every half. Adding 1/2
+/// Otherwise Q is at least 1 / |D| from every integer and 1 / (2 |D|) from every half. Adding 1/2
 /// rounds once more, by less than (|Q| + 1/2) 2^-52 <= 2^-5 / |D| + 2^-53. Both errors together are
 /// less than 2^-4 / |D| + 2^-53 < 1 / (4 |D|), so the computed sum stays on the same side of every
 /// integer as the exact one, and at least 1 / (4 |D|) >= 2^-33 away from it.

@@ -189,7 +189,8 @@ struct wide_integer<Words>::division {
   wide_integer remainder;
 };
 
-// One bit at a time: no format of 32 bits or less comes here.
+// One bit at a time: only formats of 64 bits come here, a few of 32 without 128-bit integers, and %
+// of a number of 32 bits and an integer.
 template <std::size_t Words>
 constexpr auto wide_integer<Words>::divide(const wide_integer& x,
                                            const wide_integer& divisor) noexcept -> division {

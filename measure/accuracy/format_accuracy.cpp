@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "cases/format_makers.hpp"
+#include "check/word.hpp"
 #include "measure/host/provenance.hpp"
 #include "oracle/format.hpp"
 #include "parties/with_format.hpp"
@@ -43,10 +44,6 @@ struct FormatSubject {
   Result (*answer)(Operation operation, const Format& format, WordPair in);
 };
 
-oracle::Format oracle_format(const Format& format) {
-  return {format.word_bits, format.fraction_bits, format.is_signed};
-}
-
 template <class Number>
 Result answer_of_type(Operation operation, const Format& /*format*/, WordPair in) {
   const auto x = parties::number_from<Number>(in.first);
@@ -60,7 +57,7 @@ Result answer_of_type(Operation operation, const Format& /*format*/, WordPair in
 template <class Float>
 Result answer_of_float(Operation operation, const Format& format, WordPair in) {
   const auto value = [&](std::uint64_t word) {
-    const Integer ulps = oracle::ulps(word, oracle_format(format));
+    const Integer ulps = oracle::ulps(word, check::oracle_format(format));
     return std::ldexp(static_cast<Float>(ulps), -format.fraction_bits);
   };
   const Float x = value(in.first);
@@ -106,8 +103,8 @@ std::vector<FormatSubject> subjects_in(const Format& format, Operation operation
 
 /// Empty if there is no result: a zero divisor or the root of a negative number.
 std::optional<ExactResult> exact_result(Operation operation, const Format& format, WordPair in) {
-  const Integer x = oracle::ulps(in.first, oracle_format(format));
-  const Integer y = oracle::ulps(in.second, oracle_format(format));
+  const Integer x = oracle::ulps(in.first, check::oracle_format(format));
+  const Integer y = oracle::ulps(in.second, check::oracle_format(format));
   const Integer one = Integer(1) << format.fraction_bits;
   if (operation == Operation::mul) return ExactResult{x * y, one};
   if (operation == Operation::div) {
@@ -182,7 +179,7 @@ struct Part {
 std::vector<AccuracyRow> measure_stream(const Part& part,
                                         const std::vector<FormatSubject>& subjects,
                                         std::uint64_t cases, const std::atomic<bool>& stop) {
-  const oracle::Format format = oracle_format(part.format);
+  const oracle::Format format = check::oracle_format(part.format);
   std::vector<AccuracyRow> rows;
   rows.reserve(subjects.size());
   for (const FormatSubject& subject : subjects) {

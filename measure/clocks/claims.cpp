@@ -48,8 +48,8 @@ Claim switch_to_8088(const std::vector<RecordedScene>& scenes) {
 }
 
 struct Machine {
-  Cpu cpu;
-  double megahertz;
+  Cpu cpu{};
+  double megahertz = 0;
   cases::Build build;
 };
 

@@ -105,11 +105,12 @@ void compare_all(LoopClaim& claim, Loop first, Loop last, Counting counting, Cha
 std::optional<Clocks> pixel_clocks(const LoopForm& form, Pixels pixels, Cpu cpu) {
   if (!can_run(form, cpu)) return std::nullopt;
   constexpr std::uint32_t most = x86::loops::max_pixels;
+  constexpr std::uint32_t more = most - most / 2;
   const auto code = x86::code_of(form);
   const x86::ClockCounter whole = count_call(code, form, pixels, cpu, most);
   const x86::ClockCounter half = count_call(code, form, pixels, cpu, most / 2);
   const auto per_pixel = [](std::uint64_t of_whole, std::uint64_t of_half) {
-    return static_cast<double>(of_whole - of_half) / (most - most / 2);
+    return static_cast<double>(of_whole - of_half) / more;
   };
   return Clocks{{per_pixel(whole.total().min, half.total().min),
                  per_pixel(whole.total().max, half.total().max)},

@@ -80,7 +80,8 @@ std::vector<SetupClocks> measure_setup_clocks(std::uint64_t seed) {
   for (std::uint64_t i = 0; i < spans; ++i) {
     cases::Draw draw(cases::mix(seed), i);
     const auto units = static_cast<std::int64_t>(65536 + draw.below(319 * 65536 + 1));
-    const std::int64_t way = draw.either_sign(static_cast<std::int64_t>(draw.below(253 * 65536)));
+    const std::int64_t way =
+        draw.either_sign(static_cast<std::int64_t>(draw.below(std::uint64_t{253} * 65536)));
     divides.push_back(static_cast<std::uint32_t>(way));
     divides.push_back(static_cast<std::uint32_t>(units));
     multiplies.push_back(static_cast<std::uint32_t>(way * 65536 / units));

@@ -93,7 +93,7 @@ std::int64_t line_bound(LineRule rule, const LineEnds& ends, const SpanPlace& pl
                         unsigned dropped, std::size_t k) {
   constexpr std::int64_t unit = std::int64_t{1} << 17;
   const std::int64_t way = std::abs(ends.to - ends.from);
-  const std::int64_t steps = static_cast<std::int64_t>(k);
+  const auto steps = static_cast<std::int64_t>(k);
   if (rule == LineRule::whole_words) {
     const std::int64_t word = unit << dropped;
     const std::int64_t geometry =

@@ -42,8 +42,9 @@ LineEnds choose_depths(Ends ends, cases::Draw& draw) {
   const auto part = [&] { return static_cast<double>(draw.below(65537)) / 65536; };
   const bool extreme = ends == Ends::extreme;
   const double near = extreme ? (draw.coin() ? 1.0 : 0.0) : part();
-  const double size = static_cast<double>(farthest_depth) *
-                      std::pow(static_cast<double>(nearest_depth / farthest_depth), near);
+  const double size =
+      static_cast<double>(farthest_depth) *
+      std::pow(static_cast<double>(nearest_depth) / static_cast<double>(farthest_depth), near);
   const double ratio =
       extreme ? (draw.below(4) == 0 ? 1.0 : max_ratio) : 1 + (max_ratio - 1) * part();
   const LineEnds depth{static_cast<std::int64_t>(size), static_cast<std::int64_t>(size / ratio)};

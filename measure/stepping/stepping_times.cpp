@@ -37,7 +37,7 @@ class TimedRow {
     for (std::size_t i = 0; i < begun_spans; ++i) {
       from_.at(i) = static_cast<std::int32_t>(draw.below(std::uint64_t{256} << 16U));
       to_.at(i) = static_cast<std::int32_t>(draw.below(std::uint64_t{256} << 16U));
-      units_.at(i) = static_cast<std::int64_t>(65536 + draw.below(319 * 65536));
+      units_.at(i) = static_cast<std::int64_t>(65536 + draw.below(std::uint64_t{319} * 65536));
       distance_.at(i) = static_cast<std::int64_t>(draw.below(65536));
     }
   }

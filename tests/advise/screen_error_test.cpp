@@ -96,6 +96,7 @@ TEST(ScreenError, StopsWhenAsked) {
 
 // Tests that the measured places are the drawn pixels, for every corner.
 template <class N>
+// NOLINTNEXTLINE(readability-function-cognitive-complexity)
 int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& choice) {
   xsharp::Scene scene = xsharp::read_scene(file);
   scene.restore_every = 10;

@@ -3,7 +3,7 @@
 /// under its policy and under policies that treat faults differently.
 #pragma once
 
-#include "fixed/batch.hpp"
+#include "batch/batch.hpp"
 #include "fixed/fixed.hpp"
 #include "tests/support/test.hpp"
 
@@ -76,6 +76,7 @@ Fault first_fault(std::initializer_list<Expected<Number>> steps) {
 /// The marks and the report of a batch, both filled with noise at first.
 class Marked {
  public:
+  // NOLINTNEXTLINE(*-avoid-c-arrays): std::vector<bool> is no span
   explicit Marked(std::size_t count) : size_(count), marks_(std::make_unique<bool[]>(count)) {
     for (std::size_t i = 0; i < count; ++i) marks_[i] = i % 3 == 0;
   }
@@ -100,6 +101,7 @@ class Marked {
 
  private:
   std::size_t size_;
+  // NOLINTNEXTLINE(*-avoid-c-arrays): std::vector<bool> is no span
   std::unique_ptr<bool[]> marks_;
 };
 

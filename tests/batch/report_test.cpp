@@ -1,5 +1,5 @@
 /// Tests the exceptions, marks, length checks and aliased outputs of batches.
-#include "fixed/batch_radian.hpp"
+#include "batch/radian.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/support/test.hpp"
 

@@ -18,7 +18,7 @@ struct Drawn {
 };
 
 Drawn draw_all(Operation operation, const CaseOptions& options) {
-  GeneratedCases cases(operation, options);
+  GeneratedCases cases(fixproof::check::variant_of(operation), options);
   Drawn drawn;
   Words words(fixproof::cases::words_in(operation));
   while (cases.next(words)) {
@@ -88,7 +88,8 @@ TEST(CheckCases, TheSeedChangesThem) {
 TEST(CheckCases, AShardThatIsNone) {
   CaseOptions options;
   options.shard = "4/3";
-  EXPECT_THROW(GeneratedCases(Operation::mul, options), fixproof::support::UsageError);
+  EXPECT_THROW(GeneratedCases(fixproof::check::variant_of(Operation::mul), options),
+               fixproof::support::UsageError);
 }
 
 }  // namespace

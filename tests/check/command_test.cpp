@@ -215,9 +215,11 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
 TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check", "operation");
   expect_refused("check mul", "--rounding");
-  expect_refused("check concat --rounding floor", "choose mul, div, sqrt, add or sub");
+  expect_refused("check concat --rounding floor",
+                 "choose mul, div, sqrt, add, sub, from_binary64, ");
   expect_refused("check abs --rounding floor", "unknown operation");
-  expect_refused("check add --rounding floor", "--rounding applies only to mul, div and sqrt");
+  expect_refused("check add --rounding floor",
+                 "--rounding applies only to results that are rounded");
   expect_refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
   expect_refused("check mul --rounding floor --overflow clamp",
                  "wrap, saturate, symmetric, maximum, minimum, de, any");
@@ -236,7 +238,7 @@ TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check div --rounding floor --negative-root zero",
                  "--negative-root applies only to sqrt");
   expect_refused("check sqrt --rounding floor --overflow wrap",
-                 "--overflow applies only to mul, div, add and sub");
+                 "--overflow applies only to results that can overflow");
   expect_refused("gen", "operation");
   expect_refused("gen abs", "unknown operation");
   expect_refused("gen mul --level 3", "whole number from 1 to 2");

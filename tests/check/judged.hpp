@@ -25,7 +25,7 @@ inline Said word(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
 inline Judge judged(const Rules& rules, const SubjectFunction& subject) {
   fixproof::check::CaseOptions options;
   options.cases = 60'000;
-  fixproof::check::GeneratedCases cases(rules.operation, options);
+  fixproof::check::GeneratedCases cases(fixproof::check::variant_of(rules.operation), options);
   Judge judge(rules, 3);
   fixproof::check::JudgedCase one;
   const auto words = std::span(one.words).first(fixproof::cases::words_in(rules.operation));

@@ -97,4 +97,13 @@ static_assert(sqrt(q16_16(-4)) == q16_16());
 static_assert(sin_cos_of_tenths<q16_16>(900) == cos_sin<q16_16>{q16_16(), q16_16(1)});
 static_assert(floor(q16_16(-0.5)) == q16_16(-1) && ceil(q16_16(-0.5)) == q16_16());
 
+// A function of every header in a constant expression.
+static_assert(checked_multiply(q16_16(200), q16_16(200)) == std::nullopt);
+static_assert(multiply<q2_30>(q16_16(0.5), q8_8(0.5)) == q2_30(0.25));
+static_assert(mul_div(q16_16(3), q16_16(5), q16_16(4)) == q16_16(3.75));
+static_assert(ratio<q2_30>(1, 4) == q2_30(0.25));
+static_assert(fmod(q16_16(5.5), q16_16(2)) == q16_16(1.5));
+static_assert(lerp(q2_30(0), q2_30(1), q2_30(0.5)) == q2_30(0.5));
+static_assert(pi_v<q8_24>.raw() == 52707179);  // 3.14159265... * 2^24 = 52707178.9
+
 }  // namespace

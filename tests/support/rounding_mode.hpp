@@ -2,7 +2,7 @@
 /// The rounding mode of the processor, set for a lifetime.
 #pragma once
 
-#include <fenv.h>
+#include <cfenv>
 
 #include "tests/support/test.hpp"
 
@@ -10,8 +10,8 @@ class RoundingMode {
  public:
   static constexpr std::array all{FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO};
 
-  explicit RoundingMode(int mode) { EXPECT_EQ(fesetround(mode), 0); }
+  explicit RoundingMode(int mode) { EXPECT_EQ(std::fesetround(mode), 0); }
   RoundingMode(const RoundingMode&) = delete;
   RoundingMode& operator=(const RoundingMode&) = delete;
-  ~RoundingMode() { fesetround(FE_TONEAREST); }
+  ~RoundingMode() { std::fesetround(FE_TONEAREST); }
 };

@@ -43,6 +43,7 @@ class ScratchFolder {
   }
 
   /// Returns the path of the file.
+  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes a file
   std::string write(const std::string& name, std::string_view text) const {
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);

@@ -88,9 +88,16 @@ TEST(Formats, ProductTiesAreTies) {
     for (const auto& c : made(Stream::product_ties, v)) {
       EXPECT_EQ(from_tie(c[0] * c[1], one), 0) << name_of(format) << ' ' << c[0] << ' ' << c[1];
     }
-    for (const auto& c : made(Stream::near_product_ties, v)) {
+    std::size_t above = 0;
+    const auto near = made(Stream::near_product_ties, v);
+    for (const auto& c : near) {
       EXPECT_LE(from_tie(c[0] * c[1], one), 2) << name_of(format) << ' ' << c[0] << ' ' << c[1];
+      const Integer rest = c[0] * c[1] % one;
+      if (2 * (rest < 0 ? rest + one : rest) > one) ++above;
     }
+    if (format.fraction_bits == 1) continue;  // the words beside a tie
+    EXPECT_GT(above, near.size() / 4) << name_of(format);
+    EXPECT_LT(above, near.size() * 3 / 4) << name_of(format);
   }
 }
 
@@ -122,10 +129,11 @@ TEST(Formats, RootTiesAbove1AreBesideAHalf) {
     const Integer one = Integer(1) << format.fraction_bits;
     std::size_t below = 0;
     std::size_t above = 0;
+    std::size_t upper_half = 0;
     for (const auto& c : made(Stream::root_ties, in_format(Operation::sqrt, format))) {
       ASSERT_GE(c[0], 0) << name_of(format);
-      // The stream replaces operands beyond the largest word by the last two.
-      if (c[0] <= one || c[0] >= (Integer(1) << bits) - 2) continue;
+      upper_half += c[0] >> (bits - 1) != 0 ? 1U : 0U;
+      if (c[0] <= one) continue;
       const Integer radicand = c[0] * one;
       const Integer root = sqrt(radicand);
       // Roots above the half have a positive rest. The operands next to the half are one unit
@@ -134,6 +142,11 @@ TEST(Formats, RootTiesAbove1AreBesideAHalf) {
       EXPECT_TRUE(rest > -one && rest <= one) << name_of(format) << ' ' << c[0];
       ++(rest > 0 ? above : below);
     }
+    // The streams of the routines' formats stay as they were, and 64 bits leave no room for the
+    // largest root of an odd number of fraction bits.
+    const bool reaches_the_end = !has_routine_format(in_format(Operation::sqrt, format)) &&
+                                 (bits < 64 || format.fraction_bits % 2 == 0);
+    EXPECT_EQ(upper_half > 0, reaches_the_end) << name_of(format);
     if (bits < format.fraction_bits + 2) continue;  // no or few operands above 1.0
     EXPECT_GT(below, 0U) << name_of(format);
     EXPECT_GT(above, 0U) << name_of(format);

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "fixed/batch.hpp"
+#include "batch/batch.hpp"
 #include "trade/advice/formats.hpp"
 #include "xsharp/transform.hpp"
 

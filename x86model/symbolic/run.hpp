@@ -17,8 +17,8 @@ struct Path {
   Term condition;  ///< on the operands that take this path
   /// A further assumption: every address in the cosine table is that of one of its words.
   Term in_table;
-  Outcome outcome;
-  std::size_t position;  ///< of the last instruction, or RunOptions::stop if it was reached
+  Outcome outcome{};
+  std::size_t position = 0;  ///< of the last instruction, or RunOptions::stop if it was reached
   State state;
 };
 

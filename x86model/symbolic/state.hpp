@@ -14,8 +14,8 @@ namespace x86model::symbolic {
 
 /// A write to open memory: 8, 16 or 32 bits.
 struct Store {
-  bool extra;    ///< to the extra segment, by STOS; otherwise to the data segment
-  Term address;  ///< 32 bits
+  bool extra = false;  ///< to the extra segment, by STOS; otherwise to the data segment
+  Term address;        ///< 32 bits
   Term value;
 
   friend bool operator==(const Store&, const Store&) = default;

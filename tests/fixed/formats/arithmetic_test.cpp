@@ -129,6 +129,23 @@ TYPED_TEST(WideFormats, EdgesAndRandomNumbers) {
   }
 }
 
+TYPED_TEST(WideFormats, EveryTripleOfEnds) {
+  using limits = std::numeric_limits<TypeParam>;
+  const std::array ends{(limits::min)(),
+                        limits::lowest(),
+                        (limits::max)(),
+                        TypeParam(),
+                        TypeParam::from_raw(limits::lowest().raw() + 1),
+                        TypeParam::from_raw((limits::max)().raw() - 1)};
+  for (const TypeParam a : ends) {
+    for (const TypeParam b : ends) {
+      for (const TypeParam c : ends) {
+        ASSERT_EQ(first_wrong(a, b, c), "") << a << ", " << b << ", " << c;
+      }
+    }
+  }
+}
+
 TYPED_TEST(WideFormats, Integers) {
   const auto some_integers = reference::operands<fixproof::number<std::int64_t, 0>>(30);
   for (const TypeParam a : reference::operands<TypeParam>(30)) {

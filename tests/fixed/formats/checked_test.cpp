@@ -166,6 +166,16 @@ TEST(StickyStatus, RemembersUntilItIsCleared) {
   EXPECT_TRUE(status.overflow());
 }
 
+// Only the zero divisor of a processor's divide is an error there.
+TEST(MulDivAndRatio, HaveNoQuotientFault) {
+  using fixproof::q16_16_i386_unrounded;
+  using N = q16_16_i386_unrounded;
+  EXPECT_THROW(static_cast<void>(N(30000) / N(0.25)), fixproof::divide_error);
+  EXPECT_EQ(mul_div(N(30000), N(1), N(0.25)), N(120000 - 131072));
+  EXPECT_EQ(fixproof::ratio<N>(120000, 1), N(120000 - 131072));
+  EXPECT_THROW(static_cast<void>(mul_div(N(1), N(1), N(0))), fixproof::divide_error);
+}
+
 TEST(Literals, AreExactOrRounded) {
   using namespace fixproof::literals;  // NOLINT(google-build-using-namespace)
   using namespace fixproof;            // NOLINT(google-build-using-namespace)
@@ -176,6 +186,8 @@ TEST(Literals, AreExactOrRounded) {
   static_assert((0.00001_q1_7_rounded).raw() == 0);
   // 1/512 is half an ulp of 8.8, and 3/512 three halves: ties go to the even neighbour.
   static_assert((0.001953125_q8_8_rounded).raw() == 0 && (0.005859375_q8_8_rounded).raw() == 2);
+  static_assert((1.5_q32_0_rounded).raw() == 2 && (2.5_q8_0_rounded).raw() == 2);
+  static_assert((-3.5_q8_0_rounded).raw() == -4);
   static_assert(0.0000000000000000000542101086242752217003726400434970855712890625_u0_64 ==
                 fixproof::u0_64::from_raw(1));
   SUCCEED();

@@ -78,17 +78,28 @@ integer one() {
 }
 
 template <class N>
-result<N> quotient(const integer& n, const integer& d) {
+result<N> quotient(const integer& n, const integer& whole_divisor) {
+  using fixproof::divide_fault;
   const integer zero = 0;
   constexpr fixproof::overflow rule = N::rules.quotient_range();
+  constexpr divide_fault fault = N::rules.fault;
+  integer d = whole_divisor;
+  if (N::rules.divisor == fixproof::divisor_width::whole_part) d = d / one<N>() * one<N>();
   if (d == 0) {
+    if (fault != divide_fault::none) return std::nullopt;
     if (rule == fixproof::overflow::trap) return std::nullopt;
     if (n == 0) return zero;
     return in_range<N>(n < 0 ? -power(2, 100) : power(2, 100), fixproof::overflow::saturate);
   }
   const integer scaled = n * one<N>();
-  return in_range<N>(
-      d < 0 ? round(-scaled, -d, N::rules.divide) : round(scaled, d, N::rules.divide), rule);
+  const integer magnitude = abs(scaled / d);
+  if (fault == divide_fault::unsigned_quotient && magnitude >= power(2, 8 * sizeof(N))) {
+    return std::nullopt;
+  }
+  const integer rounded =
+      d < 0 ? round(-scaled, -d, N::rules.divide) : round(scaled, d, N::rules.divide);
+  return in_range<N>(rounded,
+                     fault == divide_fault::signed_quotient ? fixproof::overflow::trap : rule);
 }
 
 /// The nearest integer to sqrt(n). \pre n >= 0

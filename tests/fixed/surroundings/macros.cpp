@@ -65,8 +65,8 @@
 #define _B 0200
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-#include "fixed/batch.hpp"
-#include "fixed/batch_radian.hpp"
+#include "batch/batch.hpp"
+#include "batch/radian.hpp"
 #include "fixed/fixed.hpp"
 
 using fixproof::q16_16;

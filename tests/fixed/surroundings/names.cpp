@@ -5,8 +5,8 @@
 // NOLINTNEXTLINE(google-build-using-namespace): what is tested
 using namespace std;
 
-#include "fixed/batch.hpp"
-#include "fixed/batch_radian.hpp"
+#include "batch/batch.hpp"
+#include "batch/radian.hpp"
 #include "fixed/fixed.hpp"
 
 void print_fixed(fixproof::q16_16 x) {

@@ -1,8 +1,8 @@
 // The same operations for every translation unit; ANSWERS names the function of this one.
 #include <string>
 
-#include "fixed/batch.hpp"
-#include "fixed/batch_radian.hpp"
+#include "batch/batch.hpp"
+#include "batch/radian.hpp"
 #include "fixed/bytes.hpp"
 #include "fixed/fixed.hpp"
 

@@ -1,9 +1,7 @@
-#include "fixed/fixed.hpp"
-
-#if __has_include("fixed/batch.hpp")  // everywhere but beside the one file
 #include <array>
 
-#include "fixed/batch.hpp"
+#include "batch/batch.hpp"
+#include "fixed/fixed.hpp"
 
 fixproof::q16_16 half_of(fixproof::q16_16 x) {
   std::array<fixproof::q16_16, 40> numbers{};
@@ -13,6 +11,3 @@ fixproof::q16_16 half_of(fixproof::q16_16 x) {
   const auto report = fixproof::batch::divide(numbers, twos, numbers);
   return report.clean() ? numbers[17] : fixproof::q16_16();
 }
-#else
-fixproof::q16_16 half_of(fixproof::q16_16 x) { return x / fixproof::q16_16(2); }
-#endif

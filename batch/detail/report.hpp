@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "fixed/detail/batch_element.hpp"
+#include "batch/detail/element.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"

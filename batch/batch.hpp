@@ -3,7 +3,7 @@
 ///
 /// Not part of fixed/fixed.hpp, and not for -ffreestanding.
 ///
-///     #include "fixed/batch.hpp"
+///     #include "batch/batch.hpp"
 ///
 ///     std::vector<fixproof::q16_16> a, b, quotients;                // of equal length
 ///     const auto report = fixproof::batch::divide(a, b, quotients);
@@ -42,11 +42,11 @@
 #include <span>
 #include <type_traits>
 
-#include "fixed/detail/batch_element.hpp"
-#include "fixed/detail/batch_portable.hpp"
-#include "fixed/detail/batch_report.hpp"
-#include "fixed/detail/batch_spans.hpp"
-#include "fixed/detail/batch_targets.hpp"
+#include "batch/detail/element.hpp"
+#include "batch/detail/portable.hpp"
+#include "batch/detail/report.hpp"
+#include "batch/detail/spans.hpp"
+#include "batch/detail/targets.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"

@@ -1,6 +1,6 @@
 /// \file
-/// The loops of fixed/batch.hpp and fixed/batch_radian.hpp over whole blocks; see
-/// fixed/detail/batch_lanes.hpp.
+/// The loops of batch/batch.hpp and batch/radian.hpp over whole blocks; see
+/// batch/detail/lanes.hpp.
 ///
 /// Each returns the number of elements done and leaves the last few to the caller. Loops that need
 /// exact doubles do nothing if detail::hardware_double is false.

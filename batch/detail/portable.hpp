@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "fixed/detail/batch_element.hpp"
-#include "fixed/detail/batch_report.hpp"
+#include "batch/detail/element.hpp"
+#include "batch/detail/report.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// Vertices and points in vector registers; see fixed/detail/batch_lanes.hpp.
+/// Vertices and points in vector registers; see batch/detail/lanes.hpp.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {

@@ -1,7 +1,7 @@
 /// \file
 /// Vector registers, and the instructions that the compiler's vector types do not cover.
 ///
-/// fixed/detail/batch_parts.hpp includes this file once per instruction set. FIXED_LANES is the
+/// batch/detail/parts.hpp includes this file once per instruction set. FIXED_LANES is the
 /// namespace, FIXED_LANE_BYTES the register size in bytes (16 NEON, 32 AVX2, 64 AVX-512), and
 /// FIXED_LANE_TARGET the attribute that enables the instructions in a function. Every function here
 /// needs that attribute, so templates on the instruction set are not possible.

@@ -1,5 +1,5 @@
 /// \file
-/// The vector form of detail::nearest_sine(); see fixed/detail/batch_lanes.hpp.
+/// The vector form of detail::nearest_sine(); see batch/detail/lanes.hpp.
 ///
 /// The even and the odd lanes of a block are computed in separate registers of 64-bit lanes.
 

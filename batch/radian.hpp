@@ -2,15 +2,15 @@
 /// Sines and cosines of many angles in radians, bit-identical to fixed/trig.hpp and several times
 /// as fast with AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
 ///
-/// Spans and paths are those of fixed/batch.hpp.
+/// Spans and paths are those of batch/batch.hpp.
 #pragma once
 
 #include <array>  // std::data, std::size
 #include <cstddef>
 #include <cstdint>
 
-#include "fixed/detail/batch_spans.hpp"
-#include "fixed/detail/batch_targets.hpp"
+#include "batch/detail/spans.hpp"
+#include "batch/detail/targets.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"

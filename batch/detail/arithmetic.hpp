@@ -1,5 +1,5 @@
 /// \file
-/// The rules of fixed/policy.hpp on blocks of numbers; see fixed/detail/batch_lanes.hpp.
+/// The rules of fixed/policy.hpp on blocks of numbers; see batch/detail/lanes.hpp.
 ///
 /// Each lane of `bad` is set to ones if its result is out of range and is unchanged otherwise. The
 /// bits of `errors` and `overflows` are assigned: one for each lane that has no result, or one out

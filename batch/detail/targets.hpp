@@ -1,5 +1,5 @@
 /// \file
-/// Instantiates the loops of fixed/batch.hpp and fixed/batch_radian.hpp for each instruction set
+/// Instantiates the loops of batch/batch.hpp and batch/radian.hpp for each instruction set
 /// that the compiler supports, and selects one at run time.
 #pragma once
 
@@ -10,8 +10,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "fixed/detail/batch_element.hpp"
-#include "fixed/detail/batch_report.hpp"
+#include "batch/detail/element.hpp"
+#include "batch/detail/report.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/quotient.hpp"
@@ -83,12 +83,12 @@ inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
 #define FIXED_LANES avx2
 #define FIXED_LANE_BYTES 32
 #define FIXED_LANE_TARGET __attribute__((target("avx2")))
-#include "fixed/detail/batch_parts.hpp"
+#include "batch/detail/parts.hpp"
 
 #define FIXED_LANES avx512
 #define FIXED_LANE_BYTES 64
 #define FIXED_LANE_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
-#include "fixed/detail/batch_parts.hpp"
+#include "batch/detail/parts.hpp"
 
 #elif defined(FIXED_BATCH_NEON)
 #include <arm_neon.h>
@@ -96,7 +96,7 @@ inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
 #define FIXED_LANES neon
 #define FIXED_LANE_BYTES 16
 #define FIXED_LANE_TARGET
-#include "fixed/detail/batch_parts.hpp"
+#include "batch/detail/parts.hpp"
 #endif
 
 namespace fixproof::batch {

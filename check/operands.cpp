@@ -1,0 +1,67 @@
+#include "check/operands.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "oracle/format.hpp"
+#include "support/hex.hpp"
+
+namespace fixproof::check {
+
+namespace {
+
+using cases::Operation;
+
+Converted converted_double(std::uint64_t bits) {
+  const auto number = std::bit_cast<double>(bits);
+  Converted operand{.text = {}, .value = oracle::double_value(number)};
+  if (std::isinf(number)) operand.sign = number < 0 ? -1 : 1;
+  return operand;
+}
+
+std::uint64_t word_in(std::string_view line, const cases::Format& format) {
+  return support::parse_long_hex(line, static_cast<std::size_t>(format.word_bits / 4));
+}
+
+oracle::Ratio value_of(std::uint64_t word, const cases::Format& format) {
+  return {oracle::ulps(word, oracle_format(format)), oracle::Integer(1) << format.fraction_bits};
+}
+
+}  // namespace
+
+Converted parse_converted(std::string_view line, const cases::Variant& variant) {
+  Converted operand;
+  switch (variant.operation) {
+    case Operation::from_binary64:
+      operand = converted_double(support::parse_long_hex(line, 16));
+      break;
+    case Operation::from_decimal:
+      operand.value = parse_decimal(line);
+      break;
+    default: {
+      const cases::Format& format = cases::operand_format(variant);
+      operand.value = value_of(word_in(line, format), format);
+    }
+  }
+  operand.text = line;
+  return operand;
+}
+
+std::string text_of(const Converted& operand, const cases::Variant& variant) {
+  switch (variant.operation) {
+    case Operation::from_decimal:
+      return operand.text;
+    case Operation::from_binary64:
+      return fmt::format("{} ({})", operand.text,
+                         std::bit_cast<double>(support::parse_long_hex(operand.text, 16)));
+    default: {
+      const cases::Format& format = cases::operand_format(variant);
+      return fmt::format("{} ({})", operand.text,
+                         decimal_text(word_in(operand.text, format), format));
+    }
+  }
+}
+
+}  // namespace fixproof::check
