@@ -52,7 +52,7 @@ Format format_named(std::string_view name) {
     }
   }
   throw support::UsageError(fmt::format(
-      "{}: no format; name one like q16_16 or u8_8, with 8, 16, 32 or 64 bits in all", name));
+      "{} is not a format; write one like q16_16 or u8_8, with 8, 16, 32 or 64 bits in all", name));
 }
 
 std::span<const Format> named_formats() { return all_named; }

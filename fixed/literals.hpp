@@ -52,9 +52,7 @@ template <class N, rounding R, char... Chars>
 consteval auto read_literal() {
   constexpr auto text = literal_text<Chars...>;
   decimal_reader<typename N::raw_type, N::fraction_bits> reader;
-  if (text.chars[0] == '.') reader.take('0');
   for (std::size_t i = 0; i < text.length; ++i) reader.take(text.chars[i]);
-  if (text.chars[text.length - 1] == '.') reader.take('0');
   return reader.template value<R>();
 }
 

@@ -163,12 +163,12 @@ class number {
   FIXED_INSTEAD("formats convert explicitly: write q8_8(x)");
   template <class T>
   requires(std::is_integral_v<T> && !detail::integer<T>) number(T)
-  FIXED_INSTEAD("bool and characters are no numbers: convert to int, as in q16_16(int{b})");
+  FIXED_INSTEAD("bool and char are not numbers: convert to int, as in q16_16(int{b})");
   explicit number(const char*)
       FIXED_INSTEAD("text becomes a number by from_chars, >> or a literal such as 1.5_q16_16");
   operator double() const volatile FIXED_INSTEAD(
       "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x)");
-  explicit operator bool() const FIXED_INSTEAD("a number is no condition: write x != 0");
+  explicit operator bool() const FIXED_INSTEAD("a number is not a condition: write x != 0");
   /// \endcond
 
   /// The nearest double, ties to even, in every rounding mode of the processor. Exact if the number

@@ -41,9 +41,11 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, 
   return {std::copy(begin, end, first), std::errc{}};
 }
 
-/// Reads the longest prefix of the form `[sign]digits[.digits][e[sign]digits]`, with `e` or `E`,
-/// and rounds it once by policy::multiply. Digits and exponent may be of any length: the time is
-/// proportional to the length of the text, and the value of the exponent does not matter.
+/// Reads the longest prefix that is a decimal number, such as "-1.5", "3", "+.5", "3." or "2E-3",
+/// and rounds it once by policy::multiply. That is the prefix which std::from_chars reads as a
+/// double, and a leading `+`; infinities and NaNs are not read. Digits and exponent may be of any
+/// length: the time is proportional to the length of the text, and the value of the exponent does
+/// not matter.
 /// \return the end of the prefix; errc::invalid_argument, with `first`, if there is none;
 /// errc::result_out_of_range if the rounded value is out of range, under every policy. On an error
 /// the value is unchanged.
@@ -75,7 +77,8 @@ std::string to_string(number<Raw, F, P> value) {
 /// Writes the number in a field of width(), as for built-in numbers.
 ///
 /// Without std::fixed and std::scientific the text is the exact value. They round it to precision()
-/// digits after the point, to nearest and ties to even. showpos, showpoint, uppercase, left, right
+/// digits after the point, to nearest and ties to even. std::hexfloat writes the exact value as for
+/// a double: "-0x1.8p+0". showpos, showpoint, uppercase, left, right
 /// and internal have their usual meaning. The stream's locale gives the decimal point and the
 /// grouping of the digits before it.
 ///
@@ -90,8 +93,8 @@ std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& o
 }
 
 /// Skips white space and reads what from_chars() reads, with the decimal point of the stream's
-/// locale in place of '.'. On an error it sets failbit and leaves the value unchanged. A point, an
-/// `e` and the sign of an exponent must be followed by a digit: "1.", "1e" and "1e+" fail.
+/// locale in place of '.'. On an error it sets failbit and leaves the value unchanged. An `e` and
+/// the sign of an exponent must be followed by a digit: "1e" and "1e+" fail.
 template <class Traits, class Raw, int F, policy P>
 std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
                                              number<Raw, F, P>& value) {

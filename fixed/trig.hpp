@@ -119,7 +119,7 @@ requires detail::has_radians<Raw, F>
                 "(q16_16(x))");                                                             \
   template <class Number, class T>                                                          \
   requires(!std::integral<T>) Number name##_of_tenths(T) FIXED_INSTEAD(                     \
-      "angles are whole tenths of a degree: " #name "_of_tenths<q16_16>(300) is of 30.0 degrees");
+      "angles are whole tenths of a degree: " #name "_of_tenths<q16_16>(300) is for 30.0 degrees");
 FIXED_REFUSED_ANGLE(sin)
 FIXED_REFUSED_ANGLE(cos)
 FIXED_REFUSED_ANGLE(sin_cos)

@@ -32,8 +32,7 @@ constexpr std::size_t max_text = 600;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The length of the longest prefix that is `[sign]digits[.digits][e[sign]digits]`; 0 if there is
-/// none.
+/// The length of the longest prefix that is a decimal number; 0 if there is none.
 std::size_t number_at_start(std::string_view text) {
   const auto digits_from = [text](std::size_t at) {
     while (at < text.size() && is_digit(text[at])) ++at;
@@ -44,11 +43,9 @@ std::size_t number_at_start(std::string_view text) {
   };
   const std::size_t first = is_at(0, "-+") ? 1 : 0;
   std::size_t end = digits_from(first);
-  if (end == first) return 0;
-  if (is_at(end, ".")) {
-    const std::size_t fraction = digits_from(end + 1);
-    if (fraction == end + 1) return end;
-    end = fraction;
+  if (is_at(end, ".")) end = digits_from(end + 1);
+  if (text.substr(first, end - first).find_first_of("0123456789") == std::string_view::npos) {
+    return 0;
   }
   if (!is_at(end, "eE")) return end;
   const std::size_t exponent = end + (is_at(end + 1, "-+") ? 2 : 1);
@@ -124,8 +121,7 @@ void read_text(std::string_view text) {
   }
 }
 
-/// Compares `>>` with from_chars() after white space, except for a point or an exponent's mark
-/// without a digit after it.
+/// Compares `>>` with from_chars() after white space, except for an exponent without digits.
 template <class Number>
 void read_stream(std::string_view text) {
   std::istringstream in{std::string(text)};
@@ -139,8 +135,7 @@ void read_stream(std::string_view text) {
     const std::string_view number = rest.substr(0, length);
     const char next = length > 0 && length < rest.size() ? rest[length] : ' ';
     const bool has_exponent = number.find_first_of("eE") != std::string_view::npos;
-    const bool has_point = number.find('.') != std::string_view::npos;
-    const bool left = !has_exponent && (next == 'e' || next == 'E' || (next == '.' && !has_point));
+    const bool left = !has_exponent && (next == 'e' || next == 'E');
     if (!left) expected = expected_word<Number>(number);
   }
   if (in.fail() == expected.has_value() || word_of(read) != expected.value_or(0x55)) {

@@ -16,8 +16,8 @@ constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
 constexpr unsigned digit_of(char c) noexcept { return static_cast<unsigned>(c - '0'); }
 
-/// Reads `[sign]digits[.digits][e[sign]digits]` one character at a time, in constant memory, and
-/// rounds it once.
+/// Reads `[sign]digits[e[sign]digits]` one character at a time, in constant memory, and rounds it
+/// once. A point may stand before, between or after the first digits.
 ///
 /// The reader keeps as many digits from the first that is not zero as decimal_parts can need, and
 /// whether any later digit is not zero. They decide every rounding, wherever the exponent moves the
@@ -50,13 +50,14 @@ class decimal_reader {
     return true;
   }
 
-  /// Whether all characters consumed are a number. "1.", "1e" and "1e+" are not.
+  /// Whether all characters consumed are a number. ".", "1e" and "1e+" are not.
   [[nodiscard]] constexpr bool complete() const noexcept {
-    return state_ == state::whole || state_ == state::fraction || state_ == state::exponent;
+    return state_ == state::whole || state_ == state::point || state_ == state::fraction ||
+           state_ == state::exponent;
   }
 
-  /// How many of the characters consumed follow the longest number at their beginning: 1 for "1."
-  /// and "1e", 2 for "1e+". \pre they begin with a number
+  /// How many of the characters consumed follow the longest number at their beginning: 1 for "1e",
+  /// 2 for "1e+". \pre they begin with a number
   [[nodiscard]] constexpr int excess() const noexcept {
     if (complete()) return 0;
     return state_ == state::exponent_sign ? 2 : 1;
@@ -85,7 +86,18 @@ class decimal_reader {
   }
 
  private:
-  enum class state { start, sign, whole, point, fraction, exponent_mark, exponent_sign, exponent };
+  /// A first_point has no digit before it.
+  enum class state {
+    start,
+    sign,
+    whole,
+    first_point,
+    point,
+    fraction,
+    exponent_mark,
+    exponent_sign,
+    exponent
+  };
   using parts_t = decimal_parts<Raw, FractionBits>;
 
   static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
@@ -104,9 +116,9 @@ class decimal_reader {
     if (state_ == state::start && is_sign) {
       negative_ = c == '-';
       state_ = state::sign;
-    } else if (state_ == state::whole && c == point_) {
-      state_ = state::point;
-    } else if ((state_ == state::whole || state_ == state::fraction) && (c == 'e' || c == 'E')) {
+    } else if (state_ <= state::whole && c == point_) {
+      state_ = state_ == state::whole ? state::point : state::first_point;
+    } else if (complete() && state_ != state::exponent && (c == 'e' || c == 'E')) {
       state_ = state::exponent_mark;
     } else if (state_ == state::exponent_mark && is_sign) {
       exponent_is_negative_ = c == '-';
@@ -145,11 +157,13 @@ constexpr const char* read_decimal(const char* first, const char* last,
   decimal_parts<Raw, FractionBits> parts;
   const char* at = first;
   if (at != last && (*at == '-' || *at == '+')) parts.negative = *at++ == '-';
-  if (at == last || !is_digit(*at)) return first;
+  const char* const whole = at;
   for (; at != last && is_digit(*at); ++at) parts.add_whole(digit_of(*at));
-  if (last - at >= 2 && *at == '.' && is_digit(at[1])) {
+  const bool has_whole = at != whole;
+  if (at != last && *at == '.' && (has_whole || (last - at >= 2 && is_digit(at[1])))) {
     for (++at; at != last && is_digit(*at); ++at) parts.add_fraction(digit_of(*at));
   }
+  if (at == whole) return first;
   if (at == last || (*at != 'e' && *at != 'E')) {
     value = parts.template rounded<R>();
     return at;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,11 +15,12 @@ namespace fixproof::detail {
 /// How a number is written.
 struct text_style {
   /// `f`: `precision` digits after the point; `e`, `E`: scientific, with `precision` digits after
-  /// the point; `x`, `X`, `b`: hexadecimal and binary; 0: the exact decimal. Only f and e round.
+  /// the point; `x`, `X`, `b`: hexadecimal and binary; `a`, `A`: hexadecimal with a power of two,
+  /// as in C; 0: the exact decimal. Only f and e round.
   char type = 0;
   /// What stands before a number that is not negative: `+`, a space, or `-` for nothing.
   char plus = '-';
-  /// Adds 0x, 0X or 0b in hexadecimal and binary, and a point after a decimal that has none.
+  /// Adds 0x, 0X or 0b to `x`, `X` and `b`, and a point to all others that have none.
   bool alternate = false;
   std::size_t precision = 6;
 };
@@ -37,6 +39,11 @@ class number_text {
     if (style.type == 'x' || style.type == 'X' || style.type == 'b') {
       const auto word = static_cast<std::uint64_t>(raw);
       text.set_binary(raw < 0 ? 0 - word : word, FractionBits, style);
+      return text;
+    }
+    if (style.type == 'a' || style.type == 'A') {
+      const auto word = static_cast<std::uint64_t>(raw);
+      text.set_hex_float(raw < 0 ? 0 - word : word, FractionBits, style);
       return text;
     }
     std::array<char, max_decimal_chars<Raw, FractionBits>> exact{};
@@ -123,10 +130,17 @@ class number_text {
       --end_;
       ++exponent;
     }
+    set_exponent(style.type, exponent, 2);
+  }
+
+  /// \pre |exponent| < 100
+  constexpr void set_exponent(char mark, int exponent, int digits) noexcept {
     const int magnitude = exponent < 0 ? -exponent : exponent;
-    tail_ = {style.type, exponent < 0 ? '-' : '+', static_cast<char>('0' + magnitude / 10),
-             static_cast<char>('0' + magnitude % 10)};
-    tail_size_ = tail_.size();
+    const auto add = [this](char c) { tail_[tail_size_++] = c; };
+    add(mark);
+    add(exponent < 0 ? '-' : '+');
+    if (digits > 1 || magnitude > 9) add(static_cast<char>('0' + magnitude / 10));
+    add(static_cast<char>('0' + magnitude % 10));
   }
 
   /// Removes the digits from `at` on and rounds those before it to nearest, ties to even.
@@ -148,11 +162,6 @@ class number_text {
   constexpr void set_binary(std::uint64_t magnitude, int fraction_bits,
                             const text_style& style) noexcept {
     const int bits = style.type == 'b' ? 1 : 4;
-    const char ten = style.type == 'X' ? 'A' : 'a';
-    const auto add = [&](std::uint64_t digit) {
-      digits_[end_++] = static_cast<char>(digit < 10 ? '0' + static_cast<int>(digit)
-                                                     : ten + static_cast<int>(digit - 10));
-    };
     if (style.alternate) {
       add_to_head('0');
       add_to_head(style.type);
@@ -160,11 +169,39 @@ class number_text {
     const std::uint64_t whole = fraction_bits < 64 ? magnitude >> fraction_bits : 0;
     int shift = 0;
     while (shift + bits < 64 && whole >> (shift + bits) != 0) shift += bits;
-    for (; shift >= 0; shift -= bits) add(whole >> shift & ((std::uint64_t{1} << bits) - 1));
+    for (; shift >= 0; shift -= bits) {
+      add_digit(whole >> shift & ((std::uint64_t{1} << bits) - 1), style.type);
+    }
+    set_fraction(fraction_bits > 0 ? magnitude << (64 - fraction_bits) : 0, bits, style.type);
+  }
+
+  /// Writes 1.8p+0 for 1.5: one bit before the point. Zero is 0p+0.
+  constexpr void set_hex_float(std::uint64_t magnitude, int fraction_bits,
+                               const text_style& style) noexcept {
+    const bool upper = style.type == 'A';
+    add_to_head('0');
+    add_to_head(upper ? 'X' : 'x');
+    const int top = magnitude == 0 ? 0 : static_cast<int>(std::bit_width(magnitude)) - 1;
+    add_digit(magnitude >> top, style.type);
+    set_fraction(top > 0 ? magnitude << (64 - top) : 0, 4, style.type);
+    has_point_ = has_point_ || style.alternate;
+    set_exponent(upper ? 'P' : 'p', magnitude == 0 ? 0 : top - fraction_bits, 1);
+  }
+
+  /// \param type of a text_style; if it is upper-case, so are the digits from ten
+  constexpr void add_digit(std::uint64_t digit, char type) noexcept {
+    const char ten = type < 'a' ? 'A' : 'a';
+    digits_[end_++] = static_cast<char>(digit < 10 ? '0' + static_cast<int>(digit)
+                                                   : ten + static_cast<int>(digit - 10));
+  }
+
+  /// Ends the whole part and adds the digits of a fraction of 64 bits.
+  constexpr void set_fraction(std::uint64_t fraction, int bits_per_digit, char type) noexcept {
     whole_ = end_;
-    std::uint64_t fraction = fraction_bits > 0 ? magnitude << (64 - fraction_bits) : 0;
     has_point_ = fraction != 0;
-    for (; fraction != 0; fraction <<= bits) add(fraction >> (64 - bits));
+    for (; fraction != 0; fraction <<= bits_per_digit) {
+      add_digit(fraction >> (64 - bits_per_digit), type);
+    }
   }
 
   /// The digits are digits_[first_, end_), with the point before digits_[whole_], and then zeros_

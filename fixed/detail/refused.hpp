@@ -54,7 +54,7 @@ number<Raw, F, P> operator~(number<Raw, F, P>)
 
 template <detail::integer Int, class Raw, int F, policy P>
 number<Raw, F, P> operator/(Int, number<Raw, F, P>)
-    FIXED_INSTEAD("an integer has no quotient by a number: write q16_16(1) / x");
+    FIXED_INSTEAD("an integer cannot be divided by a number: write q16_16(1) / x");
 
 template <class A, int FA, policy PA, class B, int FB, policy PB>
 number<A, FA, PA> operator<<(number<A, FA, PA>, number<B, FB, PB>)

@@ -38,9 +38,10 @@ inline text_style style_of(const std::ios_base& stream) {
   const auto form = flags & std::ios_base::floatfield;
   text_style style;
   if (form == std::ios_base::fixed) style.type = 'f';
-  if (form == std::ios_base::scientific) {
-    style.type = (flags & std::ios_base::uppercase) != 0 ? 'E' : 'e';
-  }
+  const bool upper = (flags & std::ios_base::uppercase) != 0;
+  if (form == std::ios_base::scientific) style.type = upper ? 'E' : 'e';
+  // std::hexfloat sets both.
+  if (form == (std::ios_base::fixed | std::ios_base::scientific)) style.type = upper ? 'A' : 'a';
   if ((flags & std::ios_base::showpos) != 0) style.plus = '+';
   style.alternate = (flags & std::ios_base::showpoint) != 0;
   // As in printf, a negative precision counts as none.
@@ -57,7 +58,8 @@ std::string stream_text(const Stream& stream, Raw raw) {
   group_digits(whole, punctuation.grouping(), punctuation.thousands_sep());
   std::string text;
   number.write_head(std::back_inserter(text));
-  const std::size_t head = text.size();
+  // A sign comes before the padding, and so does 0x where there is no sign.
+  const std::size_t head = text.size() > 2 ? 1 : text.size();
   text += whole;
   number.write_rest(std::back_inserter(text), punctuation.decimal_point());
   const auto adjust = stream.flags() & std::ios_base::adjustfield;

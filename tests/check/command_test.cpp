@@ -135,7 +135,7 @@ TEST(CheckCommand, ResultsOfOtherFormats) {
       judge("u8_8", "0180 0240\n", "00000360\n"),
       "line 1: '00000360' has 8 hex digits instead of 4; a result is 4 lower-case hex "
       "digits, or DE for a divide error");
-  expect_usage_error(judge("q9_8", "0180 0240\n", "0360\n"), "q9_8: no format");
+  expect_usage_error(judge("q9_8", "0180 0240\n", "0360\n"), "q9_8 is not a format");
   expect_refused("check sqrt --format u8_8 --rounding floor --negative-root zero",
                  "--negative-root applies only to sqrt of a signed format");
 }

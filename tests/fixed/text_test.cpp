@@ -177,18 +177,49 @@ TEST(TextEnds, PrefixAndNothing) {
   expect("1e+-2", std::errc(), 1, 0x10000);
   expect("1ee2", std::errc(), 1, 0x10000);
   expect("1e.5", std::errc(), 1, 0x10000);
-  expect("1.e2", std::errc(), 1, 0x10000);
+  expect("1.e2", std::errc(), 4, 100 << 16);
+  expect(".5e1", std::errc(), 4, 5 << 16);
+  expect("-.5", std::errc(), 3, -0x8000);
+  expect("1.e", std::errc(), 2, 0x10000);
   expect("1e1.5", std::errc(), 3, 10 << 16);
   expect("1e2e3", std::errc(), 3, 100 << 16);
-  expect("1.", std::errc(), 1, 0x10000);
-  expect("1..5", std::errc(), 1, 0x10000);
+  expect("1.", std::errc(), 2, 0x10000);
+  expect("1..5", std::errc(), 2, 0x10000);
   expect("1.5.5", std::errc(), 3, 0x18000);
   expect("1 2", std::errc(), 1, 0x10000);
-  for (const char* nothing :
-       {"", "-", "+", ".", ".5", "-.5", "--1", "+-1", " 1", "e", "e5", "-e5", "nan"}) {
+  for (const char* nothing : {"", "-", "+", ".", "..5", "-.", ".e5", "--1", "+-1", " 1", "e", "e5",
+                              "-e5", "nan", "inf"}) {
     expect(nothing, std::errc::invalid_argument, 0, 77);
   }
 }
+
+#if defined(__cpp_lib_to_chars)
+TEST(TextEnds, TheSamePrefixAsOfADouble) {
+  // All texts of up to seven of these characters; <charconv> takes no leading +.
+  constexpr std::string_view alphabet = "-.e+12";
+  std::size_t texts = 0;
+  for (std::size_t length = 1; length <= 7; ++length) {
+    std::size_t all = 1;
+    for (std::size_t i = 0; i < length; ++i) all *= alphabet.size();
+    for (std::size_t i = 0; i < all; ++i, ++texts) {
+      std::string text(length, ' ');
+      for (std::size_t rest = i, at = 0; at < length; rest /= alphabet.size()) {
+        text[at++] = alphabet[rest % alphabet.size()];
+      }
+      if (text[0] == '+') continue;
+      number<std::int64_t, 8> read;
+      double expected = 0;
+      const char* const end = text.data() + length;
+      const auto [at, error] = from_chars(text.data(), end, read);
+      ASSERT_EQ(at, std::from_chars(text.data(), end, expected).ptr) << text;
+      if (error == std::errc()) {
+        ASSERT_LE(std::abs(expected - static_cast<double>(read)), 1.0 / 512) << text;
+      }
+    }
+  }
+  EXPECT_EQ(texts, 335'922U);
+}
+#endif
 
 TEST(TextEnds, AnyExponent) {
   const auto expect = [](std::string text, std::errc error, std::int32_t raw) {
@@ -275,7 +306,35 @@ TEST(TextStreams, FlagsAndPrecision) {
   EXPECT_EQ(written(std::setw(8), std::fixed, std::setprecision(1), x, '|', std::left, std::setw(6),
                     x, '|'),
             "    -1.5|-1.5  |");
-  EXPECT_EQ(written(std::hexfloat, x), "-1.5");
+  EXPECT_EQ(written(std::hexfloat, x, '|', std::uppercase, q16_16(171.5), '|', std::showpoint, x),
+            "-0x1.8p+0|0X1.57P+7|-0X1.8P+0");
+  EXPECT_EQ(written(std::hexfloat, std::internal, std::setfill('*'), std::setw(11), x, '|',
+                    std::setw(11), -x),
+            "-**0x1.8p+0|0x***1.8p+0");
+}
+
+TEST(TextStreams, HexfloatAsForADouble) {
+  const auto same = [](auto x) {
+    for (const auto flags : {std::ios_base::fmtflags(), std::ios_base::showpos,
+                             std::ios_base::uppercase | std::ios_base::showpoint}) {
+      std::ostringstream number;
+      std::ostringstream expected;
+      number << std::hexfloat << std::setiosflags(flags) << x;
+      expected << std::hexfloat << std::setiosflags(flags) << static_cast<double>(x);
+      EXPECT_EQ(number.str(), expected.str());
+    }
+  };
+  for (int word = -0x8000; word < 0x8000; ++word)
+    same(q8_8::from_raw(static_cast<std::int16_t>(word)));
+  using wide = number<std::int64_t, 62>;
+  using whole = number<std::uint64_t, 0>;
+  same(wide::from_raw(std::numeric_limits<std::int64_t>::min()));
+  same(wide::from_raw(1));
+  same(whole::from_raw(std::uint64_t{1} << 63U));
+  same(number<std::uint64_t, 64>::from_raw(1));
+  std::ostringstream all;
+  all << std::hexfloat << whole::from_raw(~std::uint64_t{0});
+  EXPECT_EQ(all.str(), "0x1.fffffffffffffffep+63");
 }
 
 /// Writes 1234567.5 as 12.34.567,5 if the groups are 3 and then 2.
@@ -334,7 +393,7 @@ TEST(TextStreams, ReadOneAfterAnother) {
 
 TEST(TextStreams, FailAndLeaveTheValue) {
   for (const char* text :
-       {"", "x", "-", "1.", "1.x", "1e", "1ex", "1.5e+", "1e+x", "40000", "4e4", ".5"}) {
+       {"", "x", "-", ".", "-.", "..5", "1e", "1ex", "1.5e+", "1e+x", "40000", "4e4"}) {
     std::istringstream in(text);
     q16_16 value(7);
     in >> value;
