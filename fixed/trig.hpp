@@ -118,8 +118,9 @@ requires detail::has_radians<Raw, F>
   FIXED_INSTEAD("only 16.16 and 8.8 have " #name " of radians: convert, as in " #name       \
                 "(q16_16(x))");                                                             \
   template <class Number, class T>                                                          \
-  requires(!std::integral<T>) Number name##_of_tenths(T) FIXED_INSTEAD(                     \
-      "angles are whole tenths of a degree: " #name "_of_tenths<q16_16>(300) is for 30.0 degrees");
+  requires(!std::integral<T>) Number name##_of_tenths(T)                                    \
+      FIXED_INSTEAD("angles are whole tenths of a degree: " #name                           \
+                    "_of_tenths<q16_16>(300) is for 30.0 degrees");
 FIXED_REFUSED_ANGLE(sin)
 FIXED_REFUSED_ANGLE(cos)
 FIXED_REFUSED_ANGLE(sin_cos)

@@ -1,10 +1,12 @@
 // Target `input_lines`: the first byte chooses a command, the rest is its input. Bad lines must
 // raise a UsageError. Also checks answers: eval must agree for model and oracle, step for an 8088
-// and a 386, and check must pass the oracle's results.
+// and a 386, and check must pass correct results only.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -22,6 +24,7 @@
 #include "fuzz/finding.hpp"
 #include "fuzz/memory_file.hpp"
 #include "oracle/exact.hpp"
+#include "support/hex.hpp"
 #include "support/usage_error.hpp"
 
 using namespace fixproof;
@@ -109,12 +112,41 @@ void step(const std::string& input) {
 }
 
 /// The result by half up and wrapping; #DE for a zero divisor or a negative radicand.
-std::optional<std::uint32_t> right(cases::Operation operation,
-                                   std::span<const std::uint32_t> words) {
+check::Said right(cases::Operation operation, std::span<const std::uint32_t> words) {
   constexpr auto rule = oracle::Rounding::half_up;
-  if (operation == cases::Operation::mul) return oracle::mul(words[0], words[1], rule, 16);
-  if (operation == cases::Operation::div) return oracle::quotient(words[0], words[1], rule, 16);
-  return oracle::sqrt(words[0], 16);
+  switch (operation) {
+    case cases::Operation::mul:
+      return oracle::mul(words[0], words[1], rule, 16);
+    case cases::Operation::div:
+      return oracle::quotient(words[0], words[1], rule, 16);
+    case cases::Operation::sqrt:
+      return oracle::sqrt(words[0], 16);
+    case cases::Operation::add:
+      return words[0] + words[1];
+    default:
+      return words[0] - words[1];
+  }
+}
+
+/// The word of a double by floor and wrapping; #DE for NaN and the infinities. No step rounds.
+check::Said right(double x) {
+  if (!std::isfinite(x)) return std::nullopt;
+  const double all_words = std::ldexp(1.0, 32);
+  const double word = std::fmod(std::floor(std::ldexp(x, 16)), all_words);
+  return static_cast<std::uint64_t>(word < 0 ? word + all_words : word);
+}
+
+/// Reads the next case and returns its result; nothing at the end.
+std::optional<check::Said> next_right(check::FileCases& source, cases::Operation operation) {
+  if (operation == cases::Operation::from_binary64) {
+    const auto operand = source.next_converted();
+    if (!operand) return std::nullopt;
+    return right(std::bit_cast<double>(support::parse_long_hex(operand->text, 16)));
+  }
+  std::array<std::uint32_t, 2> words{};
+  const auto one_case = std::span(words).first(cases::words_in(operation));
+  if (!source.next(one_case)) return std::nullopt;
+  return right(operation, one_case);
 }
 
 /// Whether every result is correct; nothing if a line is invalid or one input ends early.
@@ -124,15 +156,13 @@ std::optional<bool> all_correct(cases::Operation operation, const std::string& c
   check::FileCases source(check::variant_of(operation), file.path());
   std::istringstream in(results);
   check::Results said(in, "results", cases::q16_16);
-  std::array<std::uint32_t, 2> words{};
-  const auto one_case = std::span(words).first(cases::words_in(operation));
   bool all = true;
   bool any = false;
   try {
-    while (source.next(one_case)) {
+    while (const auto expected = next_right(source, operation)) {
       const auto result = said.next();
       if (!result) return std::nullopt;
-      all = all && *result == right(operation, one_case);
+      all = all && *result == *expected;
       any = true;
     }
     if (!any || said.next()) return std::nullopt;
@@ -142,21 +172,34 @@ std::optional<bool> all_correct(cases::Operation operation, const std::string& c
   return all;
 }
 
-/// The input is cases, a line `--`, and results.
-void check(cases::Operation operation, const std::string& input) {
+/// Cases and results, separated by a line `--`.
+struct Judged {
+  std::string cases;
+  std::string results;
+
+  explicit Judged(const std::string& input) {
+    constexpr std::string_view bar = "\n--\n";
+    const auto at = input.find(bar);
+    cases = at == std::string::npos ? input : input.substr(0, at + 1);
+    results = at == std::string::npos ? "" : input.substr(at + bar.size());
+  }
+};
+
+Answer check(const std::string& options, const Judged& judged) {
   static Command command(cli::add_check);
-  constexpr std::string_view bar = "\n--\n";
-  const auto at = input.find(bar);
-  const std::string cases = at == std::string::npos ? input : input.substr(0, at + 1);
-  const std::string results = at == std::string::npos ? "" : input.substr(at + bar.size());
-  const fuzz::MemoryFile file(cases);
-  const std::string arguments =
-      fmt::format("check {} --rounding half-up --from {}", cases::name_of(operation), file.path());
-  const Answer said = command.run(arguments, results);
-  const auto expected = all_correct(operation, cases, results);
+  const fuzz::MemoryFile file(judged.cases);
+  return command.run(fmt::format("check {} --from {}", options, file.path()), judged.results);
+}
+
+/// Compares the verdict with that of next_right().
+void check(cases::Operation operation, std::string_view rounding, const std::string& input) {
+  const Judged judged(input);
+  const std::string options = fmt::format("{}{}", cases::name_of(operation), rounding);
+  const Answer said = check(options, judged);
+  const auto expected = all_correct(operation, judged.cases, judged.results);
   const bool refused = !said.refused.empty();
   if (refused == expected.has_value() || (expected && (said.status == 0) != *expected)) {
-    report(arguments, "the oracle", input,
+    report("check " + options + " --from CASES", "the oracle", input,
            fmt::format("status {}, {}; expected {}", said.status, said.refused,
                        !expected   ? "a refusal"
                        : *expected ? "0"
@@ -174,9 +217,16 @@ const std::vector<Try>& tries() {
       made.emplace_back([options](const std::string& input) { eval(options, input); });
     }
     made.emplace_back(step);
-    for (const cases::Operation operation :
-         {cases::Operation::mul, cases::Operation::div, cases::Operation::sqrt}) {
-      made.emplace_back([operation](const std::string& input) { check(operation, input); });
+    const auto judge = [&made](cases::Operation operation, std::string_view rounding) {
+      made.emplace_back([=](const std::string& input) { check(operation, rounding, input); });
+    };
+    using enum cases::Operation;
+    for (const auto operation : {mul, div, sqrt}) judge(operation, " --rounding half-up");
+    for (const auto operation : {add, sub}) judge(operation, "");
+    judge(from_binary64, " --rounding floor");
+    for (const char* options : {"convert --to q8_8 --rounding half-even",
+                                "from_decimal --format q2_62 --rounding half-away", "to_decimal"}) {
+      made.emplace_back([options](const std::string& input) { check(options, Judged(input)); });
     }
     return made;
   }();

@@ -146,6 +146,12 @@ void write_lines(const fs::path& root) {
   corpus.add("j00018000 00028000\n00000001 00008000\n--\n0003c000\n00000001\n");
   corpus.add("k00030000 00020000\n00010000 00000000\n--\n00018000\nDE\n");
   corpus.add("l00020000\nffff0000\n--\n00016a0a\nDE\n");
+  corpus.add("m7fffffff 00000001\n--\n80000000\n");
+  corpus.add("n00000000 00000001\n--\nffffffff\n");
+  corpus.add("o400921fb54442d18\nfff0000000000000\n--\n0003243f\nDE\n");
+  corpus.add("p00000180\n--\n0002\n");
+  corpus.add("q-.5\n1e-3\n--\ne000000000000000\n0010624dd2f1a9fc\n");
+  corpus.add("rffff0000\n--\n-1.0\n");
   corpus.add("j# a comment\r\n\n00018000 00028000\r\n--\n0003c001\n");
 }
 
