@@ -9,6 +9,7 @@
 namespace fixproof::support {
 
 ThreadPool::ThreadPool(std::size_t workers)
+    // NOLINTNEXTLINE(bugprone-throw-keyword-missing): a vector of std::exception_ptr throws nothing
     : thrown_(std::max<std::size_t>(workers, 1)),
       begin_(static_cast<std::ptrdiff_t>(thrown_.size())),
       end_(static_cast<std::ptrdiff_t>(thrown_.size())) {

@@ -81,12 +81,12 @@ inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
 #include <immintrin.h>
 
 #define FIXED_LANES avx2
-#define FIXED_LANE_BYTES 32
+#define FIXED_LANE_BYTES 32  // NOLINT(cppcoreguidelines-macro-usage): undefined by parts.hpp
 #define FIXED_LANE_TARGET __attribute__((target("avx2")))
 #include "batch/detail/parts.hpp"
 
 #define FIXED_LANES avx512
-#define FIXED_LANE_BYTES 64
+#define FIXED_LANE_BYTES 64  // NOLINT(cppcoreguidelines-macro-usage): undefined by parts.hpp
 #define FIXED_LANE_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
 #include "batch/detail/parts.hpp"
 
@@ -114,10 +114,12 @@ inline bool has(path which) noexcept {
 #endif
 #if defined(FIXED_BATCH_X86)
     case path::avx2:
-      return __builtin_cpu_supports("avx2") != 0;
+      return static_cast<bool>(__builtin_cpu_supports("avx2"));
     case path::avx512:
-      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-             __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+      return static_cast<bool>(__builtin_cpu_supports("avx512f")) &&
+             static_cast<bool>(__builtin_cpu_supports("avx512bw")) &&
+             static_cast<bool>(__builtin_cpu_supports("avx512dq")) &&
+             static_cast<bool>(__builtin_cpu_supports("avx512vl"));
 #else
     default:
       return false;

@@ -110,12 +110,13 @@ FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 
 
 /// The coefficients of a transform, each broadcast to every lane.
 struct broadcast_transform {
+  // NOLINTNEXTLINE(*-avoid-c-arrays): the functions of std::array lack the target attribute
   i32 rows[3][4];
 };
 
 template <class Raw>
 FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<Raw>& transform) {
-  broadcast_transform result;
+  broadcast_transform result;  // NOLINT(*-pro-type-member-init): each lane is set below
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
       result.rows[i][k] = i32{} + std::int32_t{transform[i][k]};

@@ -40,7 +40,7 @@ std::vector<HostContender> vertex_makers() {
 }
 
 template <class N>
-constexpr auto& divider = array_contender<N, HostQuotient>;
+constexpr auto* divider = &array_contender<N, HostQuotient>;
 
 std::vector<HostContender> dividers() {
   using namespace fixproof;
