@@ -1,0 +1,63 @@
+/// \file
+/// Powers of two and binary logarithms with an error below 2^-110, for the few results that 64 bits
+/// cannot round.
+///
+/// The error is that of less than 120 steps, each below four units of 2^-120.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/exponential_tables.hpp"
+#include "fixed/detail/wide_integer.hpp"
+
+namespace fixproof::detail {
+
+/// A number in units of 2^-120.
+using real = wide_integer<4>;
+inline constexpr int real_bits = 120;
+inline constexpr real real_one = real{1} << real_bits;
+
+constexpr real real_from(const real_words& words) noexcept {
+  return (real{words.high} << 64) + real{words.low};
+}
+
+/// a * b, rounded down. \pre |a * b| < 2^15
+constexpr real product(const real& a, const real& b) noexcept { return (a * b) >> real_bits; }
+
+/// x / n, rounded down. \pre x >= 0, n > 0
+constexpr real quotient(const real& x, std::uint32_t n) noexcept {
+  real result;
+  std::uint64_t rest = 0;
+  for (int half = 7; half >= 0; --half) {
+    const auto digit = static_cast<std::uint64_t>(x >> 32 * half) & 0xffffffff;
+    const std::uint64_t part = rest << 32 | digit;
+    result = (result << 32) + real{part / n};
+    rest = part % n;
+  }
+  return result;
+}
+
+/// 2^x for 0 <= x < 1, by the Taylor series of e^(x log 2). The terms after the 32nd are below
+/// 2^-139.
+constexpr real precise_power(const real& x) noexcept {
+  const real t = product(x, real_from(real_log_2));
+  real sum = real_one;
+  for (std::uint32_t n = 32; n > 0; --n) sum = real_one + quotient(product(t, sum), n);
+  return sum;
+}
+
+/// log2(m / 2^31) for 2^31 <= m < 2^32.
+///
+/// The natural logarithm of m is 2 atanh(z) with z = (m - 1) / (m + 1) <= 1/3. The terms of its
+/// series after z^75 are below 2^-125.
+constexpr real precise_logarithm(std::uint32_t m) noexcept {
+  constexpr std::uint64_t one = std::uint64_t{1} << 31;
+  const real z = real::divide(real{m - one} << real_bits, real{m + one}).quotient;
+  const real square = product(z, z);
+  real sum;
+  for (std::uint32_t n = 75; n > 1; n -= 2) sum = product(square, quotient(real_one, n) + sum);
+  const real natural = product(z << 1, real_one + sum);
+  return product(natural, real_from(real_log2_e));
+}
+
+}  // namespace fixproof::detail

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "oracle/integer.hpp"
+#include "oracle/rule.hpp"
+
+namespace oracle {
+
+enum class Exponential { exp2, exp, log2, log, log10 };
+
+/// The function of ulps / 2^fraction_bits, in ulps, rounded to nearest, ties by `ties`. Empty for
+/// the logarithm of a number that is not positive. Results from 2^64 ulps on are 2^64.
+/// @throws std::range_error if 168 bits cannot decide the rounding
+[[nodiscard]] std::optional<Integer> nearest(Exponential function, const Integer& ulps,
+                                             int fraction_bits, Rounding ties);
+
+}  // namespace oracle
