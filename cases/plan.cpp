@@ -99,6 +99,11 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
     case Operation::binary64:
     case Operation::add:
     case Operation::sub:
+    case Operation::exp2:
+    case Operation::exp:
+    case Operation::log2:
+    case Operation::log:
+    case Operation::log10:
     case Operation::to_decimal:
       break;
     case Operation::from_binary64:

@@ -11,7 +11,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 16> operations{{
+constexpr std::array<std::pair<std::string_view, Operation>, 21> operations{{
     {"mul", Operation::mul},
     {"div", Operation::div},
     {"cossin", Operation::cossin},
@@ -24,6 +24,11 @@ constexpr std::array<std::pair<std::string_view, Operation>, 16> operations{{
     {"binary64", Operation::binary64},
     {"add", Operation::add},
     {"sub", Operation::sub},
+    {"exp2", Operation::exp2},
+    {"exp", Operation::exp},
+    {"log2", Operation::log2},
+    {"log", Operation::log},
+    {"log10", Operation::log10},
     {"from_binary64", Operation::from_binary64},
     {"convert", Operation::convert},
     {"from_decimal", Operation::from_decimal},

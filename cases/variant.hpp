@@ -27,6 +27,14 @@ enum class Operation : std::uint8_t {
   binary64,  ///< conversion to double and back: the identity
   add,       ///< a + b, for `gen`, `eval` and `check`
   sub,       ///< a - b, likewise
+  // Of words of at most 32 bits, to nearest; out of range they saturate. For `eval`, `gen` and,
+  // with
+  // --format, `verify`.
+  exp2,   ///< 2 to the power of the operand
+  exp,    ///< e to the power of the operand
+  log2,   ///< binary logarithm; the lowest word unless the operand is positive
+  log,    ///< natural logarithm, likewise
+  log10,  ///< decimal logarithm, likewise
   // Conversions, for `gen` and `check`.
   from_binary64,  ///< a double to a word
   convert,        ///< a word of another format to a word
@@ -100,6 +108,8 @@ constexpr Variant variant_of(Operation operation, const Build& build) {
 
 constexpr bool is_conversion(Operation o) { return o >= Operation::from_binary64; }
 
+constexpr bool is_exponential(Operation o) { return o >= Operation::exp2 && o <= Operation::log10; }
+
 /// The format of each operand that is a word.
 constexpr const Format& operand_format(const Variant& v) {
   return v.operation == Operation::convert ? v.from : v.format;
@@ -134,10 +144,11 @@ constexpr std::size_t words_out(const Variant& v) {
 /// The bits of each stored word of an operand.
 constexpr int stored_bits(const Variant& v) { return operand_bits(v) > 32 ? 32 : operand_bits(v); }
 
-/// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models. A
-/// conversion has not.
+/// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models.
+/// Conversions and exponentials are the same in every format.
 constexpr bool has_routine_format(const Variant& v) {
-  return !is_conversion(v.operation) && (v.format == q16_16 || v.format == q8_8);
+  return !is_conversion(v.operation) && !is_exponential(v.operation) &&
+         (v.format == q16_16 || v.format == q8_8);
 }
 
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }

@@ -98,8 +98,8 @@ void add_eval(CLI::App& app, int& status) {
       app.add_subcommand("eval", "compute the result of each line of operands on standard input");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, cossin, xformvec, concat, sqrt, add, sub, sin, cos, decimal or "
-                   "binary64")
+                   "mul, div, cossin, xformvec, concat, sqrt, add, sub, sin, cos, decimal, "
+                   "binary64, exp2, exp, log2, log or log10")
       ->required();
   command
       ->add_option(
@@ -110,8 +110,8 @@ void add_eval(CLI::App& app, int& status) {
   command
       ->add_option("--format", options->format,
                    "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal "
-                   "or binary64, rounded half up and wrapped; by type in named formats, else by "
-                   "oracle")
+                   "or binary64, rounded half up and wrapped; exp2 and the others to nearest, in "
+                   "at most 32 bits; by type in named formats, else by oracle")
       ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(

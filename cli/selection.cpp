@@ -50,7 +50,8 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
          rounding_fits(options, v);
 }
 
-/// The operations that exist in every format, in the order of the table.
+/// The operations that exist in every format, in the order of the table. Exponentials run only if
+/// they are named.
 constexpr std::array format_operations{cases::Operation::add,     cases::Operation::sub,
                                        cases::Operation::mul,     cases::Operation::div,
                                        cases::Operation::sqrt,    cases::Operation::decimal,
@@ -104,11 +105,13 @@ cases::Operation answered_operation_named(std::string_view name) {
 
 cases::Operation format_operation_named(std::string_view name) {
   const cases::Operation operation = answered_operation_named(name);
-  if (std::ranges::find(format_operations, operation) == format_operations.end()) {
-    throw support::UsageError(fmt::format(
-        "{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, decimal or "
-        "binary64",
-        name));
+  if (std::ranges::find(format_operations, operation) == format_operations.end() &&
+      !cases::is_exponential(operation)) {
+    throw support::UsageError(
+        fmt::format("{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, "
+                    "decimal, binary64, "
+                    "exp2, exp, log2, log or log10",
+                    name));
   }
   return operation;
 }
@@ -142,9 +145,7 @@ std::vector<cases::Variant> chosen_variants(const Selection& selection) {
     if (std::ranges::find(variants, operations.back(), &cases::Variant::operation) ==
         variants.end()) {
       throw support::UsageError(fmt::format(
-          "verify compares {0} only in a format, such as --format q16_16; `fixproof check {0}` "
-          "judges those of another program",
-          name));
+          "verify compares {} only in a format: add one, such as --format q16_16", name));
     }
   }
   check_repaired(selection);

@@ -81,7 +81,7 @@ template <class Raw, int F, policy P>
 
 /// e to the power of x.
 ///
-///     static_assert(exp(q16_16(1)).raw() == 178145 && exp(q16_16()) == 1);  // 178145.4
+///     static_assert(exp(q16_16(1)).raw() == 178145 && exp(q16_16()) == 1);  // 178145.3
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {

@@ -1,6 +1,7 @@
 #include "oracle/exponential.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
 #include <stdexcept>
 
 #include "oracle/unbounded.hpp"
@@ -26,6 +27,22 @@ Decimal50 value(Exponential function, const Decimal50& x) {
       return log(x);
     case Exponential::log10:
       return log(x) / log_10;
+  }
+  throw std::invalid_argument("no such function");
+}
+
+double library_value(Exponential function, double x) {
+  switch (function) {
+    case Exponential::exp2:
+      return std::exp2(x);
+    case Exponential::exp:
+      return std::exp(x);
+    case Exponential::log2:
+      return std::log2(x);
+    case Exponential::log:
+      return std::log(x);
+    case Exponential::log10:
+      return std::log10(x);
   }
   throw std::invalid_argument("no such function");
 }
@@ -64,6 +81,23 @@ std::optional<Integer> nearest(Exponential function, const Integer& ulps, int fr
     throw std::range_error("a result is too near a tie for 168 bits");
   }
   return Integer(whole);
+}
+
+std::optional<std::int64_t> fast::nearest(Exponential function, std::int64_t ulps,
+                                          int fraction_bits, Rounding ties) {
+  const double x = std::ldexp(static_cast<double>(ulps), -fraction_bits);
+  const bool is_power = function == Exponential::exp2 || function == Exponential::exp;
+  if (!is_power && ulps <= 0) return std::nullopt;
+  const double scaled = std::ldexp(library_value(function, x), fraction_bits);
+  constexpr double above_all_fast = 0x1p40;
+  if (scaled >= above_all_fast) return std::int64_t{1} << 40;
+  const double biased = scaled + 0.5;
+  const double whole = std::floor(biased);
+  const double rest = biased - whole;
+  const double uncertain = (std::abs(scaled) + 1) * 0x1p-49;
+  if (rest > uncertain && 1 - rest > uncertain) return static_cast<std::int64_t>(whole);
+  const auto exact = oracle::nearest(function, ulps, fraction_bits, ties);
+  return exact ? std::optional(static_cast<std::int64_t>(*exact)) : std::nullopt;
 }
 
 }  // namespace oracle

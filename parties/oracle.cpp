@@ -89,7 +89,7 @@ class Oracle final : public Party {
                        BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
   }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
-    if (!cases::has_routine_format(v)) return exists_in_formats(v.operation) && is_standard(v);
+    if (!cases::has_routine_format(v)) return exists_in_format(v) && is_standard(v);
     return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
@@ -147,7 +147,7 @@ class FastOracle final : public Party {
   [[nodiscard]] std::string identity() const override { return "built-in integers"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     if (!cases::has_routine_format(v)) {
-      return exists_in_formats(v.operation) && v.format.word_bits <= 32 && is_standard(v);
+      return exists_in_format(v) && v.format.word_bits <= 32 && is_standard(v);
     }
     return v.operation != cases::Operation::cossin;
   }

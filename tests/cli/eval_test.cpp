@@ -159,6 +159,11 @@ TEST(EvalType, WhatIsNoRoutine) {
   expect("sub", {{"00018000 0001c000", "ffffc000"}, {"80000000 00000001", "7fffffff"}});
   expect("decimal", {{"80000001", "80000001"}});
   expect("binary64", {{"7fffffff", "7fffffff"}});
+  expect("exp", {{"00010000", "0002b7e1"}, {"7fffffff", "7fffffff"}});   // 178145.3
+  expect("exp2", {{"fffd0000", "00002000"}, {"ffef0000", "00000001"}});  // a tie
+  expect("log", {{"000a0000", "00024d76"}, {"00000000", "80000000"}});   // 150902.2
+  expect("log2", {{"00002000", "fffd0000"}});
+  expect("log10", {{"03e80000", "00030000"}});
 }
 
 TEST(EvalOptions, EachRoundingAppliesToItsOwnRoutine) {

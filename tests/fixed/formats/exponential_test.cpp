@@ -138,6 +138,14 @@ TEST(Exponentials, LogarithmsHaveTheirError) {
   }
 }
 
+// The operands of exp2 in q2_30 whose results are nearest to a tie: within 9 * 2^-30 units of it,
+// less than the error of 64 bits, so only the precise path decides them.
+TEST(Exponentials, HardWords) {
+  for (const std::int32_t word : {320814696, -833958347, -822265370, 107708225, -1481764767}) {
+    expect_nearest(q2_30::from_raw(word));
+  }
+}
+
 TEST(Exponentials, PreciseOnesAreNearest) {
   // The fast path decides nearly every rounding, so this calls the precise one.
   for (int word = -700; word < 1900; ++word) {
