@@ -132,7 +132,7 @@ TEST(Formats, RootTiesAbove1AreBesideAHalf) {
     std::size_t upper_half = 0;
     for (const auto& c : made(Stream::root_ties, in_format(Operation::sqrt, format))) {
       ASSERT_GE(c[0], 0) << name_of(format);
-      upper_half += c[0] >> (bits - 1) != 0 ? 1U : 0U;
+      upper_half += (c[0] >> (bits - 1)) != 0 ? 1U : 0U;
       if (c[0] <= one) continue;
       const Integer radicand = c[0] * one;
       const Integer root = sqrt(radicand);

@@ -138,10 +138,12 @@ TEST(Exponentials, LogarithmsHaveTheirError) {
   }
 }
 
-// The operands of exp2 in q2_30 whose results are nearest to a tie: within 9 * 2^-30 units of it,
-// less than the error of 64 bits, so only the precise path decides them.
+// Operands whose results are so near to a tie that 64 bits round them wrongly: only the precise
+// path is right. Found among all words of q2_30.
 TEST(Exponentials, HardWords) {
-  for (const std::int32_t word : {320814696, -833958347, -822265370, 107708225, -1481764767}) {
+  for (const std::int32_t word :
+       {695178213, 696541552, 952523017, 260216662, 339250479, 357012564, 52433004, 92286145,
+        120718935, 121174018, 143521457, 170986079, 313536106, 446488154, 524330040, 922861450}) {
     expect_nearest(q2_30::from_raw(word));
   }
 }
