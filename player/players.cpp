@@ -41,9 +41,9 @@ std::string name_of(const ArithmeticChoice& choice) {
 }
 
 support::UsageError no_arithmetic(const ArithmeticChoice& choice) {
-  return support::UsageError(
-      fmt::format("{} has no target {}; choose one of i386, i8088{}", choice.by, choice.target,
-                  choice.by == "type" ? ", standard, saturating, trapping" : ""));
+  const std::string_view others = choice.by == "type" ? ", standard, saturating, trapping" : "";
+  return support::UsageError{fmt::format("{} has no target {}; choose one of i386, i8088{}",
+                                         choice.by, choice.target, others)};
 }
 
 std::unique_ptr<xsharp::Player> make_player(const xsharp::Scene& scene,

@@ -54,6 +54,9 @@ FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
                  lanes(to_vertices<c>));
 }
 
+// Addresses are numbers here: a prefetch may lie beyond the end of an array.
+// NOLINTBEGIN(*-reinterpret-cast,performance-no-int-to-ptr)
+
 /// Whether element `index` is aligned to the register size.
 template <class Raw>
 bool is_register_aligned(const void* base, std::size_t index) {
@@ -73,6 +76,8 @@ FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
     __builtin_prefetch(reinterpret_cast<const void*>(at + line));
   }
 }
+
+// NOLINTEND(*-reinterpret-cast,performance-no-int-to-ptr)
 
 /// Loads the block of vertices that starts at `index`.
 template <class Raw>
@@ -108,9 +113,11 @@ FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 
 
 /// \}
 
+// The functions of std::array lack the target attribute.
+// NOLINTBEGIN(*-avoid-c-arrays)
+
 /// The coefficients of a transform, each broadcast to every lane.
 struct broadcast_transform {
-  // NOLINTNEXTLINE(*-avoid-c-arrays): the functions of std::array lack the target attribute
   i32 rows[3][4];
 };
 
@@ -264,6 +271,8 @@ FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant,
     }
   }
 }
+
+// NOLINTEND(*-avoid-c-arrays)
 
 }  // namespace fixproof::detail::FIXED_LANES
 #endif
