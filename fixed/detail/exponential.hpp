@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "fixed/detail/cosine.hpp"
-#include "fixed/detail/exponential_tables.hpp"
+#include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/precise_exponential.hpp"
 #include "fixed/detail/rounding.hpp"
 

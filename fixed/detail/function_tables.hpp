@@ -1,5 +1,6 @@
 /// \file
-/// The tables and constants of exponential.hpp. scripts/exponential-tables writes this file.
+/// The tables and constants of exponential.hpp and arctangent.hpp. scripts/function-tables writes
+/// this file.
 #pragma once
 
 #include <array>
@@ -124,5 +125,50 @@ inline constexpr real_words real_log_2{0xabc9e3b39803f2f7, 0xb17217f7d1cf79};
 
 /// log10(2) in units of 2^-120, to nearest.
 inline constexpr real_words real_log10_2{0xcc47c4acd605be49, 0x4d104d427de7fb};
+
+/// The arctangent of i/32 in units of 2^-58, to nearest.
+inline constexpr std::array<std::uint64_t, 33> arctangents{0x0,
+                                                           0x1ffd55bba97625,
+                                                           0x3feab76e59fbd4,
+                                                           0x5fb860980bc43a,
+                                                           0x7f56ea6ab0bdb7,
+                                                           0x9eb77746331363,
+                                                           0xbdcbda5e72d811,
+                                                           0xdc86ba94930510,
+                                                           0xfadbafc96406eb,
+                                                           0x118bf5a30bf1782,
+                                                           0x1362773707ebcbd,
+                                                           0x1530ad9951cd49e,
+                                                           0x16f61941e4def09,
+                                                           0x18b24d394a1b257,
+                                                           0x1a64eec3cc23fcb,
+                                                           0x1c0db4c94ec9ef9,
+                                                           0x1dac670561bb4f7,
+                                                           0x1f40dd0b541417d,
+                                                           0x20cafd29b6619f9,
+                                                           0x224abb37f7a551f,
+                                                           0x23c01757bdfd67e,
+                                                           0x252b1cb2611c61c,
+                                                           0x268be0399c6f769,
+                                                           0x27e27f713d2de88,
+                                                           0x292f1f464d3dc25,
+                                                           0x2a71eaf7120c3d7,
+                                                           0x2bab130e2d36302,
+                                                           0x2cdacc7247c10da,
+                                                           0x2e014f8af08c67a,
+                                                           0x2f1ed77aba62bca,
+                                                           0x3033a16e2b14999,
+                                                           0x313febfeafe3ef5,
+                                                           0x3243f6a8885a309};
+
+/// Coefficient n is 1 / ((2n + 1) 1024^n) in units of 2^-64, to nearest, for n from 1.
+inline constexpr std::array<std::uint64_t, 4> arctangent_coefficients{
+    0x15555555555555, 0x33333333333, 0x92492492, 0x1c71c7};
+
+/// Pi in units of 2^-58, to nearest.
+inline constexpr std::uint64_t pi_58 = 0xc90fdaa22168c23;
+
+/// Pi in units of 2^-120, to nearest.
+inline constexpr real_words real_pi{0xd313198a2e037073, 0x3243f6a8885a308};
 
 }  // namespace fixproof::detail
