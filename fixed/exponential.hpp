@@ -42,11 +42,11 @@ constexpr Number exponential(Number x, const char* function) noexcept(Number::ne
   constexpr rounding ties =
       is_to_nearest<Number::rules.multiply> ? Number::rules.multiply : rounding::half_up;
   // Beyond 64, every result is out of range or rounds to zero.
-  constexpr std::int64_t far = std::int64_t{64} << Number::fraction_bits;
+  constexpr std::int64_t limit = std::int64_t{64} << Number::fraction_bits;
   const std::int64_t raw{x.raw()};
-  const std::int64_t near = raw < -far ? -far : raw > far ? far : raw;
+  const std::int64_t clamped = raw < -limit ? -limit : raw > limit ? limit : raw;
   return limited(nearest_exponential<Base, ties, Number::fraction_bits>(
-                     near * (std::int64_t{1} << (32 - Number::fraction_bits))),
+                     clamped * (std::int64_t{1} << (32 - Number::fraction_bits))),
                  function, x);
 }
 

@@ -76,9 +76,9 @@ template <exponential_base Base, rounding R, int FractionBits>
 constexpr std::int64_t nearest_exponential(std::int64_t x) noexcept {
   constexpr std::int64_t above_all = std::int64_t{1} << 33;
   // Beyond, the exponent of 2 is above 64, and every format ends below 2^32.
-  constexpr std::int64_t far = std::int64_t{64} << 32;
-  if (x >= far) return above_all;
-  if (x <= -far) return 0;
+  constexpr std::int64_t limit = std::int64_t{64} << 32;
+  if (x >= limit) return above_all;
+  if (x <= -limit) return 0;
   const binary_exponent exponent = exponent_of<Base>(x);
   const auto place = static_cast<int>(exponent.whole) + FractionBits;
   if (place >= 32) return above_all;

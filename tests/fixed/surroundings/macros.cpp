@@ -67,6 +67,8 @@
 
 #include "batch/batch.hpp"
 #include "batch/radian.hpp"
+#include "fixed/arctangent.hpp"
+#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
 
 using fixproof::q16_16;
@@ -78,6 +80,8 @@ static_assert((fixproof::abs)(q16_16(-1)) == q16_16(1));
 static_assert((fixproof::round)(q16_16(1.5)) == q16_16(2));
 static_assert((std::numeric_limits<q16_16>::max)().raw() == 0x7fffffff);
 static_assert(fixproof::sqrt(q16_16(4)) == q16_16(2));
+static_assert(fixproof::exp2(q16_16(4)) == 16 && fixproof::log2(q16_16(16)) == 4);
+static_assert(fixproof::atan2(q16_16(), q16_16(1)) == 0);
 
 bool among_macros(std::span<const q16_16> a, std::span<q16_16> roots) {
   return fixproof::batch::sqrt(a, roots).clean();

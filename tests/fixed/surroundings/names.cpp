@@ -7,6 +7,8 @@ using namespace std;
 
 #include "batch/batch.hpp"
 #include "batch/radian.hpp"
+#include "fixed/arctangent.hpp"
+#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
 
 void print_fixed(fixproof::q16_16 x) {
@@ -18,6 +20,7 @@ namespace program {
 using fixed = int;  // as in the sources of Doom
 
 constexpr fixed one = fixproof::q16_16(1).raw();
+static_assert(exp(fixproof::q16_16()) == 1 && atan(fixproof::q16_16()) == 0);
 static_assert(one == 0x10000 && fixproof::sin(fixproof::q16_16(0)) == fixproof::q16_16(0));
 
 }  // namespace program
