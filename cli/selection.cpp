@@ -145,7 +145,7 @@ std::vector<cases::Variant> chosen_variants(const Selection& selection) {
     if (std::ranges::find(variants, operations.back(), &cases::Variant::operation) ==
         variants.end()) {
       throw support::UsageError(fmt::format(
-          "verify compares {} only in a format: add one, such as --format q16_16", name));
+          "verify compares {} only in a format, such as --format q16_16", name));
     }
   }
   check_repaired(selection);
