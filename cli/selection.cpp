@@ -144,8 +144,8 @@ std::vector<cases::Variant> chosen_variants(const Selection& selection) {
     operations.push_back(answered_operation_named(name));
     if (std::ranges::find(variants, operations.back(), &cases::Variant::operation) ==
         variants.end()) {
-      throw support::UsageError(fmt::format(
-          "verify compares {} only in a format, such as --format q16_16", name));
+      throw support::UsageError(
+          fmt::format("verify compares {} only in a format, such as --format q16_16", name));
     }
   }
   check_repaired(selection);

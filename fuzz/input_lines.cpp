@@ -12,6 +12,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -186,7 +187,9 @@ struct Judged {
 };
 
 Answer check(const std::string& options, const Judged& judged) {
-  static Command command(cli::add_check);
+  // A command keeps the options of its last run.
+  static std::map<std::string, Command> commands;
+  Command& command = commands.try_emplace(options, cli::add_check).first->second;
   const fuzz::MemoryFile file(judged.cases);
   return command.run(fmt::format("check {} --from {}", options, file.path()), judged.results);
 }
