@@ -132,9 +132,8 @@ check::Said right(cases::Operation operation, std::span<const std::uint32_t> wor
 /// The word of a double by floor and wrapping; #DE for NaN and the infinities. No step rounds.
 check::Said right(double x) {
   if (!std::isfinite(x)) return std::nullopt;
-  const double all_words = std::ldexp(1.0, 32);
-  const double word = std::fmod(std::floor(std::ldexp(x, 16)), all_words);
-  return static_cast<std::uint64_t>(word < 0 ? word + all_words : word);
+  const double word = std::floor(std::ldexp(std::fmod(x, 65536), 16));
+  return static_cast<std::uint64_t>(word < 0 ? word + std::ldexp(1.0, 32) : word);
 }
 
 /// Reads the next case and returns its result; nothing at the end.
