@@ -99,11 +99,6 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
     case Operation::binary64:
     case Operation::add:
     case Operation::sub:
-    case Operation::exp2:
-    case Operation::exp:
-    case Operation::log2:
-    case Operation::log:
-    case Operation::log10:
     case Operation::to_decimal:
       break;
     case Operation::from_binary64:
@@ -114,6 +109,8 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::scaled, sample},
               {Stream::value_ties, sample},
               {Stream::near_value_ties, sample}};
+    default:  // a function
+      break;
   }
   return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};
 }
@@ -130,6 +127,8 @@ bool offers(const Variant& variant, Stream stream) {
       return has_quotient_ties(format);
     case Stream::whole_divisor_ties:
     case Stream::fault_edge:
+    case Stream::quarter_turns:
+    case Stream::hard_angles:
       return false;
     default:
       return true;

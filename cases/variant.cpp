@@ -11,7 +11,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 21> operations{{
+constexpr std::array<std::pair<std::string_view, Operation>, 42> operations{{
     {"mul", Operation::mul},
     {"div", Operation::div},
     {"cossin", Operation::cossin},
@@ -33,6 +33,27 @@ constexpr std::array<std::pair<std::string_view, Operation>, 21> operations{{
     {"convert", Operation::convert},
     {"from_decimal", Operation::from_decimal},
     {"to_decimal", Operation::to_decimal},
+    {"expm1", Operation::expm1},
+    {"log1p", Operation::log1p},
+    {"sinh", Operation::sinh},
+    {"cosh", Operation::cosh},
+    {"tanh", Operation::tanh},
+    {"tan", Operation::tan},
+    {"sin_of_degrees", Operation::sin_of_degrees},
+    {"cos_of_degrees", Operation::cos_of_degrees},
+    {"tan_of_degrees", Operation::tan_of_degrees},
+    {"sin_of_turns", Operation::sin_of_turns},
+    {"cos_of_turns", Operation::cos_of_turns},
+    {"tan_of_turns", Operation::tan_of_turns},
+    {"asin", Operation::asin},
+    {"acos", Operation::acos},
+    {"atan", Operation::atan},
+    {"cbrt", Operation::cbrt},
+    {"rsqrt", Operation::rsqrt},
+    {"reciprocal", Operation::reciprocal},
+    {"atan2", Operation::atan2},
+    {"hypot", Operation::hypot},
+    {"pow", Operation::pow},
 }};
 
 /// Returns the operation called `name` among `known`; `kind` is for the error message.
@@ -63,6 +84,14 @@ std::string_view name_of(Target t) {
 }
 
 Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
+
+std::string function_names() {
+  std::string all;
+  for (const auto& [name, operation] : operations) {
+    if (is_function(operation)) all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
+  }
+  return all;
+}
 
 Operation routine_named(std::string_view name) {
   return named(name, "routine", std::span(operations).first<5>());

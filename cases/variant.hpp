@@ -27,9 +27,8 @@ enum class Operation : std::uint8_t {
   binary64,  ///< conversion to double and back: the identity
   add,       ///< a + b, for `gen`, `eval` and `check`
   sub,       ///< a - b, likewise
-  // Of words of at most 32 bits, to nearest; out of range they saturate. For `eval`, `gen` and,
-  // with
-  // --format, `verify`.
+  // Functions of words of at most 32 bits, to nearest; out of range they saturate. More follow
+  // below, because the streams of cases depend on the place here.
   exp2,   ///< 2 to the power of the operand
   exp,    ///< e to the power of the operand
   log2,   ///< binary logarithm; the lowest word unless the operand is positive
@@ -40,6 +39,29 @@ enum class Operation : std::uint8_t {
   convert,        ///< a word of another format to a word
   from_decimal,   ///< decimal text to a word
   to_decimal,     ///< a word to decimal text
+  // More functions. Outside its domain a logarithm is the lowest word; a root, a reciprocal, a
+  // tangent or a power of 0 is the highest; and any other function is 0.
+  expm1,  ///< exp(x) - 1
+  log1p,  ///< log(1 + x)
+  sinh,
+  cosh,
+  tanh,
+  tan,
+  sin_of_degrees,
+  cos_of_degrees,
+  tan_of_degrees,
+  sin_of_turns,
+  cos_of_turns,
+  tan_of_turns,
+  asin,
+  acos,
+  atan,
+  cbrt,
+  rsqrt,       ///< 1 / sqrt(x)
+  reciprocal,  ///< 1 / x
+  atan2,       ///< the angle of the vector (second operand, first operand)
+  hypot,       ///< the length of a vector
+  pow,         ///< the first operand to the power of the second
 };
 
 /// One operation under one set of rules, at one width.
@@ -65,6 +87,9 @@ constexpr std::size_t words_in(Operation o) {
     case Operation::div:
     case Operation::add:
     case Operation::sub:
+    case Operation::atan2:
+    case Operation::hypot:
+    case Operation::pow:
       return 2;
     case Operation::xformvec:
       return 15;
@@ -106,9 +131,16 @@ constexpr Variant variant_of(Operation operation, const Build& build) {
   return variant;
 }
 
-constexpr bool is_conversion(Operation o) { return o >= Operation::from_binary64; }
+constexpr bool is_conversion(Operation o) {
+  return o >= Operation::from_binary64 && o <= Operation::to_decimal;
+}
 
-constexpr bool is_exponential(Operation o) { return o >= Operation::exp2 && o <= Operation::log10; }
+/// Tells whether the operation is a function of real numbers. sin and cos of radians are functions
+/// in the formats that has_routine_format() does not cover.
+constexpr bool is_function(Operation o) {
+  return (o >= Operation::exp2 && o <= Operation::log10) || o >= Operation::expm1 ||
+         o == Operation::sin || o == Operation::cos;
+}
 
 /// The format of each operand that is a word.
 constexpr const Format& operand_format(const Variant& v) {
@@ -145,9 +177,10 @@ constexpr std::size_t words_out(const Variant& v) {
 constexpr int stored_bits(const Variant& v) { return operand_bits(v) > 32 ? 32 : operand_bits(v); }
 
 /// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models.
-/// Conversions and exponentials are the same in every format.
+/// Conversions and functions are the same in every format, but for sin and cos.
 constexpr bool has_routine_format(const Variant& v) {
-  return !is_conversion(v.operation) && !is_exponential(v.operation) &&
+  const bool has_model = v.operation == Operation::sin || v.operation == Operation::cos;
+  return !is_conversion(v.operation) && (has_model || !is_function(v.operation)) &&
          (v.format == q16_16 || v.format == q8_8);
 }
 
@@ -160,6 +193,8 @@ std::string name_of(const Variant& variant);
 /// Returns the operation with this command-line name.
 /// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
+/// The functions, separated by commas: `sin, cos, exp2, ...`.
+std::string function_names();
 /// Like operation_named(), but only for the routines of FIXED.ASM.
 Operation routine_named(std::string_view name);
 

@@ -98,8 +98,9 @@ void add_eval(CLI::App& app, int& status) {
       app.add_subcommand("eval", "compute the result of each line of operands on standard input");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, cossin, xformvec, concat, sqrt, add, sub, sin, cos, decimal, "
-                   "binary64, exp2, exp, log2, log or log10")
+                   "mul, div, cossin, xformvec, concat, sqrt, add, sub, decimal, binary64, or a "
+                   "function: " +
+                       cases::function_names())
       ->required();
   command
       ->add_option(
@@ -110,7 +111,7 @@ void add_eval(CLI::App& app, int& status) {
   command
       ->add_option("--format", options->format,
                    "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal "
-                   "or binary64, rounded half up and wrapped; exp2 and the others to nearest, in "
+                   "or binary64, rounded half up and wrapped; functions to nearest, in "
                    "at most 32 bits; by type in named formats, else by oracle")
       ->check(not_empty());
   options->variant.add_to(*command);
@@ -118,6 +119,7 @@ void add_eval(CLI::App& app, int& status) {
       R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
   mul, div   a b                             -> one word, DE for a divide error
   add, sub   a b                             -> one word
+  pow, hypot, atan2   a b                    -> one word; atan2 takes y x
   cossin     an angle in tenths, 4 digits    -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words

@@ -120,13 +120,13 @@ void add_gen(CLI::App& app, int& status) {
   command
       ->add_option("operation", options->operation,
                    "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, "
-                   "exp2, exp, log2, log, log10, sin, cos, cossin, xformvec, concat, decimal or "
-                   "binary64")
+                   "cossin, xformvec, concat, decimal, binary64, or a function: " +
+                       cases::function_names())
       ->required();
   command
       ->add_option("--format", options->format,
                    "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal, "
-                   "binary64, exp2 and the others, and conversions")
+                   "binary64, functions and conversions")
       ->check(not_empty());
   add_result_format(*command, options->to);
   add_case_options(*command, options->cases);

@@ -50,8 +50,8 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
          rounding_fits(options, v);
 }
 
-/// The operations that exist in every format, in the order of the table. Exponentials run only if
-/// they are named.
+/// The operations that exist in every format, in the order of the table. Functions run only if they
+/// are named.
 constexpr std::array format_operations{cases::Operation::add,     cases::Operation::sub,
                                        cases::Operation::mul,     cases::Operation::div,
                                        cases::Operation::sqrt,    cases::Operation::decimal,
@@ -106,12 +106,11 @@ cases::Operation answered_operation_named(std::string_view name) {
 cases::Operation format_operation_named(std::string_view name) {
   const cases::Operation operation = answered_operation_named(name);
   if (std::ranges::find(format_operations, operation) == format_operations.end() &&
-      !cases::is_exponential(operation)) {
+      !cases::is_function(operation)) {
     throw support::UsageError(
         fmt::format("{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, "
-                    "decimal, binary64, "
-                    "exp2, exp, log2, log or log10",
-                    name));
+                    "decimal, binary64, or a function: {}",
+                    name, cases::function_names()));
   }
   return operation;
 }

@@ -231,7 +231,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   command.add_option(
       "operations", selection.operations,
       "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; with --format also "
-      "add, sub and, if named, exp2, exp, log2, log and log10; by default all");
+      "add, sub and, if named, the functions of docs/functions.md; by default all");
   command
       .add_option("--format", selection.formats,
                   "compare in these formats, such as q2_30,u8_8, or in all that fixed/formats.hpp "
@@ -303,7 +303,8 @@ void add_verify(CLI::App& app, int& status) {
                   mul, div, xformvec, sqrt, sin and cos
   batch-portable, batch-neon, batch-avx2, batch-avx512    one path of batch
 With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
-sqrt, decimal and binary64, and in up to 32 bits exp2, exp, log2, log and log10, if they are named.
+sqrt, decimal and binary64, and in up to 32 bits the functions of docs/functions.md, if they are
+named.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
 With --format it has all pairs of words of up to 16 bits and all words of up to 32 bits.

@@ -1,6 +1,6 @@
 /// \file
-/// Exponentials and logarithms, correctly rounded for every operand of every format of at most 32
-/// bits.
+/// Exponentials, logarithms and hyperbolic functions, correctly rounded for every operand of every
+/// format of at most 32 bits.
 ///
 /// Each result is the number nearest to the exact value, under every policy. A tie, which only exp2
 /// has, is rounded as the policy rounds products if that is to nearest, and up otherwise. A result
@@ -14,9 +14,8 @@
 #include <limits>
 
 #include "fixed/detail/exponential.hpp"
-#include "fixed/detail/overflow.hpp"
-#include "fixed/detail/raise.hpp"
-#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/hyperbolic.hpp"
+#include "fixed/detail/limited.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/number.hpp"
 
@@ -24,47 +23,50 @@ namespace fixproof {
 
 namespace detail {
 
-/// The number of ulps as a number, or the nearest limit of its range.
+/// The operand in units of 2^-32, limited to +-64: beyond, every result is out of range or flat.
 template <class Number>
-constexpr Number limited(std::int64_t ulps, const char* function,
-                         Number x) noexcept(Number::never_throws) {
-  using raw = typename Number::raw_type;
-  constexpr overflow range =
-      Number::rules.range == overflow::trap ? overflow::trap : overflow::saturate;
-  return Number::from_raw(
-      narrow<range, raw>(ulps, [&] { raise_overflow<Number::fraction_bits>(function, x.raw()); }));
-}
-
-template <exponential_base Base, class Number>
-constexpr Number exponential(Number x, const char* function) noexcept(Number::never_throws) {
-  static_assert(bits_of<typename Number::raw_type> <= 32,
-                "exp and exp2 need a format of at most 32 bits: convert, as in exp(q16_16(x))");
-  constexpr rounding ties =
-      is_to_nearest<Number::rules.multiply> ? Number::rules.multiply : rounding::half_up;
-  // Beyond 64, every result is out of range or rounds to zero.
+constexpr std::int64_t exponent_units(Number x) noexcept {
+  static_assert(has_functions<Number>,
+                "exponentials and logarithms need a format of at most 32 bits: convert, as in "
+                "exp(q16_16(x))");
   constexpr std::int64_t limit = std::int64_t{64} << Number::fraction_bits;
   const std::int64_t raw{x.raw()};
-  const std::int64_t clamped = raw < -limit ? -limit : raw > limit ? limit : raw;
-  return limited(nearest_exponential<Base, ties, Number::fraction_bits>(
-                     clamped * (std::int64_t{1} << (32 - Number::fraction_bits))),
-                 function, x);
+  return (raw < -limit  ? -limit
+          : raw > limit ? limit
+                        : raw) *
+         (std::int64_t{1} << (32 - Number::fraction_bits));
 }
 
+/// The exponential of x, less `less` ulps.
+template <exponential_base Base, class Number>
+constexpr Number exponential(Number x, std::int64_t less,
+                             const char* function) noexcept(Number::never_throws) {
+  return limited<Number>(
+      nearest_exponential<Base, ties_of<Number>>(exponent_units(x), Number::fraction_bits) - less,
+      function, x);
+}
+
+/// The logarithm of x plus `more` ulps.
 template <logarithm_base Base, class Number>
-constexpr Number logarithm(Number x, const char* function) noexcept(Number::never_throws) {
+constexpr Number logarithm(Number x, std::int64_t more,
+                           const char* function) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
-  static_assert(bits_of<raw> <= 32,
-                "log, log2 and log10 need a format of at most 32 bits: convert, as in "
+  static_assert(has_functions<Number>,
+                "exponentials and logarithms need a format of at most 32 bits: convert, as in "
                 "log(q16_16(x))");
-  if (x.raw() <= 0) {
-    if constexpr (Number::rules.range == overflow::trap) {
-      raise<domain_error>("domain error", function, operand<raw, Number::fraction_bits>{x.raw()});
-    }
-    return Number::from_raw((std::numeric_limits<raw>::min)());
+  const std::int64_t sum = x.raw() + more;
+  if (sum <= 0) {
+    return outside_domain<Number>((std::numeric_limits<raw>::min)(), function, x);
   }
-  return limited(
-      nearest_logarithm<Base, Number::fraction_bits>(static_cast<std::uint32_t>(x.raw())), function,
-      x);
+  return limited<Number>(
+      nearest_logarithm<Base>(static_cast<std::uint64_t>(sum), Number::fraction_bits), function, x);
+}
+
+/// sinh or cosh of the magnitude of x.
+template <hyperbola Function, class Number>
+constexpr std::int64_t hyperbolic(Number x) noexcept {
+  const std::int64_t units = exponent_units(x);
+  return nearest_hyperbolic<Function>(units < 0 ? -units : units, Number::fraction_bits);
 }
 
 }  // namespace detail
@@ -76,7 +78,7 @@ constexpr Number logarithm(Number x, const char* function) noexcept(Number::neve
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::exponential<detail::exponential_base::two>(x, "exp2");
+  return detail::exponential<detail::exponential_base::two>(x, 0, "exp2");
 }
 
 /// e to the power of x.
@@ -85,7 +87,16 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::exponential<detail::exponential_base::e>(x, "exp");
+  return detail::exponential<detail::exponential_base::e>(x, 0, "exp");
+}
+
+/// e to the power of x, minus 1.
+///
+///     static_assert(expm1(q2_30(-1)).raw() == -678734282);  // -678734281.8
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> expm1(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::exponential<detail::exponential_base::e>(x, std::int64_t{1} << F, "expm1");
 }
 
 /// The natural logarithm. Unless x > 0 it throws a domain_error under overflow::trap, and is the
@@ -95,7 +106,16 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::e>(x, "log");
+  return detail::logarithm<detail::logarithm_base::e>(x, 0, "log");
+}
+
+/// The natural logarithm of 1 + x. Unless x > -1, as log().
+///
+///     static_assert(log1p(q16_16(9)) == log(q16_16(10)));
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> log1p(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::logarithm<detail::logarithm_base::e>(x, std::int64_t{1} << F, "log1p");
 }
 
 /// The logarithm to base 2. Unless x > 0, as log().
@@ -104,7 +124,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::two>(x, "log2");
+  return detail::logarithm<detail::logarithm_base::two>(x, 0, "log2");
 }
 
 /// The logarithm to base 10. Unless x > 0, as log().
@@ -113,7 +133,38 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log10(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::ten>(x, "log10");
+  return detail::logarithm<detail::logarithm_base::ten>(x, 0, "log10");
+}
+
+/// The hyperbolic sine, (e^x - e^-x) / 2.
+///
+///     static_assert(sinh(q16_16(-1)).raw() == -77018);  // -77017.99
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> sinh(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  const std::int64_t ulps = detail::hyperbolic<detail::hyperbola::sine>(x);
+  return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "sinh", x);
+}
+
+/// The hyperbolic cosine, (e^x + e^-x) / 2.
+///
+///     static_assert(cosh(q16_16(1)).raw() == 101127);  // 101127.3
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> cosh(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::limited<number<Raw, F, P>>(detail::hyperbolic<detail::hyperbola::cosine>(x),
+                                            "cosh", x);
+}
+
+/// The hyperbolic tangent, sinh(x) / cosh(x).
+///
+///     static_assert(tanh(q16_16(1)).raw() == 49912);  // 49911.8
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> tanh(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  const std::int64_t units = detail::exponent_units(x);
+  const std::int64_t ulps = detail::nearest_hyperbolic_tangent(units < 0 ? -units : units, F);
+  return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "tanh", x);
 }
 
 }  // namespace fixproof

@@ -29,7 +29,7 @@ Integer nearest_double(const Integer& value) {
 }  // namespace
 
 void answer_exactly(const cases::Variant& v, const Batch& batch) {
-  if (cases::is_exponential(v.operation)) return answer_exponential_exactly(v, batch);
+  if (cases::is_function(v.operation)) return answer_function_exactly(v, batch);
   const oracle::Format format = oracle_format(v.format);
   each_number(v, batch, [&](LongWord a, LongWord b) -> Result {
     switch (v.operation) {
@@ -55,7 +55,7 @@ void answer_exactly(const cases::Variant& v, const Batch& batch) {
 }
 
 void answer_fast(const cases::Variant& v, const Batch& batch) {
-  if (cases::is_exponential(v.operation)) return answer_exponential_fast(v, batch);
+  if (cases::is_function(v.operation)) return answer_function_fast(v, batch);
   const oracle::Format format = oracle_format(v.format);
   const std::uint64_t ones = cases::all_ones(v.format);
   const auto each = [&](const auto& answer) { each_number(v, batch, answer); };

@@ -1,6 +1,7 @@
 /// @file
 /// Answers in formats that no routine has: sums, differences, products and quotients rounded half
-/// up and reduced modulo the word, square roots, round trips, and exponentials.
+/// up and reduced modulo the word, square roots, round trips, and functions of
+/// real numbers.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ namespace fixproof::parties {
 constexpr bool exists_in_format(const cases::Variant& v) {
   using enum cases::Operation;
   const cases::Operation operation = v.operation;
-  if (cases::is_exponential(operation)) return v.format.word_bits <= 32;
+  if (cases::is_function(operation)) return v.format.word_bits <= 32;
   return operation == mul || operation == div || operation == add || operation == sub ||
          operation == sqrt || operation == decimal || operation == binary64;
 }
@@ -51,14 +52,14 @@ void answer_exactly(const cases::Variant& v, const Batch& batch);
 /// The oracle with built-in integers, for words of at most 32 bits.
 void answer_fast(const cases::Variant& v, const Batch& batch);
 
-/// The oracles of exponentials.
-void answer_exponential_exactly(const cases::Variant& v, const Batch& batch);
-void answer_exponential_fast(const cases::Variant& v, const Batch& batch);
+/// The oracles of functions.
+void answer_function_exactly(const cases::Variant& v, const Batch& batch);
+void answer_function_fast(const cases::Variant& v, const Batch& batch);
 
 /// Tells whether fixed/formats.hpp names the format.
 bool is_named(const cases::Format& format);
 /// The type in a named format.
 void answer_by_type(const cases::Variant& v, const Batch& batch);
-void answer_exponential_by_type(const cases::Variant& v, const Batch& batch);
+void answer_function_by_type(const cases::Variant& v, const Batch& batch);
 
 }  // namespace fixproof::parties

@@ -2,7 +2,7 @@
 /// The angle of a vector of words of at most 32 bits, to the nearest integer of ulps.
 ///
 /// An angle is first computed in 64 bits with a bound of its error. If the bound allows two
-/// integers, it is computed again with an error below 2^-110. There are no ties: by Lindemann's
+/// integers, it is computed again with an error below 2^-170. There are no ties: by Lindemann's
 /// theorem the tangent of a rational angle other than zero is not rational, nor is pi.
 #pragma once
 
@@ -11,26 +11,34 @@
 
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
+#include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail {
 
-/// The arctangent of n / d in units of 2^-58, for 0 <= n <= d <= 2^32, d > 0. The error is below 6
+/// n / d in units of 2^-58, rounded down, for 0 <= n <= d / 64 and d <= 2^63.
+constexpr std::uint64_t small_ratio(std::uint64_t n, std::uint64_t d) noexcept {
+  if (d >> 38 != 0) {
+    return static_cast<std::uint64_t>(truncated_ratio(int128{n} << 58, int128{d}));
+  }
+  // In two steps, because a quotient has 32 bits or less: faster than 128 bits.
+  const std::uint64_t high = (n << 32) / d;
+  const std::uint64_t rest = (n << 32) % d;
+  return (high << 26) + (rest << 26) / d;
+}
+
+/// The arctangent of n / d in units of 2^-58, for 0 <= n <= d <= 2^57, d > 0. The error is below 6
 /// units.
 ///
-/// Let c = i/32 be nearest to n / d. Then atan(n/d) = atan(c) + atan(z) with z = (32 n - i d) / (32
-/// d
-/// + i n), exactly, and |z| <= 2^-6. z is rounded down to 2^-58, in two steps because a quotient
-/// has 32 bits or less; the series of atan(z) / z loses less than 2 units, and its remainder is
-/// below 2^-63.
+/// Let c = i/32 be nearest to n / d. Then atan(n/d) = atan(c) + atan(z), exactly, with
+/// z = (32 n - i d) / (32 d + i n) and |z| <= 2^-6. z is rounded down to 2^-58; the series of
+/// atan(z) / z loses less than 2 units, and its remainder is below 2^-63.
 constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   const std::uint64_t i = (64 * n / d + 1) / 2;
   const bool is_below = 32 * n < i * d;
   const std::uint64_t numerator = is_below ? i * d - 32 * n : 32 * n - i * d;
-  const std::uint64_t denominator = 32 * d + i * n;
-  const std::uint64_t high = (numerator << 32) / denominator;
-  const std::uint64_t rest = (numerator << 32) % denominator;
-  const std::uint64_t z = (high << 26) + (rest << 26) / denominator;
+  const std::uint64_t z = small_ratio(numerator, 32 * d + i * n);
   const std::uint64_t square = multiply_high(z << 11, z << 11);  // 1024 z^2 in units of 2^-64
   std::uint64_t sum = arctangent_coefficients.back();
   for (std::size_t k = arctangent_coefficients.size() - 1; k-- > 0;) {
@@ -41,47 +49,61 @@ constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   return is_below ? middle - angle : middle + angle;
 }
 
-/// The arctangent of n / d for 0 <= n <= d <= 2^32, d > 0.
+/// The arctangent of x for 0 <= x <= 1.
 ///
-/// Above tan(pi/8), atan(n/d) = pi/4 - atan((d - n) / (d + n)). Below it, Euler's series has terms
-/// that fall by a factor of 6.8; those after the 44th are below 2^-120.
-constexpr real precise_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
-  const bool is_high = 5 * n > 2 * d;
-  const real a{is_high ? d - n : n};
-  const real b{is_high ? d + n : d};
-  const real squares = a * a + b * b;
-  const real ratio = real::divide(a * a << real_bits, squares).quotient;
+/// Above 2/5, atan(x) = pi/4 - atan((1 - x) / (1 + x)). Up to 3/7, Euler's series has terms that
+/// fall by a factor of 6.4; those after the 70th are below 2^-185.
+constexpr real precise_arctangent(const real& x) noexcept {
+  const bool is_high = (real_one << 1) < x * real{5};
+  const real a = is_high ? ratio(real_one - x, real_one + x) : x;
+  const real squares = real_one + product(a, a);
+  const real part = real_one - ratio(real_one, squares);
   real sum = real_one;
-  for (std::uint32_t k = 44; k > 0; --k) {
-    sum = real_one + quotient(product(ratio, sum) * real{2 * k}, 2 * k + 1);
+  for (std::uint32_t k = 70; k > 0; --k) {
+    sum = real_one + quotient(product(part, sum) * real{2 * k}, 2 * k + 1);
   }
-  const real angle = product(real::divide(a * b << real_bits, squares).quotient, sum);
+  const real angle = product(ratio(a, squares), sum);
   return is_high ? (real_from(real_pi) >> 2) - angle : angle;
 }
 
-/// The angle of the vector (x, y) in units of 2^-FractionBits, from -pi to pi, rounded to nearest;
-/// 0 for the vector 0. \pre |x|, |y| <= 2^32
-template <int FractionBits>
-constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x) noexcept {
-  const auto height = static_cast<std::uint64_t>(y < 0 ? -y : y);
-  const auto width = static_cast<std::uint64_t>(x < 0 ? -x : x);
-  if (height == 0 && x >= 0) return 0;
-  const bool is_steep = height > width;
-  const std::uint64_t n = is_steep ? width : height;
-  const std::uint64_t d = is_steep ? height : width;
-  const auto turned = [&](auto angle, auto pi) {
+/// A vector in one of eight parts of the plane, by its magnitudes n <= d.
+template <class Length>
+struct octant {
+  Length n;
+  Length d;
+  bool is_steep;
+  bool is_left;
+
+  /// The angle of the vector, from 0 to pi, from that of (d, n).
+  template <class Angle>
+  [[nodiscard]] constexpr Angle turned(Angle angle, const Angle& pi) const noexcept {
     if (is_steep) angle = (pi >> 1) - angle;
-    return x < 0 ? pi - angle : angle;
-  };
-  const std::int64_t angle = turned(arctangent(n, d), static_cast<std::int64_t>(pi_58));
+    return is_left ? pi - angle : angle;
+  }
+};
+
+/// The octant of (width, height), both not negative, or of (-width, height).
+template <class Length>
+constexpr octant<Length> octant_of(const Length& height, const Length& width,
+                                   bool is_left) noexcept {
+  if (width < height) return {width, height, true, is_left};
+  return {height, width, false, is_left};
+}
+
+/// The angle of the vector (x, y) in units of 2^-fraction_bits, from -pi to pi, rounded to nearest;
+/// 0 for the vector 0. \pre |x|, |y| <= 2^32
+constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
+  if (y == 0 && x >= 0) return 0;
+  const auto part = octant_of(static_cast<std::uint64_t>(y < 0 ? -y : y),
+                              static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0);
+  const std::int64_t angle =
+      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
   constexpr std::int64_t error = 8;
-  constexpr int dropped = 58 - FractionBits;
-  constexpr std::int64_t half = std::int64_t{1} << (dropped - 1);
-  std::int64_t result = (angle - error + half) >> dropped;
-  if (result != (angle + error + half) >> dropped) {
-    const real precise = turned(precise_arctangent(n, d), real_from(real_pi));
-    result = static_cast<std::int64_t>((precise + (real_one >> (FractionBits + 1))) >>
-                                       (real_bits - FractionBits));
+  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
+  std::int64_t result = ends.low;
+  if (!ends.agree()) {
+    const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
+    result = nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
   }
   return y < 0 ? -result : result;
 }

@@ -1,6 +1,5 @@
 /// \file
-/// The tables and constants of exponential.hpp and arctangent.hpp. scripts/function-tables writes
-/// this file.
+/// The tables and constants of the functions. scripts/function-tables writes this file.
 #pragma once
 
 #include <array>
@@ -8,11 +7,8 @@
 
 namespace fixproof::detail {
 
-/// A constant of 128 bits.
-struct real_words {
-  std::uint64_t low;
-  std::uint64_t high;
-};
+/// A constant of 192 bits, the lowest word first.
+using real_words = std::array<std::uint64_t, 3>;
 
 /// 2^(i/32) in units of 2^-63, rounded down.
 inline constexpr std::array<std::uint64_t, 32> powers_of_two{
@@ -117,14 +113,14 @@ inline constexpr std::array<std::uint64_t, 10> logarithm_coefficients{
 /// log2(e) in units of 2^-63, rounded down.
 inline constexpr std::uint64_t log2_e = 0xb8aa3b295c17f0bb;
 
-/// log2(e) in units of 2^-120, to nearest.
-inline constexpr real_words real_log2_e{0x777d0ffda0d23a7d, 0x171547652b82fe1};
+/// log2(e) in units of 2^-184, to nearest.
+inline constexpr real_words real_log2_e{0x11d6aef551bad2b5, 0x777d0ffda0d23a7d, 0x171547652b82fe1};
 
-/// log(2) in units of 2^-120, to nearest.
-inline constexpr real_words real_log_2{0xabc9e3b39803f2f7, 0xb17217f7d1cf79};
+/// log(2) in units of 2^-184, to nearest.
+inline constexpr real_words real_log_2{0xaf40f343267298b6, 0xabc9e3b39803f2f6, 0xb17217f7d1cf79};
 
-/// log10(2) in units of 2^-120, to nearest.
-inline constexpr real_words real_log10_2{0xcc47c4acd605be49, 0x4d104d427de7fb};
+/// log10(2) in units of 2^-184, to nearest.
+inline constexpr real_words real_log10_2{0xbc13569862a1e8fa, 0xcc47c4acd605be48, 0x4d104d427de7fb};
 
 /// The arctangent of i/32 in units of 2^-58, to nearest.
 inline constexpr std::array<std::uint64_t, 33> arctangents{0x0,
@@ -168,7 +164,17 @@ inline constexpr std::array<std::uint64_t, 4> arctangent_coefficients{
 /// Pi in units of 2^-58, to nearest.
 inline constexpr std::uint64_t pi_58 = 0xc90fdaa22168c23;
 
-/// Pi in units of 2^-120, to nearest.
-inline constexpr real_words real_pi{0xd313198a2e037073, 0x3243f6a8885a308};
+/// Pi in units of 2^-184, to nearest.
+inline constexpr real_words real_pi{0x44a4093822299f32, 0xd313198a2e037073, 0x3243f6a8885a308};
+
+/// 2/pi in units of 2^-184, to nearest.
+inline constexpr real_words real_2_over_pi{0xc0db6295993c4390, 0x29fc2757d1f534dd,
+                                           0xa2f9836e4e4415};
+
+/// 1 / (2 pi) in units of 2^-128, rounded down: the upper 64 bits.
+inline constexpr std::uint64_t turns_high = 0x28be60db9391054a;
+
+/// The lower 64 bits.
+inline constexpr std::uint64_t turns_low = 0x7f09d5f47d4d3770;
 
 }  // namespace fixproof::detail

@@ -1,5 +1,5 @@
 /// \file
-/// Numbers with 120 bits after the point, for results that 64 bits cannot round.
+/// Numbers with 184 bits after the point, for results that 64 bits cannot round.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace fixproof::detail {
 
-/// A number in units of 2^-120.
-using real = wide_integer<4>;
-inline constexpr int real_bits = 120;
+/// A number in units of 2^-184.
+using real = wide_integer<6>;
+inline constexpr int real_bits = 184;
 inline constexpr real real_one = real{1} << real_bits;
 
 constexpr real real_from(const real_words& words) noexcept {
-  return (real{words.high} << 64) + real{words.low};
+  return (real{words[2]} << 128) + (real{words[1]} << 64) + real{words[0]};
 }
 
 /// a * b, rounded down. \pre |a * b| < 2^15
@@ -25,13 +25,25 @@ constexpr real product(const real& a, const real& b) noexcept { return (a * b) >
 constexpr real quotient(const real& x, std::uint32_t n) noexcept {
   real result;
   std::uint64_t rest = 0;
-  for (int half = 7; half >= 0; --half) {
+  for (int half = 11; half >= 0; --half) {
     const auto digit = static_cast<std::uint64_t>(x >> 32 * half) & 0xffffffff;
     const std::uint64_t part = rest << 32 | digit;
     result = (result << 32) + real{part / n};
     rest = part % n;
   }
   return result;
+}
+
+/// a / b, rounded down. \pre 0 <= a < 2^15, b > 0
+constexpr real ratio(const real& a, const real& b) noexcept {
+  return real::divide(a << real_bits, b).quotient;
+}
+
+/// The integer nearest to x * 2^fraction_bits. \pre x is so far from a tie that its error does not
+/// matter
+constexpr std::int64_t nearest_units(const real& x, int fraction_bits) noexcept {
+  return static_cast<std::int64_t>((x + (real_one >> (fraction_bits + 1))) >>
+                                   (real_bits - fraction_bits));
 }
 
 }  // namespace fixproof::detail

@@ -74,6 +74,16 @@ constexpr Int floor_divide(Int numerator, Int divisor) noexcept {
   return numerator / divisor - Int{numerator % divisor < 0};
 }
 
+/// The quotient of magnitudes, rounded down. \pre numerator >= 0, divisor > 0, a bit to spare
+template <class Int>
+constexpr Int truncated_ratio(const Int& numerator, const Int& divisor) noexcept {
+  if constexpr (is_built_in<Int>) {
+    return numerator / divisor;
+  } else {
+    return Int::divide(numerator, divisor).quotient;
+  }
+}
+
 /// numerator / divisor rounded by rule R. \pre the divisor is not zero; both have a bit to spare
 template <rounding R, class Int>
 constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {

@@ -180,8 +180,8 @@ TEST(Formats, PartiesAgreeOnEveryOperation) {
   for (const cases::Format& format : formats()) {
     for (const Operation operation :
          {Operation::add, Operation::sub, Operation::mul, Operation::div, Operation::sqrt,
-          Operation::decimal, Operation::binary64, Operation::exp2, Operation::exp, Operation::log2,
-          Operation::log, Operation::log10}) {
+          Operation::decimal, Operation::binary64, Operation::log, Operation::tan,
+          Operation::pow}) {
       const cases::Variant v = in_format(operation, format);
       for (const Stream stream : {Stream::uniform, Stream::scaled}) {
         std::vector<std::uint32_t> words(200 * cases::words_in(v));
@@ -193,7 +193,7 @@ TEST(Formats, PartiesAgreeOnEveryOperation) {
             const parties::Party& party = parties::party_named(name);
             if (party.answers(v)) answers.push_back(parties::ask(party, v, one));
           }
-          if (answers.empty()) continue;  // exponentials of 64 bits
+          if (answers.empty()) continue;  // functions of 64 bits
           ASSERT_TRUE(parties::agree(answers))
               << cases::name_of(v) << ' ' << cases::hex_words(one, format.word_bits);
         }

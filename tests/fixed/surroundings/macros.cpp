@@ -67,9 +67,11 @@
 
 #include "batch/batch.hpp"
 #include "batch/radian.hpp"
-#include "fixed/arctangent.hpp"
+#include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
+#include "fixed/trigonometry.hpp"
 
 using fixproof::q16_16;
 

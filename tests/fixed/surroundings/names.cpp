@@ -7,9 +7,11 @@ using namespace std;
 
 #include "batch/batch.hpp"
 #include "batch/radian.hpp"
-#include "fixed/arctangent.hpp"
+#include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
+#include "fixed/trigonometry.hpp"
 
 void print_fixed(fixproof::q16_16 x) {
   cout << fixed << setprecision(3) << static_cast<double>(x) << ' ' << fixproof::sqrt(x) << '\n';

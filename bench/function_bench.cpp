@@ -1,0 +1,199 @@
+// Times functions of 16.16: the type, libfixmath, and double with lrint. First
+// checks every result: the type must be exact, the others within the errors stated here. The
+// counter `off` is the largest error in ulp.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fixed/angle.hpp"
+#include "fixed/exponential.hpp"
+#include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
+#include "fixed/trigonometry.hpp"
+#include "oracle/function.hpp"
+#if defined(FIXPROOF_LIBFIXMATH)
+#include <libfixmath/fix16.h>
+#endif
+
+namespace {
+
+using fixproof::q16_16;
+using oracle::Function;
+using Words = std::vector<std::int32_t>;
+
+/// The operands that a function is given.
+enum class Operands { exponents, positive, unit, angles, any };
+
+/// More elements than libfixmath's result cache holds.
+constexpr std::size_t count = 16384;
+
+struct Contender {
+  std::string name;
+  Function function;
+  Operands operands;
+  std::function<void(const Words& in, Words& out)> run;
+  std::int64_t error;  ///< the largest, in ulps
+};
+
+template <class OfWord>
+std::function<void(const Words&, Words&)> each(OfWord of_word) {
+  return [of_word](const Words& in, Words& out) {
+    for (std::size_t i = 0; i < count; ++i) out[i] = of_word(in[i]);
+  };
+}
+
+template <class OfNumber>
+auto by_type(OfNumber of_number) {
+  return each([of_number](std::int32_t word) { return of_number(q16_16::from_raw(word)).raw(); });
+}
+
+template <class OfDouble>
+auto by_double(OfDouble of_double) {
+  return each([of_double](std::int32_t word) {
+    return static_cast<std::int32_t>(std::lrint(of_double(word / 65536.0) * 65536));
+  });
+}
+
+std::vector<Contender> contenders() {
+  std::vector<Contender> all;
+  const auto add = [&all](Function function, Operands operands, const std::string& name,
+                          const auto& of_number, const auto& of_double) {
+    all.push_back({name + "/q16_16", function, operands, by_type(of_number), 0});
+    all.push_back({name + "/double", function, operands, by_double(of_double), 1});
+  };
+  constexpr double two_pi = 2 * std::numbers::pi;
+  add(
+      Function::exp, Operands::exponents, "exp", [](q16_16 x) { return exp(x); },
+      [](double x) { return std::exp(x); });
+  add(
+      Function::exp2, Operands::exponents, "exp2", [](q16_16 x) { return exp2(x); },
+      [](double x) { return std::exp2(x); });
+  add(
+      Function::expm1, Operands::exponents, "expm1", [](q16_16 x) { return expm1(x); },
+      [](double x) { return std::expm1(x); });
+  add(
+      Function::sinh, Operands::exponents, "sinh", [](q16_16 x) { return sinh(x); },
+      [](double x) { return std::sinh(x); });
+  add(
+      Function::cosh, Operands::exponents, "cosh", [](q16_16 x) { return cosh(x); },
+      [](double x) { return std::cosh(x); });
+  add(
+      Function::tanh, Operands::exponents, "tanh", [](q16_16 x) { return tanh(x); },
+      [](double x) { return std::tanh(x); });
+  add(
+      Function::log, Operands::positive, "log", [](q16_16 x) { return log(x); },
+      [](double x) { return std::log(x); });
+  add(
+      Function::log2, Operands::positive, "log2", [](q16_16 x) { return log2(x); },
+      [](double x) { return std::log2(x); });
+  add(
+      Function::log10, Operands::positive, "log10", [](q16_16 x) { return log10(x); },
+      [](double x) { return std::log10(x); });
+  add(
+      Function::rsqrt, Operands::positive, "rsqrt", [](q16_16 x) { return rsqrt(x); },
+      [](double x) { return 1 / std::sqrt(x); });
+  add(
+      Function::cbrt, Operands::any, "cbrt", [](q16_16 x) { return cbrt(x); },
+      [](double x) { return std::cbrt(x); });
+  add(
+      Function::reciprocal, Operands::positive, "reciprocal",
+      [](q16_16 x) { return reciprocal(x); }, [](double x) { return 1 / x; });
+  add(
+      Function::sin_of_turns, Operands::angles, "sin_of_turns",
+      [](q16_16 x) { return sin_of_turns(x); }, [](double x) { return std::sin(x * two_pi); });
+  add(
+      Function::sin_of_degrees, Operands::angles, "sin_of_degrees",
+      [](q16_16 x) { return sin_of_degrees(x); },
+      [](double x) { return std::sin(x * (two_pi / 360)); });
+  add(
+      Function::tan, Operands::angles, "tan", [](q16_16 x) { return tan(x); },
+      [](double x) { return std::tan(x); });
+  add(
+      Function::asin, Operands::unit, "asin", [](q16_16 x) { return asin(x); },
+      [](double x) { return std::asin(x); });
+  add(
+      Function::acos, Operands::unit, "acos", [](q16_16 x) { return acos(x); },
+      [](double x) { return std::acos(x); });
+  add(
+      Function::atan, Operands::any, "atan", [](q16_16 x) { return atan(x); },
+      [](double x) { return std::atan(x); });
+#if defined(FIXPROOF_LIBFIXMATH)
+  const auto add_libfixmath = [&all](Function function, Operands operands, const std::string& name,
+                                     fix16_t (*of_word)(fix16_t)) {
+    all.push_back({name + "/libfixmath", function, operands, each(of_word), std::int64_t{1} << 33});
+  };
+  add_libfixmath(Function::exp, Operands::exponents, "exp", fix16_exp);
+  add_libfixmath(Function::log, Operands::positive, "log", fix16_log);
+  add_libfixmath(Function::log2, Operands::positive, "log2", fix16_log2);
+  add_libfixmath(Function::tan, Operands::angles, "tan", fix16_tan);
+  add_libfixmath(Function::asin, Operands::unit, "asin", fix16_asin);
+  add_libfixmath(Function::acos, Operands::unit, "acos", fix16_acos);
+  add_libfixmath(Function::atan, Operands::any, "atan", fix16_atan);
+#endif
+  return all;
+}
+
+/// Operands of all lengths within what makes sense for the function.
+std::int32_t operand_from(std::mt19937& random, Operands operands, std::size_t i) {
+  const auto word = static_cast<std::int32_t>(random());
+  switch (operands) {
+    case Operands::exponents:
+      return word >> 12;  // within +-8
+    case Operands::positive:
+      return static_cast<std::int32_t>((random() | 0x80000000U) >> (1 + i % 29));
+    case Operands::unit:
+      return word >> 15;  // within +-1
+    case Operands::angles:
+      return word >> 8;  // within +-128
+    case Operands::any:
+      break;
+  }
+  return word >> i % 31;
+}
+
+void time_contender(benchmark::State& state, const Contender& contender) {
+  Words in(count);
+  Words out(count);
+  std::mt19937 random(54);
+  for (std::size_t i = 0; i < count; ++i) in[i] = operand_from(random, contender.operands, i);
+  contender.run(in, out);
+  std::int64_t off = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto exact =
+        oracle::fast::nearest(contender.function, in[i], 0, 16, oracle::Rounding::half_up);
+    off = std::max<std::int64_t>(off, std::abs(out[i] - exact.value_or(0)));
+  }
+  if (off > contender.error) {
+    state.SkipWithError("wrong result");
+    return;
+  }
+  for ([[maybe_unused]] auto _ : state) {
+    contender.run(in, out);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+  state.counters["off"] = static_cast<double>(off);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const Contender& contender : contenders()) {
+    benchmark::RegisterBenchmark(contender.name.c_str(), [contender](benchmark::State& state) {
+      time_contender(state, contender);
+    });
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

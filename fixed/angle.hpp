@@ -1,0 +1,81 @@
+/// \file
+/// Angles in radians from vectors, tangents, sines and cosines, correctly rounded for every operand
+/// of every format of at most 32 bits.
+///
+/// Each result is the number nearest to the exact angle, under every policy; there are no ties. A
+/// result out of range, which a format with fewer than three bits before the point can have, throws
+/// an overflow_error under overflow::trap; under every other policy it saturates.
+///
+/// fixed.hpp does not include this header.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/arcsine.hpp"
+#include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/limited.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof {
+
+namespace detail {
+
+template <class Number, class... Operands>
+constexpr Number angle_of(std::int64_t y, std::int64_t x, const char* function,
+                          Operands... operands) noexcept(Number::never_throws) {
+  static_assert(has_functions<Number>,
+                "angles need a format of at most 32 bits: convert, as in atan(q16_16(x))");
+  return limited<Number>(nearest_angle(y, x, Number::fraction_bits), function, operands...);
+}
+
+template <triangle_side Side, class Number>
+constexpr Number triangle_angle(Number x, const char* function) noexcept(Number::never_throws) {
+  static_assert(has_functions<Number>,
+                "angles need a format of at most 32 bits: convert, as in asin(q16_16(x))");
+  constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
+  if (x.raw() > one || x.raw() < -one) return outside_domain<Number>(0, function, x);
+  return limited<Number>(nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits), function, x);
+}
+
+}  // namespace detail
+
+/// The angle whose tangent is x, from -pi/2 to pi/2.
+///
+///     static_assert(atan(q16_16(1)).raw() == 51472);    // 51471.9
+///     static_assert(atan(q16_16(-1)).raw() == -51472);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> atan(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::angle_of<number<Raw, F, P>>(x.raw(), std::int64_t{1} << F, "atan", x);
+}
+
+/// The angle of the vector (x, y), from -pi to pi; 0 if both are 0.
+///
+///     static_assert(atan2(q16_16(1), q16_16(-1)).raw() == 154416);   // 154415.7
+///     static_assert(atan2(q16_16(), q16_16(-1)) == pi_v<q16_16>);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> atan2(number<Raw, F, P> y, number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::angle_of<number<Raw, F, P>>(y.raw(), x.raw(), "atan2", y, x);
+}
+
+/// The angle whose sine is x, from -pi/2 to pi/2. Unless -1 <= x <= 1 it throws a domain_error
+/// under overflow::trap, and is 0 under every other policy.
+///
+///     static_assert(asin(q16_16(0.5)).raw() == 34315);  // 34314.6
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> asin(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::triangle_angle<detail::triangle_side::sine>(x, "asin");
+}
+
+/// The angle whose cosine is x, from 0 to pi. Unless -1 <= x <= 1, as asin().
+///
+///     static_assert(acos(q16_16(-1)) == pi_v<q16_16>);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> acos(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::triangle_angle<detail::triangle_side::cosine>(x, "acos");
+}
+
+}  // namespace fixproof

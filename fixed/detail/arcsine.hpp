@@ -1,0 +1,85 @@
+/// \file
+/// Arcsines and arccosines of words of at most 32 bits, each the nearest integer of ulps.
+///
+/// Both are angles of the vector (cosine, sine), of which one is the operand and the other a square
+/// root. There are no ties: by Lindemann's theorem the sine of a rational angle other than zero is
+/// not rational.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/square_root.hpp"
+
+namespace fixproof::detail {
+
+/// sqrt(n) in units of 2^-31 after n was multiplied by 4^doublings, 2^62 <= n < 2^64. The error is
+/// below 2 units.
+///
+/// The integer r nearest to the root leaves a rest |n - r^2| <= r. The next term, rest / (2r), is
+/// rounded to a unit; the one after it is below an eighth of a unit.
+struct scaled_root {
+  std::uint64_t root;
+  int doublings;
+};
+constexpr scaled_root root_of(std::uint64_t n) noexcept {
+  const int doublings = std::countl_zero(n) / 2;
+  n <<= 2 * doublings;
+  const std::int64_t root = nearest_sqrt_of_word(n);
+  const auto square = static_cast<std::uint64_t>(root) * static_cast<std::uint64_t>(root);
+  const auto rest = static_cast<std::int64_t>(n - square);
+  const std::int64_t fraction = rest * (std::int64_t{1} << 30) / root;
+  return {(static_cast<std::uint64_t>(root) << 31) + static_cast<std::uint64_t>(fraction),
+          doublings};
+}
+
+/// sqrt(4^fraction_bits - sine^2), the other side of a triangle, in units of 2^-184 of its longest
+/// side. \param squares 4^fraction_bits - sine^2
+constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
+  return nearest_sqrt_by_pairs<real_bits>(real{squares} << (2 * (real_bits - fraction_bits)));
+}
+
+enum class triangle_side { sine, cosine };
+
+/// The arcsine or arccosine of raw / 2^fraction_bits in units of 2^-fraction_bits.
+/// \pre |raw| <= 2^fraction_bits <= 2^32
+template <triangle_side Side>
+constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
+  constexpr bool is_sine = Side == triangle_side::sine;
+  const auto known = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  if (known == 0 || known >> fraction_bits != 0) {
+    // The other side is 1 or 0.
+    const std::int64_t other = known == 0 ? 1 : 0;
+    return is_sine ? nearest_angle(raw, other, fraction_bits)
+                   : nearest_angle(other, raw, fraction_bits);
+  }
+  // 4^fraction_bits is 0 modulo 2^64 if there are 32.
+  const std::uint64_t one = fraction_bits < 32 ? std::uint64_t{1} << (2 * fraction_bits) : 0;
+  const std::uint64_t squares = one - known * known;
+
+  // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
+  // most that it moves the angle.
+  constexpr int bits = 57;
+  const scaled_root root = root_of(squares);
+  const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
+  const std::uint64_t side = known << (bits - fraction_bits);
+  const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
+  const std::int64_t angle =
+      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
+  constexpr std::int64_t error = 16;
+  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
+  std::int64_t result = ends.low;
+  if (!ends.agree()) {
+    const real precise_other = precise_side(squares, fraction_bits);
+    const real precise_known = real{known} << (real_bits - fraction_bits);
+    const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
+                                 : octant_of(precise_other, precise_known, raw < 0);
+    result = nearest_units(
+        precise.turned(precise_arctangent(ratio(precise.n, precise.d)), real_from(real_pi)),
+        fraction_bits);
+  }
+  return is_sine && raw < 0 ? -result : result;
+}
+
+}  // namespace fixproof::detail

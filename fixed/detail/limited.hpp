@@ -1,0 +1,49 @@
+/// \file
+/// The integers of fixed/detail as results of functions: limits and errors.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "fixed/detail/overflow.hpp"
+#include "fixed/detail/raise.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof::detail {
+
+/// Whether the functions cover the format.
+template <class Number>
+inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
+
+/// The rule for ties: that of the policy's products if it is to nearest.
+template <class Number>
+inline constexpr rounding ties_of =
+    is_to_nearest<Number::rules.multiply> ? Number::rules.multiply : rounding::half_up;
+
+/// The number of ulps as a Number. Out of range it is an overflow_error under overflow::trap, else
+/// the nearest limit.
+template <class Number, class Ulps, class... Operands>
+constexpr Number limited(const Ulps& ulps, const char* function,
+                         Operands... operands) noexcept(Number::never_throws) {
+  using raw = typename Number::raw_type;
+  constexpr overflow range =
+      Number::rules.range == overflow::trap ? overflow::trap : overflow::saturate;
+  return Number::from_raw(narrow<range, raw>(
+      ulps, [&] { raise_overflow<Number::fraction_bits>(function, operands.raw()...); }));
+}
+
+/// The result outside a function's domain: a domain_error under overflow::trap, else `instead`.
+template <class Number, class... Operands>
+constexpr Number outside_domain(typename Number::raw_type instead, const char* function,
+                                Operands... operands) noexcept(Number::never_throws) {
+  if constexpr (Number::rules.range == overflow::trap) {
+    raise<domain_error>(
+        "domain error", function,
+        operand<typename Number::raw_type, Number::fraction_bits>{operands.raw()}...);
+  }
+  return Number::from_raw(instead);
+}
+
+}  // namespace fixproof::detail

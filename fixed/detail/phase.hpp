@@ -1,0 +1,159 @@
+/// \file
+/// Sines, cosines and tangents of angles in words of at most 32 bits, in radians, degrees or turns,
+/// each the nearest integer of ulps.
+///
+/// 64 bits with a bound of the error come first, and more bits decide where the bound allows two
+/// integers. By the theorems of Lindemann and Niven, no irrational result is a tie, and the
+/// rational ones are 0, 1 and, for a sine or cosine, 1/2.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/cosine.hpp"
+#include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/nearest.hpp"
+#include "fixed/detail/real.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/wide_integer.hpp"
+
+namespace fixproof::detail {
+
+enum class angle_unit { radian, degree, turn };
+
+/// An angle in units of 2^-64 of a turn, modulo a turn. The error is below 1 unit.
+template <angle_unit Unit>
+constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
+  if constexpr (Unit == angle_unit::turn) {
+    const auto bits = static_cast<std::uint64_t>(raw);
+    return fraction_bits == 0 ? 0 : bits << (64 - fraction_bits);
+  } else if constexpr (Unit == angle_unit::degree) {
+    const std::int64_t turn = std::int64_t{360} << fraction_bits;
+    const std::int64_t in_turn = raw % turn < 0 ? raw % turn + turn : raw % turn;
+    // 360 is 8 * 45, so this is n 2^61 / 45 for n degrees, in two steps.
+    const std::uint64_t n = static_cast<std::uint64_t>(in_turn) << (32 - fraction_bits);
+    return (n / 45 << 29) + (n % 45 << 29) / 45;
+  } else {
+    const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+    const two_words high = multiply_words(magnitude, turns_high);
+    const std::uint64_t carried = multiply_high(magnitude, turns_low);
+    const std::uint64_t low = high.low + carried;
+    const std::uint64_t top = high.high + (low < carried ? 1 : 0);
+    const std::uint64_t phase =
+        fraction_bits == 0 ? low : top << (64 - fraction_bits) | low >> fraction_bits;
+    return raw < 0 ? 0 - phase : phase;
+  }
+}
+
+/// The magnitude of the sine of a phase in units of 2^-62. The error is below 2^-56.
+constexpr std::int64_t sine_of_phase(std::uint64_t phase) noexcept {
+  constexpr std::uint64_t quarter = std::uint64_t{1} << 62;
+  const std::uint64_t in_half = phase << 1 >> 1;
+  const std::uint64_t from_peak = in_half < quarter ? quarter - in_half : in_half - quarter;
+  // 2^-64 of a turn is pi/2 units of 2^-62.
+  return cosine(multiply_high(from_peak << 1, half_pi << 1));
+}
+
+/// An angle as a number of quarter turns and a rest in radians, 0 <= rest < pi/2.
+struct precise_phase {
+  unsigned quarters;  ///< modulo 4
+  real rest;
+};
+
+/// The error of the rest is below 2^-150.
+template <angle_unit Unit>
+constexpr precise_phase precise_phase_of(std::int64_t raw, int fraction_bits) noexcept {
+  const real angle = real{raw < 0 ? -raw : raw} << (real_bits - fraction_bits);
+  real quarters;
+  if constexpr (Unit == angle_unit::turn) {
+    quarters = angle << 2;
+  } else if constexpr (Unit == angle_unit::degree) {
+    quarters = quotient(angle, 90);
+  } else {
+    quarters = real_from(real_2_over_pi) * real{raw < 0 ? -raw : raw} >> fraction_bits;
+  }
+  if (raw < 0) quarters = -quarters;
+  const auto whole = static_cast<std::uint64_t>(quarters >> real_bits);
+  const real fraction = quarters - (quarters >> real_bits << real_bits);
+  return {static_cast<unsigned>(whole % 4), product(fraction, real_from(real_pi) >> 1)};
+}
+
+struct precise_sine_and_cosine {
+  real sine;
+  real cosine;
+};
+
+/// Of an angle from 0 to pi/2, by the Taylor series. The terms after those of x^57 are below
+/// 2^-200.
+constexpr precise_sine_and_cosine precise_sine_of(const real& angle) noexcept {
+  const real square = product(angle, angle);
+  real sine = real_one;
+  real cosine = real_one;
+  for (std::uint32_t n = 56; n > 0; n -= 2) {
+    cosine = real_one - quotient(product(square, cosine), n * (n - 1));
+    sine = real_one - quotient(product(square, sine), n * (n + 1));
+  }
+  return {product(angle, sine), cosine};
+}
+
+/// The sine of an angle plus `ahead` quarter turns in units of 2^-fraction_bits. Only a half is a
+/// tie, in degrees; rule R decides.
+template <angle_unit Unit, rounding R>
+constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
+                                       int fraction_bits) noexcept {
+  const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits) + (std::uint64_t{ahead} << 62);
+  const std::int64_t magnitude = sine_of_phase(phase);
+  const std::int64_t sine = phase >> 63 == 0 ? magnitude : -magnitude;
+  constexpr std::int64_t error = 64;
+  const nearest_ends ends = nearest_within(sine, error, 62 - fraction_bits);
+  if (ends.agree()) return ends.low;
+  if (Unit == angle_unit::degree && fraction_bits == 0 && raw % 30 == 0) {
+    return shift_right<R>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
+  }
+  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
+  const unsigned quarters = precise.quarters + ahead;
+  const precise_sine_and_cosine both = precise_sine_of(precise.rest);
+  const real result = quarters % 2 == 0 ? both.sine : both.cosine;
+  return nearest_units(quarters % 4 < 2 ? result : -result, fraction_bits);
+}
+
+/// Whether the tangent is infinite: after an odd number of quarter turns. Never in radians.
+template <angle_unit Unit>
+constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
+  if constexpr (Unit == angle_unit::radian) {
+    return false;
+  } else {
+    const std::int64_t n = Unit == angle_unit::degree ? raw : 4 * raw;
+    const std::int64_t quarter = std::int64_t{Unit == angle_unit::degree ? 90 : 1} << fraction_bits;
+    return n % quarter == 0 && n / quarter % 2 != 0;
+  }
+}
+
+/// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
+/// beyond. \pre the angle is no pole
+template <angle_unit Unit>
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
+  const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits);
+  const std::int64_t sine = sine_of_phase(phase);
+  const std::int64_t cosine = sine_of_phase(phase + (std::uint64_t{1} << 62));
+  const bool is_negative = (phase >> 62) % 2 != 0;
+  // Tangents above 2^24 need more bits.
+  if (cosine >> 38 != 0) {
+    const int128 tangent = truncated_ratio(int128{sine} << 62, int128{cosine});
+    // An error e of sine s and cosine c makes e / c + e s / c^2 <= e (1 + s/c)^2.
+    const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
+    const nearest_ends ends =
+        nearest_within(tangent, int128{65 * bound} * int128{bound}, 62 - fraction_bits);
+    if (ends.agree()) return is_negative ? -ends.low : ends.low;
+  }
+  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
+  const precise_sine_and_cosine both = precise_sine_of(precise.rest);
+  const bool is_steep = precise.quarters % 2 != 0;
+  const real& n = is_steep ? both.cosine : both.sine;
+  const real& d = is_steep ? both.sine : both.cosine;
+  // Beyond every format
+  if (d < n >> 34) return is_steep ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
+  const std::int64_t result = nearest_units(ratio(n, d), fraction_bits);
+  return is_steep ? -result : result;
+}
+
+}  // namespace fixproof::detail

@@ -1,0 +1,152 @@
+/// \file
+/// Roots, reciprocals, lengths and powers, correctly rounded for every operand.
+///
+/// Each result is the number nearest to the exact value, under every policy. A tie is rounded as
+/// the policy rounds products if that is to nearest, and up otherwise. A result out of range throws
+/// an overflow_error under overflow::trap; under every other policy it saturates. reciprocal() and
+/// hypot() take every format, the others formats of at most 32 bits.
+///
+/// fixed.hpp does not include this header.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "fixed/detail/limited.hpp"
+#include "fixed/detail/power.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/square_root.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof {
+
+namespace detail {
+
+/// The root of a sum of squares, to nearest.
+template <class Number, class... Coordinates>
+constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
+  using raw = typename Number::raw_type;
+  constexpr int bits = std::numeric_limits<raw>::digits;
+  // Three squares have two bits more than one, of the lowest number 2 bits + 1.
+  if constexpr (2 * bits + 2 <= 64) {
+    const auto square = [](std::int64_t x) { return static_cast<std::uint64_t>(x * x); };
+    return limited<Number>(nearest_sqrt_of_word((square(of.raw()) + ...)), "hypot", of...);
+  } else {
+    using wide = signed_t<2 * bits + 5>;
+    const auto square = [](const wide& x) { return x * x; };
+    return limited<Number>(nearest_sqrt_by_pairs<bits + 2>((square(wide{of.raw()}) + ...)), "hypot",
+                           of...);
+  }
+}
+
+/// The ulps of x^y for x < 0 and a whole y, or for x > 0.
+template <class Number>
+constexpr std::int64_t power_of(Number x, Number y) noexcept {
+  constexpr int F = Number::fraction_bits;
+  const std::int64_t raw{x.raw()};
+  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  const bool is_odd_power = (std::int64_t{y.raw()} >> F & 1) != 0;
+  constexpr rounding ties = ties_of<Number>;
+  if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), F);
+  // Up is down for the magnitude.
+  constexpr bool is_up = ties == rounding::half_up;
+  return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), F)
+                 : nearest_real_power<ties>(magnitude, y.raw(), F));
+}
+
+}  // namespace detail
+
+/// The cube root.
+///
+///     static_assert(cbrt(q16_16(-2)).raw() == -82570 && cbrt(q16_16(27)) == 3);  // -82570.2
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> cbrt(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  static_assert(detail::has_functions<number<Raw, F, P>>,
+                "cbrt needs a format of at most 32 bits: convert, as in cbrt(q16_16(x))");
+  const std::int64_t raw{x.raw()};
+  const std::int64_t root =
+      detail::nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), F);
+  return detail::limited<number<Raw, F, P>>(raw < 0 ? -root : root, "cbrt", x);
+}
+
+/// 1 / sqrt(x). Unless x > 0 it throws a domain_error under overflow::trap, and is the highest
+/// number under every other policy.
+///
+///     static_assert(rsqrt(q16_16(2)).raw() == 46341);  // 46340.95
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> rsqrt(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  static_assert(detail::has_functions<number<Raw, F, P>>,
+                "rsqrt needs a format of at most 32 bits: convert, as in rsqrt(q16_16(x))");
+  if (x.raw() <= 0) {
+    return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(), "rsqrt", x);
+  }
+  return detail::limited<number<Raw, F, P>>(
+      detail::nearest_reciprocal_root<detail::ties_of<number<Raw, F, P>>>(
+          static_cast<std::uint64_t>(x.raw()), F),
+      "rsqrt", x);
+}
+
+/// 1 / x to nearest, whereas the operator / rounds as its policy says. For zero it throws a
+/// domain_error under overflow::trap, and is the highest number under every other policy.
+///
+///     static_assert(reciprocal(q16_16(-3)).raw() == -21845);  // -21845.3
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> reciprocal(number<Raw, F, P> x) noexcept(
+    number<Raw, F, P>::never_throws) {
+  using wide = detail::signed_t<2 * F + detail::larger(detail::bits_of<Raw> - F, 2) + 2>;
+  if (x.raw() == 0) {
+    return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(),
+                                                     "reciprocal", x);
+  }
+  return detail::limited<number<Raw, F, P>>(
+      detail::rounded_ratio<detail::ties_of<number<Raw, F, P>>>(wide{1} << (2 * F), wide{x.raw()}),
+      "reciprocal", x);
+}
+
+/// The length of the vector (x, y). There are no ties.
+///
+///     static_assert(hypot(q16_16(30000), q16_16(-3)).raw() == 1966080010);  // 1966080009.8
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> hypot(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::length<number<Raw, F, P>>(x, y);
+}
+
+/// The length of the vector (x, y, z).
+///
+///     static_assert(hypot(q16_16(2), q16_16(3), q16_16(6)) == 7);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> hypot(
+    number<Raw, F, P> x, number<Raw, F, P> y,
+    number<Raw, F, P> z) noexcept(number<Raw, F, P>::never_throws) {
+  return detail::length<number<Raw, F, P>>(x, y, z);
+}
+
+/// x to the power of y; 1 if y is 0. For a negative x, y must be a whole number, and for x = 0 it
+/// must not be negative. Outside it is a domain_error under overflow::trap; under every other
+/// policy a power of zero is the highest number, and one of a negative x is 0.
+///
+///     static_assert(pow(q16_16(3), q16_16(1.5)).raw() == 340535);  // 340535.05
+///     static_assert(pow(q16_16(-2), q16_16(-3)) == q16_16(-0.125));
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> pow(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
+    number<Raw, F, P>::never_throws) {
+  using result = number<Raw, F, P>;
+  static_assert(detail::has_functions<result>,
+                "pow needs a format of at most 32 bits: convert, as in pow(q16_16(x), q16_16(y))");
+  const std::int64_t exponent{y.raw()};
+  if (exponent != 0 && x.raw() == 0) {
+    if (exponent > 0) return x;
+    return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);
+  }
+  if (x.raw() < 0 && exponent % (std::int64_t{1} << F) != 0) {
+    return detail::outside_domain<result>(0, "pow", x, y);
+  }
+  return detail::limited<result>(detail::power_of(x, y), "pow", x, y);
+}
+
+}  // namespace fixproof

@@ -1,0 +1,131 @@
+/// \file
+/// Sines, cosines and tangents of radians, degrees and turns, correctly rounded for every operand
+/// of every format of at most 32 bits.
+///
+/// Each result is the number nearest to the exact value, under every policy. Only the sine and
+/// cosine of degrees in a format without fraction bits have ties, 1/2; the policy's rounding of
+/// products decides if it is to nearest, and a tie goes up otherwise. A result out of range throws
+/// an overflow_error under overflow::trap; under every other policy it saturates.
+///
+/// fixed.hpp does not include this header. Without it there are sin() and cos() of radians in 16.16
+/// and 8.8, which fixed/trig.hpp has.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "fixed/detail/limited.hpp"
+#include "fixed/detail/phase.hpp"
+#include "fixed/number.hpp"
+#include "fixed/trig.hpp"
+
+namespace fixproof {
+
+namespace detail {
+
+template <angle_unit Unit, class Number>
+constexpr Number sine_of(Number x, unsigned ahead,
+                         const char* function) noexcept(Number::never_throws) {
+  static_assert(has_functions<Number>,
+                "sin and cos need a format of at most 32 bits: convert, as in sin(q16_16(x))");
+  return limited<Number>(
+      nearest_sine_of<Unit, ties_of<Number>>(x.raw(), ahead, Number::fraction_bits), function, x);
+}
+
+template <angle_unit Unit, class Number>
+constexpr Number tangent_of(Number x, const char* function) noexcept(Number::never_throws) {
+  static_assert(has_functions<Number>,
+                "tan needs a format of at most 32 bits: convert, as in tan(q16_16(x))");
+  if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
+    using limits = std::numeric_limits<typename Number::raw_type>;
+    return outside_domain<Number>((limits::max)(), function, x);
+  }
+  return limited<Number>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits), function, x);
+}
+
+}  // namespace detail
+
+/// The sine of an angle in radians.
+///
+///     static_assert(sin(q2_30(1)).raw() == 903522590);  // 903522589.9
+template <class Raw, int F, policy P>
+requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> sin(
+    number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  return detail::sine_of<detail::angle_unit::radian>(angle, 0, "sin");
+}
+
+/// The cosine of an angle in radians.
+///
+///     static_assert(cos(q8_24(100)).raw() == 14467310);  // 14467309.98
+template <class Raw, int F, policy P>
+requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> cos(
+    number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  return detail::sine_of<detail::angle_unit::radian>(angle, 1, "cos");
+}
+
+/// The tangent of an angle in radians.
+///
+///     static_assert(tan(q16_16(1)).raw() == 102066);  // 102066.3
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> tan(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::tangent_of<detail::angle_unit::radian>(angle, "tan");
+}
+
+/// The sine of an angle in degrees.
+///
+///     static_assert(sin_of_degrees(q16_16(30)) == q16_16(0.5));
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> sin_of_degrees(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::sine_of<detail::angle_unit::degree>(angle, 0, "sin_of_degrees");
+}
+
+/// The cosine of an angle in degrees.
+///
+///     static_assert(cos_of_degrees(q16_16(60)) == q16_16(0.5));
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> cos_of_degrees(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::sine_of<detail::angle_unit::degree>(angle, 1, "cos_of_degrees");
+}
+
+/// The tangent of an angle in degrees. That of an odd number of quarter turns is a domain_error
+/// under overflow::trap, and the highest number under every other policy.
+///
+///     static_assert(tan_of_degrees(q16_16(45)) == 1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> tan_of_degrees(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::tangent_of<detail::angle_unit::degree>(angle, "tan_of_degrees");
+}
+
+/// The sine of an angle in turns.
+///
+///     static_assert(sin_of_turns(q16_16(0.25)) == 1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> sin_of_turns(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::sine_of<detail::angle_unit::turn>(angle, 0, "sin_of_turns");
+}
+
+/// The cosine of an angle in turns.
+///
+///     static_assert(cos_of_turns(q16_16(0.5)) == -1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> cos_of_turns(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::sine_of<detail::angle_unit::turn>(angle, 1, "cos_of_turns");
+}
+
+/// The tangent of an angle in turns. That of an odd number of quarter turns is a domain_error under
+/// overflow::trap, and the highest number under every other policy.
+///
+///     static_assert(tan_of_turns(q16_16(0.125)) == 1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P> tan_of_turns(number<Raw, F, P> angle) noexcept(
+    number<Raw, F, P>::never_throws) {
+  return detail::tangent_of<detail::angle_unit::turn>(angle, "tan_of_turns");
+}
+
+}  // namespace fixproof

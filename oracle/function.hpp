@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "oracle/integer.hpp"
+#include "oracle/rule.hpp"
+
+namespace oracle {
+
+/// The functions of real numbers. Angles are in radians unless the name says otherwise.
+enum class Function {
+  exp2,
+  exp,
+  expm1,
+  log2,
+  log,
+  log10,
+  log1p,
+  sinh,
+  cosh,
+  tanh,
+  sin,
+  cos,
+  tan,
+  sin_of_degrees,
+  cos_of_degrees,
+  tan_of_degrees,
+  sin_of_turns,
+  cos_of_turns,
+  tan_of_turns,
+  asin,
+  acos,
+  atan,
+  cbrt,
+  rsqrt,
+  reciprocal,
+  // Of two numbers
+  atan2,
+  hypot,
+  pow,
+};
+
+/// The function of x / 2^fraction_bits, or of that and y / 2^fraction_bits, in ulps, rounded to
+/// nearest, ties by `ties`. Empty outside the domain; a pole counts as outside. Results whose
+/// magnitude is at least 2^64 ulps are that.
+///
+/// Computes with 334 bits. A result closer than 2^-200 ulps to a tie is one if the function is
+/// algebraic or has rational results.
+/// @throws std::range_error if another one is so close
+[[nodiscard]] std::optional<Integer> nearest(Function function, const Integer& x, const Integer& y,
+                                             int fraction_bits, Rounding ties);
+
+namespace fast {
+
+/// The same for words of at most 32 bits, by the C library's function where its result is far
+/// enough from a tie. Assumes that the library's relative error is below 2^-49, 16 units in the
+/// last place of a double. Results whose magnitude is at least 2^40 ulps are that.
+[[nodiscard]] std::optional<std::int64_t> nearest(Function function, std::int64_t x, std::int64_t y,
+                                                  int fraction_bits, Rounding ties);
+
+}  // namespace fast
+
+}  // namespace oracle

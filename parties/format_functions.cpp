@@ -1,0 +1,189 @@
+// Functions of real numbers in formats of at most 32 bits.
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "fixed/angle.hpp"
+#include "fixed/exponential.hpp"
+#include "fixed/power.hpp"
+#include "fixed/trigonometry.hpp"
+#include "oracle/format.hpp"
+#include "oracle/function.hpp"
+#include "parties/formats.hpp"
+#include "parties/with_format.hpp"
+
+namespace fixproof::parties {
+
+namespace {
+
+using cases::Operation;
+using oracle::Function;
+using Result = std::optional<std::uint64_t>;
+
+constexpr std::array functions{
+    std::pair{Operation::sin, Function::sin},
+    std::pair{Operation::cos, Function::cos},
+    std::pair{Operation::exp2, Function::exp2},
+    std::pair{Operation::exp, Function::exp},
+    std::pair{Operation::log2, Function::log2},
+    std::pair{Operation::log, Function::log},
+    std::pair{Operation::log10, Function::log10},
+    std::pair{Operation::expm1, Function::expm1},
+    std::pair{Operation::log1p, Function::log1p},
+    std::pair{Operation::sinh, Function::sinh},
+    std::pair{Operation::cosh, Function::cosh},
+    std::pair{Operation::tanh, Function::tanh},
+    std::pair{Operation::tan, Function::tan},
+    std::pair{Operation::sin_of_degrees, Function::sin_of_degrees},
+    std::pair{Operation::cos_of_degrees, Function::cos_of_degrees},
+    std::pair{Operation::tan_of_degrees, Function::tan_of_degrees},
+    std::pair{Operation::sin_of_turns, Function::sin_of_turns},
+    std::pair{Operation::cos_of_turns, Function::cos_of_turns},
+    std::pair{Operation::tan_of_turns, Function::tan_of_turns},
+    std::pair{Operation::asin, Function::asin},
+    std::pair{Operation::acos, Function::acos},
+    std::pair{Operation::atan, Function::atan},
+    std::pair{Operation::cbrt, Function::cbrt},
+    std::pair{Operation::rsqrt, Function::rsqrt},
+    std::pair{Operation::reciprocal, Function::reciprocal},
+    std::pair{Operation::atan2, Function::atan2},
+    std::pair{Operation::hypot, Function::hypot},
+    std::pair{Operation::pow, Function::pow},
+};
+
+Function function_of(Operation operation) {
+  const auto* const found =
+      std::ranges::find(functions, operation, &std::pair<Operation, Function>::first);
+  if (found == functions.end()) throw std::invalid_argument("not a function");
+  return found->second;
+}
+
+/// What a function outside its domain returns: the end of the range nearest to a pole, or 0.
+oracle::Integer outside_domain(Operation operation, const oracle::Integer& x,
+                               const oracle::Format& format) {
+  switch (operation) {
+    case Operation::log2:
+    case Operation::log:
+    case Operation::log10:
+    case Operation::log1p:
+      return oracle::lowest(format);
+    case Operation::rsqrt:
+    case Operation::reciprocal:
+    case Operation::tan_of_degrees:
+    case Operation::tan_of_turns:
+      return oracle::highest(format);
+    case Operation::pow:
+      return x == 0 ? oracle::highest(format) : oracle::Integer(0);
+    default:
+      return 0;
+  }
+}
+
+template <class Number>
+Number computed(Operation operation, Number x, Number y) {
+  switch (operation) {
+    case Operation::sin:
+      return sin(x);
+    case Operation::cos:
+      return cos(x);
+    case Operation::exp2:
+      return exp2(x);
+    case Operation::exp:
+      return exp(x);
+    case Operation::log2:
+      return log2(x);
+    case Operation::log:
+      return log(x);
+    case Operation::log10:
+      return log10(x);
+    case Operation::expm1:
+      return expm1(x);
+    case Operation::log1p:
+      return log1p(x);
+    case Operation::sinh:
+      return sinh(x);
+    case Operation::cosh:
+      return cosh(x);
+    case Operation::tanh:
+      return tanh(x);
+    case Operation::tan:
+      return tan(x);
+    case Operation::sin_of_degrees:
+      return sin_of_degrees(x);
+    case Operation::cos_of_degrees:
+      return cos_of_degrees(x);
+    case Operation::tan_of_degrees:
+      return tan_of_degrees(x);
+    case Operation::sin_of_turns:
+      return sin_of_turns(x);
+    case Operation::cos_of_turns:
+      return cos_of_turns(x);
+    case Operation::tan_of_turns:
+      return tan_of_turns(x);
+    case Operation::asin:
+      return asin(x);
+    case Operation::acos:
+      return acos(x);
+    case Operation::atan:
+      return atan(x);
+    case Operation::cbrt:
+      return cbrt(x);
+    case Operation::rsqrt:
+      return rsqrt(x);
+    case Operation::reciprocal:
+      return reciprocal(x);
+    case Operation::atan2:
+      return atan2(x, y);
+    case Operation::hypot:
+      return hypot(x, y);
+    case Operation::pow:
+      return pow(x, y);
+    default:
+      throw std::invalid_argument("not a function");
+  }
+}
+
+}  // namespace
+
+void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
+  const oracle::Format format{v.format.word_bits, v.format.fraction_bits, v.format.is_signed};
+  const Function function = function_of(v.operation);
+  each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
+    const oracle::Integer x = oracle::ulps(a, format);
+    const auto ulps = oracle::nearest(function, x, oracle::ulps(b, format), format.fraction_bits,
+                                      oracle::Rounding::half_up);
+    return oracle::saturate(ulps ? *ulps : outside_domain(v.operation, x, format), format);
+  });
+}
+
+void answer_function_fast(const cases::Variant& v, const Batch& batch) {
+  const oracle::Format format{v.format.word_bits, v.format.fraction_bits, v.format.is_signed};
+  const auto lowest = static_cast<std::int64_t>(oracle::lowest(format));
+  const auto highest = static_cast<std::int64_t>(oracle::highest(format));
+  const Function function = function_of(v.operation);
+  const std::uint64_t ones = cases::all_ones(v.format);
+  const std::uint64_t sign = format.is_signed ? std::uint64_t{1} << (format.bits - 1) : 0;
+  const auto ulps_of = [&](std::uint64_t word) {
+    return static_cast<std::int64_t>((word ^ sign) - sign);
+  };
+  each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
+    const std::int64_t x = ulps_of(a);
+    const auto ulps = oracle::fast::nearest(function, x, ulps_of(b), format.fraction_bits,
+                                            oracle::Rounding::half_up);
+    const std::int64_t result =
+        ulps ? *ulps : static_cast<std::int64_t>(outside_domain(v.operation, x, format));
+    return static_cast<std::uint64_t>(std::clamp(result, lowest, highest)) & ones;
+  });
+}
+
+void answer_function_by_type(const cases::Variant& v, const Batch& batch) {
+  with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
+    if constexpr (sizeof(typename Number::raw_type) <= sizeof(std::uint32_t)) {
+      each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
+        return bits_of(computed(v.operation, number_from<Number>(a), number_from<Number>(b)));
+      });
+    }
+  });
+}
+
+}  // namespace fixproof::parties
