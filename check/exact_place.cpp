@@ -86,6 +86,9 @@ void fill(ExactPlace& place, const Exact<Number>& exact) {
 std::string fraction_text(const Integer& part, const Integer& whole) {
   const Integer above_half = 2 * part - whole;
   const double distance = ratio(abs(above_half), 2 * whole);
+  const double below = ratio(whole - part, whole);
+  constexpr double rounds_to_one = 5e-6;
+  if (below < rounds_to_one) return fmt::format(" + 1 - {:.1g}", below);
   if (distance >= 1.0 / 1024) return fmt::format(" + {:.5g}", ratio(part, whole));
   if (above_half == 0) return " + 1/2";
   return fmt::format(" + 1/2 {} {:.1g}", above_half < 0 ? '-' : '+', distance);
@@ -158,7 +161,7 @@ std::string_view name_of(CaseKind kind, cases::Operation operation) {
     case cases::Operation::from_binary64:
       return "not finite";
     default:
-      return "divide by zero";
+      return cases::is_function(operation) ? "outside domain" : "divide by zero";
   }
 }
 

@@ -18,7 +18,7 @@ enum class CaseKind : std::uint8_t {
   near_tie,   ///< less than 1/1024 ulp from halfway
   between,    ///< any other fraction
   overflow,   ///< the rounded result does not fit a word
-  no_result,  ///< a zero divisor, the root of a negative number, NaN or an infinity
+  no_result,  ///< a zero divisor, a negative radicand, not finite, or outside the domain
 };
 inline constexpr std::size_t case_kinds = 6;
 

@@ -16,7 +16,8 @@
 namespace fixproof::check {
 
 [[noreturn]] inline void refuse_operation() {
-  throw std::invalid_argument("only mul, div, sqrt, add, sub and conversions are judged");
+  throw std::invalid_argument(
+      "only mul, div, sqrt, add, sub, conversions and functions are judged");
 }
 
 /// The rounded result in ulps in any format; empty for x / 0, negative radicands, NaN and the

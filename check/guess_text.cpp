@@ -76,6 +76,7 @@ struct NoResultNames {
 NoResultNames no_result_names(cases::Operation operation) {
   if (operation == cases::Operation::sqrt) return {"negative operands", "operand"};
   if (operation == cases::Operation::from_binary64) return {"NaNs and infinities", "infinity"};
+  if (cases::is_function(operation)) return {"operands outside the domain", "operand"};
   return {"zero divisors", "dividend"};
 }
 

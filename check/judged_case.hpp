@@ -20,8 +20,9 @@ struct JudgedCase {
   std::string_view origin;   ///< the stream or the file of the case; must outlive the case
   std::array<std::uint64_t, 2> words{};
   Said said;
-  std::optional<Converted> converted{};  ///< the operand of a conversion, which has no words
-  std::string said_text{};               ///< the result of to_decimal, as it stands on its line
+  std::optional<Converted>
+      converted{};          ///< the operand of a conversion or function, which has no words
+  std::string said_text{};  ///< the result of to_decimal, as it stands on its line
 
   [[nodiscard]] Operands operands() const {
     return converted ? Operands(*converted) : Operands(words);

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 
+#include "cases/words.hpp"
 #include "oracle/format.hpp"
+#include "oracle/function.hpp"
 #include "support/hex.hpp"
 
 namespace fixproof::check {
@@ -29,6 +32,21 @@ oracle::Ratio value_of(std::uint64_t word, const cases::Format& format) {
   return {oracle::ulps(word, oracle_format(format)), oracle::Integer(1) << format.fraction_bits};
 }
 
+/// The words of a function's operands.
+std::array<std::uint64_t, 2> words_in(std::string_view line, const cases::Variant& variant) {
+  std::array<std::uint32_t, 2> words{};
+  cases::parse_words(line, variant, std::span(words).first(cases::words_in(variant)));
+  return {words[0], words[1]};
+}
+
+std::optional<oracle::Ratio> function_of(std::string_view line, const cases::Variant& variant) {
+  const auto [x, y] = words_in(line, variant);
+  const oracle::Format format = oracle_format(variant.format);
+  return oracle::function_value(oracle::function_named(cases::name_of(variant.operation)).value(),
+                                oracle::ulps(x, format), oracle::ulps(y, format),
+                                format.fraction_bits);
+}
+
 }  // namespace
 
 Converted parse_converted(std::string_view line, const cases::Variant& variant) {
@@ -41,6 +59,10 @@ Converted parse_converted(std::string_view line, const cases::Variant& variant) 
       operand.value = parse_decimal(line);
       break;
     default: {
+      if (cases::is_function(variant.operation)) {
+        operand.value = function_of(line, variant);
+        break;
+      }
       const cases::Format& format = cases::operand_format(variant);
       operand.value = value_of(word_in(line, format), format);
     }
@@ -58,6 +80,12 @@ std::string text_of(const Converted& operand, const cases::Variant& variant) {
                          std::bit_cast<double>(support::parse_long_hex(operand.text, 16)));
     default: {
       const cases::Format& format = cases::operand_format(variant);
+      if (cases::is_function(variant.operation)) {
+        const auto [x, y] = words_in(operand.text, variant);
+        return fmt::format(
+            "{} ({}{})", operand.text, decimal_text(x, format),
+            cases::words_in(variant.operation) == 1 ? "" : " " + decimal_text(y, format));
+      }
       return fmt::format("{} ({})", operand.text,
                          decimal_text(word_in(operand.text, format), format));
     }

@@ -1,5 +1,6 @@
 /// @file
-/// The operands of a judged case: words of the results' format, or what a conversion converts.
+/// The operands of a judged case: words of the results' format, or what a conversion or function
+/// takes.
 #pragma once
 
 #include <concepts>
@@ -15,14 +16,14 @@
 
 namespace fixproof::check {
 
-/// The operand of a conversion.
+/// The operand of a conversion, or the operands and the result of a function.
 struct Converted {
-  std::string text;                    ///< as it stands on its line
-  std::optional<oracle::Ratio> value;  ///< empty for NaN and the infinities
+  std::string text;                    ///< the operands as they stand on their line
+  std::optional<oracle::Ratio> value;  ///< empty for NaN and infinities, and outside a domain
   int sign = 0;                        ///< without a value: -1 or 1 for an infinity, 0 for NaN
 };
 
-/// Parses the operand of a conversion.
+/// Parses the operands of a conversion or function.
 /// @throws UsageError describing the defect of the line
 Converted parse_converted(std::string_view line, const cases::Variant& variant);
 
@@ -39,9 +40,9 @@ class Operands {
       : words_(words) {}
   Operands(const Converted& converted) : converted_(&converted) {}
 
-  /// Of an operation that is not a conversion.
+  /// Of any other operation.
   [[nodiscard]] std::span<const std::uint64_t> words() const { return words_; }
-  /// Null unless the operation is a conversion.
+  /// Null unless the operation is a conversion or function.
   [[nodiscard]] const Converted* converted() const { return converted_; }
 
   /// The sign that decides the result of a case without one: that of a dividend, a radicand or an

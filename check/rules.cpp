@@ -28,6 +28,9 @@ constexpr std::array<NoResult, 3> unsigned_divisor_rules{NoResult::error, NoResu
 constexpr std::array<NoResult, 5> negative_root_rules{
     NoResult::error, NoResult::maximum, NoResult::minimum, NoResult::zero, NoResult::mirror};
 
+constexpr std::array<NoResult, 4> outside_domain_rules{NoResult::error, NoResult::maximum,
+                                                       NoResult::minimum, NoResult::zero};
+
 Said limit_of(NoResult rule, const cases::Format& format, bool negative) {
   switch (rule) {
     case NoResult::saturate:
@@ -128,6 +131,7 @@ std::span<const NoResult> no_result_rules(cases::Operation operation) {
     return zero_divisor_rules;
   }
   if (operation == cases::Operation::sqrt) return negative_root_rules;
+  if (cases::is_function(operation)) return outside_domain_rules;
   return {};
 }
 

@@ -26,9 +26,9 @@ enum class Overflow : std::uint8_t {
   error,      ///< DE
 };
 
-/// The result for a zero divisor, for the root of a negative number, and for NaN and the
-/// infinities. The sign is that of the dividend or the infinity. Rules that depend on the sign also
-/// accept 0 for 0 / 0 and NaN.
+/// The result for a zero divisor, for the root of a negative number, for NaN and the infinities,
+/// and outside the domain of a function. The sign is that of the dividend or the infinity. Rules
+/// that depend on the sign also accept 0 for 0 / 0 and NaN.
 enum class NoResult : std::uint8_t {
   any,        ///< every result is accepted
   error,      ///< DE
@@ -52,7 +52,7 @@ struct Rules {
 constexpr bool is_judged(cases::Operation operation) {
   using enum cases::Operation;
   return operation == mul || operation == div || operation == sqrt || operation == add ||
-         operation == sub || cases::is_conversion(operation);
+         operation == sub || cases::is_conversion(operation) || cases::is_function(operation);
 }
 
 /// Tells whether results are rounded. Sums and differences of words are exact, and the text of a
@@ -70,11 +70,11 @@ constexpr bool can_overflow(cases::Operation operation, const cases::Format& for
          (format.is_signed && format.fraction_bits == format.word_bits);
 }
 
-/// Tells whether some operands have no result: a zero divisor, a negative radicand, or a double
-/// that is not finite.
+/// Tells whether some operands have no result: a zero divisor, a negative radicand, a double that
+/// is not finite, or an operand outside the domain of a function.
 constexpr bool can_lack_result(cases::Operation operation, const cases::Format& format) {
   return operation == cases::Operation::div || operation == cases::Operation::from_binary64 ||
-         (operation == cases::Operation::sqrt && format.is_signed);
+         (operation == cases::Operation::sqrt && format.is_signed) || cases::is_function(operation);
 }
 
 /// The names on the command line.

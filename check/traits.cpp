@@ -235,6 +235,9 @@ std::string case_trait_text(cases::Operation operation, const Format& format,
   if (rest == pair_traits.size() && operation == cases::Operation::from_binary64) {
     return "has NaN or an infinity as operand";
   }
+  if (rest == pair_traits.size() && cases::is_function(operation)) {
+    return "has an operand outside the domain";
+  }
   return std::string(place_traits.at(rest - pair_traits.size()).text);
 }
 

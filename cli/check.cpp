@@ -28,10 +28,11 @@ struct CheckOptions {
   std::string format = "q16_16";
   std::string to;
   std::string rounding;
-  std::string overflow = "wrap";
+  std::string overflow;
   std::string divide_by_zero = "de";
   std::string negative_root = "de";
   std::string not_finite = "de";
+  std::string outside_domain = "de";
   std::string results;
   std::string from;
   check::CaseOptions cases;
@@ -39,7 +40,8 @@ struct CheckOptions {
 };
 
 constexpr std::string_view judged_operations =
-    "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal or to_decimal";
+    "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, or a function of "
+    "docs/functions.md";
 
 template <class Rule>
 Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
@@ -76,8 +78,21 @@ check::Rules rules_of(const CheckOptions& options) {
     }
     rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
   }
-  rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
+  const bool is_function = cases::is_function(rules.operation);
+  const std::string_view overflow = !options.overflow.empty() ? std::string_view(options.overflow)
+                                    : is_function             ? "saturate"
+                                                              : "wrap";
+  rules.overflow = rule_named("--overflow", overflow, check::overflow_rules(),
                               std::optional(check::Overflow::any));
+  if (is_function && rules.overflow == check::Overflow::wrap) {
+    throw support::UsageError(
+        fmt::format("--overflow wrap: {} is judged by results in range; choose another rule",
+                    options.operation));
+  }
+  if (is_function && rules.format.word_bits > 32) {
+    throw support::UsageError(
+        fmt::format("--format {}: functions have formats of at most 32 bits", options.format));
+  }
   const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
                                check::no_result_rules(cases::Operation::div),
                                std::optional(check::NoResult::any));
@@ -87,7 +102,11 @@ check::Rules rules_of(const CheckOptions& options) {
   const auto not_finite = rule_named("--not-finite", options.not_finite,
                                      check::no_result_rules(cases::Operation::from_binary64),
                                      std::optional(check::NoResult::any));
-  rules.no_result = rules.operation == cases::Operation::sqrt            ? root
+  const auto outside_domain = rule_named("--outside-domain", options.outside_domain,
+                                         check::no_result_rules(cases::Operation::exp),
+                                         std::optional(check::NoResult::any));
+  rules.no_result = is_function                                          ? outside_domain
+                    : rules.operation == cases::Operation::sqrt          ? root
                     : rules.operation == cases::Operation::from_binary64 ? not_finite
                                                                          : zero;
   return rules;
@@ -117,6 +136,9 @@ std::string heading(const check::Rules& rules, const std::string& cases) {
   if (rules.operation == cases::Operation::from_binary64) {
     text += fmt::format(", not finite {}", check::name_of(rules.no_result));
   }
+  if (cases::is_function(rules.operation)) {
+    text += fmt::format(", outside domain {}", check::name_of(rules.no_result));
+  }
   return text + fmt::format("; cases of {}\n\n", cases);
 }
 
@@ -126,7 +148,8 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   const support::Interrupt interrupt;
   support::FrameProgress progress(cases.count().value_or(1), "cases");
   const cases::Format& format = judge.rules().format;
-  const bool converts = cases::is_conversion(judge.rules().operation);
+  const cases::Operation operation = judge.rules().operation;
+  const bool converts = cases::is_conversion(operation) || cases::is_function(operation);
   const auto arity = cases::words_in(judge.rules().operation);
   check::JudgedCase one;
   std::array<std::uint32_t, 4> room{};
@@ -171,6 +194,7 @@ void refuse_idle_options(const CLI::App& command, cases::Operation operation,
   refuse("--rounding", check::is_rounded(operation), "results that are rounded");
   refuse("--overflow", check::can_overflow(operation, format), "results that can overflow");
   refuse("--not-finite", operation == cases::Operation::from_binary64, "from_binary64");
+  refuse("--outside-domain", cases::is_function(operation), "functions");
   refuse("--divide-by-zero", operation == cases::Operation::div, "div");
   refuse("--negative-root", operation == cases::Operation::sqrt && format.is_signed,
          "sqrt of a signed format");
@@ -241,8 +265,9 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   command
       .add_option(
           "--overflow", options.overflow,
-          "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de or any")
-      ->capture_default_str();
+          "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de or any; "
+          "by default wrap, of functions saturate")
+      ->check(not_empty());
   command
       .add_option(
           "--divide-by-zero", options.divide_by_zero,
@@ -251,6 +276,11 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   command
       .add_option("--negative-root", options.negative_root,
                   "expected result of sqrt below 0: de, maximum, minimum, zero, mirror or any")
+      ->capture_default_str();
+  command
+      .add_option("--outside-domain", options.outside_domain,
+                  "expected result of a function outside its domain: de, maximum, minimum, zero or "
+                  "any")
       ->capture_default_str();
   command
       .add_option(

@@ -1,5 +1,7 @@
 #include "oracle/function.hpp"
 
+#include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <stdexcept>
 
@@ -10,8 +12,6 @@ namespace oracle {
 namespace {
 
 using Decimal100 = boost::multiprecision::cpp_bin_float_100;
-
-constexpr unsigned highest_bit = 64;
 
 /// Whether the result for rational operands can be rational but not whole.
 bool has_ties(Function function) {
@@ -50,32 +50,86 @@ Integer limited(const Integer& x, int fraction_bits) {
   return x < 0 ? -limit : limit;
 }
 
-Integer nearest_integer(const Decimal100& value, bool may_tie, Rounding ties) {
-  const Decimal100 doubled = 2 * value;
-  const Integer nearest_half(floor(doubled + 0.5));
-  const Decimal100 distance = abs(doubled - Decimal100(nearest_half));
-  static const Decimal100 none = ldexp(Decimal100(1), -200);
-  if (distance < none && nearest_half % 2 != 0) {
-    if (!may_tie) throw std::range_error("a result is too near a tie for 334 bits");
-    return rounded(nearest_half, 2, ties);
+/// The function in ulps; empty outside the domain.
+std::optional<Decimal100> value_in_ulps(Function function, const Integer& x, const Integer& y,
+                                        int fraction_bits) {
+  if (is_far_out(function, x, fraction_bits)) {
+    return value_in_ulps(function, limited(x, fraction_bits), y, fraction_bits);
   }
-  return Integer(floor(value + 0.5));
+  if (!in_domain(function, x, y, fraction_bits)) return std::nullopt;
+  const auto real = [&](const Integer& ulps) { return ldexp(Decimal100(ulps), -fraction_bits); };
+  const Decimal100 value = ldexp(real_function(function, real(x), real(y)), fraction_bits);
+  static const Decimal100 highest = ldexp(Decimal100(1), 64);
+  if (abs(value) < highest) return value;
+  return value < 0 ? -highest : highest;
 }
+
+/// Twice the value if that is within 2^-200 of an integer.
+std::optional<Integer> twice_if_whole(const Decimal100& value) {
+  const Decimal100 doubled = 2 * value;
+  const Decimal100 whole = floor(doubled + 0.5);
+  static const Decimal100 none = ldexp(Decimal100(1), -200);
+  if (abs(doubled - whole) >= none) return std::nullopt;
+  return Integer(whole);
+}
+
+constexpr std::array<std::string_view, 28> names{"exp2",
+                                                 "exp",
+                                                 "expm1",
+                                                 "log2",
+                                                 "log",
+                                                 "log10",
+                                                 "log1p",
+                                                 "sinh",
+                                                 "cosh",
+                                                 "tanh",
+                                                 "sin",
+                                                 "cos",
+                                                 "tan",
+                                                 "sin_of_degrees",
+                                                 "cos_of_degrees",
+                                                 "tan_of_degrees",
+                                                 "sin_of_turns",
+                                                 "cos_of_turns",
+                                                 "tan_of_turns",
+                                                 "asin",
+                                                 "acos",
+                                                 "atan",
+                                                 "cbrt",
+                                                 "rsqrt",
+                                                 "reciprocal",
+                                                 "atan2",
+                                                 "hypot",
+                                                 "pow"};
 
 }  // namespace
 
+std::optional<Function> function_named(std::string_view name) {
+  const auto* const found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Function>(found - names.begin());
+}
+
+std::optional<Ratio> function_value(Function function, const Integer& x, const Integer& y,
+                                    int fraction_bits) {
+  const auto value = value_in_ulps(function, x, y, fraction_bits);
+  if (!value) return std::nullopt;
+  const Integer one = Integer(1) << fraction_bits;
+  if (const auto twice = twice_if_whole(*value)) return Ratio{*twice, 2 * one};
+  constexpr int precision = 220;
+  return Ratio{Integer(floor(ldexp(*value, precision))), one << precision};
+}
+
 std::optional<Integer> nearest(Function function, const Integer& x, const Integer& y,
                                int fraction_bits, Rounding ties) {
-  if (is_far_out(function, x, fraction_bits)) {
-    return nearest(function, limited(x, fraction_bits), y, fraction_bits, ties);
+  const auto value = value_in_ulps(function, x, y, fraction_bits);
+  if (!value) return std::nullopt;
+  const auto twice = twice_if_whole(*value);
+  if (!twice) return Integer(floor(*value + 0.5));
+  if (*twice % 2 != 0 && !has_ties(function)) {
+    throw std::range_error("a result is too near a tie for 334 bits");
   }
-  const auto real = [&](const Integer& ulps) { return ldexp(Decimal100(ulps), -fraction_bits); };
-  if (!in_domain(function, x, y, fraction_bits)) return std::nullopt;
-  const Decimal100 value = ldexp(real_function(function, real(x), real(y)), fraction_bits);
-  const Integer highest = Integer(1) << highest_bit;
-  if (value >= Decimal100(highest)) return highest;
-  if (value <= -Decimal100(highest)) return -highest;
-  return nearest_integer(value, has_ties(function), ties);
+  return rounded(*twice, 2, ties);
 }
 
 }  // namespace oracle

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
+#include "oracle/decimal.hpp"
 #include "oracle/integer.hpp"
 #include "oracle/rule.hpp"
 
@@ -40,6 +42,15 @@ enum class Function {
   hypot,
   pow,
 };
+
+/// The function with this name; empty for any other name.
+[[nodiscard]] std::optional<Function> function_named(std::string_view name);
+
+/// The function of x / 2^fraction_bits, or of that and y / 2^fraction_bits. Exact if it is whole or
+/// halfway between two multiples of 2^-fraction_bits; otherwise within 2^-200 of these. Results
+/// whose magnitude is at least 2^64 ulps are that. Empty outside the domain.
+[[nodiscard]] std::optional<Ratio> function_value(Function function, const Integer& x,
+                                                  const Integer& y, int fraction_bits);
 
 /// The function of x / 2^fraction_bits, or of that and y / 2^fraction_bits, in ulps, rounded to
 /// nearest, ties by `ties`. Empty outside the domain; a pole counts as outside. Results whose

@@ -1,6 +1,5 @@
 // Functions of real numbers in formats of at most 32 bits.
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "fixed/angle.hpp"
@@ -20,42 +19,8 @@ using cases::Operation;
 using oracle::Function;
 using Result = std::optional<std::uint64_t>;
 
-constexpr std::array functions{
-    std::pair{Operation::sin, Function::sin},
-    std::pair{Operation::cos, Function::cos},
-    std::pair{Operation::exp2, Function::exp2},
-    std::pair{Operation::exp, Function::exp},
-    std::pair{Operation::log2, Function::log2},
-    std::pair{Operation::log, Function::log},
-    std::pair{Operation::log10, Function::log10},
-    std::pair{Operation::expm1, Function::expm1},
-    std::pair{Operation::log1p, Function::log1p},
-    std::pair{Operation::sinh, Function::sinh},
-    std::pair{Operation::cosh, Function::cosh},
-    std::pair{Operation::tanh, Function::tanh},
-    std::pair{Operation::tan, Function::tan},
-    std::pair{Operation::sin_of_degrees, Function::sin_of_degrees},
-    std::pair{Operation::cos_of_degrees, Function::cos_of_degrees},
-    std::pair{Operation::tan_of_degrees, Function::tan_of_degrees},
-    std::pair{Operation::sin_of_turns, Function::sin_of_turns},
-    std::pair{Operation::cos_of_turns, Function::cos_of_turns},
-    std::pair{Operation::tan_of_turns, Function::tan_of_turns},
-    std::pair{Operation::asin, Function::asin},
-    std::pair{Operation::acos, Function::acos},
-    std::pair{Operation::atan, Function::atan},
-    std::pair{Operation::cbrt, Function::cbrt},
-    std::pair{Operation::rsqrt, Function::rsqrt},
-    std::pair{Operation::reciprocal, Function::reciprocal},
-    std::pair{Operation::atan2, Function::atan2},
-    std::pair{Operation::hypot, Function::hypot},
-    std::pair{Operation::pow, Function::pow},
-};
-
 Function function_of(Operation operation) {
-  const auto* const found =
-      std::ranges::find(functions, operation, &std::pair<Operation, Function>::first);
-  if (found == functions.end()) throw std::invalid_argument("not a function");
-  return found->second;
+  return oracle::function_named(cases::name_of(operation)).value();
 }
 
 /// What a function outside its domain returns: the end of the range nearest to a pole, or 0.

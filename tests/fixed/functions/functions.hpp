@@ -1,19 +1,19 @@
-/// Tests the functions of real numbers against the oracle, in formats of every width and with
-/// fraction bits at both ends.
-#include "oracle/function.hpp"
+/// \file
+/// The functions of real numbers: what the oracle calls them and how the type computes them.
+#pragma once
+
+#include <array>
 
 #include "fixed/angle.hpp"
-#include "fixed/constants.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/literals.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
+#include "oracle/function.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace functions {
 
-using namespace fixproof;
 using oracle::Function;
 using oracle::Integer;
 
@@ -93,79 +93,4 @@ N expected(Function function, N x, N y, oracle::Rounding ties) {
   return N::from_raw(*ulps > highest ? highest : static_cast<raw>(*ulps));
 }
 
-template <class N, std::size_t Size>
-void expect_nearest(const std::array<Named<N>, Size>& functions, N x, N y = N(),
-                    oracle::Rounding ties = oracle::Rounding::half_up) {
-  for (const Named<N>& f : functions) {
-    ASSERT_EQ(+f.compute(x, y).raw(), +expected(f.function, x, y, ties).raw())
-        << f.name << " of raw " << +x.raw() << ' ' << +y.raw();
-  }
-}
-
-template <class N>
-class Functions : public testing::Test {
- public:
-  using raw = typename N::raw_type;
-
-  /// A word of any length, so that small numbers and their negatives occur too.
-  N word() {
-    const auto bits = static_cast<std::int64_t>(random_());
-    return N::from_raw(static_cast<raw>(bits >> (32 + random_() % 32)));
-  }
-
-  static std::vector<N> edges() {
-    std::vector<N> words;
-    for (int bit = 0; bit <= std::numeric_limits<raw>::digits; ++bit) {
-      for (const int off : {-1, 0, 1}) {
-        const std::int64_t word = (std::int64_t{1} << bit) + off;
-        words.push_back(N::from_raw(static_cast<raw>(word)));
-        words.push_back(N::from_raw(static_cast<raw>(-word)));
-      }
-    }
-    return words;
-  }
-
- private:
-  std::mt19937_64 random_{1994};
-};
-using FunctionFormats =
-    testing::Types<q8_0, q4_4, q1_7, u4_4, u0_8, q12_4, q8_8, q1_15, u8_8, u0_16, q32_0, q24_8,
-                   q16_16, q8_24, q2_30, q1_31, u24_8, u16_16, u1_31, u0_32>;
-TYPED_TEST_SUITE(Functions, FunctionFormats);
-
-TYPED_TEST(Functions, OfOneNumberAreNearest) {
-  using N = TypeParam;
-  if constexpr (sizeof(N) == 1) {
-    for (int word = 0; word < 256; ++word) {
-      expect_nearest(unary<N>, N::from_raw(static_cast<typename N::raw_type>(word)));
-    }
-  } else {
-    for (const N x : this->edges()) expect_nearest(unary<N>, x);
-    for (int i = 0; i < 150; ++i) expect_nearest(unary<N>, this->word());
-    // Whole degrees, of which some have rational sines.
-    for (int degrees = -360; degrees <= 720; degrees += 15) expect_nearest(unary<N>, N(degrees));
-  }
-}
-
-TYPED_TEST(Functions, OfTwoNumbersAreNearest) {
-  using N = TypeParam;
-  for (int i = 0; i < 250; ++i) {
-    const N x = this->word();
-    // Next to a diagonal, too.
-    const auto close =
-        static_cast<typename N::raw_type>(x.raw() + static_cast<typename N::raw_type>(i % 3));
-    expect_nearest(binary<N>, x, i % 4 == 0 ? N::from_raw(close) : this->word());
-  }
-  const std::vector<N> edges = this->edges();
-  for (std::size_t i = 0; i < edges.size(); i += 5) {
-    for (std::size_t k = i % 7; k < edges.size(); k += 7) {
-      expect_nearest(binary<N>, edges[i], edges[k]);
-    }
-  }
-  // Powers of which many are rational.
-  for (int i = -12; i <= 12; ++i) {
-    for (int k = -12; k <= 12; ++k) expect_nearest(binary<N>, N(i) / N(2), N(k) / N(4));
-  }
-}
-
-}  // namespace
+}  // namespace functions

@@ -1,6 +1,9 @@
 /// Tests the limits of angles, their hardest pair, and the error bounds of their parts.
 #include "fixed/angle.hpp"
 
+#include <fstream>
+#include <sstream>
+
 #include "fixed/constants.hpp"
 #include "fixed/fixed.hpp"
 #include "oracle/function.hpp"
@@ -10,22 +13,52 @@ namespace {
 
 using namespace fixproof;
 
-void expect_nearest(q16_16 y, q16_16 x) {
-  const auto want =
-      oracle::nearest(oracle::Function::atan2, y.raw(), x.raw(), 16, oracle::Rounding::half_up);
-  ASSERT_EQ(atan2(y, x).raw(), static_cast<std::int32_t>(want.value()))
+template <class N>
+void expect_nearest(N y, N x) {
+  const auto want = oracle::nearest(oracle::Function::atan2, y.raw(), x.raw(), N::fraction_bits,
+                                    oracle::Rounding::half_up);
+  ASSERT_EQ(atan2(y, x).raw(), static_cast<std::int64_t>(want.value()))
       << y.raw() << ' ' << x.raw();
 }
 
-// Of all pairs of 16.16 this one has the angle nearest to a tie, 2^-60.2 ulps from it: the fraction
-// of words nearest to the tangent of a midpoint between two results.
-TEST(Angles, TheHardestPair) {
-  for (const int y_sign : {-1, 1}) {
-    for (const int x_sign : {-1, 1}) {
-      expect_nearest(q16_16::from_raw(y_sign * 460672751), q16_16::from_raw(x_sign * 935870233));
-      expect_nearest(q16_16::from_raw(y_sign * 935870233), q16_16::from_raw(x_sign * 460672751));
+/// All eight vectors that mirror (x, y).
+template <class N>
+void expect_mirrored_nearest(std::int64_t y, std::int64_t x) {
+  for (const std::int64_t to_y : {-1, 1}) {
+    for (const std::int64_t to_x : {-1, 1}) {
+      const auto number = [](std::int64_t raw) {
+        return N::from_raw(static_cast<typename N::raw_type>(raw));
+      };
+      expect_nearest(number(to_y * y), number(to_x * x));
+      expect_nearest(number(to_x * x), number(to_y * y));
     }
   }
+}
+
+// The hardest, 2^-60.2 ulps from a tie, is that of 460672751 and 935870233 in 16.16.
+TEST(Angles, TheHardestPairs) {
+  std::ifstream file(FUNCTIONS_FOLDER "/hard_pairs.txt");
+  std::string line;
+  std::size_t pairs = 0;
+  while (std::getline(file, line)) {
+    if (line.starts_with('#')) continue;
+    std::istringstream parts(line);
+    std::string format;
+    std::int64_t y = 0;
+    std::int64_t x = 0;
+    std::int64_t result = 0;
+    ASSERT_TRUE(parts >> format >> y >> x >> result) << line;
+    if (format == "q16_16") {
+      EXPECT_EQ(detail::nearest_angle(y, x, 16), result) << line;
+      expect_mirrored_nearest<q16_16>(y, x);
+    } else {
+      ASSERT_EQ(format, "q8_8");
+      EXPECT_EQ(detail::nearest_angle(y, x, 8), result) << line;
+      expect_mirrored_nearest<q8_8>(y, x);
+    }
+    ++pairs;
+  }
+  EXPECT_EQ(pairs, 484U);
 }
 
 TEST(Angles, RangeFollowsThePolicy) {

@@ -1,0 +1,140 @@
+// Finds the operands whose results are nearest to a tie, of one function in one format:
+//
+//     find_hard_words FUNCTION FORMAT COUNT
+//
+// Tries every word. 64 bits say how near a result is to a tie; of the nearest ones, 334 bits say it
+// exactly. Prints a line for each, the nearest first: function, format, operand and result as
+// stored integers, and the distance in ulps as a power of two. Ties themselves are left out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "fixed/formats.hpp"
+#include "oracle/real_function.hpp"
+#include "tests/fixed/functions/functions.hpp"
+
+namespace {
+
+using namespace fixproof;
+using Decimal100 = boost::multiprecision::cpp_bin_float_100;
+
+struct HardWord {
+  std::int64_t operand = 0;
+  std::int64_t distance = 0;  ///< by 64 bits, in units of 2^-40 ulps
+};
+
+bool is_nearer(const HardWord& a, const HardWord& b) { return a.distance < b.distance; }
+
+/// Keeps the nearest ones.
+void prune(std::vector<HardWord>& words, std::size_t count) {
+  if (words.size() <= count) return;
+  std::ranges::nth_element(words, words.begin() + static_cast<std::ptrdiff_t>(count), is_nearer);
+  words.resize(count);
+}
+
+/// Those of `first`, `first + step` and so on up to the highest word.
+template <class N>
+std::vector<HardWord> nearest_of(const functions::Named<N>& f, std::size_t count,
+                                 std::int64_t first, std::int64_t step) {
+  using limits = std::numeric_limits<typename N::raw_type>;
+  std::vector<HardWord> words;
+  std::int64_t limit = std::numeric_limits<std::int64_t>::max();
+  for (std::int64_t raw = limits::min() + first; raw <= limits::max(); raw += step) {
+    constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+    detail::last_distance = none;
+    const N result = f.compute(N::from_raw(static_cast<typename N::raw_type>(raw)), N());
+    if (detail::last_distance >= limit) continue;
+    // Limits come from results out of range, whose ties do not matter.
+    if (result.raw() == limits::max() || result.raw() == limits::min()) continue;
+    words.push_back({raw, detail::last_distance});
+    if (words.size() < 4 * count) continue;
+    prune(words, count);
+    limit = std::ranges::max_element(words, is_nearer)->distance;
+  }
+  return words;
+}
+
+/// The exact distance of a result from a tie in ulps, and its floor.
+template <class N>
+Decimal100 exact_distance(oracle::Function function, std::int64_t operand) {
+  const Decimal100 x = ldexp(Decimal100(operand), -N::fraction_bits);
+  const Decimal100 value =
+      ldexp(oracle::real_function(function, x, Decimal100(0)), N::fraction_bits);
+  return abs(value - floor(value) - 0.5);
+}
+
+template <class N>
+void find(const functions::Named<N>& f, const char* format, std::size_t count) {
+  // 64 bits may not order the nearest ones rightly.
+  const std::size_t candidates = 4 * count;
+  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::vector<HardWord>> found(threads);
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < threads; ++i) {
+      workers.emplace_back([&, i] { found[i] = nearest_of(f, candidates, i, threads); });
+    }
+  }
+  std::vector<std::pair<Decimal100, std::int64_t>> words;
+  for (const auto& part : found) {
+    for (const HardWord& word : part) {
+      const Decimal100 distance = exact_distance<N>(f.function, word.operand);
+      if (distance > ldexp(Decimal100(1), -200)) words.emplace_back(distance, word.operand);
+    }
+  }
+  std::ranges::sort(words, std::greater());
+  // Of an odd or even function, the positive operand stands for both.
+  words.erase(std::unique(words.begin(), words.end(),
+                          [](const auto& a, const auto& b) {
+                            return a.first == b.first && a.second == -b.second;
+                          }),
+              words.end());
+  std::ranges::reverse(words);
+  words.resize(std::min(words.size(), count));
+  for (const auto& [distance, operand] : words) {
+    const N x = N::from_raw(static_cast<typename N::raw_type>(operand));
+    const N result = functions::expected(f.function, x, N(), oracle::Rounding::half_up);
+    fmt::print("{} {} {} {} 2^{:.1f}\n", f.name, format, operand, result.raw(),
+               static_cast<double>(log2(distance)));
+  }
+}
+
+template <class N>
+bool find_in(std::string_view function, const char* format, std::size_t count) {
+  for (const functions::Named<N>& f : functions::unary<N>) {
+    if (function != f.name) continue;
+    find(f, format, count);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string_view> args(argv + 1, argv + argc);
+  std::size_t count = 0;
+  if (args.size() == 3) std::from_chars(args[2].data(), args[2].data() + args[2].size(), count);
+  if (count == 0) {
+    fmt::print(stderr, "usage: find_hard_words FUNCTION FORMAT COUNT\n");
+    return 2;
+  }
+  const bool is_known = args[1] == "q8_8"     ? find_in<q8_8>(args[0], "q8_8", count)
+                        : args[1] == "q24_8"  ? find_in<q24_8>(args[0], "q24_8", count)
+                        : args[1] == "q16_16" ? find_in<q16_16>(args[0], "q16_16", count)
+                        : args[1] == "q8_24"  ? find_in<q8_24>(args[0], "q8_24", count)
+                        : args[1] == "q2_30"  ? find_in<q2_30>(args[0], "q2_30", count)
+                                              : false;
+  if (!is_known) {
+    fmt::print(stderr, "no function {} in {}; formats are q8_8, q24_8, q16_16, q8_24 and q2_30\n",
+               args[0], args[1]);
+    return 2;
+  }
+  return 0;
+}
