@@ -14,7 +14,11 @@
 #include <string_view>
 #include <type_traits>
 
+#include "fixed/angle.hpp"
+#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
+#include "fixed/trigonometry.hpp"
 
 namespace {
 
@@ -200,35 +204,118 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
   }
 }
 
-/// @tparam kinds the number of operations of each type
-template <std::uint64_t kinds, class... Numbers>
-std::uint64_t digest_of(std::uint64_t count) {
-  using Function = void (*)(std::uint64_t, Draws&, Digest&);
-  constexpr std::array<Function, sizeof...(Numbers)> types{compute<Numbers>...};
+/// The functions of fixed/exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp, numbered.
+constexpr std::uint64_t functions = 29;
+
+template <class N>
+void compute_function(std::uint64_t function, Draws& draw, Digest& digest) {
+  using namespace fixproof;
+  const N a = draw.number<N>();
+  const N b = draw.number<N>();
+  switch (function) {
+    case 0:
+      return digest.add(exp(a));
+    case 1:
+      return digest.add(exp2(a));
+    case 2:
+      return digest.add(expm1(a));
+    case 3:
+      return digest.add(log(a));
+    case 4:
+      return digest.add(log2(a));
+    case 5:
+      return digest.add(log10(a));
+    case 6:
+      return digest.add(log1p(a));
+    case 7:
+      return digest.add(sinh(a));
+    case 8:
+      return digest.add(cosh(a));
+    case 9:
+      return digest.add(tanh(a));
+    case 10:
+      return digest.add(sin(a));
+    case 11:
+      return digest.add(cos(a));
+    case 12:
+      return digest.add(tan(a));
+    case 13:
+      return digest.add(sin_of_degrees(a));
+    case 14:
+      return digest.add(cos_of_degrees(a));
+    case 15:
+      return digest.add(tan_of_degrees(a));
+    case 16:
+      return digest.add(sin_of_turns(a));
+    case 17:
+      return digest.add(cos_of_turns(a));
+    case 18:
+      return digest.add(tan_of_turns(a));
+    case 19:
+      return digest.add(asin(a));
+    case 20:
+      return digest.add(acos(a));
+    case 21:
+      return digest.add(atan(a));
+    case 22:
+      return digest.add(cbrt(a));
+    case 23:
+      return digest.add(rsqrt(a));
+    case 24:
+      return digest.add(reciprocal(a));
+    case 25:
+      return digest.add(atan2(a, b));
+    case 26:
+      return digest.add(hypot(a, b));
+    case 27:
+      return digest.add(hypot(a, b, draw.number<N>()));
+    default:
+      return digest.add(pow(a, b));
+  }
+}
+
+using Computation = void (*)(std::uint64_t, Draws&, Digest&);
+
+/// @param kinds the number of operations of each type
+template <std::size_t size>
+std::uint64_t digest_of(const std::array<Computation, size>& types, std::uint64_t kinds,
+                        std::uint64_t count) {
   Digest digest;
   for (std::uint64_t i = 0; i < count; ++i) {
     Draws draw(i);
-    types.at(i / kinds % types.size())(i % kinds, draw, digest);
+    types.at(i / kinds % size)(i % kinds, draw, digest);
   }
   return digest.value();
 }
+
+template <class... Numbers>
+constexpr std::array<Computation, sizeof...(Numbers)> operations_of{compute<Numbers>...};
+template <class... Numbers>
+constexpr std::array<Computation, sizeof...(Numbers)> functions_of{compute_function<Numbers>...};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace fixproof;
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
-  const std::uint64_t value =
-      digest_of<operations, q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386,
-                q16_16_i386_mul_rounded, q16_16_i386_div_rounded, q16_16_i386_unrounded,
-                q16_16_i8088, q16_16_i8088_mul_rounded, q16_16_i8088_div_rounded,
-                q16_16_i8088_unrounded, q8_8, q8_8_saturating, q8_8_trapping, q8_8_i386,
-                q8_8_i386_mul_rounded, q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088,
-                q8_8_i8088_mul_rounded, q8_8_i8088_div_rounded, q8_8_i8088_unrounded>(count);
+  const std::uint64_t value = digest_of(
+      operations_of<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386,
+                    q16_16_i386_mul_rounded, q16_16_i386_div_rounded, q16_16_i386_unrounded,
+                    q16_16_i8088, q16_16_i8088_mul_rounded, q16_16_i8088_div_rounded,
+                    q16_16_i8088_unrounded, q8_8, q8_8_saturating, q8_8_trapping, q8_8_i386,
+                    q8_8_i386_mul_rounded, q8_8_i386_div_rounded, q8_8_i386_unrounded, q8_8_i8088,
+                    q8_8_i8088_mul_rounded, q8_8_i8088_div_rounded, q8_8_i8088_unrounded>,
+      operations, count);
   const std::uint64_t of_formats =
-      digest_of<format_operations, q8_0, q4_4, q1_7, u4_4, u0_8, q12_4, q4_12, q2_14, q1_15, u8_8,
-                u1_15, u0_16, q32_0, q26_6, q24_8, q20_12, q8_24, q4_28, q2_30, q1_31, u24_8,
-                u16_16, u8_24, u1_31, u0_32, q48_16, q40_24, q32_32, q16_48, q2_62, q1_63, u48_16,
-                u32_32, u0_64>(count);
-  std::cout << count << " operations: " << std::hex << value << ", formats " << of_formats << '\n';
+      digest_of(operations_of<q8_0, q4_4, q1_7, u4_4, u0_8, q12_4, q4_12, q2_14, q1_15, u8_8, u1_15,
+                              u0_16, q32_0, q26_6, q24_8, q20_12, q8_24, q4_28, q2_30, q1_31, u24_8,
+                              u16_16, u8_24, u1_31, u0_32, q48_16, q40_24, q32_32, q16_48, q2_62,
+                              q1_63, u48_16, u32_32, u0_64>,
+                format_operations, count);
+  // They take ten times as long.
+  const std::uint64_t of_functions =
+      digest_of(functions_of<q4_4, q8_8, u0_16, q32_0, q24_8, q16_16, q8_24, q2_30, u16_16, u0_32>,
+                functions, count / 10);
+  std::cout << count << " operations: " << std::hex << value << ", formats " << of_formats
+            << ", functions " << of_functions << '\n';
 }

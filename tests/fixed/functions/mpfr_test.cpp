@@ -1,0 +1,57 @@
+/// Compares the functions with MPFR, in 990 bits and by the code of other authors.
+#include <boost/multiprecision/mpfr.hpp>
+
+#include "oracle/real_function.hpp"
+#include "tests/fixed/functions/functions.hpp"
+
+namespace {
+
+using namespace fixproof;
+using functions::Named;
+/// Of 300 digits.
+using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300>,
+                                           boost::multiprecision::et_off>;
+
+/// The result of MPFR, rounded half up and saturated.
+template <class N>
+std::int64_t by_mpfr(oracle::Function function, N x, N y) {
+  using limits = std::numeric_limits<typename N::raw_type>;
+  const auto real = [](N number) { return ldexp(Real(number.raw()), -N::fraction_bits); };
+  const Real value = ldexp(oracle::real_function(function, real(x), real(y)), N::fraction_bits);
+  // MPFR is off by less than 2^-900: a tie is one.
+  const Real biased = floor(value + 0.5 + ldexp(Real(1), -900));
+  if (biased >= limits::max()) return limits::max();
+  if (biased <= limits::min()) return limits::min();
+  return biased.convert_to<std::int64_t>();
+}
+
+template <class N, std::size_t Size>
+void expect_equal(const std::array<Named<N>, Size>& all, int count) {
+  std::mt19937_64 random(1994);
+  const auto word = [&random] {
+    const auto bits = static_cast<std::int64_t>(random());
+    return N::from_raw(static_cast<typename N::raw_type>(bits >> (32 + random() % 32)));
+  };
+  for (int i = 0; i < count; ++i) {
+    const N x = word();
+    const N y = word();
+    for (const Named<N>& f : all) {
+      if (!oracle::in_domain<std::int64_t>(f.function, x.raw(), y.raw(), N::fraction_bits))
+        continue;
+      ASSERT_EQ(f.compute(x, y).raw(), by_mpfr(f.function, x, y))
+          << f.name << " of raw " << x.raw() << ' ' << y.raw();
+    }
+  }
+}
+
+template <class N>
+class Mpfr : public testing::Test {};
+using MpfrFormats = testing::Types<q8_8, q24_8, q16_16, q8_24, q2_30>;
+TYPED_TEST_SUITE(Mpfr, MpfrFormats);
+
+TYPED_TEST(Mpfr, GivesTheSameWords) {
+  expect_equal(functions::unary<TypeParam>, 300);
+  expect_equal(functions::binary<TypeParam>, 1000);
+}
+
+}  // namespace
