@@ -9,7 +9,7 @@ build_packages=(cmake ninja-build g++ libboost-dev libboost-filesystem-dev libcl
   nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev nasm
   libunicorn-dev z3 libfixmath-dev libfreetype-dev)
 test_packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
-  libglm-dev libmpfr-dev dosbox cvc5 python3-yaml)
+  libglm-dev libmpfr-dev gappa dosbox cvc5 python3-yaml)
 # shellcheck disable=SC2034  # used by ./test
 browser_packages=(chromium chromium-driver python3-selenium)
 # shellcheck disable=SC2034
