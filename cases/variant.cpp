@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/usage_error.hpp"
+
 namespace fixproof::cases {
 
 namespace {
@@ -84,6 +86,12 @@ std::string_view name_of(Target t) {
 }
 
 Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
+
+void check_format(Operation operation, const Format& format) {
+  if (!is_function(operation) || format.word_bits <= 32) return;
+  throw support::UsageError(fmt::format("{} has formats of at most 32 bits, which {} is not",
+                                        name_of(operation), name_of(format)));
+}
 
 std::string function_names() {
   std::string all;

@@ -193,6 +193,8 @@ std::string name_of(const Variant& variant);
 /// Returns the operation with this command-line name.
 /// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
+/// @throws UsageError if the operation is a function and the format has more than 32 bits
+void check_format(Operation operation, const Format& format);
 /// The functions, separated by commas: `sin, cos, exp2, ...`.
 std::string function_names();
 /// Like operation_named(), but only for the routines of FIXED.ASM.

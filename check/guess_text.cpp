@@ -212,6 +212,7 @@ std::string guess_text(const Judge& judge) {
     if (rounding.first.exceptions.count() > 0) text += ": " + text_of(error->at, followed);
     text += '\n';
   }
+  if (judge.curve()) text += judge.curve()->lines();
   return text;
 }
 

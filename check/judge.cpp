@@ -22,7 +22,11 @@ Judge::Judge(const Rules& rules, std::size_t max_shown)
       wrong_(max_shown),
       trial_(rules.operation, rules.format),
       idioms_(rules.operation, rules.format),
-      common_(rules.operation, rules.format) {}
+      common_(rules.operation, rules.format) {
+  if (cases::is_function(rules.operation) && cases::words_in(rules.operation) == 1) {
+    curve_.emplace(rules.format);
+  }
+}
 
 void Judge::add(const JudgedCase& one) {
   const Operands operands = one.operands();
@@ -52,6 +56,7 @@ void Judge::add(const JudgedCase& one) {
     const double off =
         std::fabs(difference(*one.said, rounded->word, rules_.format) + up - place.fraction);
     if (!largest_error_ || off > largest_error_->ulps) largest_error_ = {off, one};
+    if (curve_) curve_->add(one, off, rounded->word);
   }
   if (in_range) idioms_.add(one, right);
   trial_.add(one, place.has_result && place.negative);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "check/common_traits.hpp"
+#include "check/curve.hpp"
 #include "check/exact_place.hpp"
 #include "check/idioms.hpp"
 #include "check/judged_case.hpp"
@@ -44,6 +45,8 @@ class Judge {
   [[nodiscard]] const RuleTrial& trial() const { return trial_; }
   [[nodiscard]] const IdiomTrial& idioms() const { return idioms_; }
   [[nodiscard]] const CommonTraits& common() const { return common_; }
+  /// Empty unless the operation is a function of one number.
+  [[nodiscard]] const std::optional<Curve>& curve() const { return curve_; }
 
  private:
   Rules rules_;
@@ -56,6 +59,7 @@ class Judge {
   RuleTrial trial_;
   IdiomTrial idioms_;
   CommonTraits common_;
+  std::optional<Curve> curve_;
 };
 
 }  // namespace fixproof::check

@@ -39,8 +39,9 @@ std::array<std::uint64_t, 2> words_in(std::string_view line, const cases::Varian
   return {words[0], words[1]};
 }
 
-std::optional<oracle::Ratio> function_of(std::string_view line, const cases::Variant& variant) {
-  const auto [x, y] = words_in(line, variant);
+std::optional<oracle::Ratio> function_of(const std::array<std::uint64_t, 2>& words,
+                                         const cases::Variant& variant) {
+  const auto& [x, y] = words;
   const oracle::Format format = oracle_format(variant.format);
   return oracle::function_value(oracle::function_named(cases::name_of(variant.operation)).value(),
                                 oracle::ulps(x, format), oracle::ulps(y, format),
@@ -60,7 +61,8 @@ Converted parse_converted(std::string_view line, const cases::Variant& variant) 
       break;
     default: {
       if (cases::is_function(variant.operation)) {
-        operand.value = function_of(line, variant);
+        operand.words = words_in(line, variant);
+        operand.value = function_of(operand.words, variant);
         break;
       }
       const cases::Format& format = cases::operand_format(variant);
@@ -81,7 +83,7 @@ std::string text_of(const Converted& operand, const cases::Variant& variant) {
     default: {
       const cases::Format& format = cases::operand_format(variant);
       if (cases::is_function(variant.operation)) {
-        const auto [x, y] = words_in(operand.text, variant);
+        const auto& [x, y] = operand.words;
         return fmt::format(
             "{} ({}{})", operand.text, decimal_text(x, format),
             cases::words_in(variant.operation) == 1 ? "" : " " + decimal_text(y, format));

@@ -3,6 +3,7 @@
 /// takes.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -18,9 +19,10 @@ namespace fixproof::check {
 
 /// The operand of a conversion, or the operands and the result of a function.
 struct Converted {
-  std::string text;                    ///< the operands as they stand on their line
-  std::optional<oracle::Ratio> value;  ///< empty for NaN and infinities, and outside a domain
-  int sign = 0;                        ///< without a value: -1 or 1 for an infinity, 0 for NaN
+  std::string text;                      ///< the operands as they stand on their line
+  std::optional<oracle::Ratio> value;    ///< empty for NaN and infinities, and outside a domain
+  int sign = 0;                          ///< without a value: -1 or 1 for an infinity, 0 for NaN
+  std::array<std::uint64_t, 2> words{};  ///< the operands of a function
 };
 
 /// Parses the operands of a conversion or function.

@@ -89,10 +89,7 @@ check::Rules rules_of(const CheckOptions& options) {
         fmt::format("--overflow wrap: {} is judged by results in range; choose another rule",
                     options.operation));
   }
-  if (is_function && rules.format.word_bits > 32) {
-    throw support::UsageError(
-        fmt::format("--format {}: functions have formats of at most 32 bits", options.format));
-  }
+  cases::check_format(rules.operation, rules.format);
   const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
                                check::no_result_rules(cases::Operation::div),
                                std::optional(check::NoResult::any));

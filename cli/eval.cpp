@@ -43,9 +43,10 @@ cases::Variant chosen(const EvalOptions& options) {
       throw support::UsageError(
           "--format: other formats have no target, rounding or chapter; leave these options out");
     }
-    return {.operation = format_operation_named(options.operation),
-            .build = {.target = cases::Target::standard},
-            .format = cases::format_named(options.format)};
+    const cases::Operation operation = format_operation_named(options.operation);
+    const cases::Format format = cases::format_named(options.format);
+    cases::check_format(operation, format);
+    return {.operation = operation, .build = {.target = cases::Target::standard}, .format = format};
   }
   const cases::Operation operation = answered_operation_named(options.operation);
   if (cases::is_routine(operation)) {

@@ -72,6 +72,7 @@ int generate(const GenOptions& options) {
   if (in_format && !cases::is_conversion(operation)) format_operation_named(options.operation);
   const cases::Variant variant = variant_in(
       operation, in_format ? cases::format_named(options.format) : cases::q16_16, options.to);
+  cases::check_format(operation, variant.format);
   check::GeneratedCases cases(variant, options.cases);
   const std::uint64_t all = *cases.count();
   if (all == 0) {

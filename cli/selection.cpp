@@ -80,6 +80,7 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
       std::ranges::for_each(cases::named_formats(), add);
     } else {
       add(cases::format_named(name));
+      for (const cases::Operation o : operations) cases::check_format(o, formats.back());
     }
   }
   std::vector<cases::Variant> variants;

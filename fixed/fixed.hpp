@@ -1,6 +1,7 @@
 /// \file
-/// All of namespace fixproof except batch/batch.hpp, batch/radian.hpp, fixed/bytes.hpp,
-/// fixed/eigen.hpp and property/generator.hpp.
+/// All of namespace fixproof except fixed/exponential.hpp, fixed/trigonometry.hpp, fixed/angle.hpp,
+/// fixed/power.hpp, fixed/bytes.hpp, fixed/eigen.hpp, batch/batch.hpp, batch/radian.hpp and
+/// property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///

@@ -115,18 +115,18 @@ requires detail::has_radians<Raw, F>
 
 /// \cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
-#define FIXED_REFUSED_ANGLE(name)                                                              \
-  template <class Number, class T>                                                             \
-  requires std::is_arithmetic_v<T> Number name(T)                                              \
-  FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name    \
-                "_of_tenths<q16_16>(300)");                                                    \
-  template <detail::has_no_fast_sine N>                                                        \
-  N name(N)                                                                                    \
-      FIXED_INSTEAD("only 16.16 and 8.8 have " #name " of radians here: convert, as in " #name \
-                    "(q16_16(x)), or include fixed/trigonometry.hpp");                         \
-  template <class Number, class T>                                                             \
-  requires(!std::integral<T>) Number name##_of_tenths(T)                                       \
-      FIXED_INSTEAD("angles are whole tenths of a degree: " #name                              \
+#define FIXED_REFUSED_ANGLE(name)                                                                \
+  template <class Number, class T>                                                               \
+  requires std::is_arithmetic_v<T> Number name(T)                                                \
+  FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name      \
+                "_of_tenths<q16_16>(300)");                                                      \
+  template <detail::has_no_fast_sine N>                                                          \
+  N name(N) FIXED_INSTEAD(#name                                                                  \
+                          " of radians: include fixed/trigonometry.hpp; in 64 bits convert, as " \
+                          "in " #name "(q16_16(x))");                                            \
+  template <class Number, class T>                                                               \
+  requires(!std::integral<T>) Number name##_of_tenths(T)                                         \
+      FIXED_INSTEAD("angles are whole tenths of a degree: " #name                                \
                     "_of_tenths<q16_16>(300) is for 30.0 degrees");
 FIXED_REFUSED_ANGLE(sin)
 FIXED_REFUSED_ANGLE(cos)

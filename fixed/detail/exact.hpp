@@ -48,12 +48,14 @@ constexpr mul_add_t<Raw, FractionBits> rounded_mul_add(Raw a, Raw b, Raw c) noex
   return shift_right<R>(sum, FractionBits);
 }
 
-/// a * 2^places for 0 <= places. More places than the width of Raw count as its width, for which
-/// every result except 0 is out of range.
+/// a * 2^places, toward -infinity. More places than the width of Raw count as its width, for which
+/// every result of a left shift except 0 is out of range.
 template <class Raw>
 constexpr auto exact_shift_left(Raw a, int places) noexcept {
   using wide = signed_t<signed_bits<Raw> + bits_of<Raw>>;
-  return wide{a} << (places < bits_of<Raw> ? places : bits_of<Raw>);
+  constexpr int most = bits_of<Raw>;
+  if (places < 0) return wide{a} >> (places < -most ? most : -places);
+  return wide{a} << (places < most ? places : most);
 }
 
 }  // namespace fixproof::detail

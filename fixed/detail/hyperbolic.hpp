@@ -68,7 +68,7 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
   constexpr std::int64_t one = std::int64_t{1} << 62;
   const std::int64_t t = falling_exponential(2 * x);
   const auto value =
-      static_cast<std::int64_t>(truncated_ratio(int128{one - t} << 62, int128{one + t}));
+      static_cast<std::int64_t>(truncated_ratio(int128{one - t} << 62, int128{one} + int128{t}));
   // The derivative is at least -2, so the error of t counts twice.
   constexpr std::int64_t error = 24;
   const nearest_ends ends = nearest_within(value, error, 62 - fraction_bits);

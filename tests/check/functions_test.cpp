@@ -1,4 +1,6 @@
 // Tests the judging of functions. The expected words are worked by hand.
+#include <fmt/format.h>
+
 #include "check/cases.hpp"
 #include "check/guess_text.hpp"
 #include "check/judge.hpp"
@@ -79,6 +81,48 @@ TEST(CheckFunctions, TheVerdictNamesOperandsAndKind) {
                            "gives 80000000 on"}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
+}
+
+/// Judges results of tanh in 16.16 for every operand from -2 to 2 that is a multiple of 1/64.
+std::string verdict_of(std::int64_t (*subject)(std::int64_t operand, std::int64_t right)) {
+  const Rules rules = rules_for(Operation::tanh);
+  Judge judge(rules, 0);
+  for (std::int64_t operand = -131072; operand <= 131072; operand += 1024) {
+    JudgedCase one;
+    one.converted = operands_of(rules, fmt::format("{:08x}", static_cast<std::uint32_t>(operand)));
+    const Said right = expected_of(rules, *one.converted).said;
+    const auto ulps = static_cast<std::int32_t>(right.value());
+    one.said = static_cast<std::uint32_t>(subject(operand, ulps));
+    judge.add(one);
+  }
+  return guess_text(judge);
+}
+
+TEST(CheckFunctions, RightResultsHaveOrderAndSymmetry) {
+  const std::string text = verdict_of([](std::int64_t, std::int64_t right) { return right; });
+  EXPECT_NE(text.find("mean error       0.2"), std::string::npos) << text;
+  EXPECT_EQ(text.find("  order"), std::string::npos) << text;
+  EXPECT_EQ(text.find("  symmetry"), std::string::npos) << text;
+}
+
+TEST(CheckFunctions, AStepDownIsNamed) {
+  // At 1.0 the function rises by 430 ulps.
+  const std::string text = verdict_of([](std::int64_t operand, std::int64_t right) {
+    return operand < 65536 ? right : right - 700;
+  });
+  EXPECT_NE(text.find("order            1 of 256 neighbours are in the wrong order; first 0000fc00 "
+                      "and 00010000"),
+            std::string::npos)
+      << text;
+}
+
+TEST(CheckFunctions, ABrokenSymmetryIsNamed) {
+  const std::string text = verdict_of([](std::int64_t operand, std::int64_t right) {
+    return operand == -1024 ? right - 1 : right;
+  });
+  EXPECT_NE(text.find("symmetry         broken by 1 of 128 pairs of x and -x; first x 00000400"),
+            std::string::npos)
+      << text;
 }
 
 }  // namespace

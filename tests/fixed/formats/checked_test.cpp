@@ -74,6 +74,10 @@ std::string first_wrong(N a, N b, N c) {
     const integer shifted = reference::below(x, reference::power(2, places));
     if (reference::raw(a >> places) != shifted || reference::raw(a << -places) != shifted)
       return "a >> places";
+    if (!is({checked_shift_left(a, -places), overflowing_shift_left(a, -places),
+             saturating_shift_left(a, -places), wrapping_shift_left(a, -places)},
+            shifted))
+      return "shift_left by a negative number";
     const auto left = reference::in_range<N>(x * reference::power(2, places), N::rules.range);
     if (reference::outcome([&] { return a << places; }) != left) return "a << places";
   }

@@ -68,6 +68,8 @@ TEST(Exponentials, LogarithmsHaveTheirError) {
 
 TEST(Exponentials, AreConstantExpressions) {
   using namespace literals;
+  static_assert(tanh(q16_16()) == 0 && sinh(q16_16()) == 0 && cosh(q16_16()) == 1);
+  static_assert(expm1(q16_16()) == 0 && log1p(q16_16()) == 0 && exp2(q16_16()) == 1);
   static_assert(exp(1_q8_24).raw() == 45605201);     // 45605201.4
   static_assert(log(1.5_q2_30).raw() == 435364845);  // 435364844.7
   static_assert(log10(u16_16(1000)) == 3 && log2(q24_8(1 << 20)) == 20);
