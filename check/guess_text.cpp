@@ -212,7 +212,9 @@ std::string guess_text(const Judge& judge) {
     if (rounding.first.exceptions.count() > 0) text += ": " + text_of(error->at, followed);
     text += '\n';
   }
-  if (judge.curve()) text += judge.curve()->lines();
+  if (judge.curve()) {
+    if (const auto figures = judge.curve()->figures()) text += text_of(*figures);
+  }
   return text;
 }
 

@@ -23,8 +23,8 @@ Judge::Judge(const Rules& rules, std::size_t max_shown)
       trial_(rules.operation, rules.format),
       idioms_(rules.operation, rules.format),
       common_(rules.operation, rules.format) {
-  if (cases::is_function(rules.operation) && cases::words_in(rules.operation) == 1) {
-    curve_.emplace(rules.format);
+  if (cases::is_function(rules.operation)) {
+    curve_.emplace(rules.format, cases::words_in(rules.operation));
   }
 }
 

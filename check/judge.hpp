@@ -45,7 +45,7 @@ class Judge {
   [[nodiscard]] const RuleTrial& trial() const { return trial_; }
   [[nodiscard]] const IdiomTrial& idioms() const { return idioms_; }
   [[nodiscard]] const CommonTraits& common() const { return common_; }
-  /// Empty unless the operation is a function of one number.
+  /// Empty unless the operation is a function.
   [[nodiscard]] const std::optional<Curve>& curve() const { return curve_; }
 
  private:

@@ -103,19 +103,22 @@ void add_measure(CLI::App& app, int& status) {
       "measure the errors of values stepped across spans, with derived bounds, the wrong pixels, "
       "and clocks and nanoseconds of the loops");
   what->require_option(1);
-  CLI::Option* format = command
-                            ->add_option("--format", options->format,
-                                         "measure mul, div and sqrt in this format, such as q2_30: "
-                                         "the type under every rounding rule, float and double")
-                            ->check(not_empty())
+  const auto add_text = [command](const char* name, auto& value, const char* help) {
+    return command->add_option(name, value, help)->check(not_empty());
+  };
+  CLI::Option* format = add_text("--format", options->format,
+                                 "measure mul, div and sqrt in this format, such as q2_30: "
+                                 "the type under every rounding rule, float and double")
                             ->needs(accuracy);
-  command
-      ->add_option("scene", options->scenes,
-                   "scene files whose operands are recorded, such as scenes/twelve_cubes.json")
-      ->check(not_empty())
+  CLI::Option* function = add_text("--function", options->request.function,
+                                   "measure this function of docs/functions.md, or all of them")
+                              ->needs(accuracy);
+  add_text("scene", options->scenes,
+           "scene files whose operands are recorded, such as scenes/twelve_cubes.json")
       ->excludes(host)
       ->excludes(stepping)
-      ->excludes(format);
+      ->excludes(format)
+      ->excludes(function);
   command
       ->add_option("--cases", options->request.cases,
                    "number of random operands of each kind, or of spans of each length")
@@ -128,11 +131,12 @@ void add_measure(CLI::App& app, int& status) {
       ->capture_default_str()
       ->excludes(accuracy)
       ->excludes(clocks);
-  command->add_option("--json", options->json, "write the results to this file as JSON")
-      ->check(not_empty());
+  add_text("--json", options->json, "write the results to this file as JSON");
   command->footer(
       R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind. With
 --format, it takes the formats that fixed/formats.hpp names and no scene, whose operands are 16.16.
+With --function, it takes the cases of `fixproof gen` (--cases of them) in 16.16 or a --format, and adds
+the worst operands, and the order and symmetry of the results, as `fixproof check` shows them.
 --clocks counts clocks by Intel's tables and tests the chapters' claims about speed.
 --host times this processor, by default with 100,000 results of each kind, and takes no scene.
 --stepping steps spans of 1 to 320 pixels, by default 200 of each length, and takes no scene.
@@ -143,16 +147,17 @@ value exceeds its derived bound, 2 bad usage or an invalid scene, 130 interrupte
 Examples:
   fixproof measure --accuracy scenes/twelve_cubes.json --json accuracy.json
   fixproof measure --accuracy --format q2_30
-  fixproof measure --clocks scenes/twelve_cubes.json scenes/ball_and_cubes.json \
-    scenes/shaded_ball.json --json clocks.json
+  fixproof measure --accuracy --function exp
+  fixproof measure --clocks scenes/twelve_cubes.json scenes/shaded_ball.json --json clocks.json
   fixproof measure --host --json host.json
   fixproof measure --stepping --json stepping.json)");
   command->callback([options, &status] {
-    status = !options->format.empty() ? run(*options, measure::measure_format_accuracy)
-             : options->accuracy      ? run(*options, measure::measure_accuracy)
-             : options->host          ? run(*options, measure::measure_host)
-             : options->stepping      ? run(*options, measure::measure_stepping)
-                                      : run(*options, measure::measure_clocks);
+    status = !options->request.function.empty() ? run(*options, measure::measure_function_accuracy)
+             : !options->format.empty()         ? run(*options, measure::measure_format_accuracy)
+             : options->accuracy                ? run(*options, measure::measure_accuracy)
+             : options->host                    ? run(*options, measure::measure_host)
+             : options->stepping                ? run(*options, measure::measure_stepping)
+                                                : run(*options, measure::measure_clocks);
   });
 }
 

@@ -23,15 +23,16 @@ std::string sparkline(const measure::ErrorHistogram& histogram) {
 
 std::string row_text(const measure::AccuracyRow& row) {
   const measure::ErrorStatistics& e = row.errors;
-  if (e.cases() == 0) {
-    return fmt::format("  {:<24}no case has a result that fits\n", row.variant);
-  }
-  return fmt::format("  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6} |{}|\n",
-                     row.variant, support::grouped(e.cases()), support::grouped(row.beyond),
-                     support::grouped(row.faults), largest_text(e.max()),
-                     error_text(e.mean(), true), error_text(e.mean_error()),
-                     error_text(e.root_mean_square()), share_text(e.correct()),
-                     fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
+  if (e.cases() == 0) return fmt::format("  {:<24}no case has a result that fits\n", row.variant);
+  std::string text = fmt::format(
+      "  {:<24}{:>9}{:>10}{:>10}{:>11}{:>12}{:>10}{:>10}{:>11}  {:>6} |{}|\n", row.variant,
+      support::grouped(e.cases()), support::grouped(row.beyond), support::grouped(row.faults),
+      largest_text(e.max()), error_text(e.mean(), true), error_text(e.mean_error()),
+      error_text(e.root_mean_square()), share_text(e.correct()),
+      fmt::format("{:g}", e.histogram().span()), sparkline(e.histogram()));
+  if (!row.curve) return text;
+  return text + fmt::format("  worst operand    {}: {:.7g} ulp off\n", row.worst, e.max()) +
+         text_of(*row.curve);
 }
 
 std::string pixels_text(const measure::AccuracyResult& result) {
@@ -46,8 +47,7 @@ std::string pixels_text(const measure::AccuracyResult& result) {
   for (std::size_t i = 0; i < variants.front().octaves.size(); ++i) {
     const std::int32_t from = variants.front().octaves[i].nearest;
     text += fmt::format("{:>15}", fmt::format("{} to {}", from, 2 * from));
-    for (const measure::PixelErrors& e : variants)
-      text += fmt::format("{:>24.4f}", e.octaves[i].max);
+    for (const auto& e : variants) text += fmt::format("{:>24.4f}", e.octaves[i].max);
     text += '\n';
   }
   text += fmt::format("{:>15}", "safe from");

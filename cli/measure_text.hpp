@@ -6,7 +6,7 @@
 #include <string>
 
 #include "measure/accuracy/accuracy.hpp"
-#include "measure/accuracy/format_accuracy.hpp"
+#include "measure/accuracy/function_accuracy.hpp"
 #include "measure/clocks/clocks.hpp"
 #include "measure/host/host.hpp"
 #include "measure/stepping/stepping.hpp"

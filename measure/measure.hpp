@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace fixproof::measure {
 /// The options of `fixproof measure`. Each measurement has its own default for `cases`.
 struct MeasureRequest {
   std::vector<xsharp::Scene> scenes;   ///< whose operands are recorded
-  cases::Format format;                ///< used by measure_format_accuracy() only
+  cases::Format format;                ///< used by the accuracy in a format and of functions
+  std::string function;                ///< of measure_function_accuracy(), or `all`
   std::uint64_t seed = 1994;           ///< seed of the random operands
   std::optional<std::uint64_t> cases;  ///< random cases of each kind
   std::uint64_t rounds = 101;          ///< each round times every loop once

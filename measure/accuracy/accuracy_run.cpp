@@ -52,28 +52,29 @@ bool fits(const ExactResult& exact) {
 }
 
 /// The result is mantissa / 2^places.
-void add_scaled(ErrorStatistics& errors, const Integer& mantissa, int places,
-                const ExactResult& exact) {
+double add_scaled(ErrorStatistics& errors, const Integer& mantissa, int places,
+                  const ExactResult& exact) {
   const Integer denominator = exact.denominator << places;
   const Integer off = mantissa * exact.denominator - (exact.numerator << places);
-  errors.add(static_cast<double>(off) / static_cast<double>(denominator),
-             2 * abs(off) <= denominator);
+  const double error = static_cast<double>(off) / static_cast<double>(denominator);
+  errors.add(error, 2 * abs(off) <= denominator);
+  return error;
 }
 
 }  // namespace
 
-void add_error(ErrorStatistics& errors, const Integer& result, const ExactResult& exact) {
-  add_scaled(errors, result, 0, exact);
+double add_error(ErrorStatistics& errors, const Integer& result, const ExactResult& exact) {
+  return add_scaled(errors, result, 0, exact);
 }
 
-void add_error(ErrorStatistics& errors, double result, const ExactResult& exact) {
+double add_error(ErrorStatistics& errors, double result, const ExactResult& exact) {
   if (result == std::trunc(result)) return add_scaled(errors, Integer(result), 0, exact);
   int exponent = 0;
   constexpr int bits = std::numeric_limits<double>::digits;
   const double mantissa = std::ldexp(std::frexp(result, &exponent), bits);
   // Positive, because the result is not a whole number.
   const int places = bits - exponent;
-  add_scaled(errors, Integer(static_cast<std::int64_t>(mantissa)), places, exact);
+  return add_scaled(errors, Integer(static_cast<std::int64_t>(mantissa)), places, exact);
 }
 
 std::vector<OperandSet> random_operands(const MeasuredOperation& operation, std::uint64_t seed,
@@ -141,6 +142,10 @@ OperandSet scene_operands(const MeasuredOperation& operation, const std::string&
   return set;
 }
 
+static support::Json pairs_json(const check::FlawedPairs& pairs) {
+  return {{"pairs", pairs.pairs}, {"wrong", pairs.wrong}, {"first", pairs.first}};
+}
+
 void to_json(support::Json& json, const AccuracyRow& row) {
   const ErrorStatistics& e = row.errors;
   json = {{"operation", row.operation},
@@ -156,6 +161,11 @@ void to_json(support::Json& json, const AccuracyRow& row) {
           {"rms", e.root_mean_square()},
           {"correct", e.correct()},
           {"histogram", {{"span", e.histogram().span()}, {"counts", e.histogram().counts()}}}};
+  if (!row.curve) return;
+  json["worst"] = row.worst;
+  json["mean_size"] = row.curve->mean_error;
+  json["order"] = pairs_json(row.curve->order);
+  json["symmetry"] = pairs_json(row.curve->symmetry);
 }
 
 std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,

@@ -4,9 +4,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "check/curve.hpp"
 #include "measure/accuracy/error_statistics.hpp"
 #include "measure/accuracy/subjects.hpp"
 #include "player/model_call.hpp"
@@ -37,15 +39,17 @@ struct AccuracyRow {
   ErrorStatistics errors;
   std::uint64_t beyond = 0;  ///< cases without an exact result, or with one that does not fit
   std::uint64_t faults = 0;  ///< divide errors although the exact result fits
+  std::string worst{};       ///< of a function, the operands of the largest error
+  std::optional<check::CurveFigures> curve{};  ///< of a function
 };
 
 /// The members that accuracy.hpp lists.
 void to_json(support::Json& json, const AccuracyRow& row);
 
 /// Adds the error of `result` ulps, computed exactly. A result within half an ulp counts as
-/// correct.
-void add_error(ErrorStatistics& errors, const oracle::Integer& result, const ExactResult& exact);
-void add_error(ErrorStatistics& errors, double result, const ExactResult& exact);
+/// correct. Returns the error.
+double add_error(ErrorStatistics& errors, const oracle::Integer& result, const ExactResult& exact);
+double add_error(ErrorStatistics& errors, double result, const ExactResult& exact);
 
 /// Returns one row for each subject. If `stop` ends the run early, the rows cover the cases so far.
 std::vector<AccuracyRow> measure_errors(const MeasuredOperation& operation, const OperandSet& set,

@@ -74,28 +74,22 @@ using rounded_by = with_policy<Number, policy{.multiply = Rule, .divide = Rule}>
 std::vector<FormatSubject> subjects_in(const Format& format, Operation operation) {
   std::vector<FormatSubject> subjects;
   const std::string name = cases::name_of(format);
-  const bool is_named =
-      parties::with_number_in(format, [&]<class Number>(std::type_identity<Number> /*type*/) {
-        if (operation == Operation::sqrt) {
-          subjects.push_back({name, answer_of_type<Number>});
-          return;
-        }
-        const auto add = [&]<rounding Rule>(const char* rule) {
-          subjects.push_back(
-              {fmt::format("{}, {}", name, rule), answer_of_type<rounded_by<Number, Rule>>});
-        };
-        add.template operator()<rounding::half_up>("half up");
-        add.template operator()<rounding::half_even>("half even");
-        add.template operator()<rounding::half_away>("half away");
-        add.template operator()<rounding::floor>("floor");
-        add.template operator()<rounding::truncate>("truncate");
-      });
-  if (!is_named) {
-    throw support::UsageError(
-        fmt::format("--format {}: --accuracy measures the formats that fixed/formats.hpp names; "
-                    "see `fixproof verify --help`",
-                    name));
-  }
+  require_named(format);
+  parties::with_number_in(format, [&]<class Number>(std::type_identity<Number> /*type*/) {
+    if (operation == Operation::sqrt) {
+      subjects.push_back({name, answer_of_type<Number>});
+      return;
+    }
+    const auto add = [&]<rounding Rule>(const char* rule) {
+      subjects.push_back(
+          {fmt::format("{}, {}", name, rule), answer_of_type<rounded_by<Number, Rule>>});
+    };
+    add.template operator()<rounding::half_up>("half up");
+    add.template operator()<rounding::half_even>("half even");
+    add.template operator()<rounding::half_away>("half away");
+    add.template operator()<rounding::floor>("floor");
+    add.template operator()<rounding::truncate>("truncate");
+  });
   subjects.push_back({"float", answer_of_float<float>});
   subjects.push_back({"double", answer_of_float<double>});
   return subjects;
@@ -207,6 +201,14 @@ std::vector<AccuracyRow> measure_stream(const Part& part,
 
 }  // namespace
 
+void require_named(const Format& format) {
+  if (parties::with_number_in(format, [](auto /*type*/) {})) return;
+  throw support::UsageError(
+      fmt::format("--format {}: --accuracy measures the formats that fixed/formats.hpp names; see "
+                  "`fixproof verify --help`",
+                  cases::name_of(format)));
+}
+
 std::optional<FormatAccuracyResult> measure_format_accuracy(const MeasureRequest& request,
                                                             MeasureProgress& progress) {
   const Format& format = request.format;
@@ -228,7 +230,10 @@ std::optional<FormatAccuracyResult> measure_format_accuracy(const MeasureRequest
 }
 
 void to_json(support::Json& json, const FormatAccuracyResult& result) {
-  json = {{"made", made_by_json("measure --accuracy --format", result.seed)},
+  json = {{"made", made_by_json(result.function.empty()
+                                    ? "measure --accuracy --format"
+                                    : "measure --accuracy --function " + result.function,
+                                result.seed)},
           {"format", cases::name_of(result.format)},
           {"accuracy", result.rows}};
 }

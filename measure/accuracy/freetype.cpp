@@ -1,5 +1,6 @@
 // FreeType's arithmetic. Its fixed-point numbers have the C type long, as in FreeType's users.
 #include <freetype/freetype.h>
+#include <freetype/fttrigon.h>
 
 #include "measure/accuracy/number_subject.hpp"
 #include "measure/host/host_contenders.hpp"
@@ -23,6 +24,12 @@ struct FreeTypeNumber {
 };
 
 constexpr const char* freetype = "FreeType";
+
+/// A function of an angle in degrees. The angle is a long, too.
+template <FT_Fixed (*Function)(FT_Angle)>
+std::uint32_t of_word(std::uint32_t x, std::uint32_t /*y*/) {
+  return static_cast<std::uint32_t>(Function(static_cast<std::int32_t>(x)));
+}
 
 }  // namespace
 
@@ -51,6 +58,13 @@ std::vector<HostContender> freetype_contenders(const std::string& operation) {
         vertex_contender<FreeTypeNumber, Rounding::half_away>(freetype, "", HostKind::library));
   }
   return all;
+}
+
+WordFunction freetype_function(std::string_view function) {
+  if (function == "sin_of_degrees") return of_word<FT_Sin>;
+  if (function == "cos_of_degrees") return of_word<FT_Cos>;
+  if (function == "tan_of_degrees") return of_word<FT_Tan>;
+  return nullptr;
 }
 
 bool has_freetype() { return true; }

@@ -1,6 +1,7 @@
 // libfixmath, as packaged by Debian.
 #include <libfixmath/fix16.h>
 
+#include <array>
 #include <cmath>
 
 #include "measure/accuracy/number_subject.hpp"
@@ -47,6 +48,28 @@ HostJudgement fix16_root(const HostCase& c) {
   return std::fabs(c.result - exact) <= 0.501 ? HostJudgement::exception : HostJudgement::wrong;
 }
 
+/// A function of one word.
+template <fix16_t (*Function)(fix16_t)>
+std::uint32_t of_word(std::uint32_t x, std::uint32_t /*y*/) {
+  return static_cast<std::uint32_t>(Function(static_cast<fix16_t>(x)));
+}
+
+std::uint32_t arctangent(std::uint32_t y, std::uint32_t x) {
+  return static_cast<std::uint32_t>(fix16_atan2(static_cast<fix16_t>(y), static_cast<fix16_t>(x)));
+}
+
+struct NamedFunction {
+  std::string_view name;
+  WordFunction of;
+};
+constexpr std::array functions{
+    NamedFunction{"exp", of_word<fix16_exp>},   NamedFunction{"log", of_word<fix16_log>},
+    NamedFunction{"log2", of_word<fix16_log2>}, NamedFunction{"sin", of_word<fix16_sin>},
+    NamedFunction{"cos", of_word<fix16_cos>},   NamedFunction{"tan", of_word<fix16_tan>},
+    NamedFunction{"asin", of_word<fix16_asin>}, NamedFunction{"acos", of_word<fix16_acos>},
+    NamedFunction{"atan", of_word<fix16_atan>}, NamedFunction{"atan2", arctangent},
+};
+
 }  // namespace
 
 template <>
@@ -76,6 +99,13 @@ std::vector<HostContender> libfixmath_contenders(const std::string& operation) {
     all.push_back(vertex_contender<Fix16Number, half_away>(libfixmath, "", HostKind::library));
   }
   return all;
+}
+
+WordFunction libfixmath_function(std::string_view function) {
+  for (const auto& [name, of] : functions) {
+    if (name == function) return of;
+  }
+  return nullptr;
 }
 
 bool has_libfixmath() { return true; }

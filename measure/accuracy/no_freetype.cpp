@@ -7,6 +7,8 @@ std::optional<Subject> freetype_subject(const std::string& /*operation*/) { retu
 
 std::vector<HostContender> freetype_contenders(const std::string& /*operation*/) { return {}; }
 
+WordFunction freetype_function(std::string_view /*function*/) { return nullptr; }
+
 bool has_freetype() { return false; }
 
 }  // namespace fixproof::measure

@@ -7,6 +7,8 @@ std::optional<Subject> libfixmath_subject(const std::string& /*operation*/) { re
 
 std::vector<HostContender> libfixmath_contenders(const std::string& /*operation*/) { return {}; }
 
+WordFunction libfixmath_function(std::string_view /*function*/) { return nullptr; }
+
 bool has_libfixmath() { return false; }
 
 }  // namespace fixproof::measure

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracle/integer.hpp"
@@ -55,6 +56,13 @@ std::vector<MeasuredOperation> measured_operations();
 /// A library's subject for a named operation; empty if the library lacks it or is not built in.
 std::optional<Subject> libfixmath_subject(const std::string& operation);
 std::optional<Subject> freetype_subject(const std::string& operation);
+
+/// A function of one or two words of 16.16.
+using WordFunction = std::uint32_t (*)(std::uint32_t x, std::uint32_t y);
+/// A library's function with a name of the command line; null if the library lacks it or is not
+/// built in.
+WordFunction libfixmath_function(std::string_view function);
+WordFunction freetype_function(std::string_view function);
 
 bool has_libfixmath();
 bool has_freetype();

@@ -1,0 +1,230 @@
+#include "measure/accuracy/function_accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "cases/variant.hpp"
+#include "check/cases.hpp"
+#include "check/rules.hpp"
+#include "measure/accuracy/subjects.hpp"
+#include "parties/formats.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::measure {
+
+namespace {
+
+using cases::Format;
+using Words = std::array<std::uint64_t, 2>;
+
+struct FunctionSubject {
+  std::string name;
+  std::function<std::uint64_t(const Words&)> answer;
+};
+
+/// The C library's function, as a user of this type would call it.
+template <class Float>
+Float library_function(cases::Operation operation, Float x, Float y) {
+  constexpr Float degree = std::numbers::pi_v<Float> / 180;
+  constexpr Float turn = 2 * std::numbers::pi_v<Float>;
+  using enum cases::Operation;
+  switch (operation) {
+    case exp2:
+      return std::exp2(x);
+    case exp:
+      return std::exp(x);
+    case expm1:
+      return std::expm1(x);
+    case log2:
+      return std::log2(x);
+    case log:
+      return std::log(x);
+    case log10:
+      return std::log10(x);
+    case log1p:
+      return std::log1p(x);
+    case sinh:
+      return std::sinh(x);
+    case cosh:
+      return std::cosh(x);
+    case tanh:
+      return std::tanh(x);
+    case sin:
+      return std::sin(x);
+    case cos:
+      return std::cos(x);
+    case tan:
+      return std::tan(x);
+    case sin_of_degrees:
+      return std::sin(x * degree);
+    case cos_of_degrees:
+      return std::cos(x * degree);
+    case tan_of_degrees:
+      return std::tan(x * degree);
+    case sin_of_turns:
+      return std::sin(x * turn);
+    case cos_of_turns:
+      return std::cos(x * turn);
+    case tan_of_turns:
+      return std::tan(x * turn);
+    case asin:
+      return std::asin(x);
+    case acos:
+      return std::acos(x);
+    case atan:
+      return std::atan(x);
+    case cbrt:
+      return std::cbrt(x);
+    case rsqrt:
+      return 1 / std::sqrt(x);
+    case reciprocal:
+      return 1 / x;
+    case atan2:
+      return std::atan2(x, y);
+    case hypot:
+      return std::hypot(x, y);
+    case pow:
+      return std::pow(x, y);
+    default:
+      throw std::invalid_argument("not a function");
+  }
+}
+
+std::int64_t ulps_of(std::uint64_t word, const Format& format) {
+  return static_cast<std::int64_t>(oracle::ulps(word, check::oracle_format(format)));
+}
+
+/// Saturates, and so turns a result that rounds out of range into the nearest word.
+template <class Float>
+std::uint64_t rounded_word(Float result, const Format& format) {
+  const Float ulps = std::ldexp(result, format.fraction_bits);
+  if (!(ulps > static_cast<Float>(ulps_of(check::lowest(format), format)))) {
+    return check::lowest(format);
+  }
+  if (ulps >= static_cast<Float>(check::highest(format))) return check::highest(format);
+  return static_cast<std::uint64_t>(std::llrint(ulps)) & cases::all_ones(format);
+}
+
+template <class Float>
+FunctionSubject floating(const char* name, cases::Operation operation, const Format& format) {
+  return {name, [=](const Words& in) {
+            const auto value = [&](std::uint64_t word) {
+              return std::ldexp(static_cast<Float>(ulps_of(word, format)), -format.fraction_bits);
+            };
+            return rounded_word(library_function(operation, value(in[0]), value(in[1])), format);
+          }};
+}
+
+FunctionSubject of_type(const cases::Variant& variant) {
+  return {cases::name_of(variant.format), [variant](const Words& in) -> std::uint64_t {
+            const std::array words{static_cast<std::uint32_t>(in[0]),
+                                   static_cast<std::uint32_t>(in[1])};
+            std::array<std::uint32_t, 1> out{};
+            std::array<parties::Ending, 1> endings{};
+            const auto operands = std::span(words).first(cases::words_in(variant));
+            parties::answer_function_by_type(variant, {operands, out, endings});
+            return out[0];
+          }};
+}
+
+std::vector<FunctionSubject> subjects_of(const cases::Variant& variant) {
+  std::vector<FunctionSubject> subjects{of_type(variant)};
+  const auto add = [&](const char* library, WordFunction function) {
+    if (function == nullptr || variant.format != cases::q16_16) return;
+    subjects.push_back({library, [function](const Words& in) -> std::uint64_t {
+                          return function(static_cast<std::uint32_t>(in[0]),
+                                          static_cast<std::uint32_t>(in[1]));
+                        }});
+  };
+  add("libfixmath", libfixmath_function(cases::name_of(variant.operation)));
+  add("FreeType", freetype_function(cases::name_of(variant.operation)));
+  subjects.push_back(floating<float>("float", variant.operation, variant.format));
+  subjects.push_back(floating<double>("double", variant.operation, variant.format));
+  return subjects;
+}
+
+/// Returns one row for each subject. If `stop` ends the run early, the rows cover the cases so far.
+std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
+                                          const MeasureRequest& request,
+                                          const std::atomic<bool>& stop) {
+  const Format& format = variant.format;
+  const std::vector<FunctionSubject> subjects = subjects_of(variant);
+  const check::Curve empty(format, cases::words_in(variant.operation));
+  std::vector<check::Curve> curves(subjects.size(), empty);
+  std::vector<AccuracyRow> rows;
+  for (const FunctionSubject& subject : subjects) {
+    rows.push_back({std::string(cases::name_of(variant.operation)),
+                    "cases of fixproof gen",
+                    subject.name,
+                    "",
+                    {},
+                    0,
+                    0});
+  }
+  check::GeneratedCases source(variant, {.seed = request.seed, .cases = request.cases});
+  while (const auto operands = source.next_converted()) {
+    if (stop) break;
+    const auto rounded =
+        check::rounded_result(variant.operation, format, *operands, oracle::Rounding::half_up);
+    if (!rounded || !rounded->fits) {
+      for (AccuracyRow& row : rows) ++row.beyond;
+      continue;
+    }
+    check::JudgedCase judged;
+    judged.converted = operands;
+    const ExactResult exact{operands->value->numerator << format.fraction_bits,
+                            operands->value->denominator};
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const std::uint64_t said = subjects[k].answer(operands->words);
+      const double largest = rows[k].errors.max();
+      const double error = std::fabs(
+          add_error(rows[k].errors, oracle::ulps(said, check::oracle_format(format)), exact));
+      if (error > largest) rows[k].worst = check::text_of(*operands, variant);
+      judged.said = said;
+      curves[k].add(judged, error, rounded->word);
+    }
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].curve = curves[k].figures();
+  return rows;
+}
+
+std::vector<cases::Operation> functions_named(const std::string& name) {
+  std::vector<cases::Operation> functions;
+  for (auto i = static_cast<int>(cases::Operation::mul);
+       i <= static_cast<int>(cases::Operation::pow); ++i) {
+    const auto operation = static_cast<cases::Operation>(i);
+    if (!cases::is_function(operation)) continue;
+    if (name == "all" || name == cases::name_of(operation)) functions.push_back(operation);
+  }
+  if (functions.empty()) {
+    throw support::UsageError(fmt::format("--function {}: there is only all, {}",
+                                          support::printable(name), cases::function_names()));
+  }
+  return functions;
+}
+
+}  // namespace
+
+std::optional<FormatAccuracyResult> measure_function_accuracy(const MeasureRequest& request,
+                                                              MeasureProgress& progress) {
+  const std::vector<cases::Operation> functions = functions_named(request.function);
+  require_named(request.format);
+  cases::check_format(functions.front(), request.format);
+  FormatAccuracyResult result{request.seed, request.format, {}, request.function};
+  progress.begin(functions.size(), "functions");
+  for (const cases::Operation function : functions) {
+    const auto rows =
+        measure_function(check::variant_of(function, request.format), request, progress.stop());
+    if (progress.stop()) return std::nullopt;
+    result.rows.insert(result.rows.end(), rows.begin(), rows.end());
+    progress.add_part();
+  }
+  return result;
+}
+
+}  // namespace fixproof::measure
