@@ -66,6 +66,7 @@
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
 #include "batch/batch.hpp"
+#include "batch/functions.hpp"
 #include "batch/radian.hpp"
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"

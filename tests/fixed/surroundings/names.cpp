@@ -6,6 +6,7 @@
 using namespace std;
 
 #include "batch/batch.hpp"
+#include "batch/functions.hpp"
 #include "batch/radian.hpp"
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"

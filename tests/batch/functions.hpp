@@ -1,0 +1,83 @@
+/// \file
+/// The functions of batch/functions.hpp next to those of one number.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "batch/functions.hpp"
+#include "fixed/fixed.hpp"
+
+namespace batch_test {
+
+using namespace fixproof;
+
+/// All paths. The library replaces those that the processor lacks.
+inline constexpr std::array every_path{batch::path::portable, batch::path::neon, batch::path::avx2,
+                                       batch::path::avx512};
+
+template <class N>
+using Numbers = std::vector<N>;
+
+template <class N>
+struct BatchFunction {
+  const char* name;
+  N (*one)(N x, N y);
+  void (*many)(const Numbers<N>& x, const Numbers<N>& y, Numbers<N>& out, batch::path use);
+};
+
+#define UNARY(function)                                                                          \
+  BatchFunction<N> {                                                                             \
+#function,                                                                                   \
+        [](N x, N) { return fixproof::function(x); },                                            \
+                                                   [](const Numbers <N>& x, const Numbers <N>&,  \
+                                                      Numbers <N>& out,                          \
+                                                      batch::path                                \
+                                                          use) { batch::function(x, out, use); } \
+  }
+#define BINARY(function)                                                                            \
+  BatchFunction<N> {                                                                                \
+#function,                                                                                      \
+        [](N x,                                                                                     \
+           N y) { return fixproof::function(x, y); },                                               \
+                                                   [](const Numbers <N>& x, const Numbers <N>& y,   \
+                                                      Numbers <N>& out,                             \
+                                                      batch::path                                   \
+                                                          use) { batch::function(x, y, out, use); } \
+  }
+
+template <class N>
+inline constexpr std::array all_functions{
+    UNARY(exp),
+    UNARY(exp2),
+    UNARY(expm1),
+    UNARY(log),
+    UNARY(log2),
+    UNARY(log10),
+    UNARY(log1p),
+    UNARY(sinh),
+    UNARY(cosh),
+    UNARY(tanh),
+    UNARY(sin),
+    UNARY(cos),
+    UNARY(tan),
+    UNARY(sin_of_degrees),
+    UNARY(cos_of_degrees),
+    UNARY(tan_of_degrees),
+    UNARY(asin),
+    UNARY(sin_of_turns),
+    UNARY(cos_of_turns),
+    UNARY(tan_of_turns),
+    UNARY(acos),
+    UNARY(atan),
+    UNARY(cbrt),
+    UNARY(rsqrt),
+    UNARY(reciprocal),
+    BINARY(atan2),
+    BINARY(hypot),
+    BINARY(pow),
+};
+#undef UNARY
+#undef BINARY
+
+}  // namespace batch_test
