@@ -60,13 +60,13 @@ FIXED_LANE_FUNCTION f64 scaled(f64 x, f64 exponent) {
 #endif
 
 FIXED_LANE_FUNCTION f64 magnitude(f64 x) {
-  constexpr std::int64_t all_but_sign = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t all_but_sign = (std::numeric_limits<std::int64_t>::max)();
   return f64(i64(x) & all_but_sign);
 }
 
 /// x with the sign changed where `sign` is negative.
 FIXED_LANE_FUNCTION f64 signed_as(f64 x, f64 sign) {
-  constexpr std::int64_t sign_bit = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t sign_bit = (std::numeric_limits<std::int64_t>::min)();
   return f64(i64(x) ^ (i64(sign) & sign_bit));
 }
 
