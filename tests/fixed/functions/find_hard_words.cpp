@@ -1,6 +1,10 @@
 // Finds the operands whose results are nearest to a tie, of one function in one format:
 //
 //     find_hard_words FUNCTION FORMAT COUNT
+//     find_hard_words FUNCTION FORMAT near
+//
+// The second form compares every result within 2^-20 ulps of a tie with the oracle. Its status is 1
+// if one differs.
 //
 // Tries every word. 64 bits say how near a result is to a tie; of the nearest ones, 334 bits say it
 // exactly. Prints a line for each, the nearest first: function, format, operand and result as
@@ -38,13 +42,13 @@ void prune(std::vector<HardWord>& words, std::size_t count) {
   words.resize(count);
 }
 
-/// Those of `first`, `first + step` and so on up to the highest word.
+/// Those of `first`, `first + step` and so on up to the highest word whose distance is below
+/// `limit`, and of more than 4 * `count` the nearest.
 template <class N>
 std::vector<HardWord> nearest_of(const functions::Named<N>& f, std::size_t count,
-                                 std::int64_t first, std::int64_t step) {
+                                 std::int64_t limit, std::int64_t first, std::int64_t step) {
   using limits = std::numeric_limits<typename N::raw_type>;
   std::vector<HardWord> words;
-  std::int64_t limit = std::numeric_limits<std::int64_t>::max();
   for (std::int64_t raw = limits::min() + first; raw <= limits::max(); raw += step) {
     constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
     detail::last_distance = none;
@@ -69,18 +73,50 @@ Decimal100 exact_distance(oracle::Function function, std::int64_t operand) {
   return abs(value - floor(value) - 0.5);
 }
 
+/// nearest_of() on every processor.
+template <class N>
+std::vector<std::vector<HardWord>> nearest_of_all(const functions::Named<N>& f, std::size_t count,
+                                                  std::int64_t limit) {
+  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::vector<HardWord>> found(threads);
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < threads; ++i) {
+    workers.emplace_back([&, i] { found[i] = nearest_of(f, count, limit, i, threads); });
+  }
+  workers.clear();
+  return found;
+}
+
+/// Compares the results within 2^-20 ulps of a tie with the oracle.
+template <class N>
+bool compare_near(const functions::Named<N>& f, const char* format) {
+  // A sixteenth more, because 64 bits are not exact.
+  constexpr std::int64_t limit = (std::int64_t{1} << 20) * 17 / 16;
+  constexpr auto all = std::numeric_limits<std::size_t>::max() / 8;
+  std::size_t words = 0;
+  std::size_t different = 0;
+  for (const auto& part : nearest_of_all(f, all, limit)) {
+    for (const HardWord& word : part) {
+      const N x = N::from_raw(static_cast<typename N::raw_type>(word.operand));
+      const N want = functions::expected(f.function, x, N(), oracle::Rounding::half_up);
+      const N result = f.compute(x, N());
+      ++words;
+      if (result == want) continue;
+      ++different;
+      fmt::print("{} {} {}: {} instead of {}\n", f.name, format, word.operand, result.raw(),
+                 want.raw());
+    }
+  }
+  fmt::print("{} {}: {} words within 2^-20 ulps of a tie, {} differ\n", f.name, format, words,
+             different);
+  return different == 0;
+}
+
 template <class N>
 void find(const functions::Named<N>& f, const char* format, std::size_t count) {
   // 64 bits may not order the nearest ones rightly.
   const std::size_t candidates = 4 * count;
-  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::vector<HardWord>> found(threads);
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < threads; ++i) {
-      workers.emplace_back([&, i] { found[i] = nearest_of(f, candidates, i, threads); });
-    }
-  }
+  const auto found = nearest_of_all(f, candidates, std::numeric_limits<std::int64_t>::max());
   std::vector<std::pair<Decimal100, std::int64_t>> words;
   for (const auto& part : found) {
     for (const HardWord& word : part) {
@@ -105,14 +141,18 @@ void find(const functions::Named<N>& f, const char* format, std::size_t count) {
   }
 }
 
+enum class Answer { found, different, unknown };
+
+/// \param count 0 to compare the words near a tie
 template <class N>
-bool find_in(std::string_view function, const char* format, std::size_t count) {
+Answer find_in(std::string_view function, const char* format, std::size_t count) {
   for (const functions::Named<N>& f : functions::unary<N>) {
     if (function != f.name) continue;
+    if (count == 0) return compare_near(f, format) ? Answer::found : Answer::different;
     find(f, format, count);
-    return true;
+    return Answer::found;
   }
-  return false;
+  return Answer::unknown;
 }
 
 }  // namespace
@@ -121,20 +161,20 @@ int main(int argc, char** argv) {
   const std::vector<std::string_view> args(argv + 1, argv + argc);
   std::size_t count = 0;
   if (args.size() == 3) std::from_chars(args[2].data(), args[2].data() + args[2].size(), count);
-  if (count == 0) {
-    fmt::print(stderr, "usage: find_hard_words FUNCTION FORMAT COUNT\n");
+  if (args.size() != 3 || (count == 0 && args[2] != "near")) {
+    fmt::print(stderr, "usage: find_hard_words FUNCTION FORMAT (COUNT | near)\n");
     return 2;
   }
-  const bool is_known = args[1] == "q8_8"     ? find_in<q8_8>(args[0], "q8_8", count)
+  const Answer answer = args[1] == "q8_8"     ? find_in<q8_8>(args[0], "q8_8", count)
                         : args[1] == "q24_8"  ? find_in<q24_8>(args[0], "q24_8", count)
                         : args[1] == "q16_16" ? find_in<q16_16>(args[0], "q16_16", count)
                         : args[1] == "q8_24"  ? find_in<q8_24>(args[0], "q8_24", count)
                         : args[1] == "q2_30"  ? find_in<q2_30>(args[0], "q2_30", count)
-                                              : false;
-  if (!is_known) {
+                                              : Answer::unknown;
+  if (answer == Answer::unknown) {
     fmt::print(stderr, "no function {} in {}; formats are q8_8, q24_8, q16_16, q8_24 and q2_30\n",
                args[0], args[1]);
     return 2;
   }
-  return 0;
+  return answer == Answer::found ? 0 : 1;
 }
