@@ -48,12 +48,12 @@ bool are_flat(double ulps, exact want) {
 /// Expects errors of at most half the bounds.
 template <class Function, int F, class Exact, class... Words>
 void expect_half(const char* name, const Exact& function, Words... words) {
-  constexpr exact one = one_in<F>;
-  const exact want = function(words / one...) * one;
+  constexpr auto one = static_cast<exact>(one_in<F>);
+  const exact want = function(static_cast<exact>(words) / one...) * one;
   if (!std::isfinite(want)) return;
   const auto expect = [&](const Lane& lane) {
     if (!lane.is_known || are_flat(lane.ulps, want)) return;
-    ASSERT_LE(std::fabs(lane.ulps - want), lane.bound / 2)
+    ASSERT_LE(std::fabs(static_cast<exact>(lane.ulps) - want), static_cast<exact>(lane.bound / 2))
         << name << " of raw " << testing::PrintToString(std::tuple(words...)) << ", F = " << F;
   };
   if (batch::has(batch::path::avx512)) expect(avx512_test::lane<Function, F>(words...));
