@@ -20,7 +20,7 @@ namespace fixproof::detail {
 
 enum class angle_unit { radian, degree, turn };
 
-/// An angle in units of 2^-64 of a turn, modulo a turn. The error is below 1 unit.
+/// An angle in units of 2^-64 of a turn, modulo a turn. The error is at most 1 + 2^-32 units.
 template <angle_unit Unit>
 constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
   if constexpr (Unit == angle_unit::turn) {

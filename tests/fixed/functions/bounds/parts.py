@@ -1,0 +1,125 @@
+"""The error bounds of the parts that functions share: what the comments beside the code promise."""
+import math
+from fractions import Fraction
+
+from bounds.gappa import LOG2_E, LOG_2, PI, NotProven, Proof, between, horner, hypotheses, within
+
+EXPONENTIAL, ARCTANGENT, COSINE, PHASE, ARCSINE = (
+    f"{name}.hpp" for name in ("exponential", "arctangent", "cosine", "phase", "arcsine"))
+
+
+def power_of_two(source):
+    """2^x is P 2^(r/32) for a table entry P. R is the rest of the series."""
+    words, powers = source.table("power_coefficients"), source.table("powers_of_two")
+    for i, power in enumerate(powers):
+        if not power**32 <= 2 ** (i + 63 * 32) < (power + 1) ** 32:
+            raise NotProven(f"power {i} is not rounded down")
+    z, n = LOG_2 / 32, len(words) + 1
+    rest = z**n / math.factorial(n) / (1 - z / (n + 1))
+    lines = ["r = fixed<-64,dn>(R0);", *(line.replace("R * ", "r * ") for line in horner(words, 64, "+", "r")),
+             "q = fixed<-64,dn>(r * s1);", "T = r * S1;", "Q = T + R;",
+             "y = p + fixed<-63,dn>(p * q);", "Y = P + P * Q;"]
+    given = ["r in [0,1]", f"R in {between(0, rest)}", "T in [0,1b-5]", "@FIX(p,-63)", "p - P in [-1b-63,0]",
+             f"p in {between(1, Fraction(powers[-1] + 1, 2**63))}", f"P in {between(1, Fraction(powers[-1] + 1, 2**63))}",
+             *hypotheses(words, 64, lambda n: z**n / math.factorial(n))]
+    low = source.read(EXPONENTIAL, r"at most (\d+) units too low and never too high")
+    return [Proof(lines, given, "y - Y", -low, 0, 63, ["q - Q -> (q - T) - R;"])]
+
+
+def binary_logarithm(source):
+    """log2(1 + r) for u = 32 r. The table's entry L is to nearest; R is the rest of the series."""
+    words, reciprocals = source.table("logarithm_coefficients"), source.table("reciprocals")
+    most = 0
+    for i, c in enumerate(reciprocals):
+        if c * (2**32 + (i << 26)) < 2**64:
+            raise NotProven(f"reciprocal {i} leaves a negative rest")
+        most = max(most, c * (2**32 + ((i + 1) << 26) - 1) - 2**64)
+    most = Fraction(most * 32, 2**64)
+    n = len(words) + 1
+    rest = LOG2_E * (most / 32) ** n / n
+    lines = ["u = fixed<-64,dn>(U0);", *(line.replace("U * ", "u * ") for line in horner(words, 64, "-", "u")),
+             "t = fixed<-64,dn>(u * s1);", "T = u * S1;", "y = l + t;", "Y = (L + T) + R;"]
+    given = [f"u in {between(0, most)}", "l - L in [-1b-65,1b-65]", f"R in {between(-rest, rest)}",
+             *hypotheses(words, 64, lambda n: LOG2_E / (n * 32**n))]
+    units = source.read(EXPONENTIAL, r"The error is below (\d+) units", "log2(m / 2^32) in units of 2^-64")
+    return [Proof(lines, given, "y - Y", -units, units, 64, ["y - Y -> (l - L) + (t - T) - R;"])]
+
+
+def arctangent(source):
+    """atan(Z) for the ratio Z, of which the code has z. R is the rest of the series."""
+    words = source.table("arctangent_coefficients")
+    steps = len(source.table("arctangents")) - 1
+    n = len(words) + 1
+    rest = Fraction(1, 64 ** (2 * n + 1) * (2 * n + 1))
+    lines = ["z = fixed<-58,dn>(Z);", "w = fixed<-64,dn>(1024 * (z * z));", "W = 1024 * (z * z);",
+             *horner(words, 64, "-", "w"),
+             "v = fixed<-64,dn>(w * s1);", "V = W * S1;",
+             "t = fixed<-58,dn>(z * v);", "T = z * V;",
+             "y = a + (z - t);", "Y = (A + (z - T)) + R + (Z - z) * K;"]
+    # The derivative K of the arctangent makes the ratio's error one of the angle. The vector is up to half a
+    # step of the table from its entry.
+    given = [f"Z in {between(0, Fraction(1, 2 * steps))}", "K in [0,1]", "a - A in [-1b-59,1b-59]",
+             f"R in {between(-rest, rest)}",
+             *hypotheses(words, 64, lambda n: Fraction(1, (2 * n + 1) * 1024**n))]
+    units = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
+    return [Proof(lines, given, "y - Y", -units, units, 58,
+                  ["y - Y -> (a - A) - (t - T) - R + ((z - Z) * K);"])]
+
+
+def cosine(source):
+    """cos(A) for an angle a of the code; a^2 / 4 is u. R is the rest of the series."""
+    count = source.read(COSINE, r"std::uint64_t, (\d+)> cosine_coefficients")
+    words, word = [], 1 << 62
+    for n in range(1, count + 1):
+        divisor = n * (2 * n - 1)
+        word = word // divisor * 2 + word % divisor * 2 // divisor
+        words.append(word)
+    off = source.read(COSINE, r"even if the angle is (\d+) units off")
+    bits = source.read(COSINE, r"The error is below 2\^-(\d+) even if")
+    highest = PI / 2 + Fraction(8, 2**62)
+    rest = highest ** (2 * count + 2) / math.factorial(2 * count + 2)
+    lines = ["a = fixed<-62,dn>(A0);", "u = fixed<-64,dn>(0.25 * (a * a));", "U = 0.25 * (A * A);",
+             *horner(words, 62, "-", "u"),
+             "v = fixed<-62,dn>(u * s1);", "V = U * S1;", "y = 1 - v;", "Y = (1 - V) + R;"]
+    given = [f"a in {between(0, highest)}", f"A in {between(0, highest)}", f"a - A in [-{off}b-62,{off}b-62]",
+             f"R in {between(-rest, rest)}",
+             *hypotheses(words, 62, lambda n: Fraction(4**n, math.factorial(2 * n)))]
+    units = 2 ** (62 - bits)
+    return [Proof(lines, given, "y - Y", -units, units, 62,
+                  ["y - Y -> (V - v) - R;", "u - U -> (u - 0.25 * (a * a)) + 0.25 * ((a - A) * (a + A));"])]
+
+
+def angle_of_a_phase(source):
+    """q quarter turns, off by `error` units of 2^-62, as an angle: what cosine() is given."""
+    error = phase_error(source)
+    allowed = source.read(COSINE, r"even if the angle is (\d+) units off")
+    half_pi = source.read(COSINE, r"half_pi = (0x[0-9a-f]+)")
+    lines = ["q = fixed<-62,dn>(Q0);", f"h = {half_pi}b-62;", "a = fixed<-62,dn>(q * h);"]
+    given = ["q in [0,1]", "Q in [-0.1,1.1]", f"q - Q in {between(-error / 2**62, error / 2**62)}",
+             within("H", half_pi, 62, PI / 2)]
+    return [Proof(lines, given, "a - Q * H", -allowed, allowed, 62,
+                  ["a - Q * H -> (a - q * h) + q * (h - H) + (q - Q) * H;"])]
+
+
+def phase_error(source):
+    """In units of 2^-64 of a turn. Turns are exact, degrees are rounded down. For radians the floor of a product
+    and a constant of 128 bits, too low by less than a unit of 2^-128, count for operands of up to 2^32."""
+    text = r"The error is at most 1 \+ 2\^-(\d+) units"
+    error = 1 + Fraction(1, 2 ** source.read(PHASE, text))
+    high, low = source.word("turns_high"), source.word("turns_low")
+    constant = (high << 64) + low
+    exact = 2**128 / (2 * PI)
+    if not 0 <= exact - constant < 1:
+        raise NotProven("1 / (2 pi) is not rounded down")
+    if 1 + (exact - constant) * 2**32 / 2**64 > error:
+        raise NotProven("the error of a phase is larger")
+    return error
+
+
+def root(source):
+    """A scaled root: r + f for the nearest integer r and f = rest / (2 r), off by V = h^2 / (S + r + h)."""
+    units = source.read(ARCSINE, r"The error is below (\d+) units")
+    lines = ["h = rest / (2 * r);", "f = fixed<-31,zr>(h);", "V = h * h / (r + r + h - V0);"]
+    # The root S is r + h - V, because (r + h)^2 = n + h^2. V0 is V: at most 1.
+    given = ["r in [2147483648,4294967296]", "rest / r in [-1,1]", "V0 in [0,1]"]
+    return [Proof(lines, given, "(f - h) + V", -units, units, 31, ["h -> 0.5 * (rest / r) { r <> 0 };"])]
