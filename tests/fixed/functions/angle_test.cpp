@@ -85,6 +85,10 @@ TEST(Angles, PartsHaveTheirError) {
         detail::precise_arctangent(detail::ratio(detail::real{n}, detail::real{d})) >>
         (detail::real_bits - 58));
     ASSERT_LE(std::abs(detail::arctangent(n, d) - exact), 6) << n << ' ' << d;
+    if (d >> 32 == 0) {
+      const std::int64_t quick = detail::quick_arctangent(n, d);
+      ASSERT_LE(std::abs((quick << 26) - exact), 3 << 26) << n << ' ' << d;
+    }
   }
 }
 
