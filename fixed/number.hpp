@@ -248,7 +248,7 @@ class number {
         detail::raise_overflow<FractionBits>("operator/", n.raw_, d.raw_);
       }
     }
-    return from_raw(detail::total_divide<Raw, FractionBits, P>(n.raw_, d.raw_));
+    return from_raw(detail::single_divide<Raw, FractionBits, P>(n.raw_, d.raw_));
   }
 
   /// n - d * trunc(n / d), exact: the remainder has the sign of n. Division by zero is an error
@@ -478,7 +478,7 @@ template <class Raw, int FractionBits, policy P>
     return std::nullopt;
   }
   return number<Raw, FractionBits, P>::from_raw(
-      detail::total_divide<Raw, FractionBits, P>(n.raw(), d.raw()));
+      detail::single_divide<Raw, FractionBits, P>(n.raw(), d.raw()));
 }
 
 /// 16.16: every operation rounds to nearest, ties up; overflow wraps.

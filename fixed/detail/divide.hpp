@@ -56,11 +56,16 @@ constexpr Raw by_zero(bool negative, bool zero) noexcept {
   return negative ? (limits::min)() : (limits::max)();
 }
 
-/// Whether quotient.hpp has the quotient in a form that compilers vectorise.
+/// Whether quotient.hpp has the quotient in integers.
+template <class Raw, int FractionBits, policy P>
+inline constexpr bool has_integer_quotient =
+    std::is_signed_v<Raw>&& bits_of<Raw> <= 32 && numerator_shift<FractionBits, P> <= 30 &&
+    P.divide != rounding::half_even;
+
+/// Whether quotient.hpp also has the quotient in doubles, a form that compilers vectorise.
 template <class Raw, int FractionBits, policy P>
 inline constexpr bool has_fast_quotient =
-    std::is_signed_v<Raw>&& bits_of<Raw> <= 32 && numerator_shift<FractionBits, P> <= 16 &&
-    P.divide != rounding::half_even;
+    has_integer_quotient<Raw, FractionBits, P>&& numerator_shift<FractionBits, P> <= 16;
 
 /// Holds a numerator after its shift, and every quotient.
 template <class Raw, int FractionBits, policy P>
@@ -70,8 +75,10 @@ using quotient_t = signed_t<larger(64, signed_bits<Raw> + numerator_shift<Fracti
 template <class Raw, int FractionBits, policy P>
 constexpr quotient_t<Raw, FractionBits, P> quotient_of(Raw n, divisor_t<Raw> divisor) noexcept {
   constexpr int shift = numerator_shift<FractionBits, P>;
-  if constexpr (has_fast_quotient<Raw, FractionBits, P>) {
+  if constexpr (has_fast_quotient<Raw, FractionBits, P> && divides_in_double) {
     return rounded_quotient<P.divide, shift>(n, divisor);
+  } else if constexpr (has_integer_quotient<Raw, FractionBits, P>) {
+    return quotient_by_integers<P.divide, shift>(n, divisor);
   } else {
     using wide = quotient_t<Raw, FractionBits, P>;
     return rounded_ratio<P.divide>(wide{n} << shift, static_cast<wide>(divisor));
@@ -80,26 +87,43 @@ constexpr quotient_t<Raw, FractionBits, P> quotient_of(Raw n, divisor_t<Raw> div
 
 /// n / d, wrapped or saturated, without error checks.
 template <class Raw, int FractionBits, policy P>
-constexpr Raw total_divide(Raw n, Raw d) noexcept {
+constexpr Raw divide_unless_zero(Raw n, Raw d) noexcept {
   const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
-  constexpr bool saturates = P.quotient_range() == overflow::saturate;
+  if (divisor == divisor_t<Raw>{0}) return limit_toward_zero(n);
+  constexpr overflow range =
+      P.quotient_range() == overflow::saturate ? overflow::saturate : overflow::wrap;
+  return narrow<range, Raw>(quotient_of<Raw, FractionBits, P>(n, divisor), [] {});
+}
+
+/// The same in a form that compilers vectorise, if has_fast_quotient.
+template <class Raw, int FractionBits, policy P>
+constexpr Raw total_divide(Raw n, Raw d) noexcept {
   if constexpr (has_fast_quotient<Raw, FractionBits, P>) {
     constexpr int shift = numerator_shift<FractionBits, P>;
+    const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
     // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent
     // vectorisation.
     const std::int32_t by_zero = -std::int32_t{divisor == 0};
     const auto limit = static_cast<std::int32_t>(limit_toward_zero<Raw>(n));
     std::int32_t quotient = 0;
-    if constexpr (saturates) {
+    if constexpr (P.quotient_range() == overflow::saturate) {
       quotient = saturated_quotient<Raw, P.divide, shift>(n, divisor - by_zero);
     } else {
       quotient = static_cast<std::int32_t>(rounded_quotient<P.divide, shift>(n, divisor - by_zero));
     }
     return static_cast<Raw>((quotient & ~by_zero) | (limit & by_zero));
   } else {
-    if (divisor == divisor_t<Raw>{0}) return limit_toward_zero(n);
-    return narrow < saturates ? overflow::saturate : overflow::wrap,
-           Raw > (quotient_of<Raw, FractionBits, P>(n, divisor), [] {});
+    return divide_unless_zero<Raw, FractionBits, P>(n, d);
+  }
+}
+
+/// The same in the form of single quotients.
+template <class Raw, int FractionBits, policy P>
+constexpr Raw single_divide(Raw n, Raw d) noexcept {
+  if constexpr (divides_in_double) {
+    return total_divide<Raw, FractionBits, P>(n, d);
+  } else {
+    return divide_unless_zero<Raw, FractionBits, P>(n, d);
   }
 }
 

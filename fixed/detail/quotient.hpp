@@ -12,15 +12,39 @@
 
 namespace fixproof::detail {
 
+/// 1 for a negative integer and 0 for any other.
+constexpr std::int64_t one_if_negative(std::int32_t x) noexcept {
+  return static_cast<std::int64_t>(static_cast<std::uint32_t>(x) >> 31);
+}
+
 /// numerator * 2^Shift / divisor rounded by rule R, in integers. R is not half_even.
-/// \pre divisor is not zero, Shift <= 16
+///
+/// One division without a branch, and as little as possible before and after it, because a chain of
+/// divisions waits for all of it. Let Q be the exact quotient and t the truncated quotient of its
+/// double, 2 Q.
+///
+/// half_up is floor((floor(2 Q) + 1) / 2). If Q is not negative, floor(2 Q) = t. If Q is negative,
+/// the numerator of 2 Q is first moved by 1 toward zero, so that t = floor(2 Q) + 1, whether 2 Q is
+/// an integer or not. If Q is zero but counts as negative, the result is floor(t / 2) for t = 0 or
+/// 1.
+///
+/// half_away is floor((t + 1) / 2) for Q >= 0. For Q < 0 it is ceil((t - 1) / 2) = floor(t / 2).
+///
+/// \pre divisor is not zero, Shift <= 30
 template <rounding R, int Shift>
 constexpr std::int64_t quotient_by_integers(std::int32_t numerator, std::int32_t divisor) noexcept {
-  // Doubles both, because bias() requires an even divisor: at most 2^48 and 2^32.
-  const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{2} << Shift);
-  const std::int64_t parts = divisor < 0 ? -scaled : scaled;
-  const std::int64_t unit = 2 * (divisor < 0 ? -std::int64_t{divisor} : std::int64_t{divisor});
-  return floor_divide(parts + bias<R>(parts < 0, false, unit), unit);
+  const std::int64_t below = one_if_negative(numerator);
+  const std::int64_t divisor_below = one_if_negative(divisor);
+  if constexpr (R == rounding::half_up || R == rounding::half_away) {
+    std::int64_t twice = std::int64_t{numerator} * (std::int64_t{2} << Shift);
+    if constexpr (R == rounding::half_up) twice = twice + below - divisor_below;
+    return (twice / divisor + one_if_negative(~(numerator ^ divisor))) >> 1;
+  } else {
+    const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{1} << Shift);
+    // A negative quotient that is not an integer has a floor below its truncation.
+    const bool between = R == rounding::floor && scaled % divisor != 0 && below != divisor_below;
+    return scaled / divisor - std::int64_t{between};
+  }
 }
 
 /// The upper half of the bits: sign, exponent and the top of the significand.

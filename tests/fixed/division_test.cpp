@@ -1,5 +1,5 @@
-/// Tests division by hardware doubles in every rounding mode of the processor, with the operands
-/// nearest to a change of the result.
+/// Tests division, by integers and by hardware doubles, in every rounding mode of the processor,
+/// with the operands nearest to a change of the result.
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
@@ -21,6 +21,28 @@ TYPED_TEST(Division, IsExactInEveryRoundingMode) {
       ASSERT_EQ(result, expected) << n << " / " << d << " in mode " << mode;
     }
   }
+}
+
+/// The form that batches use, whichever form operator/ takes.
+template <class Number>
+void divide_by_doubles() {
+  using raw = typename Number::raw_type;
+  for (const auto& [n, d] : exact::near_misses<Number>()) {
+    const auto expected = exact::quotient(n, d).raw;
+    for (const int mode : RoundingMode::all) {
+      const RoundingMode set(mode);
+      const raw result = fixproof::detail::total_divide<raw, Number::fraction_bits, Number::rules>(
+          n.raw(), d.raw());
+      ASSERT_EQ(result, expected) << n << " / " << d << " in mode " << mode;
+    }
+  }
+}
+
+TEST(DivisionByDoubles, WrappingAndSaturating) {
+  divide_by_doubles<fixproof::q16_16>();
+  divide_by_doubles<fixproof::q16_16_saturating>();
+  divide_by_doubles<fixproof::q8_8>();
+  divide_by_doubles<fixproof::q8_8_saturating>();
 }
 
 /// Checks that a loop, which the compiler may vectorise, agrees with single divisions.
