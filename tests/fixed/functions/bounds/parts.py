@@ -66,6 +66,23 @@ def arctangent(source):
                   ["y - Y -> (a - A) - (t - T) - R + ((z - Z) * K);"])]
 
 
+def quick_arctangent(source):
+    """As arctangent(), in units of 2^-32, with one term of the series. The sign is that of the side of the entry."""
+    steps = len(source.table("arctangents")) - 1
+    rest = Fraction(1, 64**5 * 5)
+    units = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-32")
+    proofs = []
+    for sign in "+-":
+        lines = ["z = fixed<-32,dn>(Z);", "w = fixed<-32,dn>(z * z);", "t = fixed<-32,dn>(w * z / 3);", "T = z * z * z / 3;",
+                 f"y = a {sign} (z - t);", f"Y = A {sign} ((z - T) + R + (Z - z) * K);"]
+        given = [f"Z in {between(0, Fraction(1, 2 * steps))}", "K in [0,1]", f"a - A in {between(-Fraction(101, 100) / 2**32, Fraction(1, 2**59))}",
+                 f"R in {between(0, rest)}"]
+        proofs.append(Proof(lines, given, "y - Y", -units, units, 32,
+                            [f"y - Y -> (a - A) {sign} ((T - t) - R - (Z - z) * K);",
+                             "T - t -> (w * z / 3 - t) - (w - z * z) * z / 3;"]))
+    return proofs
+
+
 def cosine(source):
     """cos(A) for an angle a of the code; a^2 / 4 is u. R is the rest of the series."""
     count = source.read(COSINE, r"std::uint64_t, (\d+)> cosine_coefficients")

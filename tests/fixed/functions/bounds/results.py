@@ -183,17 +183,27 @@ def tangent(source):
     return [proof]
 
 
-def turned(source):
-    """What the octants add: pi - (pi/2 - angle), with pi in units of 2^-58."""
-    pi = source.word("pi_58")
+def turned(source, bits=58):
+    """What the octants add: pi - (pi/2 - angle), with pi in units of 2^-bits."""
+    pi = source.word("pi_58") >> (58 - bits)
     half = pi >> 1
-    return max(abs(half - PI * 2**57), abs(pi - PI * 2**58), abs(pi - half - PI * 2**57))
+    return max(abs(n - exact * 2**bits) for n, exact in ((half, PI / 2), (pi, PI), (pi - half, PI / 2)))
 
 
 def angle(source):
     units, bits = source.read(ARCTANGENT, r"error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
     off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
     given = [f"a - A in [-{off}b-58,{off}b-58]", near("q", Fraction(0), turned(source) / 2**58)]
+    return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"])]
+
+
+def quick_angle(source):
+    units, bits = source.read(ARCTANGENT, r"quick_error = (\d+); .*?nearest_within\(quick, quick_error, (\d+) -")
+    shift = source.read(ARCTANGENT, r"pi_58 >> (\d+)\)")
+    off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-32")
+    if bits != 58 - shift:
+        raise NotProven("pi has other units")
+    given = [f"a - A in [-{off}b-{bits},{off}b-{bits}]", near("q", Fraction(0), turned(source, bits) / 2**bits)]
     return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"])]
 
 
