@@ -7,6 +7,7 @@
 
 #include "machine_code/machine_code.hpp"
 #include "parties/answer.hpp"
+#include "parties/library.hpp"
 #include "parties/parties.hpp"
 #include "support/usage_error.hpp"
 
@@ -117,7 +118,15 @@ cases::Operation format_operation_named(std::string_view name) {
 }
 
 std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
-  std::vector<std::string> names{selection.by.empty() ? "model" : selection.by};
+  std::vector<std::string> names;
+  if (!selection.by.empty()) {
+    names.push_back(selection.by);
+  } else if (std::ranges::any_of(selection.against, parties::names_function)) {
+    // It answers every variant that a function can, and the model does not.
+    names.emplace_back(selection.level == 3 ? "fast" : "oracle");
+  } else {
+    names.emplace_back("model");
+  }
   if (!selection.against.empty()) {
     names.insert(names.end(), selection.against.begin(), selection.against.end());
   } else if (selection.level == 3) {

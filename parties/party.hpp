@@ -42,7 +42,7 @@ class Party : private boost::noncopyable {
  public:
   virtual ~Party() = default;
 
-  /// The party's command-line name, one lower-case word.
+  /// The party's command-line name: one lower-case word, or the name of library.hpp.
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// Returns what answers under that name, such as the version of a library or the name of a
   /// processor: two parties of one name may answer differently if their identities differ.
@@ -67,7 +67,7 @@ class Party : private boost::noncopyable {
 /// processor), and unicorn (the same code on an emulator).
 const std::vector<std::unique_ptr<Party>>& parties();
 
-/// Returns the party of that name.
+/// Returns the party of that name, or that of a function of a shared library (library.hpp).
 /// @throws std::invalid_argument for an absent (with the reason) or unknown party (with the names)
 const Party& party_named(std::string_view name);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "parties/library.hpp"
 #include "parties/parties.hpp"
 
 namespace fixproof::parties {
@@ -25,6 +26,7 @@ const std::vector<std::unique_ptr<Party>>& parties() {
 }
 
 const Party& party_named(std::string_view name) {
+  if (names_function(name)) return party_of_function(name);
   std::string known;
   for (const auto& party : parties()) {
     if (party->name() == name) {
@@ -35,7 +37,10 @@ const Party& party_named(std::string_view name) {
     known += known.empty() ? "" : ", ";
     known += party->name();
   }
-  throw std::invalid_argument(fmt::format("unknown party '{}'; choose one of {}", name, known));
+  throw std::invalid_argument(
+      fmt::format("unknown party '{}'; choose one of {}, or a function of a shared "
+                  "library as in ./libmine.so:my_mul",
+                  name, known));
 }
 
 }  // namespace fixproof::parties

@@ -1,0 +1,87 @@
+// Functions for `fixproof verify --against ./libjudged.so:NAME`: right ones, wrong ones and ones
+// that fault.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+namespace {
+
+// Division by zero must reach the processor, which a compiler may assume it never does.
+template <class Int>
+Int divided(Int a, Int b) {
+  volatile Int divisor = b;
+  return a / divisor;
+}
+
+}  // namespace
+
+extern "C" {
+
+std::int32_t mul(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>((std::int64_t{a} * b + 0x8000) >> 16);
+}
+
+std::int32_t mul_floor(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>((std::int64_t{a} * b) >> 16);
+}
+
+/// Wrong for one pair of 2^64.
+std::int32_t mul_but_one(std::int32_t a, std::int32_t b) {
+  return mul(a, b) + (a == 0x10000 && b == 0x10000 ? 1 : 0);
+}
+
+void muls(const std::int32_t* a, const std::int32_t* b, std::int32_t* results, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) results[i] = mul(a[i], b[i]);
+}
+
+std::int16_t mul_8_8(std::int16_t a, std::int16_t b) {
+  return static_cast<std::int16_t>((std::int32_t{a} * b + 0x80) >> 8);
+}
+
+std::uint8_t add_u8_0(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a + b); }
+
+std::int64_t sub_32_32(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
+
+/// Half up is the floor of n / d + 1/2.
+std::int32_t div(std::int32_t a, std::int32_t b) {
+  const std::int64_t n = std::int64_t{a} * 0x20000 + b;
+  const std::int64_t d = std::int64_t{b} * 2;
+  const std::int64_t quotient = divided(n, d);
+  const bool is_above = n % d != 0 && (n < 0) != (d < 0);
+  return static_cast<std::int32_t>(quotient - (is_above ? 1 : 0));
+}
+
+void divs(const std::int32_t* a, const std::int32_t* b, std::int32_t* results, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) results[i] = div(a[i], b[i]);
+}
+
+void transform(const std::int32_t* matrix, const std::int32_t* vector, std::int32_t* result) {
+  for (std::size_t row = 0; row < 3; ++row) {
+    auto sum = static_cast<std::uint32_t>(matrix[4 * row + 3]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum += static_cast<std::uint32_t>(mul(matrix[4 * row + k], vector[k]));
+    }
+    result[row] = static_cast<std::int32_t>(sum);
+  }
+}
+
+std::int32_t mul_at_null(std::int32_t a, std::int32_t b) {
+  if (a != 0x10000 || b != 0x10000) return mul(a, b);
+  const volatile std::int32_t* volatile nothing = nullptr;
+  return *nothing;
+}
+
+std::int32_t mul_in_circles(std::int32_t a, std::int32_t b) {
+  std::array<volatile char, 4096> frame{};
+  frame[0] = static_cast<char>(a);
+  return mul_in_circles(b, a) + frame[0];
+}
+
+std::int32_t mul_throws(std::int32_t /*a*/, std::int32_t /*b*/) {
+  throw std::runtime_error("no product today");
+}
+
+}  // extern "C"
