@@ -20,7 +20,7 @@ struct Selection {
   bool half_width = false;
   std::vector<std::string> formats;  ///< names of formats, or `all`; the routines' if empty
   int level = 1;
-  std::string by;                    ///< the judged party; the model if empty
+  std::string by;  ///< the judged party; if empty the model, or the oracle for a library's function
   std::vector<std::string> against;  ///< the default parties of the level if empty
 };
 

@@ -251,7 +251,9 @@ void add_options(CLI::App& command, VerifyOptions& options) {
           "full: 16.16; half: 8.8, where the routines run on 8-bit registers and cossin is left "
           "out")
       ->check(CLI::IsMember({"full", "half"}));
-  command.add_option("--by", selection.by, "the judged party; by default model")
+  command
+      .add_option("--by", selection.by,
+                  "the judged party; by default model, or oracle against a function of yours")
       ->check(not_empty());
   command
       .add_option("--against", selection.against,
@@ -302,6 +304,8 @@ void add_verify(CLI::App& app, int& status) {
   batch           batch/batch.hpp and radian.hpp on the fastest path;
                   mul, div, xformvec, sqrt, sin and cos
   batch-portable, batch-neon, batch-avx2, batch-avx512    one path of batch
+  ./libmine.so:my_mul     your function: int32_t my_mul(int32_t a, int32_t b);
+                  my_mul[] takes arrays. docs/verify.md has the signatures.
 With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
 sqrt, decimal and binary64, and in up to 32 bits the functions of docs/functions.md, if they are
 named.
@@ -323,6 +327,7 @@ Examples:
   fixproof verify mul div --target i8088 --level 2  # two routines, longer
   fixproof verify --target both --against silicon   # every routine, on this processor
   fixproof verify mul div --by oracle --against batch  # the batch operations
+  fixproof verify mul --target standard --against ./libmine.so:my_mul  # your function
   fixproof verify --format all                      # the type in every named format
   fixproof verify mul --format q2_30 --level 2      # one operation in one format
   fixproof verify --level 3 --resume sweep.json     # everything; resumes after Ctrl-C

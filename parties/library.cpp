@@ -194,10 +194,10 @@ void with_word(const cases::Format& format, const Call& call) {
   }
 }
 
-class Function final : public Party {
+class LibraryFunction final : public Party {
  public:
   /// @throws std::invalid_argument naming what is missing
-  explicit Function(std::string_view name) : name_(name) {
+  explicit LibraryFunction(std::string_view name) : name_(name) {
     const std::size_t colon = name.rfind(':');
     const std::string file(name.substr(0, colon));
     std::string function(name.substr(colon + 1));
@@ -260,11 +260,11 @@ bool names_function(std::string_view name) { return name.find(':') != std::strin
 const Party& party_of_function(std::string_view name) {
   // Loaded once, because a library may not be unloaded while its code can run.
   static std::mutex loading;
-  static std::map<std::string, std::unique_ptr<Function>, std::less<>> loaded;
+  static std::map<std::string, std::unique_ptr<LibraryFunction>, std::less<>> loaded;
   const std::lock_guard lock(loading);
   const auto found = loaded.find(name);
   if (found != loaded.end()) return *found->second;
-  return *loaded.emplace(name, std::make_unique<Function>(name)).first->second;
+  return *loaded.emplace(name, std::make_unique<LibraryFunction>(name)).first->second;
 }
 
 }  // namespace fixproof::parties
