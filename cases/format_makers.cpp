@@ -7,36 +7,13 @@ namespace fixproof::cases {
 
 namespace {
 
-/// The largest word.
-std::uint64_t largest(const Format& format) {
-  return all_ones(format) >> (format.is_signed ? 1 : 0);
-}
-
 /// Returns 2^bits - 1, for 0 ... 64 bits.
 std::uint64_t ones(int bits) { return bits == 0 ? 0 : ~std::uint64_t{0} >> (64 - bits); }
 
-/// Returns a number of 0 ... `widest` bits. Every width is equally likely. 0 <= widest <= 64
-std::uint64_t any_number(Draw& draw, int widest) {
-  const int width = draw.between(0, widest);
-  if (width == 0) return 0;
-  return (draw.bits() & ones(width)) | std::uint64_t{1} << (width - 1);
-}
-
-/// Returns an odd number of 1 ... `widest` bits.
-std::uint64_t odd_number(Draw& draw, int widest) {
-  return any_number(draw, draw.between(1, widest)) | 1;
-}
-
-/// Returns the word or, in half of the cases of a signed format, its negative. A product modulo
-/// 2^word_bits remains a tie.
-std::uint64_t either_sign(Draw& draw, std::uint64_t word, const Format& format) {
-  const bool negate = draw.coin() && format.is_signed;
-  return (negate ? 0 - word : word) & all_ones(format);
-}
-
+/// Either sign for both. A product modulo 2^word_bits remains a tie.
 WordPair either_sign(Draw& draw, std::uint64_t a, std::uint64_t b, const Format& format) {
-  const std::uint64_t first = either_sign(draw, a, format);
-  return {first, either_sign(draw, b, format)};
+  const std::uint64_t first = cases::either_sign(draw, a, format);
+  return {first, cases::either_sign(draw, b, format)};
 }
 
 /// Returns the inverse of the odd `a` modulo 2^64. `a` itself is right to three bits, and each
@@ -60,6 +37,25 @@ std::uint64_t rectangle(std::uint64_t r, int shift) {
 }
 
 }  // namespace
+
+std::uint64_t largest(const Format& format) {
+  return all_ones(format) >> (format.is_signed ? 1 : 0);
+}
+
+std::uint64_t any_number(Draw& draw, int widest) {
+  const int width = draw.between(0, widest);
+  if (width == 0) return 0;
+  return (draw.bits() & ones(width)) | std::uint64_t{1} << (width - 1);
+}
+
+std::uint64_t odd_number(Draw& draw, int widest) {
+  return any_number(draw, draw.between(1, widest)) | 1;
+}
+
+std::uint64_t either_sign(Draw& draw, std::uint64_t word, const Format& format) {
+  const bool negate = draw.coin() && format.is_signed;
+  return (negate ? 0 - word : word) & all_ones(format);
+}
 
 std::uint64_t any_word(Draw& draw, const Format& format) { return draw.bits() & all_ones(format); }
 

@@ -20,6 +20,15 @@ std::uint64_t any_word(Draw& draw, const Format& format);
 /// Every width is equally likely, with either sign if the format has one.
 std::uint64_t any_width(Draw& draw, const Format& format);
 
+/// The largest word.
+std::uint64_t largest(const Format& format);
+/// Returns a number of 0 ... `widest` bits. Every width is equally likely. 0 <= widest <= 64
+std::uint64_t any_number(Draw& draw, int widest);
+/// Returns an odd number of 1 ... `widest` bits.
+std::uint64_t odd_number(Draw& draw, int widest);
+/// Returns the word or, in half of the cases of a signed format, its negative.
+std::uint64_t either_sign(Draw& draw, std::uint64_t word, const Format& format);
+
 /// Tells whether a product can lie halfway between two units: there must be a fraction bit.
 constexpr bool has_product_ties(const Format& format) { return format.fraction_bits > 0; }
 

@@ -109,7 +109,23 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::scaled, sample},
               {Stream::value_ties, sample},
               {Stream::near_value_ties, sample}};
-    default:  // a function
+    case Operation::fmod:
+    case Operation::remainder:
+      return {{Stream::lattice},
+              {Stream::uniform, sample},
+              {Stream::scaled, sample},
+              {Stream::half_multiples, sample}};
+    case Operation::mul_div:
+      return {{Stream::lattice_words, sample},   {Stream::uniform, sample},
+              {Stream::scaled, sample},          {Stream::ratio_ties, sample},
+              {Stream::near_ratio_ties, sample}, {Stream::large_ratios, sample}};
+    case Operation::hypot3:
+      return {{Stream::lattice_words, sample},
+              {Stream::uniform, sample},
+              {Stream::scaled, sample},
+              {Stream::whole_lengths, sample},
+              {Stream::near_length_ties, sample}};
+    default:  // any other function
       break;
   }
   return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};

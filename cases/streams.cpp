@@ -10,13 +10,14 @@
 #include "cases/conversion_makers.hpp"
 #include "cases/draw.hpp"
 #include "cases/format_makers.hpp"
+#include "cases/function_makers.hpp"
 #include "cases/stream_makers.hpp"
 
 namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::string_view, 21> stream_names{"uniform",
+constexpr std::array<std::string_view, 27> stream_names{"uniform",
                                                         "scaled",
                                                         "lattice",
                                                         "every",
@@ -36,7 +37,13 @@ constexpr std::array<std::string_view, 21> stream_names{"uniform",
                                                         "quarter_turns",
                                                         "hard_angles",
                                                         "value_ties",
-                                                        "near_value_ties"};
+                                                        "near_value_ties",
+                                                        "half_multiples",
+                                                        "ratio_ties",
+                                                        "near_ratio_ties",
+                                                        "large_ratios",
+                                                        "whole_lengths",
+                                                        "near_length_ties"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
   throw std::invalid_argument(
@@ -84,15 +91,11 @@ void count_lattice(std::size_t arity, const Format& format, std::uint64_t first,
 
 void count_every(std::size_t arity, const Format& format, std::uint64_t first,
                  std::span<std::uint32_t> words) {
-  if (arity == 1) {
-    for (std::size_t i = 0; i < words.size(); ++i)
-      words[i] = format.word(static_cast<std::int64_t>(first + i));
-    return;
-  }
-  for (std::size_t i = 0; 2 * i < words.size(); ++i) {
-    const std::uint64_t pair = first + i;
-    words[2 * i] = format.word(static_cast<std::int64_t>(pair >> format.word_bits));
-    words[2 * i + 1] = format.word(static_cast<std::int64_t>(pair));
+  for (std::size_t i = 0; i * arity < words.size(); ++i) {
+    std::uint64_t left = first + i;
+    for (std::size_t operand = arity; operand-- > 0; left >>= format.word_bits) {
+      words[i * arity + operand] = format.word(static_cast<std::int64_t>(left));
+    }
   }
 }
 
@@ -115,8 +118,9 @@ bool is_stream_of(Stream stream, const Variant& variant) {
     case Stream::scaled:
       return true;
     case Stream::lattice:
-    case Stream::every:
       return arity <= 2;
+    case Stream::every:
+      return arity <= 3;
     case Stream::product_ties:
     case Stream::near_product_ties:
       return operation == Operation::mul;
@@ -129,9 +133,19 @@ bool is_stream_of(Stream stream, const Variant& variant) {
       return operation == Operation::div;
     case Stream::rotations:
     case Stream::axes:
-    case Stream::lattice_words:
     case Stream::transform_ties:
-      return operation == Operation::xformvec || operation == Operation::concat;
+      return arity > 3;
+    case Stream::lattice_words:
+      return arity > 2;
+    case Stream::half_multiples:
+      return operation == Operation::fmod || operation == Operation::remainder;
+    case Stream::ratio_ties:
+    case Stream::near_ratio_ties:
+    case Stream::large_ratios:
+      return operation == Operation::mul_div;
+    case Stream::whole_lengths:
+    case Stream::near_length_ties:
+      return operation == Operation::hypot3;
     case Stream::root_ties:
       return operation == Operation::sqrt;
     case Stream::value_ties:
@@ -180,7 +194,8 @@ std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
   if (stream == Stream::lattice && is_conversion(variant.operation)) {
     return conversion_lattice_size(variant);
   }
-  if (stream == Stream::lattice && arity <= 2) {
+  if (stream == Stream::lattice) {
+    if (arity > 2) refuse(stream, variant);
     const std::uint64_t values = boundary_lattice(bits).size();
     return arity == 1 ? values : values * values;
   }
@@ -207,6 +222,12 @@ void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std
       store(one_case, 1, pair.second, format);
     });
   };
+  const auto triples = [&](auto make) {
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      const WordTriple triple = make(draw, format);
+      for (std::size_t i = 0; i < triple.size(); ++i) store(one_case, i, triple.at(i), format);
+    });
+  };
   switch (stream) {
     case Stream::uniform:
       return numbers(any_word);
@@ -230,6 +251,22 @@ void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std
       return pairs(small_divisor_in);
     case Stream::root_ties:
       return numbers(root_tie_in);
+    case Stream::lattice_words:
+      return numbers([values = boundary_lattice(format.word_bits)](Draw& draw, const Format&) {
+        return values[draw.below(values.size())];
+      });
+    case Stream::half_multiples:
+      return pairs(half_multiple);
+    case Stream::ratio_ties:
+      return triples(ratio_tie);
+    case Stream::near_ratio_ties:
+      return triples(near_ratio_tie);
+    case Stream::large_ratios:
+      return triples(large_ratio);
+    case Stream::whole_lengths:
+      return triples(whole_length);
+    case Stream::near_length_ties:
+      return triples(near_length_tie);
     default:
       refuse(stream, variant);
   }

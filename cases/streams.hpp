@@ -22,7 +22,7 @@ enum class Stream : std::uint8_t {
   scaled,   ///< random sign and width: small and large words are equally common
   // Enumerated streams of one or two operands.
   lattice,  ///< every ordered choice of values of boundary_lattice()
-  every,    ///< every operand, if the operands have at most 32 bits in total
+  every,    ///< every operand, if the operands have at most 32 bits in total; up to three
   // mul.
   product_ties,       ///< the exact product lies halfway between two units
   near_product_ties,  ///< ... or 2^-F of a unit from halfway, the smallest distance that is not a
@@ -35,7 +35,7 @@ enum class Stream : std::uint8_t {
   large_quotients,     ///< quotients near 2^(2F-1) and 2^2F units
   small_divisors,      ///< divisors below 1.0
   fault_edge,          ///< divisors near the largest that causes #DE on either processor
-  // xformvec and concat.
+  // xformvec and concat; lattice_words also mul_div and hypot of three numbers.
   rotations,       ///< orthonormal rows with the translations and points of a scene
   axes,            ///< permuted and rotated axes, including the identity and its negative
   lattice_words,   ///< every word is from boundary_lattice()
@@ -48,6 +48,15 @@ enum class Stream : std::uint8_t {
   // Conversions. Their uniform doubles have any bits; their uniform decimals have few digits.
   value_ties,       ///< the operand lies halfway between two words of the results
   near_value_ties,  ///< ... or next to halfway: the next double or word, or a digit far behind
+  // fmod and remainder.
+  half_multiples,  ///< the dividend is a multiple of half the divisor, or a unit from one
+  // mul_div.
+  ratio_ties,       ///< twice the remainder of the product is the divisor
+  near_ratio_ties,  ///< ... or differs by one from an odd divisor
+  large_ratios,     ///< quotients near the ends of the range
+  // hypot of three numbers.
+  whole_lengths,     ///< the length is a whole number of units, or one operand is a unit off
+  near_length_ties,  ///< the sum of squares is as near to the square of a half as it can be
 };
 
 std::string_view name_of(Stream stream);

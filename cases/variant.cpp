@@ -13,7 +13,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 42> operations{{
+constexpr std::array<std::pair<std::string_view, Operation>, 46> operations{{
     {"mul", Operation::mul},
     {"div", Operation::div},
     {"cossin", Operation::cossin},
@@ -56,6 +56,10 @@ constexpr std::array<std::pair<std::string_view, Operation>, 42> operations{{
     {"atan2", Operation::atan2},
     {"hypot", Operation::hypot},
     {"pow", Operation::pow},
+    {"fmod", Operation::fmod},
+    {"remainder", Operation::remainder},
+    {"mul_div", Operation::mul_div},
+    {"hypot3", Operation::hypot3},
 }};
 
 /// Returns the operation called `name` among `known`; `kind` is for the error message.
@@ -88,15 +92,18 @@ std::string_view name_of(Target t) {
 Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
 
 void check_format(Operation operation, const Format& format) {
-  if (!is_function(operation) || format.word_bits <= 32) return;
-  throw support::UsageError(fmt::format("{} has formats of at most 32 bits, which {} is not",
-                                        name_of(operation), name_of(format)));
+  if (is_in_format(operation, format)) return;
+  throw support::UsageError(fmt::format(
+      "{} has {}, which {} is not", name_of(operation),
+      operation == Operation::remainder ? "signed formats" : "formats of at most 32 bits",
+      name_of(format)));
 }
 
 std::string function_names() {
   std::string all;
   for (const auto& [name, operation] : operations) {
-    if (is_function(operation)) all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
+    if (!is_function(operation) && !is_quotient_function(operation)) continue;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
   }
   return all;
 }

@@ -62,6 +62,12 @@ enum class Operation : std::uint8_t {
   atan2,       ///< the angle of the vector (second operand, first operand)
   hypot,       ///< the length of a vector
   pow,         ///< the first operand to the power of the second
+  // Functions of a quotient; a zero divisor is a divide error.
+  fmod,       ///< the remainder of the quotient truncated toward zero, exact
+  remainder,  ///< the remainder of the nearest whole quotient, ties to even; exact, signed formats
+  mul_div,    ///< a * b / c, rounded once
+  // One more function of real numbers.
+  hypot3,  ///< the length of a vector of three numbers
 };
 
 /// One operation under one set of rules, at one width.
@@ -90,7 +96,12 @@ constexpr std::size_t words_in(Operation o) {
     case Operation::atan2:
     case Operation::hypot:
     case Operation::pow:
+    case Operation::fmod:
+    case Operation::remainder:
       return 2;
+    case Operation::mul_div:
+    case Operation::hypot3:
+      return 3;
     case Operation::xformvec:
       return 15;
     case Operation::concat:
@@ -138,9 +149,19 @@ constexpr bool is_conversion(Operation o) {
 /// Tells whether the operation is a function of real numbers. sin and cos of radians are functions
 /// in the formats that has_routine_format() does not cover.
 constexpr bool is_function(Operation o) {
-  return (o >= Operation::exp2 && o <= Operation::log10) || o >= Operation::expm1 ||
+  return (o >= Operation::exp2 && o <= Operation::log10) ||
+         (o >= Operation::expm1 && o <= Operation::pow) || o == Operation::hypot3 ||
          o == Operation::sin || o == Operation::cos;
 }
+
+/// Tells whether the operation is a function of a quotient: a remainder, or the quotient of a
+/// product. These exist in every format, but `remainder` only in signed ones.
+constexpr bool is_quotient_function(Operation o) {
+  return o >= Operation::fmod && o <= Operation::mul_div;
+}
+
+/// Tells whether a zero divisor leaves the operation without a result.
+constexpr bool divides(Operation o) { return o == Operation::div || is_quotient_function(o); }
 
 /// The format of each operand that is a word.
 constexpr const Format& operand_format(const Variant& v) {
@@ -177,11 +198,11 @@ constexpr std::size_t words_out(const Variant& v) {
 constexpr int stored_bits(const Variant& v) { return operand_bits(v) > 32 ? 32 : operand_bits(v); }
 
 /// Tells whether the variant has one of the formats of FIXED.ASM's routines and their models.
-/// Conversions and functions are the same in every format, but for sin and cos.
+/// Conversions and all functions are the same in every format, but for sin and cos.
 constexpr bool has_routine_format(const Variant& v) {
   const bool has_model = v.operation == Operation::sin || v.operation == Operation::cos;
-  return !is_conversion(v.operation) && (has_model || !is_function(v.operation)) &&
-         (v.format == q16_16 || v.format == q8_8);
+  return !is_conversion(v.operation) && !is_quotient_function(v.operation) &&
+         (has_model || !is_function(v.operation)) && (v.format == q16_16 || v.format == q8_8);
 }
 
 constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
@@ -193,9 +214,15 @@ std::string name_of(const Variant& variant);
 /// Returns the operation with this command-line name.
 /// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
-/// @throws UsageError if the operation is a function and the format has more than 32 bits
+/// Tells whether the format has the operation: functions of real numbers are for at most 32 bits,
+/// and `remainder` is for signed formats.
+constexpr bool is_in_format(Operation operation, const Format& format) {
+  if (operation == Operation::remainder) return format.is_signed;
+  return !is_function(operation) || format.word_bits <= 32;
+}
+/// @throws UsageError unless is_in_format()
 void check_format(Operation operation, const Format& format);
-/// The functions, separated by commas: `sin, cos, exp2, ...`.
+/// All functions, separated by commas: `sin, cos, exp2, ...`.
 std::string function_names();
 /// Like operation_named(), but only for the routines of FIXED.ASM.
 Operation routine_named(std::string_view name);

@@ -2,6 +2,7 @@
 
 #include "check/word.hpp"
 #include "oracle/format.hpp"
+#include "oracle/whole_function.hpp"
 
 namespace fixproof::check {
 
@@ -24,6 +25,11 @@ std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const case
       return oracle::ulps(words[0], wide) + oracle::ulps(words[1], wide);
     case cases::Operation::sub:
       return oracle::ulps(words[0], wide) - oracle::ulps(words[1], wide);
+    case cases::Operation::fmod:
+      return oracle::truncated_remainder(oracle::ulps(words[0], wide),
+                                         oracle::ulps(words[1], wide));
+    case cases::Operation::remainder:
+      return oracle::nearest_remainder(oracle::ulps(words[0], wide), oracle::ulps(words[1], wide));
     default:
       refuse_operation();
   }

@@ -10,6 +10,7 @@
 #include "cases/variant.hpp"
 #include "check/rules.hpp"
 #include "oracle/fast.hpp"
+#include "oracle/fast_format.hpp"
 #include "oracle/integer.hpp"
 #include "oracle/rule.hpp"
 
@@ -17,7 +18,8 @@ namespace fixproof::check {
 
 [[noreturn]] inline void refuse_operation() {
   throw std::invalid_argument(
-      "only mul, div, sqrt, add, sub, conversions and functions are judged");
+      "only mul, div, sqrt, add, sub, fmod, remainder, conversions and what has an exact value are "
+      "judged");
 }
 
 /// The rounded result in ulps in any format; empty for x / 0, negative radicands, NaN and the
@@ -32,6 +34,11 @@ inline std::optional<std::int64_t> narrow_ulps(cases::Operation operation,
                                                oracle::Rounding rule) {
   const auto a = static_cast<std::uint32_t>(words[0]);
   const auto b = static_cast<std::uint32_t>(words.back());
+  constexpr oracle::Format format{};
+  const auto signed_word = [](std::optional<oracle::LongWord> word) -> std::optional<std::int64_t> {
+    if (!word) return std::nullopt;
+    return static_cast<std::int32_t>(*word);
+  };
   switch (operation) {
     case cases::Operation::mul:
       return oracle::fast::exact_product(a, b, rule, 16);
@@ -43,6 +50,10 @@ inline std::optional<std::int64_t> narrow_ulps(cases::Operation operation,
       return oracle::fast::exact_sum(a, b, 16);
     case cases::Operation::sub:
       return oracle::fast::exact_difference(a, b, 16);
+    case cases::Operation::fmod:
+      return signed_word(oracle::fast::truncated_remainder(a, b, format));
+    case cases::Operation::remainder:
+      return signed_word(oracle::fast::nearest_remainder(a, b, format));
     default:
       refuse_operation();
   }

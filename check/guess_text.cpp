@@ -77,6 +77,7 @@ NoResultNames no_result_names(cases::Operation operation) {
   if (operation == cases::Operation::sqrt) return {"negative operands", "operand"};
   if (operation == cases::Operation::from_binary64) return {"NaNs and infinities", "infinity"};
   if (cases::is_function(operation)) return {"operands outside the domain", "operand"};
+  if (operation == cases::Operation::mul_div) return {"zero divisors", "product"};
   return {"zero divisors", "dividend"};
 }
 
@@ -132,8 +133,10 @@ std::string line_of(std::string_view subject, const BestRules& best,
 std::string rounding_line(const BestRules& best, const Rules& followed) {
   if (!is_rounded(followed.operation)) {
     const bool text = followed.operation == cases::Operation::to_decimal;
-    return text ? line_of("text", best, {"reads as the operand"}, "cases", followed)
-                : line_of("in range", best, {"exact"}, "cases that do not overflow", followed);
+    if (text) return line_of("text", best, {"reads as the operand"}, "cases", followed);
+    const bool remains = is_remainder(followed.operation);
+    return line_of("in range", best, {"exact"},
+                   remains ? "cases with a result" : "cases that do not overflow", followed);
   }
   std::vector<std::string> names;
   for (const std::size_t i : best.rules) names.emplace_back(name_of(roundings()[i]));

@@ -93,6 +93,23 @@ constexpr auto quotient_and_half = []<class Number>(const Number& a, const Numbe
   return std::optional<Number>(half_and_cut<Number>(a * one<Number>(f), b));
 };
 
+constexpr auto truncated_rest = []<class Number>(const Number& a, const Number& b, const Format&) {
+  return std::optional<Number>(a % b);
+};
+constexpr auto floored_rest = []<class Number>(const Number& a, const Number& b, const Format&) {
+  const Number rest = a % b;
+  const bool is_other_side = rest != 0 && (rest < 0) != (b < 0);
+  return std::optional<Number>(is_other_side ? rest + b : rest);
+};
+constexpr auto rest_of_ties_away = []<class Number>(const Number& a, const Number& b,
+                                                    const Format&) {
+  const Number rest = a % b;
+  const Number size = rest < 0 ? -rest : rest;
+  const Number divisor = b < 0 ? -b : b;
+  const Number other = rest < 0 ? rest + divisor : rest - divisor;
+  return std::optional<Number>(2 * size < divisor ? rest : other);
+};
+
 constexpr auto value_and_half = [](const Integer& a, const Integer& b, const Format&) {
   return std::optional(half_and_cut<Integer>(a, b));
 };
@@ -144,6 +161,11 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
        return Ulps(cut(static_cast<float>(a) / static_cast<float>(b) * scale));
      },
      nullptr},
+    any_format(Operation::fmod, "a - b * floor(a / b), which has the sign of b", floored_rest),
+    any_format(Operation::remainder, "a % b, the remainder of the truncated quotient",
+               truncated_rest),
+    any_format(Operation::remainder, "a - b * round(a / b), whose ties go away from zero",
+               rest_of_ties_away),
     {Operation::add, "sums of fractions and integer parts, without the carry between them",
      [](auto& a, auto& b, auto&) { return Ulps(sum_of_halves(a, b)); }, nullptr},
     {Operation::sqrt, "(int)(sqrtf(a / 65536.0f) * 65536), which has 24 bits",

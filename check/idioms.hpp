@@ -1,5 +1,6 @@
 /// @file
-/// Common ways to write a multiply, divide or root in C, and which of them a subject acts like.
+/// Common ways to write a multiply, divide, remainder or root in C, and which of them a subject
+/// acts like.
 #pragma once
 
 #include <array>
@@ -34,7 +35,7 @@ struct Idiom {
   [[nodiscard]] bool is_for(cases::Operation of, const cases::Format& format) const;
 };
 
-inline constexpr std::size_t idiom_count = 21;
+inline constexpr std::size_t idiom_count = 24;
 const std::array<Idiom, idiom_count>& idioms();
 
 /// The idioms with the fewest exceptions. Several tie if no case tells them apart.

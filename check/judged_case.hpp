@@ -21,7 +21,7 @@ struct JudgedCase {
   std::array<std::uint64_t, 2> words{};
   Said said;
   std::optional<Converted>
-      converted{};          ///< the operand of a conversion or function, which has no words
+      converted{};          ///< of a case that is judged by its exact value, which has no words
   std::string said_text{};  ///< the result of to_decimal, as it stands on its line
 
   [[nodiscard]] Operands operands() const {

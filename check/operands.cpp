@@ -9,6 +9,7 @@
 #include "cases/words.hpp"
 #include "oracle/format.hpp"
 #include "oracle/function.hpp"
+#include "oracle/whole_function.hpp"
 #include "support/hex.hpp"
 
 namespace fixproof::check {
@@ -33,19 +34,54 @@ oracle::Ratio value_of(std::uint64_t word, const cases::Format& format) {
 }
 
 /// The words of a function's operands.
-std::array<std::uint64_t, 2> words_in(std::string_view line, const cases::Variant& variant) {
-  std::array<std::uint32_t, 2> words{};
-  cases::parse_words(line, variant, std::span(words).first(cases::words_in(variant)));
-  return {words[0], words[1]};
+std::array<std::uint64_t, 3> words_in(std::string_view line, const cases::Variant& variant) {
+  std::array<std::uint32_t, 6> parts{};
+  const auto used = std::span(parts).first(cases::words_in(variant));
+  cases::parse_words(line, variant, used);
+  std::array<std::uint64_t, 3> words{};
+  join_words(used, variant.format, std::span(words).first(cases::words_in(variant.operation)));
+  return words;
 }
 
-std::optional<oracle::Ratio> function_of(const std::array<std::uint64_t, 2>& words,
-                                         const cases::Variant& variant) {
-  const auto& [x, y] = words;
+/// Sets the exact result of a function, or the sign without one.
+void set_value(Converted& operand, const cases::Variant& variant) {
   const oracle::Format format = oracle_format(variant.format);
-  return oracle::function_value(oracle::function_named(cases::name_of(variant.operation)).value(),
-                                oracle::ulps(x, format), oracle::ulps(y, format),
-                                format.fraction_bits);
+  const auto ulps = [&](std::size_t i) { return oracle::ulps(operand.words.at(i), format); };
+  const oracle::Integer x = ulps(0);
+  const oracle::Integer y = ulps(1);
+  const oracle::Integer one = oracle::Integer(1) << format.fraction_bits;
+  const auto set_whole = [&](const std::optional<oracle::Integer>& result, int sign) {
+    if (result) {
+      operand.value = {*result, one};
+    } else {
+      operand.sign = sign;
+    }
+  };
+  switch (variant.operation) {
+    case Operation::fmod:
+      return set_whole(oracle::truncated_remainder(x, y), x.sign());
+    case Operation::remainder:
+      return set_whole(oracle::nearest_remainder(x, y), x.sign());
+    case Operation::mul_div: {
+      const oracle::Integer z = ulps(2);
+      const oracle::Integer product = x * y;
+      if (z == 0) {
+        operand.sign = product.sign();
+      } else {
+        operand.value = {z < 0 ? -product : product, abs(z) * one};
+      }
+      return;
+    }
+    case Operation::hypot3: {
+      const oracle::Ratio length = oracle::length_of(x, y, ulps(2));
+      operand.value = {length.numerator, length.denominator * one};
+      return;
+    }
+    default:
+      operand.value =
+          oracle::function_value(oracle::function_named(cases::name_of(variant.operation)).value(),
+                                 x, y, format.fraction_bits);
+  }
 }
 
 }  // namespace
@@ -60,9 +96,9 @@ Converted parse_converted(std::string_view line, const cases::Variant& variant) 
       operand.value = parse_decimal(line);
       break;
     default: {
-      if (cases::is_function(variant.operation)) {
+      if (!cases::is_conversion(variant.operation)) {
         operand.words = words_in(line, variant);
-        operand.value = function_of(operand.words, variant);
+        set_value(operand, variant);
         break;
       }
       const cases::Format& format = cases::operand_format(variant);
@@ -82,11 +118,12 @@ std::string text_of(const Converted& operand, const cases::Variant& variant) {
                          std::bit_cast<double>(support::parse_long_hex(operand.text, 16)));
     default: {
       const cases::Format& format = cases::operand_format(variant);
-      if (cases::is_function(variant.operation)) {
-        const auto& [x, y] = operand.words;
-        return fmt::format(
-            "{} ({}{})", operand.text, decimal_text(x, format),
-            cases::words_in(variant.operation) == 1 ? "" : " " + decimal_text(y, format));
+      if (!cases::is_conversion(variant.operation)) {
+        std::string values;
+        for (std::size_t i = 0; i < cases::words_in(variant.operation); ++i) {
+          values += (i == 0 ? "" : " ") + decimal_text(operand.words.at(i), format);
+        }
+        return fmt::format("{} ({})", operand.text, values);
       }
       return fmt::format("{} ({})", operand.text,
                          decimal_text(word_in(operand.text, format), format));

@@ -127,7 +127,7 @@ std::string_view name_of(NoResult rule) {
 std::span<const Rounding> roundings() { return all_roundings; }
 std::span<const Overflow> overflow_rules() { return all_overflow_rules; }
 std::span<const NoResult> no_result_rules(cases::Operation operation) {
-  if (operation == cases::Operation::div || operation == cases::Operation::from_binary64) {
+  if (cases::divides(operation) || operation == cases::Operation::from_binary64) {
     return zero_divisor_rules;
   }
   if (operation == cases::Operation::sqrt) return negative_root_rules;

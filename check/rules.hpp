@@ -27,8 +27,8 @@ enum class Overflow : std::uint8_t {
 };
 
 /// The result for a zero divisor, for the root of a negative number, for NaN and the infinities,
-/// and outside the domain of a function. The sign is that of the dividend or the infinity. Rules
-/// that depend on the sign also accept 0 for 0 / 0 and NaN.
+/// and outside the domain of a function. The sign is that of the dividend, of the product in
+/// mul_div, or of the infinity. Rules that depend on the sign also accept 0 for 0 / 0 and NaN.
 enum class NoResult : std::uint8_t {
   any,        ///< every result is accepted
   error,      ///< DE
@@ -52,20 +52,27 @@ struct Rules {
 constexpr bool is_judged(cases::Operation operation) {
   using enum cases::Operation;
   return operation == mul || operation == div || operation == sqrt || operation == add ||
-         operation == sub || cases::is_conversion(operation) || cases::is_function(operation);
+         operation == sub || cases::is_conversion(operation) || cases::is_function(operation) ||
+         cases::is_quotient_function(operation);
 }
 
-/// Tells whether results are rounded. Sums and differences of words are exact, and the text of a
-/// word need only read as that word.
+/// Tells whether the operation is a remainder.
+constexpr bool is_remainder(cases::Operation operation) {
+  return operation == cases::Operation::fmod || operation == cases::Operation::remainder;
+}
+
+/// Tells whether results are rounded. Sums, differences and remainders of words are exact, and the
+/// text of a word need only read as that word.
 constexpr bool is_rounded(cases::Operation operation) {
   using enum cases::Operation;
-  return operation != add && operation != sub && operation != to_decimal;
+  return operation != add && operation != sub && operation != to_decimal &&
+         !is_remainder(operation);
 }
 
 /// Tells whether a result can lie outside the range of words. A root does if a signed word has no
 /// bit before the point: sqrt(0.49) in q0_8.
 constexpr bool can_overflow(cases::Operation operation, const cases::Format& format) {
-  if (operation == cases::Operation::to_decimal) return false;
+  if (operation == cases::Operation::to_decimal || is_remainder(operation)) return false;
   return operation != cases::Operation::sqrt ||
          (format.is_signed && format.fraction_bits == format.word_bits);
 }
@@ -73,7 +80,7 @@ constexpr bool can_overflow(cases::Operation operation, const cases::Format& for
 /// Tells whether some operands have no result: a zero divisor, a negative radicand, a double that
 /// is not finite, or an operand outside the domain of a function.
 constexpr bool can_lack_result(cases::Operation operation, const cases::Format& format) {
-  return operation == cases::Operation::div || operation == cases::Operation::from_binary64 ||
+  return cases::divides(operation) || operation == cases::Operation::from_binary64 ||
          (operation == cases::Operation::sqrt && format.is_signed) || cases::is_function(operation);
 }
 

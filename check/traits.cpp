@@ -243,7 +243,7 @@ std::string case_trait_text(cases::Operation operation, const Format& format,
 
 std::string_view noun_of(cases::Operation operation, About operand) {
   if (operand == About::either || cases::words_in(operation) == 1) return "an operand";
-  if (operation == cases::Operation::div) {
+  if (operation == cases::Operation::div || is_remainder(operation)) {
     return operand == About::first ? "a dividend" : "a divisor";
   }
   return operand == About::first ? "a first operand" : "a second operand";

@@ -31,12 +31,10 @@ inline constexpr std::size_t max_traits = 64;
 enum class About : std::uint8_t { first, second, either, both, kind, sign };
 inline constexpr std::size_t parts_of_case = 6;
 
-/// The operands that traits describe: words of the results' format. Those of conversions and
-/// functions are lines of text.
+/// The operands that traits describe: words of the results' format. Those of cases that are judged
+/// by their exact value are lines of text.
 constexpr std::size_t words_of(cases::Operation operation) {
-  return cases::is_conversion(operation) || cases::is_function(operation)
-             ? 0
-             : cases::words_in(operation);
+  return is_judged_by_value(operation) ? 0 : cases::words_in(operation);
 }
 
 /// The number of traits of a case. They depend on the operands and the exact result only.

@@ -124,7 +124,7 @@ std::string heading(const check::Rules& rules, const std::string& cases) {
   if (check::can_overflow(rules.operation, rules.format)) {
     text += fmt::format(", overflow {}", check::name_of(rules.overflow));
   }
-  if (rules.operation == cases::Operation::div) {
+  if (cases::divides(rules.operation)) {
     text += fmt::format(", divide by zero {}", check::name_of(rules.no_result));
   }
   if (rules.operation == cases::Operation::sqrt && rules.format.is_signed) {
@@ -146,7 +146,7 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   support::FrameProgress progress(cases.count().value_or(1), "cases");
   const cases::Format& format = judge.rules().format;
   const cases::Operation operation = judge.rules().operation;
-  const bool converts = cases::is_conversion(operation) || cases::is_function(operation);
+  const bool converts = check::is_judged_by_value(operation);
   const auto arity = cases::words_in(judge.rules().operation);
   check::JudgedCase one;
   std::array<std::uint32_t, 4> room{};
@@ -191,8 +191,8 @@ void refuse_idle_options(const CLI::App& command, cases::Operation operation,
   refuse("--rounding", check::is_rounded(operation), "results that are rounded");
   refuse("--overflow", check::can_overflow(operation, format), "results that can overflow");
   refuse("--not-finite", operation == cases::Operation::from_binary64, "from_binary64");
-  refuse("--outside-domain", cases::is_function(operation), "functions");
-  refuse("--divide-by-zero", operation == cases::Operation::div, "div");
+  refuse("--outside-domain", cases::is_function(operation), "functions of real numbers");
+  refuse("--divide-by-zero", cases::divides(operation), "div, mul_div, fmod and remainder");
   refuse("--negative-root", operation == cases::Operation::sqrt && format.is_signed,
          "sqrt of a signed format");
 }
@@ -258,17 +258,18 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       ->capture_default_str();
   command.add_option("--rounding", options.rounding,
                      "expected rounding: half-up, half-away, half-even, floor or toward-zero; "
-                     "required unless results are exact (add, sub, to_decimal)");
+                     "required unless results are exact (add, sub, fmod, remainder, to_decimal)");
   command
       .add_option(
           "--overflow", options.overflow,
           "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de or any; "
-          "by default wrap, of functions saturate")
+          "by default wrap, of functions of real numbers saturate")
       ->check(not_empty());
   command
       .add_option(
           "--divide-by-zero", options.divide_by_zero,
-          "expected result of div by 0: de, saturate, symmetric, maximum, minimum, zero or any")
+          "expected result of div, mul_div, fmod and remainder by 0: de, saturate, symmetric, "
+          "maximum, minimum, zero or any")
       ->capture_default_str();
   command
       .add_option("--negative-root", options.negative_root,

@@ -111,9 +111,10 @@ void add_eval(CLI::App& app, int& status) {
       ->check(not_empty());
   command
       ->add_option("--format", options->format,
-                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal "
-                   "or binary64, rounded half up and wrapped; functions to nearest, in "
-                   "at most 32 bits; by type in named formats, else by oracle")
+                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, mul_div, sqrt, "
+                   "decimal or binary64, rounded half up and wrapped; fmod and, if signed, "
+                   "remainder; other functions to nearest, in at most 32 bits; by type in named "
+                   "formats, else by oracle")
       ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(
@@ -121,6 +122,9 @@ void add_eval(CLI::App& app, int& status) {
   mul, div   a b                             -> one word, DE for a divide error
   add, sub   a b                             -> one word
   pow, hypot, atan2   a b                    -> one word; atan2 takes y x
+  fmod, remainder   a b                      -> one word, DE for a zero divisor
+  mul_div    a b c                           -> the word of a x b / c, DE for a zero divisor
+  hypot3     a b c                           -> one word
   cossin     an angle in tenths, 4 digits    -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words
@@ -133,6 +137,7 @@ Examples:
   echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE
   echo 00010000 | fixproof eval sin                     # sine of one radian: 0000d76b
   echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees
+  echo 00030000 00050000 00040000 | fixproof eval mul_div   # 3 x 5 / 4: 0003c000
   echo 60000000 20000000 | fixproof eval mul --format q2_30   # 1.5 x 0.5: 30000000)");
   command->callback([options, &status] { status = run(*options); });
 }

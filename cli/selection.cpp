@@ -51,12 +51,13 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
          rounding_fits(options, v);
 }
 
-/// The operations that exist in every format, in the order of the table. Functions run only if they
-/// are named.
-constexpr std::array format_operations{cases::Operation::add,     cases::Operation::sub,
-                                       cases::Operation::mul,     cases::Operation::div,
-                                       cases::Operation::sqrt,    cases::Operation::decimal,
-                                       cases::Operation::binary64};
+/// The operations that exist in every format, in the order of the table; remainder only in signed
+/// ones. Functions of real numbers run only if they are named.
+constexpr std::array format_operations{cases::Operation::add,       cases::Operation::sub,
+                                       cases::Operation::mul,       cases::Operation::div,
+                                       cases::Operation::sqrt,      cases::Operation::decimal,
+                                       cases::Operation::binary64,  cases::Operation::fmod,
+                                       cases::Operation::remainder, cases::Operation::mul_div};
 
 /// Returns the variants of --format: each operation in each format.
 std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
@@ -71,7 +72,8 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
   for (const std::string& name : selection.operations) {
     operations.push_back(format_operation_named(name));
   }
-  if (operations.empty()) operations.assign(format_operations.begin(), format_operations.end());
+  const bool are_named = !operations.empty();
+  if (!are_named) operations.assign(format_operations.begin(), format_operations.end());
   std::vector<cases::Format> formats;
   for (const std::string& name : selection.formats) {
     const auto add = [&](const cases::Format& format) {
@@ -81,12 +83,14 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
       std::ranges::for_each(cases::named_formats(), add);
     } else {
       add(cases::format_named(name));
+      if (!are_named) continue;
       for (const cases::Operation o : operations) cases::check_format(o, formats.back());
     }
   }
   std::vector<cases::Variant> variants;
   for (const cases::Format& format : formats) {
     for (const cases::Operation operation : operations) {
+      if (!cases::is_in_format(operation, format)) continue;
       variants.push_back(
           {.operation = operation, .build = {.target = cases::Target::standard}, .format = format});
     }

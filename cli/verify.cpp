@@ -231,7 +231,8 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   command.add_option(
       "operations", selection.operations,
       "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; with --format also "
-      "add, sub and, if named, the functions of docs/functions.md; by default all");
+      "add, sub, fmod, remainder, mul_div and, if named, the other functions of docs/functions.md; "
+      "by default all");
   command
       .add_option("--format", selection.formats,
                   "compare in these formats, such as q2_30,u8_8, or in all that fixed/formats.hpp "
@@ -307,11 +308,11 @@ void add_verify(CLI::App& app, int& status) {
   ./libmine.so:my_mul     your function: int32_t my_mul(int32_t a, int32_t b);
                   my_mul[] takes arrays. docs/verify.md has the signatures.
 With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
-sqrt, decimal and binary64, and in up to 32 bits the functions of docs/functions.md, if they are
-named.
+sqrt, decimal, binary64, fmod, remainder (signed formats) and mul_div, and in up to 32 bits the
+other functions of docs/functions.md, if they are named.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
-With --format it has all pairs of words of up to 16 bits and all words of up to 32 bits.
+With --format it has all words of up to 32 bits, all pairs of up to 16 and all triples of 8.
 On two processors level 2 takes some minutes and level 3 a quarter of an hour.
 An option that selects a rule leaves out the rows that follow another rule. It is an error to
 name a party that cannot run or does not answer every selected row.
@@ -330,6 +331,7 @@ Examples:
   fixproof verify mul --target standard --against ./libmine.so:my_mul  # your function
   fixproof verify --format all                      # the type in every named format
   fixproof verify mul --format q2_30 --level 2      # one operation in one format
+  fixproof verify fmod hypot3 --format q16_16       # functions run only in a format
   fixproof verify --level 3 --resume sweep.json     # everything; resumes after Ctrl-C
   fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge
   fixproof verify div --case '00010000 00000003'    # every party's answer to one case)");

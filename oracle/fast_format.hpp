@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -54,6 +55,62 @@ struct Signed {
   if (y.magnitude == 0) return std::nullopt;
   return wrap(half_up(x.negative != y.negative, x.magnitude << format.fraction_bits, y.magnitude),
               format);
+}
+
+/// The remainder of n / d truncated toward zero; empty if and only if d is 0.
+[[nodiscard]] constexpr std::optional<LongWord> truncated_remainder(LongWord n, LongWord d,
+                                                                    const Format& format) {
+  const Signed x = signed_ulps(n, format);
+  const Signed y = signed_ulps(d, format);
+  if (y.magnitude == 0) return std::nullopt;
+  return wrap(Signed{x.negative, x.magnitude % y.magnitude}, format);
+}
+
+/// The remainder of the integer nearest to n / d, ties to even; empty if and only if d is 0.
+[[nodiscard]] constexpr std::optional<LongWord> nearest_remainder(LongWord n, LongWord d,
+                                                                  const Format& format) {
+  const Signed x = signed_ulps(n, format);
+  const Signed y = signed_ulps(d, format);
+  if (y.magnitude == 0) return std::nullopt;
+  const std::uint64_t rest = x.magnitude % y.magnitude;
+  const std::uint64_t twice = 2 * rest;
+  const bool is_odd = x.magnitude / y.magnitude % 2 != 0;
+  if (twice < y.magnitude || (twice == y.magnitude && !is_odd)) {
+    return wrap(Signed{x.negative, rest}, format);
+  }
+  return wrap(Signed{!x.negative, y.magnitude - rest}, format);
+}
+
+/// a * b / c; empty if and only if c is 0.
+[[nodiscard]] constexpr std::optional<LongWord> product_quotient(LongWord a, LongWord b, LongWord c,
+                                                                 const Format& format) {
+  const Signed x = signed_ulps(a, format);
+  const Signed y = signed_ulps(b, format);
+  const Signed z = signed_ulps(c, format);
+  if (z.magnitude == 0) return std::nullopt;
+  return wrap(
+      half_up((x.negative != y.negative) != z.negative, x.magnitude * y.magnitude, z.magnitude),
+      format);
+}
+
+/// The length of (x, y, z) in ulps, to nearest. It has at most 33 bits.
+[[nodiscard]] inline std::uint64_t nearest_length(LongWord x, LongWord y, LongWord z,
+                                                  const Format& format) {
+  // The sum of the squares may exceed 64 bits. A double tells the root within an ulp, so the sum
+  // minus the square of the guess is small, and right modulo 2^64.
+  std::uint64_t sum = 0;
+  double estimate = 0;
+  for (const LongWord word : {x, y, z}) {
+    const std::uint64_t size = signed_ulps(word, format).magnitude;
+    sum += size * size;
+    estimate += static_cast<double>(size) * static_cast<double>(size);
+  }
+  auto root = static_cast<std::uint64_t>(std::sqrt(estimate));
+  const auto above = [&] { return static_cast<std::int64_t>(sum - root * root); };
+  // Root r is nearest if r^2 - r < sum <= r^2 + r.
+  while (above() > static_cast<std::int64_t>(root)) ++root;
+  while (root > 0 && above() <= -static_cast<std::int64_t>(root)) --root;
+  return root;
 }
 
 /// The square root, rounded to nearest; empty for a negative operand.

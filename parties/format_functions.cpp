@@ -1,14 +1,17 @@
 // Functions of real numbers in formats of at most 32 bits.
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
-#include "oracle/format.hpp"
+#include "oracle/fast_format.hpp"
 #include "oracle/function.hpp"
+#include "oracle/whole_function.hpp"
 #include "parties/formats.hpp"
+#include "parties/oracle_format.hpp"
 #include "parties/with_format.hpp"
 
 namespace fixproof::parties {
@@ -17,6 +20,7 @@ namespace {
 
 using cases::Operation;
 using oracle::Function;
+using Operands = std::array<std::uint64_t, 3>;
 using Result = std::optional<std::uint64_t>;
 
 Function function_of(Operation operation) {
@@ -45,7 +49,7 @@ oracle::Integer outside_domain(Operation operation, const oracle::Integer& x,
 }
 
 template <class Number>
-Number computed(Operation operation, Number x, Number y) {
+Number computed(Operation operation, Number x, Number y, Number z) {
   switch (operation) {
     case Operation::sin:
       return sin(x);
@@ -103,6 +107,8 @@ Number computed(Operation operation, Number x, Number y) {
       return hypot(x, y);
     case Operation::pow:
       return pow(x, y);
+    case Operation::hypot3:
+      return hypot(x, y, z);
     default:
       throw std::invalid_argument("not a function");
   }
@@ -111,7 +117,13 @@ Number computed(Operation operation, Number x, Number y) {
 }  // namespace
 
 void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format{v.format.word_bits, v.format.fraction_bits, v.format.is_signed};
+  const oracle::Format format = oracle_format(v.format);
+  if (v.operation == Operation::hypot3) {
+    return each_case_in(v, batch, [&](const Operands& in) -> Result {
+      const auto ulps = [&](std::size_t i) { return oracle::ulps(in.at(i), format); };
+      return oracle::saturate(oracle::nearest_length(ulps(0), ulps(1), ulps(2)), format);
+    });
+  }
   const Function function = function_of(v.operation);
   each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
     const oracle::Integer x = oracle::ulps(a, format);
@@ -122,7 +134,13 @@ void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
 }
 
 void answer_function_fast(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format{v.format.word_bits, v.format.fraction_bits, v.format.is_signed};
+  const oracle::Format format = oracle_format(v.format);
+  if (v.operation == Operation::hypot3) {
+    const auto most = static_cast<std::uint64_t>(oracle::highest(format));
+    return each_case_in(v, batch, [&](const Operands& in) -> Result {
+      return std::min(oracle::fast::nearest_length(in[0], in[1], in[2], format), most);
+    });
+  }
   const auto lowest = static_cast<std::int64_t>(oracle::lowest(format));
   const auto highest = static_cast<std::int64_t>(oracle::highest(format));
   const Function function = function_of(v.operation);
@@ -144,8 +162,9 @@ void answer_function_fast(const cases::Variant& v, const Batch& batch) {
 void answer_function_by_type(const cases::Variant& v, const Batch& batch) {
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
     if constexpr (sizeof(typename Number::raw_type) <= sizeof(std::uint32_t)) {
-      each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
-        return bits_of(computed(v.operation, number_from<Number>(a), number_from<Number>(b)));
+      each_case_in(v, batch, [&](const Operands& in) -> Result {
+        return bits_of(computed(v.operation, number_from<Number>(in[0]), number_from<Number>(in[1]),
+                                number_from<Number>(in[2])));
       });
     }
   });

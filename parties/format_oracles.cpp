@@ -1,7 +1,7 @@
 #include "oracle/fast_format.hpp"
-#include "oracle/format.hpp"
 #include "oracle/unbounded.hpp"
 #include "parties/formats.hpp"
+#include "parties/oracle_format.hpp"
 
 namespace fixproof::parties {
 
@@ -12,10 +12,6 @@ using oracle::Integer;
 using oracle::LongWord;
 using oracle::Rounding;
 using Result = std::optional<LongWord>;
-
-oracle::Format oracle_format(const cases::Format& format) {
-  return {format.word_bits, format.fraction_bits, format.is_signed};
-}
 
 /// The value of the double nearest to an integer, ties to even. It has 53 bits.
 Integer nearest_double(const Integer& value) {
@@ -30,6 +26,7 @@ Integer nearest_double(const Integer& value) {
 
 void answer_exactly(const cases::Variant& v, const Batch& batch) {
   if (cases::is_function(v.operation)) return answer_function_exactly(v, batch);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_exactly(v, batch);
   const oracle::Format format = oracle_format(v.format);
   each_number(v, batch, [&](LongWord a, LongWord b) -> Result {
     switch (v.operation) {
@@ -56,6 +53,7 @@ void answer_exactly(const cases::Variant& v, const Batch& batch) {
 
 void answer_fast(const cases::Variant& v, const Batch& batch) {
   if (cases::is_function(v.operation)) return answer_function_fast(v, batch);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_fast(v, batch);
   const oracle::Format format = oracle_format(v.format);
   const std::uint64_t ones = cases::all_ones(v.format);
   const auto each = [&](const auto& answer) { each_number(v, batch, answer); };

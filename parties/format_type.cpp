@@ -59,6 +59,7 @@ bool is_named(const cases::Format& format) {
 
 void answer_by_type(const cases::Variant& v, const Batch& batch) {
   if (cases::is_function(v.operation)) return answer_function_by_type(v, batch);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_by_type(v, batch);
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
     answer<Number>(v, batch);
   });

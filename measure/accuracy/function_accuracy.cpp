@@ -20,7 +20,7 @@ namespace fixproof::measure {
 namespace {
 
 using cases::Format;
-using Words = std::array<std::uint64_t, 2>;
+using Words = std::array<std::uint64_t, 3>;
 
 struct FunctionSubject {
   std::string name;
@@ -29,7 +29,7 @@ struct FunctionSubject {
 
 /// The C library's function, as a user of this type would call it.
 template <class Float>
-Float library_function(cases::Operation operation, Float x, Float y) {
+Float library_function(cases::Operation operation, Float x, Float y, Float z) {
   constexpr Float degree = std::numbers::pi_v<Float> / 180;
   constexpr Float turn = 2 * std::numbers::pi_v<Float>;
   using enum cases::Operation;
@@ -90,6 +90,14 @@ Float library_function(cases::Operation operation, Float x, Float y) {
       return std::hypot(x, y);
     case pow:
       return std::pow(x, y);
+    case fmod:
+      return std::fmod(x, y);
+    case remainder:
+      return std::remainder(x, y);
+    case mul_div:
+      return x * y / z;
+    case hypot3:
+      return std::hypot(x, y, z);
     default:
       throw std::invalid_argument("not a function");
   }
@@ -116,18 +124,20 @@ FunctionSubject floating(const char* name, cases::Operation operation, const For
             const auto value = [&](std::uint64_t word) {
               return std::ldexp(static_cast<Float>(ulps_of(word, format)), -format.fraction_bits);
             };
-            return rounded_word(library_function(operation, value(in[0]), value(in[1])), format);
+            return rounded_word(
+                library_function(operation, value(in[0]), value(in[1]), value(in[2])), format);
           }};
 }
 
 FunctionSubject of_type(const cases::Variant& variant) {
   return {cases::name_of(variant.format), [variant](const Words& in) -> std::uint64_t {
             const std::array words{static_cast<std::uint32_t>(in[0]),
-                                   static_cast<std::uint32_t>(in[1])};
+                                   static_cast<std::uint32_t>(in[1]),
+                                   static_cast<std::uint32_t>(in[2])};
             std::array<std::uint32_t, 1> out{};
             std::array<parties::Ending, 1> endings{};
             const auto operands = std::span(words).first(cases::words_in(variant));
-            parties::answer_function_by_type(variant, {operands, out, endings});
+            parties::answer_by_type(variant, {operands, out, endings});
             return out[0];
           }};
 }
@@ -193,13 +203,14 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
   return rows;
 }
 
-std::vector<cases::Operation> functions_named(const std::string& name) {
+std::vector<cases::Operation> functions_named(const std::string& name, const Format& format) {
   std::vector<cases::Operation> functions;
   for (auto i = static_cast<int>(cases::Operation::mul);
-       i <= static_cast<int>(cases::Operation::pow); ++i) {
+       i <= static_cast<int>(cases::Operation::hypot3); ++i) {
     const auto operation = static_cast<cases::Operation>(i);
-    if (!cases::is_function(operation)) continue;
-    if (name == "all" || name == cases::name_of(operation)) functions.push_back(operation);
+    if (!cases::is_function(operation) && !cases::is_quotient_function(operation)) continue;
+    const bool is_of_all = name == "all" && cases::is_in_format(operation, format);
+    if (is_of_all || name == cases::name_of(operation)) functions.push_back(operation);
   }
   if (functions.empty()) {
     throw support::UsageError(fmt::format("--function {}: there is only all, {}",
@@ -212,8 +223,13 @@ std::vector<cases::Operation> functions_named(const std::string& name) {
 
 std::optional<FormatAccuracyResult> measure_function_accuracy(const MeasureRequest& request,
                                                               MeasureProgress& progress) {
-  const std::vector<cases::Operation> functions = functions_named(request.function);
   require_named(request.format);
+  if (request.format.word_bits > 32) {
+    throw support::UsageError(
+        fmt::format("--format {}: --function measures formats of at most 32 bits",
+                    cases::name_of(request.format)));
+  }
+  const std::vector<cases::Operation> functions = functions_named(request.function, request.format);
   cases::check_format(functions.front(), request.format);
   FormatAccuracyResult result{request.seed, request.format, {}, request.function};
   progress.begin(functions.size(), "functions");

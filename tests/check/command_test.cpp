@@ -75,6 +75,36 @@ TEST(CheckCommand, SumsAndDifferences) {
   }
 }
 
+// The type wraps quotients of products; a zero divisor is DE.
+TEST(CheckCommand, RemaindersAndQuotientsOfProducts) {
+  for (const std::string operation : {"fmod", "remainder"}) {
+    const std::string cases = command::output_of("gen " + operation + " --cases 5000");
+    const std::string answers = command::output_of("eval " + operation, cases);
+    const auto run = command::fixproof("check " + operation + " --cases 5000", answers);
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    expect_contains(run.out, operation + ": exact, divide by zero de; cases of fixproof gen");
+    expect_contains(run.out, "  in range         exact on all ");
+    expect_contains(run.out, "  divide by zero   says DE on all ");
+    expect_refused("check " + operation + " --overflow wrap",
+                   "--overflow applies only to results that can overflow");
+  }
+  for (const std::string format : {"q16_16", "u0_64"}) {
+    const std::string options = " --cases 5000 --format " + format;
+    const std::string cases = command::output_of("gen mul_div" + options);
+    const std::string answers = command::output_of("eval mul_div --format " + format, cases);
+    const auto run = command::fixproof("check mul_div --rounding half-up" + options, answers);
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    expect_contains(run.out, "half-up, overflow wrap, divide by zero de; cases of fixproof gen");
+    expect_contains(run.out, "  rounding         half-up on all ");
+    EXPECT_EQ(command::fixproof("check mul_div --rounding half-even" + options, answers).status, 1);
+  }
+  const std::string cases = command::output_of("gen hypot3 --cases 5000");
+  const std::string answers = command::output_of("eval hypot3", cases);
+  const auto run = command::fixproof("check hypot3 --cases 5000 --rounding half-up", answers);
+  EXPECT_EQ(run.status, 0) << run.out << run.err;
+  expect_contains(run.out, "  overflow         saturates to 7fffffff and 80000000 or ");
+}
+
 TEST(CheckCommand, ShowsNoMoreThanAskedFor) {
   const auto run = check_two("--rounding floor --show 1", "DE\nDE\n");
   EXPECT_EQ(run.status, 1);

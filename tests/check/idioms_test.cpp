@@ -115,6 +115,23 @@ TEST(CheckIdioms, LostBits) {
                "(int64_t)a * ((1LL << 32) / b) >> 16, which cuts the reciprocal");
 }
 
+TEST(CheckIdioms, OtherRemainders) {
+  const auto away = [](std::int64_t a, std::int64_t b) {
+    return (2 * std::abs(a) + std::abs(b)) / (2 * std::abs(b)) * ((a < 0) != (b < 0) ? -1 : 1);
+  };
+  const auto down = [](std::int64_t a, std::int64_t b) {
+    return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+  };
+  expect_idiom({.operation = Operation::fmod},
+               divider([&](auto a, auto b) { return a - b * down(a, b); }),
+               "a - b * floor(a / b), which has the sign of b");
+  expect_idiom({.operation = Operation::remainder}, divider([](auto a, auto b) { return a % b; }),
+               "a % b, the remainder of the truncated quotient");
+  expect_idiom({.operation = Operation::remainder},
+               divider([&](auto a, auto b) { return a - b * away(a, b); }),
+               "a - b * round(a / b), whose ties go away from zero");
+}
+
 TEST(CheckIdioms, SinglePrecision) {
   expect_idiom(
       mul_half_up,

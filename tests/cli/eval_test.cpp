@@ -166,6 +166,35 @@ TEST(EvalType, WhatIsNoRoutine) {
   expect("log10", {{"03e80000", "00030000"}});
 }
 
+TEST(EvalType, RemaindersQuotientsOfProductsAndLengths) {
+  const auto expect = [](std::string_view operation, const Rows& rows) {
+    expect_from_all(operation, rows, {"oracle", "fast", "type"});
+  };
+  expect("fmod", {{"00058000 00020000", "00018000"},  // 5.5 and -5.5, by 2
+                  {"fffa8000 00020000", "fffe8000"},
+                  {"80000000 ffffffff", "00000000"},
+                  {"00010000 00000000", "DE"}});
+  // Of 4.75 and 1.25 quotients, 5 is nearest; 1.5 and 2.5 go to 2.
+  expect("remainder", {{"00098000 00020000", "ffff8000"},
+                       {"00030000 00020000", "ffff0000"},
+                       {"00050000 00020000", "00010000"},
+                       {"00000000 00000000", "DE"}});
+  // 3 * 5 / 4, 30000 * 20000 / 25000, -3.5 ulps, an overflow, and 1 / 0
+  expect("mul_div", {{"00030000 00050000 00040000", "0003c000"},
+                     {"75300000 4e200000 61a80000", "5dc00000"},
+                     {"00000007 00000003 fffffffa", "fffffffd"},
+                     {"80000000 00000001 ffffffff", "80000000"},
+                     {"00010000 00010000 00000000", "DE"}});
+  expect("hypot3",
+         {{"00020000 fffd0000 00060000", "00070000"}, {"80000000 80000000 80000000", "7fffffff"}});
+  expect("fmod --format u8_8", {{"ffff 8001", "7ffe"}});
+  expect("mul_div --format q4_4", {{"80 80 81", "7f"}});
+  command::expect_refused("eval remainder --format u8_8",
+                          "remainder has signed formats, which u8_8 is not");
+  command::expect_refused("eval hypot3 --format q32_32",
+                          "hypot3 has formats of at most 32 bits, which q32_32 is not");
+}
+
 TEST(EvalOptions, EachRoundingAppliesToItsOwnRoutine) {
   expect_from_all("mul --mul-round off --div-round on", {{"ffffffff 00008000", "ffffffff"}});
   expect_from_all("mul --mul-round on --div-round off", {{"ffffffff 00008000", "00000000"}});

@@ -59,8 +59,8 @@ TEST(Usage, OperationsThatAreNoRoutines) {
   }
 }
 
-TEST(Usage, VerifyHasSumsOnlyInFormats) {
-  for (const std::string_view name : {"add", "sub"}) {
+TEST(Usage, VerifyHasSumsAndFunctionsOnlyInFormats) {
+  for (const std::string_view name : {"add", "sub", "fmod", "mul_div", "hypot3"}) {
     expect_refused(
         fmt::format("verify {}", name),
         fmt::format("verify compares {} only in a format, such as --format q16_16", name));

@@ -180,8 +180,8 @@ TEST(Formats, PartiesAgreeOnEveryOperation) {
   for (const cases::Format& format : formats()) {
     for (const Operation operation :
          {Operation::add, Operation::sub, Operation::mul, Operation::div, Operation::sqrt,
-          Operation::decimal, Operation::binary64, Operation::log, Operation::tan,
-          Operation::pow}) {
+          Operation::decimal, Operation::binary64, Operation::log, Operation::tan, Operation::pow,
+          Operation::fmod, Operation::remainder, Operation::mul_div, Operation::hypot3}) {
       const cases::Variant v = in_format(operation, format);
       for (const Stream stream : {Stream::uniform, Stream::scaled}) {
         std::vector<std::uint32_t> words(200 * cases::words_in(v));
@@ -193,7 +193,7 @@ TEST(Formats, PartiesAgreeOnEveryOperation) {
             const parties::Party& party = parties::party_named(name);
             if (party.answers(v)) answers.push_back(parties::ask(party, v, one));
           }
-          if (answers.empty()) continue;  // functions of 64 bits
+          if (answers.empty()) continue;  // functions of 64 bits, unsigned remainder
           ASSERT_TRUE(parties::agree(answers))
               << cases::name_of(v) << ' ' << cases::hex_words(one, format.word_bits);
         }
@@ -240,6 +240,9 @@ TEST(Formats, LevelThreeTriesWhatCanBeTried) {
   const cases::Plan plan(
       3, 1, {{in_format(cases::Operation::mul, cases::format_named("u4_4")), {"a", "b"}}});
   EXPECT_EQ(plan.cases(), 65'536U);
+  EXPECT_TRUE(tried(cases::Operation::remainder, "q8_8"));
+  EXPECT_TRUE(tried(cases::Operation::mul_div, "q4_4"));
+  EXPECT_FALSE(tried(cases::Operation::mul_div, "q8_8"));
 }
 
 struct Known {
@@ -297,7 +300,35 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"q2_62", Operation::decimal, "dfffffffffffffff", "dfffffffffffffff"},
         Known{"u48_16", Operation::binary64, "fffffffffffffbff", "fffffffffffff800"},
         Known{"u48_16", Operation::div, "123456789abcdef0 0000000000010001", "1234444456788877"},
-        Known{"u0_32", Operation::mul, "ffffffff ffffffff", "fffffffe"}));
+        Known{"u0_32", Operation::mul, "ffffffff ffffffff", "fffffffe"},
+        Known{"q16_16", Operation::fmod, "00058000 00020000", "00018000"},
+        Known{"q16_16", Operation::fmod, "fffa8000 00020000", "fffe8000"},
+        Known{"q16_16", Operation::fmod, "80000000 ffffffff", "00000000"},
+        Known{"q16_16", Operation::fmod, "00010000 00000000", "DE"},
+        Known{"u8_8", Operation::fmod, "ffff 8001", "7ffe"},
+        Known{"u32_32", Operation::fmod, "ffffffffffffffff 8000000000000003", "7ffffffffffffffc"},
+        Known{"q16_16", Operation::remainder, "00098000 00020000", "ffff8000"},
+        Known{"q16_16", Operation::remainder, "00030000 00020000", "ffff0000"},
+        Known{"q16_16", Operation::remainder, "00050000 00020000", "00010000"},
+        Known{"q16_16", Operation::remainder, "80000000 7fffffff", "ffffffff"},
+        Known{"q4_4", Operation::remainder, "80 80", "00"},
+        Known{"q32_32", Operation::remainder, "8000000000000000 7fffffffffffffff",
+              "ffffffffffffffff"},
+        Known{"q1_15", Operation::remainder, "ffff 0000", "DE"},
+        Known{"q16_16", Operation::mul_div, "75300000 4e200000 61a80000", "5dc00000"},
+        Known{"q16_16", Operation::mul_div, "00000007 00000003 fffffffa", "fffffffd"},
+        Known{"q16_16", Operation::mul_div, "80000000 80000000 ffffffff", "00000000"},
+        Known{"q16_16", Operation::mul_div, "80000000 00000001 ffffffff", "80000000"},
+        Known{"q16_16", Operation::mul_div, "00000000 00000000 00000000", "DE"},
+        Known{"u0_64", Operation::mul_div, "ffffffffffffffff ffffffffffffffff fffffffffffffffe",
+              "0000000000000000"},
+        Known{"q32_32", Operation::mul_div, "8000000000000000 8000000000000000 8000000000000001",
+              "7fffffffffffffff"},
+        Known{"q16_16", Operation::hypot3, "00020000 fffd0000 00060000", "00070000"},
+        Known{"q16_16", Operation::hypot3, "80000000 80000000 80000000", "7fffffff"},
+        Known{"q16_16", Operation::hypot3, "00000001 00000000 00000001", "00000001"},
+        Known{"u0_32", Operation::hypot3, "90000000 70000000 60000000", "ce2544b5"},
+        Known{"q4_4", Operation::hypot3, "80 00 00", "7f"}));
 
 TEST(Formats, OperandsInDecimalAreExact) {
   const auto text = [](const char* format, const char* hex) {
