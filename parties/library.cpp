@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -210,12 +211,15 @@ class LibraryFunction final : public Party {
     using boost::dll::load_mode::type;
     const type mode = boost::dll::load_mode::rtld_now |
                       (is_here ? type{} : boost::dll::load_mode::search_system_folders);
-    boost::dll::fs::error_code error;
-    library_.load(is_here ? std::filesystem::absolute(file).string() : file, error, mode);
-    if (error) {
-      throw std::invalid_argument(fmt::format("cannot load the library {}: {}",
-                                              support::quoted(file),
-                                              support::printable(error.message())));
+    const auto refused = [&file](std::string_view reason) {
+      return std::invalid_argument(fmt::format("cannot load the library {}: {}",
+                                               support::quoted(file), support::printable(reason)));
+    };
+    if (!is_here && file.find('/') != std::string::npos) throw refused("there is no such file");
+    try {
+      library_.load(is_here ? std::filesystem::absolute(file).string() : file, mode);
+    } catch (const std::exception& error) {
+      throw refused(error.what());
     }
     if (!library_.has(function)) {
       throw std::invalid_argument(

@@ -15,11 +15,10 @@ bool names_function(std::string_view name);
 /// Returns the party that calls a function of a shared library, which it loads. The name has two
 /// forms, and W is the integer of the format's words, such as int32_t:
 ///
-///     file:function    W function(W a, W b)               one case, with as many operands as it
-///     has
-///                      void function(int16_t angle, W* cos, W* sin)             cossin
-///                      void function(const W matrix[12], const W operand[], W result[])
-///                                                         xformvec and concat
+///     file:function    W function(W a, W b)     one case, with as many operands as the operation
+///                      void function(int16_t angle, W* cos, W* sin)    cossin
+///                      void function(const W matrix[12], const W operand[], W result[]) xformvec
+///                      and concat
 ///     file:function[]  void function(const W a[], const W b[], W result[], size_t count)
 ///
 /// The library runs in this process. A case whose call divides by zero is a divide error. One that

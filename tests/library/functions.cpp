@@ -46,16 +46,17 @@ std::int64_t sub_32_32(std::int64_t a, std::int64_t b) {
 }
 
 /// Half up is the floor of n / d + 1/2.
-std::int32_t div(std::int32_t a, std::int32_t b) {
+std::int32_t quotient(std::int32_t a, std::int32_t b) {
   const std::int64_t n = std::int64_t{a} * 0x20000 + b;
   const std::int64_t d = std::int64_t{b} * 2;
-  const std::int64_t quotient = divided(n, d);
+  const std::int64_t truncated = divided(n, d);
   const bool is_above = n % d != 0 && (n < 0) != (d < 0);
-  return static_cast<std::int32_t>(quotient - (is_above ? 1 : 0));
+  return static_cast<std::int32_t>(truncated - (is_above ? 1 : 0));
 }
 
-void divs(const std::int32_t* a, const std::int32_t* b, std::int32_t* results, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) results[i] = div(a[i], b[i]);
+void quotients(const std::int32_t* a, const std::int32_t* b, std::int32_t* results,
+               std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) results[i] = quotient(a[i], b[i]);
 }
 
 void transform(const std::int32_t* matrix, const std::int32_t* vector, std::int32_t* result) {
@@ -74,10 +75,12 @@ std::int32_t mul_at_null(std::int32_t a, std::int32_t b) {
   return *nothing;
 }
 
+/// Calls itself until the stack is used up.
 std::int32_t mul_in_circles(std::int32_t a, std::int32_t b) {
   std::array<volatile char, 4096> frame{};
+  const volatile bool goes_on = true;
   frame[0] = static_cast<char>(a);
-  return mul_in_circles(b, a) + frame[0];
+  return (goes_on ? mul_in_circles(b, a) : 0) + frame[0];
 }
 
 std::int32_t mul_throws(std::int32_t /*a*/, std::int32_t /*b*/) {
