@@ -56,11 +56,20 @@ install_packages() {
   fi
 }
 
+# Where ccache is installed, another clone or branch builds in a fraction of the time; nothing needs it. Paths are
+# hashed relative to the root, so that clones share. Only g++: clang++ would also have to leave times out of its
+# precompiled headers.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+
 # configure PRESET [CMAKE OPTION]...: parts left out for want of a library are named.
 configure() {
   local preset=$1; shift
   local log=$root/build/$preset-configure.log
   mkdir -p "$root/build"
+  if [[ $preset == release ]] && command -v ccache >/dev/null; then
+    set -- -D CMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"
+  fi
   say "configuring and building in $root/build/$preset"
   if ! (cd "$root" && cmake --preset "$preset" "$@") >"$log" 2>&1; then
     tail -n 25 "$log" >&2
