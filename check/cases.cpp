@@ -108,7 +108,7 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
 }
 
 std::optional<Converted> GeneratedCases::next_converted() {
-  std::array<std::uint32_t, 3> room{};
+  std::array<std::uint32_t, 6> room{};  // three operands of 64 bits
   const auto words = std::span(room).first(cases::words_in(variant_));
   if (!next(words)) return std::nullopt;
   std::string line;

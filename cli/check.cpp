@@ -149,7 +149,7 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   const bool converts = check::is_judged_by_value(operation);
   const auto arity = cases::words_in(judge.rules().operation);
   check::JudgedCase one;
-  std::array<std::uint32_t, 4> room{};
+  std::array<std::uint32_t, 6> room{};  // three operands of 64 bits
   const auto parts = std::span(room).first(arity * cases::words_per_number(format));
   const auto next_case = [&] {
     if (converts) return (one.converted = cases.next_converted()).has_value();

@@ -51,13 +51,12 @@ bool fits(const Selection& selection, const std::vector<cases::Operation>& opera
          rounding_fits(options, v);
 }
 
-/// The operations that exist in every format, in the order of the table; remainder only in signed
-/// ones. Functions of real numbers run only if they are named.
-constexpr std::array format_operations{cases::Operation::add,       cases::Operation::sub,
-                                       cases::Operation::mul,       cases::Operation::div,
-                                       cases::Operation::sqrt,      cases::Operation::decimal,
-                                       cases::Operation::binary64,  cases::Operation::fmod,
-                                       cases::Operation::remainder, cases::Operation::mul_div};
+/// The operations that exist in every format, in the order of the table. Functions run only if they
+/// are named.
+constexpr std::array format_operations{cases::Operation::add,     cases::Operation::sub,
+                                       cases::Operation::mul,     cases::Operation::div,
+                                       cases::Operation::sqrt,    cases::Operation::decimal,
+                                       cases::Operation::binary64};
 
 /// Returns the variants of --format: each operation in each format.
 std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
@@ -72,8 +71,7 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
   for (const std::string& name : selection.operations) {
     operations.push_back(format_operation_named(name));
   }
-  const bool are_named = !operations.empty();
-  if (!are_named) operations.assign(format_operations.begin(), format_operations.end());
+  if (operations.empty()) operations.assign(format_operations.begin(), format_operations.end());
   std::vector<cases::Format> formats;
   for (const std::string& name : selection.formats) {
     const auto add = [&](const cases::Format& format) {
@@ -83,7 +81,6 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
       std::ranges::for_each(cases::named_formats(), add);
     } else {
       add(cases::format_named(name));
-      if (!are_named) continue;
       for (const cases::Operation o : operations) cases::check_format(o, formats.back());
     }
   }
@@ -112,7 +109,7 @@ cases::Operation answered_operation_named(std::string_view name) {
 cases::Operation format_operation_named(std::string_view name) {
   const cases::Operation operation = answered_operation_named(name);
   if (std::ranges::find(format_operations, operation) == format_operations.end() &&
-      !cases::is_function(operation)) {
+      !cases::is_function(operation) && !cases::is_quotient_function(operation)) {
     throw support::UsageError(
         fmt::format("{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, "
                     "decimal, binary64, or a function: {}",

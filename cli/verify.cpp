@@ -231,8 +231,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   command.add_option(
       "operations", selection.operations,
       "mul, div, cossin, xformvec, concat, sqrt, sin, cos, decimal, binary64; with --format also "
-      "add, sub, fmod, remainder, mul_div and, if named, the other functions of docs/functions.md; "
-      "by default all");
+      "add, sub and, if named, the functions of docs/functions.md; by default all");
   command
       .add_option("--format", selection.formats,
                   "compare in these formats, such as q2_30,u8_8, or in all that fixed/formats.hpp "
@@ -308,8 +307,8 @@ void add_verify(CLI::App& app, int& status) {
   ./libmine.so:my_mul     your function: int32_t my_mul(int32_t a, int32_t b);
                   my_mul[] takes arrays. docs/verify.md has the signatures.
 With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
-sqrt, decimal, binary64, fmod, remainder (signed formats) and mul_div, and in up to 32 bits the
-other functions of docs/functions.md, if they are named.
+sqrt, decimal and binary64 and, if they are named, the functions of docs/functions.md: fmod, mul_div
+and remainder (signed formats) in every format, the others in up to 32 bits.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
 With --format it has all words of up to 32 bits, all pairs of up to 16 and all triples of 8.

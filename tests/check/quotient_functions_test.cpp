@@ -17,48 +17,49 @@ using fixproof::cases::Operation;
 using oracle::Rounding;
 using subjects::word;
 
-Rules rules_for(Operation operation, Rounding rounding = Rounding::half_up,
-                std::string_view format = "q16_16") {
+Rules quotient_rules(Operation operation, Rounding rounding = Rounding::half_up,
+                     std::string_view format = "q16_16") {
   return {.operation = operation, .rounding = rounding, .format = format_named(format)};
 }
 
-Said expected_for(const Rules& rules, std::string_view line) {
+Said said_for_line(const Rules& rules, std::string_view line) {
   const Converted operands = parse_converted(line, variant_of(rules.operation, rules.format));
   return expected_of(rules, operands).said;
 }
 
-Said expected_word(const Rules& rules, const std::vector<std::uint64_t>& words) {
+Said said_for_words(const Rules& rules, const std::vector<std::uint64_t>& words) {
   return expected_of(rules, words).said;
 }
 
 TEST(CheckQuotientFunctions, RemaindersAreExact) {
   for (const char* format : {"q16_16", "q20_12"}) {
-    const Rules truncated = rules_for(Operation::fmod, Rounding::half_up, format);
-    EXPECT_EQ(expected_word(truncated, {7, 3}), 1U);
-    EXPECT_EQ(expected_word(truncated, {0xfffffff9, 3}), 0xffffffffU);
-    EXPECT_EQ(expected_word(truncated, {7, 0xfffffffd}), 1U);
-    EXPECT_EQ(expected_word(truncated, {0x80000000, 0xffffffff}), 0U);
-    EXPECT_EQ(expected_word(truncated, {7, 0}), Said());
-    const Rules nearest = rules_for(Operation::remainder, Rounding::half_up, format);
-    EXPECT_EQ(expected_word(nearest, {5, 3}), 0xffffffffU);
+    const Rules truncated = quotient_rules(Operation::fmod, Rounding::half_up, format);
+    EXPECT_EQ(said_for_words(truncated, {7, 3}), 1U);
+    EXPECT_EQ(said_for_words(truncated, {0xfffffff9, 3}), 0xffffffffU);
+    EXPECT_EQ(said_for_words(truncated, {7, 0xfffffffd}), 1U);
+    EXPECT_EQ(said_for_words(truncated, {0x80000000, 0xffffffff}), 0U);
+    EXPECT_EQ(said_for_words(truncated, {7, 0}), Said());
+    const Rules nearest = quotient_rules(Operation::remainder, Rounding::half_up, format);
+    EXPECT_EQ(said_for_words(nearest, {5, 3}), 0xffffffffU);
     // 2 and 6 are halfway between multiples of 4: the quotient is even, 0 and 2.
-    EXPECT_EQ(expected_word(nearest, {2, 4}), 2U);
-    EXPECT_EQ(expected_word(nearest, {6, 4}), 0xfffffffeU);
-    EXPECT_EQ(expected_word(nearest, {0xfffffffa, 4}), 2U);
-    EXPECT_EQ(expected_word(nearest, {0, 0}), Said());
+    EXPECT_EQ(said_for_words(nearest, {2, 4}), 2U);
+    EXPECT_EQ(said_for_words(nearest, {6, 4}), 0xfffffffeU);
+    EXPECT_EQ(said_for_words(nearest, {0xfffffffa, 4}), 2U);
+    EXPECT_EQ(said_for_words(nearest, {0, 0}), Said());
   }
-  Rules rules = rules_for(Operation::fmod);
+  Rules rules = quotient_rules(Operation::fmod);
   rules.no_result = NoResult::saturate;
-  EXPECT_EQ(expected_word(rules, {0xffffffff, 0}), 0x80000000U);
-  EXPECT_EQ(expected_word(rules_for(Operation::fmod, Rounding::half_up, "q32_32"),
-                          {0x8000000000000000U, 0x7fffffffffffffffU}),
+  EXPECT_EQ(said_for_words(rules, {0xffffffff, 0}), 0x80000000U);
+  EXPECT_EQ(said_for_words(quotient_rules(Operation::fmod, Rounding::half_up, "q32_32"),
+                           {0x8000000000000000U, 0x7fffffffffffffffU}),
             0xffffffffffffffffU);
 }
 
 TEST(CheckQuotientFunctions, MulDivRoundsOnceByEveryRule) {
   // 7 * 3 / -6 ulps are -3.5 ulps.
   const auto result = [](Rounding rounding) {
-    return expected_for(rules_for(Operation::mul_div, rounding), "00000007 00000003 fffffffa");
+    return said_for_line(quotient_rules(Operation::mul_div, rounding),
+                         "00000007 00000003 fffffffa");
   };
   EXPECT_EQ(result(Rounding::half_up), 0xfffffffdU);
   EXPECT_EQ(result(Rounding::half_away), 0xfffffffcU);
@@ -70,9 +71,9 @@ TEST(CheckQuotientFunctions, MulDivRoundsOnceByEveryRule) {
 TEST(CheckQuotientFunctions, MulDivOverflowsAndDividesByZeroByEveryRule) {
   // lowest * lowest / 2^31 - 1 ulps is 2^31 + 1 and a bit.
   const auto overflowed = [](Overflow overflow) {
-    Rules rules = rules_for(Operation::mul_div);
+    Rules rules = quotient_rules(Operation::mul_div);
     rules.overflow = overflow;
-    return expected_for(rules, "80000000 80000000 7fffffff");
+    return said_for_line(rules, "80000000 80000000 7fffffff");
   };
   EXPECT_EQ(overflowed(Overflow::wrap), 0x80000001U);
   EXPECT_EQ(overflowed(Overflow::saturate), 0x7fffffffU);
@@ -80,24 +81,24 @@ TEST(CheckQuotientFunctions, MulDivOverflowsAndDividesByZeroByEveryRule) {
   EXPECT_EQ(overflowed(Overflow::error), Said());
   // The sign is that of the product.
   const auto by_zero = [](NoResult no_result, std::string_view line) {
-    Rules rules = rules_for(Operation::mul_div);
+    Rules rules = quotient_rules(Operation::mul_div);
     rules.no_result = no_result;
-    return expected_for(rules, line);
+    return said_for_line(rules, line);
   };
   EXPECT_EQ(by_zero(NoResult::error, "00000001 00000001 00000000"), Said());
   EXPECT_EQ(by_zero(NoResult::saturate, "ffffffff 00000001 00000000"), 0x80000000U);
   EXPECT_EQ(by_zero(NoResult::saturate, "ffffffff ffffffff 00000000"), 0x7fffffffU);
   EXPECT_EQ(by_zero(NoResult::symmetric, "00000001 ffffffff 00000000"), 0x80000001U);
-  EXPECT_EQ(expected_for(rules_for(Operation::mul_div, Rounding::half_up, "u0_64"),
-                         "ffffffffffffffff ffffffffffffffff fffffffffffffffe"),
+  EXPECT_EQ(said_for_line(quotient_rules(Operation::mul_div, Rounding::half_up, "u0_64"),
+                          "ffffffffffffffff ffffffffffffffff fffffffffffffffe"),
             0U);
 }
 
 TEST(CheckQuotientFunctions, LengthsByEveryRounding) {
   const auto result = [](std::string_view line, Rounding rounding) {
-    Rules rules = rules_for(Operation::hypot3, rounding);
+    Rules rules = quotient_rules(Operation::hypot3, rounding);
     rules.overflow = Overflow::saturate;
-    return expected_for(rules, line);
+    return said_for_line(rules, line);
   };
   // The root of 1 + 1 + 1 is 1.7, and that of 4 + 9 + 36 is 7.
   EXPECT_EQ(result("00000001 ffffffff 00000001", Rounding::half_up), 2U);
@@ -141,7 +142,7 @@ std::int64_t floored(std::int64_t n, std::int64_t d) {
 }
 
 TEST(CheckQuotientFunctions, AFlooredRemainderHasTheSignOfTheDivisor) {
-  const Judge judge = subjects::judged(rules_for(Operation::fmod), [](auto a, auto b) {
+  const Judge judge = subjects::judged(quotient_rules(Operation::fmod), [](auto a, auto b) {
     return b == 0 ? Said() : word(a - b * floored(a, b));
   });
   EXPECT_GT(judge.wrong().count(), 0U);
@@ -151,18 +152,18 @@ TEST(CheckQuotientFunctions, AFlooredRemainderHasTheSignOfTheDivisor) {
 }
 
 TEST(CheckQuotientFunctions, TheWrongRemaindersHaveWhatInCommon) {
-  const Judge judge = subjects::judged(rules_for(Operation::fmod), [](auto a, auto b) {
+  const Judge judge = subjects::judged(quotient_rules(Operation::fmod), [](auto a, auto b) {
     return b == 0 ? Said() : word(a < 0 && b < 0 ? 1 : a % b);
   });
   expect_in(verdict_text(judge), {"every wrong case has two negative operands"});
-  const Judge divisors = subjects::judged(rules_for(Operation::fmod), [](auto a, auto b) {
+  const Judge divisors = subjects::judged(quotient_rules(Operation::fmod), [](auto a, auto b) {
     return b == 0 ? Said() : word(b < 0 ? 0x1234567 : a % b);
   });
   expect_in(verdict_text(divisors), {"every wrong case has a negative divisor"});
 }
 
 TEST(CheckQuotientFunctions, ARemainderWhoseTiesGoAway) {
-  const Judge judge = subjects::judged(rules_for(Operation::remainder), [](auto a, auto b) {
+  const Judge judge = subjects::judged(quotient_rules(Operation::remainder), [](auto a, auto b) {
     if (b == 0) return Said();
     const std::int64_t away = (2 * std::abs(a) + std::abs(b)) / (2 * std::abs(b));
     return word(a - b * ((a < 0) != (b < 0) ? -away : away));
@@ -172,7 +173,7 @@ TEST(CheckQuotientFunctions, ARemainderWhoseTiesGoAway) {
 }
 
 TEST(CheckQuotientFunctions, ASoundMulDiv) {
-  const Rules rules = rules_for(Operation::mul_div, Rounding::floor);
+  const Rules rules = quotient_rules(Operation::mul_div, Rounding::floor);
   const Judge judge = judged_of_three(
       rules, [](auto a, auto b, auto c) { return c == 0 ? Said() : word(floored(a * b, c)); });
   EXPECT_EQ(judge.wrong().count(), 0U);
@@ -187,7 +188,7 @@ TEST(CheckQuotientFunctions, ASoundMulDiv) {
 }
 
 TEST(CheckQuotientFunctions, AMulDivThatRoundsTwice) {
-  const Rules rules = rules_for(Operation::mul_div, Rounding::floor);
+  const Rules rules = quotient_rules(Operation::mul_div, Rounding::floor);
   const Judge judge = judged_of_three(rules, [](auto a, auto b, auto c) {
     return c == 0 ? Said() : word(floored((a * b >> 16) * 65536, c));
   });
@@ -197,7 +198,7 @@ TEST(CheckQuotientFunctions, AMulDivThatRoundsTwice) {
 }
 
 TEST(CheckQuotientFunctions, AMulDivThatSaturatesByTheSignOfTheProduct) {
-  Rules rules = rules_for(Operation::mul_div, Rounding::truncate);
+  Rules rules = quotient_rules(Operation::mul_div, Rounding::truncate);
   rules.overflow = Overflow::saturate;
   rules.no_result = NoResult::saturate;
   const Judge judge = judged_of_three(rules, [](auto a, auto b, auto c) {
@@ -213,7 +214,7 @@ TEST(CheckQuotientFunctions, AMulDivThatSaturatesByTheSignOfTheProduct) {
 }
 
 TEST(CheckQuotientFunctions, ALengthInSinglePrecision) {
-  Rules rules = rules_for(Operation::hypot3);
+  Rules rules = quotient_rules(Operation::hypot3);
   rules.overflow = Overflow::saturate;
   const auto length = [](auto a, auto b, auto c) {
     const auto square = [](std::int64_t x) { return static_cast<long double>(x) * x; };

@@ -82,8 +82,9 @@ TEST(FunctionAccuracy, LibrariesHaveTheErrorsThatCheckFinds) {
   }
 }
 
-// A double holds every word, so its remainders and lengths are right. A float is off wherever an
-// operand has more than 24 bits: a remainder then by any amount below the divisor.
+// A double holds every word, so its remainders are right. A length near 2^31 can be within 2^-34 of
+// a half, which the 53 bits of a double do not tell. A float is off wherever an operand has more
+// than 24 bits: a remainder then by any amount below the divisor.
 TEST(FunctionAccuracy, RemaindersQuotientsOfProductsAndLengths) {
   for (const std::string function : {"fmod", "remainder", "mul_div", "hypot3"}) {
     const auto rows = rows_of(function, "q16_16", 5000);
@@ -92,8 +93,13 @@ TEST(FunctionAccuracy, RemaindersQuotientsOfProductsAndLengths) {
     EXPECT_GT(type.errors.cases(), 2000U) << function;
     EXPECT_LE(type.errors.max(), 0.5) << function;
     EXPECT_EQ(type.errors.correct(), 1) << function;
-    if (function != "mul_div") {
-      EXPECT_EQ(rows.at(function + ", double").errors.correct(), 1) << function;
+    const auto& of_double = rows.at(function + ", double").errors;
+    if (function == "fmod" || function == "remainder") {
+      EXPECT_EQ(of_double.correct(), 1) << function;
+    }
+    if (function == "hypot3") {
+      EXPECT_LT(of_double.correct(), 1);
+      EXPECT_NEAR(of_double.max(), 0.5, 1e-6);
     }
     EXPECT_LT(rows.at(function + ", float").errors.correct(), 0.99) << function;
   }
