@@ -55,7 +55,7 @@ MOVING
 ## Single operations
 
 `arithmetic_bench`, the loops of `fixproof measure --host`: over arrays (each), and in chains, where every result is an
-operand of the next. A divide in a chain [waits for conversions](batch.md#the-scalar-divide) to `double` and back.
+operand of the next. `/` divides [integers or doubles](batch.md#the-scalar-divide).
 
 SINGLE
 
