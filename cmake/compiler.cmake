@@ -22,16 +22,6 @@ elseif(FIXPROOF_TOOLS)
   include(${CMAKE_CURRENT_LIST_DIR}/hardening.cmake)
 endif()
 
-# What is faster to compile, for code in which little time is spent. Under sanitizers it is half to a quarter of the
-# time, a third of which comes from checks of addresses that are calls; a fuzzer would run more slowly.
-set(fixproof_quick $<$<CONFIG:Release>:-O1>)
-if(FIXPROOF_SANITIZE AND NOT FIXPROOF_FUZZER)
-  list(APPEND fixproof_quick -O0)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-    list(APPEND fixproof_quick -fsanitize-address-outline-instrumentation)
-  endif()
-endif()
-
 # fixproof_target(NAME): the strict warnings, the hardening, and includes written from the repository root.
 function(fixproof_target name)
   target_link_libraries(${name} PRIVATE fixproof_compile_options)
