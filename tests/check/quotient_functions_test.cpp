@@ -227,7 +227,7 @@ TEST(CheckQuotientFunctions, ALengthInSinglePrecision) {
       judged_of_three(rules, [&](auto a, auto b, auto c) { return saturated(length(a, b, c)); });
   EXPECT_EQ(sound.wrong().count(), 0U) << verdict_text(sound);
   const Judge single = judged_of_three(rules, [&](auto a, auto b, auto c) {
-    return saturated(static_cast<float>(length(a, b, c)));
+    return saturated(static_cast<long double>(static_cast<float>(length(a, b, c))));
   });
   EXPECT_GT(single.tally(CaseKind::near_tie, false).wrong, 0U);
   EXPECT_GT(single.tally(CaseKind::exact, false).wrong, 0U);
