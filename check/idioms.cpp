@@ -56,7 +56,7 @@ constexpr Idiom any_format(Operation operation, std::string_view text, Arithmeti
   return {operation, text, arithmetic, arithmetic};
 }
 
-constexpr float scale = 65536;
+constexpr float units_per_one = 65536;
 
 constexpr auto shift = [](const auto& a, const auto& b, const Format& f) {
   return std::optional((a * b) >> f.fraction_bits);
@@ -141,7 +141,7 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
                high_half_dropped),
     {Operation::mul, "(int)((float)a * b / 65536), which has 24 bits",
      [](auto& a, auto& b, auto&) {
-       return Ulps(cut(static_cast<float>(a) * static_cast<float>(b) / scale));
+       return Ulps(cut(static_cast<float>(a) * static_cast<float>(b) / units_per_one));
      },
      nullptr},
     any_format(Operation::div, "({wide})a * {one} / b", quotient),
@@ -158,7 +158,7 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
      nullptr},
     {Operation::div, "(int)((float)a / b * 65536), which has 24 bits",
      [](auto& a, auto& b, auto&) {
-       return Ulps(cut(static_cast<float>(a) / static_cast<float>(b) * scale));
+       return Ulps(cut(static_cast<float>(a) / static_cast<float>(b) * units_per_one));
      },
      nullptr},
     any_format(Operation::fmod, "a - b * floor(a / b), which has the sign of b", floored_rest),
@@ -170,7 +170,7 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
      [](auto& a, auto& b, auto&) { return Ulps(sum_of_halves(a, b)); }, nullptr},
     {Operation::sqrt, "(int)(sqrtf(a / 65536.0f) * 65536), which has 24 bits",
      [](auto& a, auto&, auto&) {
-       return Ulps(cut(std::sqrt(static_cast<float>(a) / scale) * scale));
+       return Ulps(cut(std::sqrt(static_cast<float>(a) / units_per_one) * units_per_one));
      },
      nullptr},
     {Operation::from_binary64, "(int)(x * {one} + 0.5), which cuts negative results toward zero",

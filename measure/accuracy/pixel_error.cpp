@@ -12,7 +12,7 @@ namespace fixproof::measure {
 
 namespace {
 
-constexpr std::int64_t unit = 65536;
+constexpr std::int64_t units_per_one = 65536;
 /// Distances from 1 to 32768: fifteen octaves.
 constexpr int octave_count = 15;
 
@@ -30,8 +30,8 @@ double pixels_off(const PageProjection& page, std::int32_t x, std::int32_t z) {
   // No divide faults, because |z| is at least 1 and |x| is less than |z|.
   const N drawn = *quotient * N(page.constant);
   const std::int64_t off =
-      std::int64_t{drawn.raw()} * depth.raw() - std::int64_t{x} * page.constant * unit;
-  return static_cast<double>(off) / (static_cast<double>(depth.raw()) * unit);
+      std::int64_t{drawn.raw()} * depth.raw() - std::int64_t{x} * page.constant * units_per_one;
+  return static_cast<double>(off) / (static_cast<double>(depth.raw()) * units_per_one);
 }
 
 using ErrorOf = double(const PageProjection& page, std::int32_t x, std::int32_t z);
@@ -39,7 +39,7 @@ using ErrorOf = double(const PageProjection& page, std::int32_t x, std::int32_t 
 DistanceOctave octave(ErrorOf error_of, const PageProjection& page, std::uint64_t key, int exponent,
                       std::uint64_t cases, const std::atomic<bool>& stop) {
   DistanceOctave o{.nearest = 1 << exponent};
-  const auto first = static_cast<std::int32_t>(o.nearest * unit);
+  const auto first = static_cast<std::int32_t>(o.nearest * units_per_one);
   double sum = 0;
   std::uint64_t half_pixel_errors = 0;
   for (std::uint64_t i = 0; i < cases && !stop; ++i) {
@@ -61,8 +61,9 @@ DistanceOctave octave(ErrorOf error_of, const PageProjection& page, std::uint64_
 /// the divisor moves a point outward by at most half_width / whole, and rounding the quotient adds
 /// at most one of its units.
 bool bounded_below_half(const PageProjection& page, std::int32_t whole) {
-  const std::int64_t off = page.half_width * unit + std::int64_t{std::abs(page.constant)} * whole;
-  return 2 * off < whole * unit;
+  const std::int64_t off =
+      page.half_width * units_per_one + std::int64_t{std::abs(page.constant)} * whole;
+  return 2 * off < whole * units_per_one;
 }
 
 /// The distance from which no point is half a pixel off. An 8088 divides by the whole part of the
@@ -73,7 +74,7 @@ std::int32_t safe_distance(ErrorOf error_of, const PageProjection& page,
                            const std::atomic<bool>& stop) {
   for (std::int32_t whole = 32767; whole > 0 && !stop; --whole) {
     if (bounded_below_half(page, whole)) continue;
-    const auto z = static_cast<std::int32_t>(whole * unit + (unit - 1));
+    const auto z = static_cast<std::int32_t>(whole * units_per_one + (units_per_one - 1));
     const std::int32_t most = edge(page, z);
     for (std::int32_t x = most; x > most - whole && x > 0; --x) {
       if (std::max(std::fabs(error_of(page, x, z)), std::fabs(error_of(page, -x, z))) >= 0.5)
