@@ -1,0 +1,62 @@
+"""The proof pages, docs/functions/*.md: their tables of errors have what the proofs find, and nothing else."""
+import os
+import sys
+
+from bounds.gappa import Error, NotProven, interval
+
+HEADER = "| error of | proven | in units of | the code allows | proof |"
+
+
+def merged(errors):
+    """One error for those of the same name: a proof for each sign, or for each side of a bound."""
+    by_name = {}
+    for error in errors:
+        same = by_name.setdefault(error.name, error)
+        if (same.bits, same.allowed, same.more) != (error.bits, error.allowed, error.more):
+            raise NotProven(f"two errors are called '{error.name}'")
+        lows = [e.low for e in (same, error) if e.low is not None]
+        highs = [e.high for e in (same, error) if e.high is not None]
+        by_name[error.name] = Error(error.name, min(lows, default=None), max(highs, default=None), error.bits,
+                                    error.allowed, error.more)
+    return by_name.values()
+
+
+def rows(name, proofs):
+    """The rows of a proof."""
+    errors = merged(error for proof in proofs for error in proof.errors())
+    cells = ((e.name, interval(e.low, e.high, e.more), f"2^-{e.bits}", e.allowed, f"`{name}`") for e in errors)
+    return [f"| {' | '.join(row)} |".replace("|  |", "| |") for row in cells]
+
+
+def rows_of_page(path):
+    """The lines of a page's tables of errors, with their numbers."""
+    inside = False
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            line = line.rstrip("\n")
+            inside = line == HEADER or (inside and line.startswith("|"))
+            if inside and line != HEADER and not line.startswith("| ---"):
+                yield number, line
+
+
+def check(proofs, source, folder):
+    """Exits with a message for each row that is on a page but not proven, and for each that is on no page."""
+    there = {}
+    wrong = []
+    for name in sorted(os.listdir(folder)):
+        for number, line in rows_of_page(os.path.join(folder, name)):
+            if line in there:
+                wrong.append(f"{name}:{number}: also at {there[line]}: {line}")
+            there[line] = f"{name}:{number}"
+    count = 0
+    for prove in proofs:
+        try:
+            found = rows(prove.__name__, prove(source))
+        except NotProven as error:
+            sys.exit(f"{prove.__name__}: not proven\n{error}")
+        count += len(found)
+        wrong += [f"on no page: {row}" for row in found if there.pop(row, None) is None]
+    wrong += [f"{place}: not proven: {row}" for row, place in there.items()]
+    if wrong or not count:
+        sys.exit("\n".join([*wrong, f"{len(wrong)} rows differ: `prove_bounds --rows` prints those that are proven"]))
+    print(f"{count} errors are on the pages as they are proven")
