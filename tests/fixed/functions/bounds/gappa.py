@@ -171,7 +171,7 @@ class Proof:
             if found:
                 def value(text):
                     mantissa, _, exponent = text.partition("b")
-                    return int(mantissa) * Fraction(2) ** int(exponent or 0) * 2 ** (self.bits if bits is None else bits)
+                    return int(mantissa) * Fraction(2) ** (int(exponent or 0) + (self.bits if bits is None else bits))
                 return value(found[1]), value(found[3])
         raise NotProven(f"Gappa finds no bound of {error or self.error}\n" + "\n".join(told))
 
