@@ -1,5 +1,7 @@
-"""The proof pages, docs/functions/*.md: their tables of errors have what the proofs find, and nothing else."""
+"""The proof pages, docs/functions/*.md: their tables of errors have what the proofs find, and nothing else. The first
+lines of one of them name each function."""
 import os
+import re
 import sys
 
 from bounds.gappa import Error, NotProven, interval
@@ -61,11 +63,28 @@ def differences(proofs, source, folder, is_whole=True):
     return count, wrong + [f"{place}: not proven: {row}" for row, place in there.items()]
 
 
+def without_page(source, folder):
+    """The functions of the headers that not one page names before its first heading of the second level."""
+    declared = set()
+    headers = os.path.dirname(source.folder.rstrip("/"))
+    for header in ("exponential", "trigonometry", "angle", "power"):
+        with open(os.path.join(headers, f"{header}.hpp"), encoding="ascii") as file:
+            declared |= set(re.findall(r"constexpr\s+number<Raw, F, P>\s+(\w+)\(", file.read()))
+    named = []
+    for name in os.listdir(folder):
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
+            named += set(re.findall(r"`(\w+)`", file.read().split("\n## ")[0])) & declared
+    return [f"{function}() has {named.count(function)} pages, not one" for function in sorted(declared)
+            if named.count(function) != 1]
+
+
 def check(proofs, source, folder):
     try:
         count, wrong = differences(proofs, source, folder)
+        wrong += without_page(source, folder)
     except NotProven as error:
         sys.exit(f"not proven\n{error}")
     if wrong or not count:
-        sys.exit("\n".join([*wrong, f"{len(wrong)} rows differ: `prove_bounds --rows` prints those that are proven"]))
+        wrong.append(f"{len(wrong)} differences: `prove_bounds --rows` prints the rows that are proven")
+        sys.exit("\n".join(wrong))
     print(f"{count} errors are on the pages as they are proven")

@@ -2,8 +2,11 @@
 import math
 from fractions import Fraction
 
-from bounds.gappa import (LOG2_E, LOG_2, PI, Exact, NotProven, Proof, between, coefficients, horner, hypotheses,
-                          of_constant, truncated, within)
+from bounds.gappa import (LOG2_E, LOG_2, PI, Exact, NotProven, Proof, arctangent_of, between, coefficients, entries,
+                          horner, hypotheses, logarithm, of_constant, truncated, within)
+
+# Of a table whose entries are to nearest.
+HALF = (Fraction(-1, 2), Fraction(1, 2))
 
 EXPONENTIAL, ARCTANGENT, COSINE, PHASE, ARCSINE = (
     f"{name}.hpp" for name in ("exponential", "arctangent", "cosine", "phase", "arcsine"))
@@ -37,7 +40,7 @@ def power_of_two(source):
 def binary_logarithm(source):
     """log2(1 + r) for u = 32 r. The table's entry L is to nearest; R is the rest of the series."""
     words, reciprocals = source.table("logarithm_coefficients"), source.table("reciprocals")
-    entries = len(source.table("logarithms"))
+    table = source.table("logarithms")
     most = 0
     for i, c in enumerate(reciprocals):
         if c * (2**32 + (i << 26)) < 2**64:
@@ -51,19 +54,21 @@ def binary_logarithm(source):
     given = [f"u in {between(0, most)}", "l - L in [-1b-65,1b-65]", f"R in {between(-rest, rest)}",
              *hypotheses(words, 64, lambda n: LOG2_E / (n * 32**n))]
     units = source.read(EXPONENTIAL, r"The error is below (\d+) units", "log2(m / 2^32) in units of 2^-64")
-    parts = [(f"each of {entries} logarithms of the table", "l - L", 64),
-             truncated(f"each of {len(words)} products of the series", "(u * s1)", 64),
+    parts = [truncated(f"each of {len(words)} products of the series", "(u * s1)", 64),
              ("the series: coefficients and products", "t - T", 64),
              (f"its remainder after {len(words)} terms", "R", 68)]
     return [Exact(f"the product of m and one of {len(reciprocals)} reciprocals", 0, 0, 64),
             coefficients(words, 64, lambda n: LOG2_E / (n * 32**n)),
+            entries(f"each of {len(table)} logarithms of the table", table, 64,
+                    lambda i: -logarithm(Fraction(reciprocals[i], 2**31)) / LOG_2 + 1 if i else 0, HALF),
             Proof(lines, given, "y - Y", -units, units, 64, ["y - Y -> (l - L) + (t - T) - R;"], parts=parts)]
 
 
 def arctangent(source):
     """atan(Z) for the ratio Z, of which the code has z. R is the rest of the series."""
     words = source.table("arctangent_coefficients")
-    entries = len(source.table("arctangents"))
+    table = source.table("arctangents")
+    steps = len(table) - 1
     n = len(words) + 1
     rest = Fraction(1, 64 ** (2 * n + 1) * (2 * n + 1))
     lines = ["z = fixed<-58,dn>(Z);", "w = fixed<-64,dn>(1024 * (z * z));", "W = 1024 * (z * z);",
@@ -73,31 +78,32 @@ def arctangent(source):
              "y = a + (z - t);", "Y = (A + (z - T)) + R + (Z - z) * K;"]
     # The derivative K of the arctangent makes the ratio's error one of the angle. The vector is up to half a
     # step of the table from its entry.
-    given = [f"Z in {between(0, Fraction(1, 2 * (entries - 1)))}", "K in [0,1]", "a - A in [-1b-59,1b-59]",
+    given = [f"Z in {between(0, Fraction(1, 2 * steps))}", "K in [0,1]", "a - A in [-1b-59,1b-59]",
              f"R in {between(-rest, rest)}",
              *hypotheses(words, 64, lambda n: Fraction(1, (2 * n + 1) * 1024**n))]
     units = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
-    parts = [(f"each of {entries} entries of the table", "a - A", 58),
-             ("the ratio z", "z - Z", 58),
+    parts = [("the ratio z", "z - Z", 58),
              ("1024 z^2", "w - W", 64),
              ("the series: coefficients and products", "v - V", 64),
              ("the product of z and the series", "t - z * v", 58),
              (f"its remainder after {len(words)} terms", "R", 63)]
     return [coefficients(words, 64, lambda n: Fraction(1, (2 * n + 1) * 1024**n)),
+            entries(f"each of {len(table)} entries of the table", table, 58,
+                    lambda i: arctangent_of(Fraction(i, steps)), HALF),
             Proof(lines, given, "y - Y", -units, units, 58,
                   ["y - Y -> (a - A) - (t - T) - R + ((z - Z) * K);"], parts=parts)]
 
 
 def quick_arctangent(source):
     """As arctangent(), in units of 2^-32, with one term of the series. The sign is that of the side of the entry."""
-    entries = len(source.table("arctangents"))
+    steps = len(source.table("arctangents")) - 1
     rest = Fraction(1, 64**5 * 5)
     units = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-32")
     proofs = []
     for sign in "+-":
         lines = ["z = fixed<-32,dn>(Z);", "w = fixed<-32,dn>(z * z);", "t = fixed<-32,dn>(w * z / 3);",
                  "T = z * z * z / 3;", f"y = a {sign} (z - t);", f"Y = A {sign} ((z - T) + R + (Z - z) * K);"]
-        given = [f"Z in {between(0, Fraction(1, 2 * (entries - 1)))}", "K in [0,1]",
+        given = [f"Z in {between(0, Fraction(1, 2 * steps))}", "K in [0,1]",
                  f"a - A in {between(-Fraction(101, 100) / 2**32, Fraction(1, 2**59))}", f"R in {between(0, rest)}"]
         parts = [("the entry of the table, shifted", "a - A", 32), ("the ratio z", "z - Z", 32),
                  ("z^3 / 3", "t - T", 32), ("the remainder of the series after z^3", "-R", 32)]
