@@ -191,13 +191,13 @@ TEST(FunctionCases, FindDefectsThatAreRare) {
     return x == std::numeric_limits<std::int32_t>::min() && y == -1;
   }));
   EXPECT_TRUE(is_found(Operation::fmod, [](auto x, auto y, auto) {
-    return std::abs(y) > 100'000 && std::abs(x) > 3 * std::abs(y) && x % y == 0;
+    return y != 0 && std::abs(y) > 100'000 && std::abs(x) > 3 * std::abs(y) && x % y == 0;
   }));
   EXPECT_TRUE(is_found(Operation::mul_div, [](auto x, auto y, auto z) {
-    return std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z);
+    return z != 0 && std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z);
   }));
   EXPECT_TRUE(is_found(Operation::mul_div, [](auto x, auto y, auto z) {
-    return std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z) + 1;
+    return z != 0 && std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z) + 1;
   }));
   EXPECT_TRUE(is_found(Operation::mul_div, [](auto x, auto y, auto z) {
     return z != 0 && z != 1 && x * y / z == std::int64_t{1} << 31 && y != z;
@@ -261,16 +261,17 @@ TEST(FunctionCases, FindASubtlyWrongAlgorithm) {
     return quotient % 2 != 0 && !negative;
   };
   const auto remainder_by = [](const auto& is_odd) {
-    return is_found_with(Operation::remainder, [&](auto x, auto y, auto, std::uint32_t) {
-      return remainder_of(x, y, is_odd);
+    return is_found_with(Operation::remainder, [&](auto x, auto y, auto, std::uint32_t right) {
+      return y == 0 ? right : remainder_of(x, y, is_odd);
     });
   };
   EXPECT_FALSE(remainder_by(odd));
   EXPECT_TRUE(remainder_by(odd_if_positive));
 
   const auto quotient_with = [](std::uint64_t carry) {
-    return is_found_with(Operation::mul_div, [&](auto x, auto y, auto z, std::uint32_t) {
-      return static_cast<std::uint32_t>(half_up(product_by_halves(x, y, carry), z));
+    return is_found_with(Operation::mul_div, [&](auto x, auto y, auto z, std::uint32_t right) {
+      return z == 0 ? right
+                    : static_cast<std::uint32_t>(half_up(product_by_halves(x, y, carry), z));
     });
   };
   EXPECT_FALSE(quotient_with(1));
