@@ -157,17 +157,28 @@ TEST(FunctionCases, FormatsWithoutTheFunctionAreRefused) {
   EXPECT_NO_THROW(cases::check_format(Operation::mul_div, cases::format_named("q32_32")));
 }
 
+/// Whether level 1 finds a party of which `answer` makes the answer, from the operands and the
+/// right word.
+template <class Answer>
+bool is_found_with(Operation operation, const Answer& answer) {
+  const auto liar = test::saboteur([&](std::span<const std::uint32_t> in,
+                                       std::span<std::uint32_t> out, parties::Ending& ending) {
+    const auto value = [&](std::size_t i) {
+      return i < in.size() ? std::int64_t{static_cast<std::int32_t>(in[i])} : 0;
+    };
+    if (ending == parties::Ending::value) {
+      out[0] = answer(value(0), value(1), value(2), out[0]);
+    }
+  });
+  return test::judge(liar, in_format(operation, cases::q16_16)).mismatches() > 0;
+}
+
 /// Whether level 1 finds a party that is wrong in the last bit wherever `spoils` says so.
 template <class Spoils>
 bool is_found(Operation operation, const Spoils& spoils) {
-  const auto liar = test::saboteur(
-      [&](std::span<const std::uint32_t> in, std::span<std::uint32_t> out, parties::Ending&) {
-        const auto value = [&](std::size_t i) {
-          return i < in.size() ? std::int64_t{static_cast<std::int32_t>(in[i])} : 0;
-        };
-        if (spoils(value(0), value(1), value(2))) out[0] ^= 1U;
-      });
-  return test::judge(liar, in_format(operation, cases::q16_16)).mismatches() > 0;
+  return is_found_with(operation, [&](auto x, auto y, auto z, std::uint32_t right) {
+    return spoils(x, y, z) ? right ^ 1U : right;
+  });
 }
 
 // These parties are wrong in so few cases that random operands do not find them.
@@ -180,13 +191,13 @@ TEST(FunctionCases, FindDefectsThatAreRare) {
     return x == std::numeric_limits<std::int32_t>::min() && y == -1;
   }));
   EXPECT_TRUE(is_found(Operation::fmod, [](auto x, auto y, auto) {
-    return std::abs(y) > 100'000 && std::abs(x) > 3 * std::abs(y) && x % y == 0;
+    return y != 0 && std::abs(y) > 100'000 && std::abs(x) > 3 * std::abs(y) && x % y == 0;
   }));
   EXPECT_TRUE(is_found(Operation::mul_div, [](auto x, auto y, auto z) {
-    return std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z);
+    return z != 0 && std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z);
   }));
   EXPECT_TRUE(is_found(Operation::mul_div, [](auto x, auto y, auto z) {
-    return std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z) + 1;
+    return z != 0 && std::abs(z) > 1'000'000 && 2 * std::abs(x * y % z) == std::abs(z) + 1;
   }));
   EXPECT_TRUE(is_found(Operation::mul_div, [](auto x, auto y, auto z) {
     return z != 0 && z != 1 && x * y / z == std::int64_t{1} << 31 && y != z;
@@ -197,6 +208,82 @@ TEST(FunctionCases, FindDefectsThatAreRare) {
     const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<long double>(sum)));
     return root > 100'000'000 && root < (1U << 31U) && sum == root * root + root;
   }));
+}
+
+/// n / d, half up. \pre d is not 0
+std::int64_t half_up(std::int64_t n, std::int64_t d) {
+  if (d < 0) {
+    n = -n;
+    d = -d;
+  }
+  const std::int64_t rest = (n % d + d) % d;
+  return (n - rest) / d + (rest >= d - rest ? 1 : 0);
+}
+
+/// The product of two words by their halves. `carry` is 1, or 0 to lose the carry of the low word.
+std::int64_t product_by_halves(std::int64_t x, std::int64_t y, std::uint64_t carry) {
+  const auto a = static_cast<std::uint64_t>(std::abs(x));
+  const auto b = static_cast<std::uint64_t>(std::abs(y));
+  const std::uint64_t middle = (a >> 16U) * (b & 0xFFFFU) + (a & 0xFFFFU) * (b >> 16U);
+  const std::uint64_t low = (a & 0xFFFFU) * (b & 0xFFFFU) + (middle << 16U & 0xFFFFFFFFU);
+  const std::uint64_t high = (a >> 16U) * (b >> 16U) + (middle >> 16U) + carry * (low >> 32U);
+  const auto product = static_cast<std::int64_t>(high << 32U | (low & 0xFFFFFFFFU));
+  return (x < 0) != (y < 0) ? -product : product;
+}
+
+/// The remainder of the nearest quotient; `is_odd` says of a truncated quotient whether its tie
+/// goes to the next one. \pre y is not 0
+template <class IsOdd>
+std::uint32_t remainder_of(std::int64_t x, std::int64_t y, const IsOdd& is_odd) {
+  const std::int64_t truncated = x % y;
+  const std::int64_t missing = std::abs(y) - std::abs(truncated);
+  const std::int64_t quotient = x / y;
+  const bool is_next = std::abs(truncated) > missing ||
+                       (std::abs(truncated) == missing && is_odd(quotient, (x < 0) != (y < 0)));
+  return static_cast<std::uint32_t>(!is_next ? truncated : x < 0 ? missing : -missing);
+}
+
+/// The length; `is_next` says of a root that is rounded down and what is left whether the next one
+/// is nearer.
+template <class IsNext>
+std::uint32_t length_of(std::int64_t x, std::int64_t y, std::int64_t z, const IsNext& is_next) {
+  const auto [root, rest] = root_and_rest({Integer(x), Integer(y), Integer(z)});
+  const Integer nearest = is_next(root, rest) ? root + 1 : root;
+  const Integer highest = std::numeric_limits<std::int32_t>::max();
+  return static_cast<std::uint32_t>(nearest < highest ? nearest : highest);
+}
+
+// The algorithms without their defects are right, so the defects alone are found.
+TEST(FunctionCases, FindASubtlyWrongAlgorithm) {
+  const auto odd = [](std::int64_t quotient, bool /*negative*/) { return quotient % 2 != 0; };
+  // Ties of negative odd quotients stay at the odd one.
+  const auto odd_if_positive = [](std::int64_t quotient, bool negative) {
+    return quotient % 2 != 0 && !negative;
+  };
+  const auto remainder_by = [](const auto& is_odd) {
+    return is_found_with(Operation::remainder, [&](auto x, auto y, auto, std::uint32_t right) {
+      return y == 0 ? right : remainder_of(x, y, is_odd);
+    });
+  };
+  EXPECT_FALSE(remainder_by(odd));
+  EXPECT_TRUE(remainder_by(odd_if_positive));
+
+  const auto quotient_with = [](std::uint64_t carry) {
+    return is_found_with(Operation::mul_div, [&](auto x, auto y, auto z, std::uint32_t right) {
+      return z == 0 ? right
+                    : static_cast<std::uint32_t>(half_up(product_by_halves(x, y, carry), z));
+    });
+  };
+  EXPECT_FALSE(quotient_with(1));
+  EXPECT_TRUE(quotient_with(0));
+
+  const auto length_by = [](const auto& is_next) {
+    return is_found_with(Operation::hypot3, [&](auto x, auto y, auto z, std::uint32_t) {
+      return length_of(x, y, z, is_next);
+    });
+  };
+  EXPECT_FALSE(length_by([](const auto& root, const auto& rest) { return rest > root; }));
+  EXPECT_TRUE(length_by([](const auto& root, const auto& rest) { return rest >= root; }));
 }
 
 TEST(FunctionCases, ASoundPartyIsNotFound) {

@@ -1,8 +1,11 @@
-/// Tests the limits of angles, their hardest pair, and the error bounds of their parts.
+/// Tests the limits of angles, their hardest pairs, and the error bounds of their parts.
 #include "fixed/angle.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <string>
 
 #include "fixed/constants.hpp"
 #include "fixed/fixed.hpp"
@@ -13,52 +16,70 @@ namespace {
 
 using namespace fixproof;
 
+/// The oracle's angle, in a format that saturates.
 template <class N>
 void expect_nearest(N y, N x) {
+  using raw = typename N::raw_type;
   const auto want = oracle::nearest(oracle::Function::atan2, y.raw(), x.raw(), N::fraction_bits,
                                     oracle::Rounding::half_up);
-  ASSERT_EQ(atan2(y, x).raw(), static_cast<std::int64_t>(want.value()))
-      << y.raw() << ' ' << x.raw();
+  const auto limited = std::clamp(static_cast<std::int64_t>(want.value()),
+                                  std::int64_t{std::numeric_limits<raw>::min()},
+                                  std::int64_t{std::numeric_limits<raw>::max()});
+  ASSERT_EQ(atan2(y, x).raw(), limited) << y.raw() << ' ' << x.raw();
 }
+
+/// A line of a file of hard pairs: format, y, x, result, distance.
+struct HardPair {
+  std::string format;
+  std::int64_t y = 0;
+  std::int64_t x = 0;
+  std::int64_t result = 0;
+};
 
 /// (x, y) and its mirror images.
 template <class N>
-void expect_mirrored_nearest(std::int64_t y, std::int64_t x) {
+void expect_hard_pair(const HardPair& pair) {
+  using raw = typename N::raw_type;
+  EXPECT_EQ(detail::nearest_angle(pair.y, pair.x, N::fraction_bits), pair.result)
+      << pair.y << ' ' << pair.x;
+  const auto number = [](std::int64_t value) { return N::from_raw(static_cast<raw>(value)); };
   for (const std::int64_t to_y : {-1, 1}) {
     for (const std::int64_t to_x : {-1, 1}) {
-      const auto number = [](std::int64_t raw) {
-        return N::from_raw(static_cast<typename N::raw_type>(raw));
-      };
-      expect_nearest(number(to_y * y), number(to_x * x));
-      expect_nearest(number(to_x * x), number(to_y * y));
+      expect_nearest(number(to_y * pair.y), number(to_x * pair.x));
+      expect_nearest(number(to_x * pair.x), number(to_y * pair.y));
     }
   }
+}
+
+/// The number of pairs of each format in a file, all of which were tried.
+std::map<std::string, int> tried_pairs(const char* path) {
+  std::ifstream file(path);
+  std::map<std::string, int> tried;
+  std::string line;
+  while (std::getline(file, line)) {
+    if (line.starts_with('#')) continue;
+    std::istringstream parts(line);
+    HardPair pair;
+    if (!(parts >> pair.format >> pair.y >> pair.x >> pair.result)) ADD_FAILURE() << line;
+    if (pair.format == "q8_8") expect_hard_pair<q8_8>(pair);
+    if (pair.format == "q16_16") expect_hard_pair<q16_16>(pair);
+    if (pair.format == "q24_8") expect_hard_pair<q24_8>(pair);
+    if (pair.format == "q8_24") expect_hard_pair<q8_24>(pair);
+    if (pair.format == "q2_30") expect_hard_pair<q2_30>(pair);
+    ++tried[pair.format];
+  }
+  return tried;
 }
 
 // The hardest of 16.16, 2^-63.5 ulps from a tie, is (-1953906981, 910339403).
 TEST(Angles, TheHardestPairs) {
-  std::ifstream file(FUNCTIONS_FOLDER "/hard_pairs.txt");
-  std::string line;
-  std::size_t pairs = 0;
-  while (std::getline(file, line)) {
-    if (line.starts_with('#')) continue;
-    std::istringstream parts(line);
-    std::string format;
-    std::int64_t y = 0;
-    std::int64_t x = 0;
-    std::int64_t result = 0;
-    ASSERT_TRUE(parts >> format >> y >> x >> result) << line;
-    if (format == "q16_16") {
-      EXPECT_EQ(detail::nearest_angle(y, x, 16), result) << line;
-      expect_mirrored_nearest<q16_16>(y, x);
-    } else {
-      ASSERT_EQ(format, "q8_8");
-      EXPECT_EQ(detail::nearest_angle(y, x, 8), result) << line;
-      expect_mirrored_nearest<q8_8>(y, x);
-    }
-    ++pairs;
-  }
-  EXPECT_EQ(pairs, 1977U);
+  EXPECT_EQ(tried_pairs(FUNCTIONS_FOLDER "/hard_pairs.txt"),
+            (std::map<std::string, int>{{"q8_8", 1367}, {"q16_16", 610}}));
+}
+
+TEST(Angles, TheHardestPairsOf32Bits) {
+  EXPECT_EQ(tried_pairs(FUNCTIONS_FOLDER "/hard_pairs_32.txt"),
+            (std::map<std::string, int>{{"q24_8", 602}, {"q8_24", 75}, {"q2_30", 33}}));
 }
 
 TEST(Angles, RangeFollowsThePolicy) {

@@ -2,7 +2,11 @@
 import math
 from fractions import Fraction
 
-from bounds.gappa import LOG2_E, LOG_2, PI, NotProven, Proof, between, horner, hypotheses, within
+from bounds.gappa import (LOG2_E, LOG_2, PI, Exact, NotProven, Proof, arctangent_of, between, coefficients, entries,
+                          horner, hypotheses, logarithm, of_constant, truncated, within)
+
+# Of a table whose entries are to nearest.
+HALF = (Fraction(-1, 2), Fraction(1, 2))
 
 EXPONENTIAL, ARCTANGENT, COSINE, PHASE, ARCSINE = (
     f"{name}.hpp" for name in ("exponential", "arctangent", "cosine", "phase", "arcsine"))
@@ -19,16 +23,24 @@ def power_of_two(source):
     lines = ["r = fixed<-64,dn>(R0);", *(line.replace("R * ", "r * ") for line in horner(words, 64, "+", "r")),
              "q = fixed<-64,dn>(r * s1);", "T = r * S1;", "Q = T + R;",
              "y = p + fixed<-63,dn>(p * q);", "Y = P + P * Q;"]
+    highest = Fraction(powers[-1] + 1, 2**63)
     given = ["r in [0,1]", f"R in {between(0, rest)}", "T in [0,1b-5]", "@FIX(p,-63)", "p - P in [-1b-63,0]",
-             f"p in {between(1, Fraction(powers[-1] + 1, 2**63))}", f"P in {between(1, Fraction(powers[-1] + 1, 2**63))}",
+             f"p in {between(1, highest)}", f"P in {between(1, highest)}",
              *hypotheses(words, 64, lambda n: z**n / math.factorial(n))]
     low = source.read(EXPONENTIAL, r"at most (\d+) units too low and never too high")
-    return [Proof(lines, given, "y - Y", -low, 0, 63, ["q - Q -> (q - T) - R;"])]
+    parts = [(f"each of {len(powers)} entries of the table", "p - P", 63),
+             truncated(f"each of {len(words)} products of the series", "(r * s1)", 64),
+             ("the series: coefficients and products", "q - T", 64),
+             (f"its remainder after {len(words)} terms", "-R", 68),
+             truncated("the product of the entry and the series", "(p * q)", 63)]
+    return [coefficients(words, 64, lambda n: z**n / math.factorial(n)),
+            Proof(lines, given, "y - Y", -low, 0, 63, ["q - Q -> (q - T) - R;"], parts=parts)]
 
 
 def binary_logarithm(source):
     """log2(1 + r) for u = 32 r. The table's entry L is to nearest; R is the rest of the series."""
     words, reciprocals = source.table("logarithm_coefficients"), source.table("reciprocals")
+    table = source.table("logarithms")
     most = 0
     for i, c in enumerate(reciprocals):
         if c * (2**32 + (i << 26)) < 2**64:
@@ -42,13 +54,21 @@ def binary_logarithm(source):
     given = [f"u in {between(0, most)}", "l - L in [-1b-65,1b-65]", f"R in {between(-rest, rest)}",
              *hypotheses(words, 64, lambda n: LOG2_E / (n * 32**n))]
     units = source.read(EXPONENTIAL, r"The error is below (\d+) units", "log2(m / 2^32) in units of 2^-64")
-    return [Proof(lines, given, "y - Y", -units, units, 64, ["y - Y -> (l - L) + (t - T) - R;"])]
+    parts = [truncated(f"each of {len(words)} products of the series", "(u * s1)", 64),
+             ("the series: coefficients and products", "t - T", 64),
+             (f"its remainder after {len(words)} terms", "R", 68)]
+    return [Exact(f"the product of m and one of {len(reciprocals)} reciprocals", 0, 0, 64),
+            coefficients(words, 64, lambda n: LOG2_E / (n * 32**n)),
+            entries(f"each of {len(table)} logarithms of the table", table, 64,
+                    lambda i: -logarithm(Fraction(reciprocals[i], 2**31)) / LOG_2 + 1 if i else 0, HALF),
+            Proof(lines, given, "y - Y", -units, units, 64, ["y - Y -> (l - L) + (t - T) - R;"], parts=parts)]
 
 
 def arctangent(source):
     """atan(Z) for the ratio Z, of which the code has z. R is the rest of the series."""
     words = source.table("arctangent_coefficients")
-    steps = len(source.table("arctangents")) - 1
+    table = source.table("arctangents")
+    steps = len(table) - 1
     n = len(words) + 1
     rest = Fraction(1, 64 ** (2 * n + 1) * (2 * n + 1))
     lines = ["z = fixed<-58,dn>(Z);", "w = fixed<-64,dn>(1024 * (z * z));", "W = 1024 * (z * z);",
@@ -62,8 +82,16 @@ def arctangent(source):
              f"R in {between(-rest, rest)}",
              *hypotheses(words, 64, lambda n: Fraction(1, (2 * n + 1) * 1024**n))]
     units = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
-    return [Proof(lines, given, "y - Y", -units, units, 58,
-                  ["y - Y -> (a - A) - (t - T) - R + ((z - Z) * K);"])]
+    parts = [("the ratio z", "z - Z", 58),
+             ("1024 z^2", "w - W", 64),
+             ("the series: coefficients and products", "v - V", 64),
+             ("the product of z and the series", "t - z * v", 58),
+             (f"its remainder after {len(words)} terms", "R", 63)]
+    return [coefficients(words, 64, lambda n: Fraction(1, (2 * n + 1) * 1024**n)),
+            entries(f"each of {len(table)} entries of the table", table, 58,
+                    lambda i: arctangent_of(Fraction(i, steps)), HALF),
+            Proof(lines, given, "y - Y", -units, units, 58,
+                  ["y - Y -> (a - A) - (t - T) - R + ((z - Z) * K);"], parts=parts)]
 
 
 def quick_arctangent(source):
@@ -73,13 +101,15 @@ def quick_arctangent(source):
     units = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-32")
     proofs = []
     for sign in "+-":
-        lines = ["z = fixed<-32,dn>(Z);", "w = fixed<-32,dn>(z * z);", "t = fixed<-32,dn>(w * z / 3);", "T = z * z * z / 3;",
-                 f"y = a {sign} (z - t);", f"Y = A {sign} ((z - T) + R + (Z - z) * K);"]
-        given = [f"Z in {between(0, Fraction(1, 2 * steps))}", "K in [0,1]", f"a - A in {between(-Fraction(101, 100) / 2**32, Fraction(1, 2**59))}",
-                 f"R in {between(0, rest)}"]
+        lines = ["z = fixed<-32,dn>(Z);", "w = fixed<-32,dn>(z * z);", "t = fixed<-32,dn>(w * z / 3);",
+                 "T = z * z * z / 3;", f"y = a {sign} (z - t);", f"Y = A {sign} ((z - T) + R + (Z - z) * K);"]
+        given = [f"Z in {between(0, Fraction(1, 2 * steps))}", "K in [0,1]",
+                 f"a - A in {between(-Fraction(101, 100) / 2**32, Fraction(1, 2**59))}", f"R in {between(0, rest)}"]
+        parts = [("the entry of the table, shifted", "a - A", 32), ("the ratio z", "z - Z", 32),
+                 ("z^3 / 3", "t - T", 32), ("the remainder of the series after z^3", "-R", 32)]
         proofs.append(Proof(lines, given, "y - Y", -units, units, 32,
                             [f"y - Y -> (a - A) {sign} ((T - t) - R - (Z - z) * K);",
-                             "T - t -> (w * z / 3 - t) - (w - z * z) * z / 3;"]))
+                             "T - t -> (w * z / 3 - t) - (w - z * z) * z / 3;"], parts=parts))
     return proofs
 
 
@@ -102,8 +132,14 @@ def cosine(source):
              f"R in {between(-rest, rest)}",
              *hypotheses(words, 62, lambda n: Fraction(4**n, math.factorial(2 * n)))]
     units = 2 ** (62 - bits)
-    return [Proof(lines, given, "y - Y", -units, units, 62,
-                  ["y - Y -> (V - v) - R;", "u - U -> (u - 0.25 * (a * a)) + 0.25 * ((a - A) * (a + A));"])]
+    parts = [("the angle a", "a - A", 62), ("u = a^2 / 4, without that of a", "u - 0.25 * (a * a)", 64),
+             truncated(f"each of {count} products of the series", "(u * s1)", 62),
+             ("the series, with all of these", "v - V", 62),
+             (f"its remainder after {count} terms", "R", 70)]
+    return [coefficients(words, 62, lambda n: Fraction(4**n, math.factorial(2 * n))),
+            Proof(lines, given, "y - Y", -units, units, 62,
+                  ["y - Y -> (V - v) - R;", "u - U -> (u - 0.25 * (a * a)) + 0.25 * ((a - A) * (a + A));"],
+                  parts=parts)]
 
 
 def angle_of_a_phase(source):
@@ -114,8 +150,10 @@ def angle_of_a_phase(source):
     lines = ["q = fixed<-62,dn>(Q0);", f"h = {half_pi}b-62;", "a = fixed<-62,dn>(q * h);"]
     given = ["q in [0,1]", "Q in [-0.1,1.1]", f"q - Q in {between(-error / 2**62, error / 2**62)}",
              within("H", half_pi, 62, PI / 2)]
-    return [Proof(lines, given, "a - Q * H", -allowed, allowed, 62,
-                  ["a - Q * H -> (a - q * h) + q * (h - H) + (q - Q) * H;"])]
+    parts = [("the phase, in quarter turns", "q - Q", 62), ("the product with pi/2", "a - q * h", 62)]
+    return [of_constant("pi/2", half_pi, 62, PI / 2),
+            Proof(lines, given, "a - Q * H", -allowed, allowed, 62,
+                  ["a - Q * H -> (a - q * h) + q * (h - H) + (q - Q) * H;"], parts=parts)]
 
 
 def phase_error(source):
@@ -123,8 +161,7 @@ def phase_error(source):
     and a constant of 128 bits, too low by less than a unit of 2^-128, count for operands of up to 2^32."""
     text = r"The error is at most 1 \+ 2\^-(\d+) units"
     error = 1 + Fraction(1, 2 ** source.read(PHASE, text))
-    high, low = source.word("turns_high"), source.word("turns_low")
-    constant = (high << 64) + low
+    constant = inverse_turn(source)
     exact = 2**128 / (2 * PI)
     if not 0 <= exact - constant < 1:
         raise NotProven("1 / (2 pi) is not rounded down")
@@ -133,10 +170,26 @@ def phase_error(source):
     return error
 
 
+def inverse_turn(source):
+    """1 / (2 pi) in units of 2^-128."""
+    return (source.word("turns_high") << 64) + source.word("turns_low")
+
+
+def phase(source):
+    """The parts of phase_error()."""
+    off = inverse_turn(source) - 2**128 / (2 * PI)
+    allowed = phase_error(source)
+    return [Exact("1 / (2 pi)", off, off, 128),
+            Exact("its product with an angle of up to 2^32 ulps", off, 0, 96),
+            Exact("the phase, rounded down, of either sign", off / 2**32 - 1, 1 - off / 2**32, 64,
+                  (-allowed, allowed))]
+
+
 def root(source):
     """A scaled root: r + f for the nearest integer r and f = rest / (2 r), off by V = h^2 / (S + r + h)."""
     units = source.read(ARCSINE, r"The error is below (\d+) units")
     lines = ["h = rest / (2 * r);", "f = fixed<-31,zr>(h);", "V = h * h / (r + r + h - V0);"]
     # The root S is r + h - V, because (r + h)^2 = n + h^2. V0 is V: at most 1.
     given = ["r in [2147483648,4294967296]", "rest / r in [-1,1]", "V0 in [0,1]"]
-    return [Proof(lines, given, "(f - h) + V", -units, units, 31, ["h -> 0.5 * (rest / r) { r <> 0 };"])]
+    parts = [("the quotient rest / (2 r)", "f - h", 31), ("the next term of the root", "V", 31)]
+    return [Proof(lines, given, "(f - h) + V", -units, units, 31, ["h -> 0.5 * (rest / r) { r <> 0 };"], parts=parts)]

@@ -2,7 +2,7 @@
 import math
 from fractions import Fraction
 
-from bounds.gappa import LOG2_E, LOG_10, LOG_2, PI, NotProven, Proof, between, near, within
+from bounds.gappa import LOG2_E, LOG_10, LOG_2, PI, Exact, NotProven, Proof, between, near, of_constant, within
 from bounds.parts import ARCSINE, ARCTANGENT, COSINE, EXPONENTIAL, PHASE, cosine
 
 HYPERBOLIC, POWER = "hyperbolic.hpp", "power.hpp"
@@ -33,7 +33,8 @@ def exponent_range(source):
 def nearest_power(source):
     """2^e for an exponent that is off by up to `error` units of 2^-64, any number of them up to 2^36."""
     shift, quarter, more, bits = source.read(
-        EXPONENTIAL, r"power_of_two\(exponent.fraction\) >> (\d+)\).*?nearest_within\(power, error / (\d+) \+ (\d+), (\d+) - place")
+        EXPONENTIAL, r"power_of_two\(exponent.fraction\) >> (\d+)\)"
+                     r".*?nearest_within\(power, error / (\d+) \+ (\d+), (\d+) - place")
     if (shift, quarter, bits) != (2, 4, 61):
         raise NotProven("nearest_power() has other units")
     proofs = []
@@ -45,7 +46,10 @@ def nearest_power(source):
         hint = (f"{error} -> (v - y) + (y - Y) + e * (({inverse}0.25 * 1b-61) - Y * k * 1b-64) "
                 f"{inverse} (q - 0.25 * e) * 1b-61 {inverse} {more}b-61;")
         low, high = (0, 2**80) if sign == "-" else (-2**80, 0)
-        proofs.append(Proof(lines, [*power_given(source), "e in [0,1b36]", k], error, low, high, 61, [hint]))
+        parts = [("the power of the code's exponent", "y - Y", 61), ("its shift", "v - y", 61),
+                 ("e/4, rounded down", "q * 1b-61 - 0.25 * e * 1b-61", 61)]
+        proofs.append(Proof(lines, [*power_given(source), "e in [0,1b36]", k], error, low, high, 61, [hint],
+                            parts=parts, grows=("e/4", more, -1 if sign == "-" else 1)))
     return proofs
 
 
@@ -53,31 +57,41 @@ def exponential(source):
     """x log2(e) for |x| up to where results are out of range."""
     units = source.read(EXPONENTIAL, r"exponential_base::two \? 0 : (\d+);", "nearest_exponential")
     highest = (exponent_range(source) + Fraction(1, 2**20)) * LOG_2
-    return [exponent(source, highest, units)]
+    return [of_constant("log2(e)", source.word("log2_e"), 63, LOG2_E), exponent(source, highest, units)]
 
 
 def exponent(source, highest, units):
     lines = ["e = fixed<-64,dn>(x * l);"]
     word = source.word("log2_e")
     given = [f"x in {between(0, highest)}", within("L", word, 63, LOG2_E), f"l = {word}b-63"]
-    return Proof(lines, given, "e - x * L", -units, 0, 64, ["e - x * L -> (e - x * l) + x * (l - L);"])
+    parts = [("log2(e), times x", "x * (l - L)", 64), ("the product, rounded down", "e - x * l", 64)]
+    return Proof(lines, given, "e - x * L", -units, 0, 64, ["e - x * L -> (e - x * l) + x * (l - L);"], parts=parts)
 
 
 def logarithm(source):
     off = logarithm_off(source)
-    units, bits = source.read(EXPONENTIAL, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) -",
-                              "constexpr std::int64_t nearest_logarithm")
+    units, bits = source.read(
+        EXPONENTIAL, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) -",
+        "constexpr std::int64_t nearest_logarithm")
     proofs = []
-    for scale in (LOG_2, LOG_2 / LOG_10):
+    for base, scale in (("e", LOG_2), ("10", LOG_2 / LOG_10)):
         whole = math.floor(scale * 2 ** (bits + 1) + 1) >> 1
         part = math.floor(scale * 2**64)
         lines = [f"w = {whole}b-{bits};", f"s = {part}b-64;", f"t = fixed<-{bits},dn>(fixed<-64,dn>(f * s));"]
+        short = between(Fraction(part, 2**64) - scale, Fraction(part, 2**64) - scale)
         given = ["n in [-32,32]", "f in [0,1]", f"f - F in [-{off}b-64,{off}b-64]", "F in [-0.1,1.1]",
-                 within("S", whole, bits, scale), f"s - S in {between(Fraction(part, 2**64) - scale, Fraction(part, 2**64) - scale)}"]
-        proofs.append(Proof(lines, given, "(n * w + t) - (n + F) * S", -units, units, bits,
-                            ["(n * w + t) - (n + F) * S -> n * (w - S) + (t - f * s) + f * (s - S) + (f - F) * S;"]))
+                 within("S", whole, bits, scale), f"s - S in {short}"]
+        hint = "(n * w + t) - (n + F) * S -> n * (w - S) + (t - f * s) + f * (s - S) + (f - F) * S;"
+        parts = [(f"base {base}: the scale, times the whole exponent", "n * (w - S)", bits),
+                 (f"base {base}: the scale, times the logarithm of m", "f * (s - S)", bits),
+                 (f"base {base}: the logarithm of m, times the scale", "(f - F) * S", bits),
+                 (f"base {base}: the product, rounded down and shifted", "t - f * s", bits)]
+        proofs.append(Proof(lines, given, "(n * w + t) - (n + F) * S", -units, units, bits, [hint],
+                            name=f"base {base}: sum", parts=parts))
     proofs.append(Proof([f"t = fixed<-{bits},dn>(f);"], ["f in [0,1]", f"f - F in [-{off}b-64,{off}b-64]"],
-                        "(n + t) - (n + F)", -units, units, bits, ["(n + t) - (n + F) -> (t - f) + (f - F);"]))
+                        "(n + t) - (n + F)", -units, units, bits, ["(n + t) - (n + F) -> (t - f) + (f - F);"],
+                        name="base 2: sum", parts=[("base 2: the logarithm of m", "f - F", bits),
+                                                   ("base 2: its shift", "t - f", bits)]))
     return proofs
 
 
@@ -90,39 +104,52 @@ def falling_exponential(source):
     exponents.error = "(e - x * L) + (2 * x + 1) * 1b-64"
     exponents.low, exponents.high = Fraction(0), Fraction(2**70)
     exponents.hints = [f"{exponents.error} -> (e - x * l) + 1b-64 + x * ((l - L) + 1b-63);"]
+    exponents.name, exponents.grows, exponents.parts = "the exponent of e^-y", ("2y", 1, -1), ()
     lines = ["t = fixed<-62,dn>(y * h);", "T = Y * h - M;"]
     given = [*power_given(source), "h in [0,0.5]", f"M in {between(0, Fraction('1.2131') * GROWTH / 2**64)}"]
-    return [exponents, Proof(lines, given, "t - T", -units, units, 62, ["t - T -> (t - y * h) + (y - Y) * h + M;"])]
+    parts = [("that error's effect on e^-y", "M", 62), ("the power of the code's exponent", "(y - Y) * h", 62),
+             ("its shift", "t - y * h", 62)]
+    return [exponents, Proof(lines, given, "t - T", -units, units, 62,
+                             ["t - T -> (t - y * h) + (y - Y) * h + M;"], parts=parts)]
 
 
 def sinh_and_cosh(source):
-    units, bits = source.read(HYPERBOLIC, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) - whole",
-                              "nearest_hyperbolic")
+    units, bits = source.read(
+        HYPERBOLIC, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) - whole",
+        "nearest_hyperbolic")
     falling = source.read(HYPERBOLIC, r"The error is below (\d+) units", "e^-y for y")
     off = source.read(EXPONENTIAL, r"exponential_base::two \? 0 : (\d+);", "nearest_exponential")
     proofs = []
-    for sign in "-+":
+    for name, sign in (("sinh", "-"), ("cosh", "+")):
         lines = [f"r = fixed<-{bits},dn>(0.5 * y);", "U = 0.5 * Y + 0.5 * Y * k;", f"d = fixed<-{bits},dn>(t * h);"]
         given = [*power_given(source), f"k in {between(0, off * GROWTH / 2**64)}", "h in [0,0.5]",
                  f"t - T in [-{falling}b-62,{falling}b-62]"]
         error = f"(r {sign} d) - (U {sign} T * h)"
-        proofs.append(Proof(lines, given, error, -units, units, bits,
-                            [f"{error} -> (r - 0.5 * y) + 0.5 * (y - Y) - 0.5 * Y * k {sign} ((d - t * h) + (t - T) * h);"]))
+        parts = [("the power of the code's exponent, for e^x / 2", "0.5 * (y - Y)", bits),
+                 ("its shift", "r - 0.5 * y", bits),
+                 ("the exponent of e^x", "-0.5 * Y * k", bits), ("e^-x / 2", "(t - T) * h", bits),
+                 ("its shift to the unit of e^x", "d - t * h", bits)]
+        hint = (f"{error} -> (r - 0.5 * y) + 0.5 * (y - Y) - 0.5 * Y * k "
+                f"{sign} ((d - t * h) + (t - T) * h);")
+        proofs.append(Proof(lines, given, error, -units, units, bits, [hint], name=f"{name}: sum", parts=parts))
     return proofs
 
 
 def tanh(source):
-    units, bits = source.read(HYPERBOLIC, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) - fraction_bits",
-                              "nearest_hyperbolic_tangent")
+    units, bits = source.read(
+        HYPERBOLIC, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) - fraction_bits",
+        "nearest_hyperbolic_tangent")
     falling = source.read(HYPERBOLIC, r"The error is below (\d+) units", "e^-y for y")
     flat = source.read(HYPERBOLIC, r"flat = std::int64_t\{(\d+)\} << 32")
     # Beyond, the distance from 1 is below 2 e^(-2 flat), less than half a unit of 2^-32.
-    if 2 * sum(Fraction(2 * flat) ** n / math.factorial(n) for n in range(120)) ** -1 >= Fraction(1, 2**33):
-        raise NotProven("tanh is not flat")
+    distance = 2 * sum(Fraction(2 * flat) ** n / math.factorial(n) for n in range(120)) ** -1
     lines = [f"v = fixed<-{bits},dn>((1 - t) / (1 + t));", "V = (1 - T) / (1 + T);"]
     given = ["t in [0,1]", "T in [0,1]", f"t - T in [-{falling}b-62,{falling}b-62]"]
-    return [Proof(lines, given, "v - V", -units, units, bits,
-                  ["v - V -> (v - (1 - t) / (1 + t)) - 2 * (t - T) / ((1 + t) * (1 + T));"])]
+    parts = [("t = e^(-2x)", "t - T", bits), ("its effect on the quotient", "-2 * (t - T) / ((1 + t) * (1 + T))", bits),
+             ("the quotient, rounded down", "v - (1 - t) / (1 + t)", bits)]
+    return [Exact(f"1 in place of tanh x, from x = {flat} on", 0, distance * 2**32, 32, (None, Fraction(1, 2))),
+            Proof(lines, given, "v - V", -units, units, bits,
+                  ["v - V -> (v - (1 - t) / (1 + t)) - 2 * (t - T) / ((1 + t) * (1 + T));"], parts=parts)]
 
 
 def sine_off(source):
@@ -132,15 +159,21 @@ def sine_off(source):
     return bits
 
 
+def proof_of_cosine(source, units):
+    """That a cosine is off by less than `units`, but without its parts."""
+    proof = cosine(source)[-1]
+    proof.low, proof.high, proof.parts = Fraction(1 - units), Fraction(units - 1), ()
+    return proof
+
+
 def sine(source):
     """The sine of a phase is that of cosine(), whose error must be below the constant, not equal to it: 1/2 is a
     tie of degrees."""
-    units, bits = source.read(PHASE, r"error = (\d+); const nearest_ends ends = nearest_within\(sine, error, (\d+) -", "nearest_sine_of")
+    units, bits = source.read(
+        PHASE, r"error = (\d+); const nearest_ends ends = nearest_within\(sine, error, (\d+) -", "nearest_sine_of")
     if bits != 62 or sine_off(source) < 56:
         raise NotProven("the sine has other units")
-    (proof,) = cosine(source)
-    proof.low, proof.high = Fraction(1 - units), Fraction(units - 1)
-    return [proof]
+    return [proof_of_cosine(source, units)]
 
 
 def distance_from_pole():
@@ -171,16 +204,16 @@ def tangent(source):
     least = source.read(PHASE, r"cosine >> (\d+) != 0")
     if units != 2 or bits != 62:
         raise NotProven("nearest_tangent() has other units")
-    (proof,) = cosine(source)
     off = factor - 2
-    proof.low, proof.high = Fraction(-off), Fraction(off)
     e, c = Fraction(off, 2**62), Fraction(2**least, 2**62)
-    if off * (1 + 2 * e / (1 - 2 * e)) / (1 - e / c) / (1 - 2 * e) + 1 > factor:
-        raise NotProven("tangent: the factor is too small")
+    sum_of_factors = off * (1 + 2 * e / (1 - 2 * e)) / (1 - e / c) / (1 - 2 * e) + 1
     # A cosine is at least 2/pi of the distance from the pole, so it is never negative but for its sign.
-    if distance_from_pole() * 2 / PI <= e:
-        raise NotProven("tangent: a cosine may be negative")
-    return [proof]
+    pole = distance_from_pole() * 2 / PI
+    proof = proof_of_cosine(source, off + 1)
+    proof.name = "the sine and the cosine"
+    return [proof, Exact("the quotient, rounded down", -1, 0, 62),
+            Exact("the sum, divided by (1 + tan)^2", -sum_of_factors, sum_of_factors, 62, (-factor, factor)),
+            Exact("the least cosine, so that none changes its sign", pole * 2**62, None, 62, (off, None))]
 
 
 def turned(source, bits=58):
@@ -191,10 +224,12 @@ def turned(source, bits=58):
 
 
 def angle(source):
-    units, bits = source.read(ARCTANGENT, r"error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
+    units, bits = source.read(
+        ARCTANGENT, r"error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
     off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
     given = [f"a - A in [-{off}b-58,{off}b-58]", near("q", Fraction(0), turned(source) / 2**58)]
-    return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"])]
+    return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"],
+                  parts=[("the arctangent", "a - A", 58), ("pi, pi/2 or their difference", "q", 58)])]
 
 
 def quick_angle(source):
@@ -204,12 +239,14 @@ def quick_angle(source):
     if bits != 58 - shift:
         raise NotProven("pi has other units")
     given = [f"a - A in [-{off}b-{bits},{off}b-{bits}]", near("q", Fraction(0), turned(source, bits) / 2**bits)]
-    return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"])]
+    return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"],
+                  parts=[("the arctangent", "a - A", bits), ("pi, pi/2 or their difference", "q", bits)])]
 
 
 def triangle(source):
     """The vector (c, o) for the exact (c, O) of length 1: the angle moves by (o - O) k, |k| <= 1 / (c^2 + o^2)."""
-    units, bits = source.read(ARCSINE, r"error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
+    units, bits = source.read(
+        ARCSINE, r"error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
     side = source.read(ARCSINE, r"constexpr int bits = (\d+);")
     off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
     root = source.read(ARCSINE, r"The error is below (\d+) units")
@@ -218,8 +255,12 @@ def triangle(source):
     given = ["k in [-1.0001,1.0001]", f"r - O in [-{root}b-63,{root}b-63]", f"a - A in [-{off}b-58,{off}b-58]",
              near("q", Fraction(0), turned(source) / 2**58)]
     error = "(a + q) - (A - (o - O) * k)"
+    parts = [("the root", "r - O", 63), ("the root, shifted to the unit of the sides", "o - r", side),
+             ("the effect of both on the angle", "(o - O) * k", 58), ("the arctangent", "a - A", 58),
+             ("pi, pi/2 or their difference", "q", 58)]
     return [Proof(lines, given, error, -units, units, bits,
-                  [f"{error} -> (a - A) + q + ((o - r) + (r - O)) * k;"])]
+                  [f"{error} -> (a - A) + q + ((o - r) + (r - O)) * k;", "(o - O) * k -> ((o - r) + (r - O)) * k;"],
+                  parts=parts)]
 
 
 def cube_root(source):
@@ -228,17 +269,24 @@ def cube_root(source):
     third = source.read(POWER, r"third = (0x[0-9a-f]+)")
     off = logarithm_off(source)
     lines = [f"h = {third}b-64;", "e = n * h + fixed<-64,dn>(f * h);"]
-    given = ["n in [0,32]", "f in [0,1]", f"(n + f) - M in [-{off}b-64,{off}b-64]", within("H", third, 64, Fraction(1, 3))]
-    return [Proof(lines, given, "e - M * H", -units, units, 64,
+    given = ["n in [0,32]", "f in [0,1]", f"(n + f) - M in [-{off}b-64,{off}b-64]",
+             within("H", third, 64, Fraction(1, 3))]
+    parts = [("the logarithm, a third of it", "((n + f) - M) * H", 64),
+             ("1/3, times the logarithm", "(n + f) * (h - H)", 64),
+             ("the product, rounded down", "e - (n * h + f * h)", 64)]
+    return [of_constant("1/3", third, 64, Fraction(1, 3)),
+            Proof(lines, given, "e - M * H", -units, units, 64,
                   ["e - M * H -> (e - (n * h + f * h)) + (n + f) * (h - H) + ((n + f) - M) * H;",
-                   "e - (n * h + f * h) -> fixed<-64,dn>(f * h) - f * h;"])]
+                   "e - (n * h + f * h) -> fixed<-64,dn>(f * h) - f * h;"], parts=parts)]
 
 
 def reciprocal_root(source):
     units = source.read(POWER, r"error = (\d+);", "nearest_reciprocal_root")
     off = logarithm_off(source)
     return [Proof(["e = fixed<-64,dn>(-0.5 * m);"], ["m in [-32,33]", f"m - M in [-{off}b-64,{off}b-64]"],
-                  "e + 0.5 * M", -units, units, 64, ["e + 0.5 * M -> (e - (-0.5 * m)) - 0.5 * (m - M);"])]
+                  "e + 0.5 * M", -units, units, 64, ["e + 0.5 * M -> (e - (-0.5 * m)) - 0.5 * (m - M);"],
+                  parts=[("the logarithm, minus half of it", "-0.5 * (m - M)", 64),
+                         ("the half, rounded down", "e - (-0.5 * m)", 64)])]
 
 
 def power(source):
@@ -254,6 +302,9 @@ def power(source):
             error = f"(e - M * y) {side} (q + {more}) * 1b-64"
             hint = (f"{error} -> (e - m * y) + y * ((m - M) {side} {off}b-64) {side} (q - {off} * y) * 1b-64 "
                     f"{side} {more}b-64;")
-            proofs.append(Proof(lines, ["y in [0,1b31]", "m in [-32,33]", f"m - M in [-{log}b-64,{log}b-64]"],
-                                error, low, high, 64, [hint]))
+            parts = [("the logarithm", "m - M", 64), ("the product, rounded", "e - m * y", 64),
+                     (f"{off} abs(y), rounded down", f"q * 1b-64 - {off} * y * 1b-64", 64)]
+            proofs.append(Proof(lines, ["y in [0,1b32]", "m in [-32,33]", f"m - M in [-{log}b-64,{log}b-64]"],
+                                error, low, high, 64, [hint], parts=parts,
+                                grows=(f"{off} abs(y)", more, -1 if side == "+" else 1)))
     return proofs

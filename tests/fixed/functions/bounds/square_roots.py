@@ -1,0 +1,24 @@
+"""The roots that a processor's double computes, whose error integers correct."""
+from fractions import Fraction
+
+from bounds.gappa import Exact
+
+HEADER = "square_root.hpp"
+# In every rounding mode, a double and its root are off by less than this part of them.
+PRECISION = Fraction(1, 2**52)
+
+
+def square_roots(source):
+    bits = source.read(HEADER, r"floor\(sqrt\(n\)\), for 0 <= n < 2\^(\d+)", "by_bits(std::int64_t n)")
+    below_next = source.read(HEADER, r">= 2\^-(\d+) below the next integer")
+    # (r + 1)^2 - 1 has a root of at most (r + 1) - 1 / (2 (r + 1)).
+    nearest = Fraction(1, 2 * 2 ** (bits // 2))
+    if nearest < Fraction(1, 2**below_next):
+        return [Exact("the distance to the next integer", nearest * 2**below_next, None, below_next, (1, None))]
+    small = 2 ** (bits // 2) * PRECISION
+    # sqrt(n (1 + p)) (1 + p) < sqrt(n) (1 + 2p)
+    word = 2**32 * 2 * PRECISION
+    return [Exact(f"the root of a number below 2^{bits}", -small * 2**28, small * 2**28, 28,
+                  (-nearest * 2**28, nearest * 2**28)),
+            Exact("the root of a word of 64 bits, rounded to double first", -word * 2**19, word * 2**19, 19,
+                  (-(2**19), 2**19))]
