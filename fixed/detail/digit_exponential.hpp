@@ -1,0 +1,104 @@
+/// \file
+/// Exponentials, logarithms and hyperbolic functions of words of at most 32 bits in digits, each the
+/// nearest integer of ulps.
+///
+/// These are the results of exponential.hpp and hyperbolic.hpp without their first try. Where that
+/// decides, its bound has room for the error of the digits; where it does not, the steps are those
+/// of the precise parts.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/rounding.hpp"
+
+namespace fixproof::detail::in_digits {
+
+/// odd / 2 for a positive odd number, rounded by rule `ties`.
+constexpr std::int64_t rounded_half(std::int64_t odd, rounding ties) noexcept {
+  const std::int64_t low = odd >> 1;
+  return low + (ties == rounding::half_even ? low & 1 : ties == rounding::floor ? 0 : 1);
+}
+
+/// 2^x. Below 2^-200 it is 0, and from 2^37 on it is at least that.
+constexpr void take_power(real& x) noexcept {
+  const std::int64_t whole = take_whole(x);
+  raise_two(x);
+  x.shift(static_cast<int>(whole < -200 ? -200 : whole > 37 ? 37 : whole));
+}
+
+constexpr std::int64_t exponential(std::int64_t x, int fraction_bits, exponential_base base,
+                                   rounding ties) noexcept {
+  real power = scaled_integer(x, real_bits - 32);
+  if (base == exponential_base::e) {
+    power *= log2_e;
+  } else if (x == std::int64_t{-1 - fraction_bits} * (std::int64_t{1} << 32)) {
+    return rounded_half(1, ties);
+  }
+  take_power(power);
+  return nearest_units(power, fraction_bits);
+}
+
+/// log2(raw / 2^fraction_bits). \pre 0 < raw < 2^33
+constexpr real logarithm_of(std::uint64_t raw, int fraction_bits) noexcept {
+  int exponent = 32 - fraction_bits;
+  for (; raw >> 32 == 0; raw <<= 1) --exponent;
+  real log = logarithm_of(static_cast<std::int64_t>(raw));
+  log += scaled_integer(exponent, real_bits);
+  return log;
+}
+
+constexpr std::int64_t logarithm(std::uint64_t raw, int fraction_bits,
+                                 logarithm_base base) noexcept {
+  real log = logarithm_of(raw, fraction_bits);
+  if (base != logarithm_base::two) log *= base == logarithm_base::e ? log_2 : log10_2;
+  return nearest_units(log, fraction_bits);
+}
+
+/// e^(x / 2^32), as take_power().
+constexpr real exponential_of(std::int64_t x) noexcept {
+  real power = scaled_integer(x, real_bits - 32);
+  power *= log2_e;
+  take_power(power);
+  return power;
+}
+
+constexpr std::int64_t hyperbolic(std::int64_t x, int fraction_bits, hyperbola function) noexcept {
+  real sum = exponential_of(-x);
+  if (function == hyperbola::sine) sum.negate();
+  sum += exponential_of(x);
+  sum.shift(-1);
+  return nearest_units(sum, fraction_bits);
+}
+
+/// Beyond 13 it is 1, as 2 e^-26 is below 2^-36.
+constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_bits) noexcept {
+  if (x >= std::int64_t{13} << 32) return std::int64_t{1} << fraction_bits;
+  real numerator = exponential_of(-2 * x);
+  real denominator = numerator;
+  denominator += one;
+  numerator.negate();
+  numerator += one;
+  numerator /= denominator;
+  return nearest_units(numerator, fraction_bits);
+}
+
+// Programs with several of these functions share the code above.
+
+template <exponential_base Base, rounding R>
+constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
+  return exponential(x, fraction_bits, Base, R);
+}
+
+template <logarithm_base Base>
+constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
+  return logarithm(raw, fraction_bits, Base);
+}
+
+template <hyperbola Function>
+constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noexcept {
+  return hyperbolic(x, fraction_bits, Function);
+}
+
+}  // namespace fixproof::detail::in_digits

@@ -1,0 +1,90 @@
+/// \file
+/// Sines, cosines and tangents of angles in words of at most 32 bits in digits, each the nearest
+/// integer of ulps: the results of phase.hpp without a first try.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/rounding.hpp"
+
+namespace fixproof::detail::in_digits {
+
+/// An angle as a whole number of quarter turns, and a part of one from 0 to 1.
+struct phase {
+  std::int64_t quarters;
+  real part;
+};
+
+constexpr phase phase_of(std::int64_t raw, int fraction_bits, angle_unit unit) noexcept {
+  real angle = scaled_integer(raw < 0 ? -raw : raw, real_bits);
+  if (unit == angle_unit::radian) angle *= two_over_pi;
+  angle.shift(unit == angle_unit::turn ? 2 - fraction_bits : -fraction_bits);
+  if (unit == angle_unit::degree) angle /= digit{90};
+  if (raw < 0) angle.negate();
+  const std::int64_t quarters = take_whole(angle);
+  return {quarters, angle};
+}
+
+/// The sine or cosine of a part of a quarter turn.
+constexpr real sine_of(real part, bool is_cosine) noexcept {
+  part *= half_pi;
+  take_sine(part, is_cosine);
+  return part;
+}
+
+constexpr std::int64_t sine(std::int64_t raw, unsigned ahead, int fraction_bits, angle_unit unit,
+                            rounding ties) noexcept {
+  const phase angle = phase_of(raw, fraction_bits, unit);
+  const std::int64_t quarters = angle.quarters + ahead;
+  real result = sine_of(angle.part, quarters % 2 != 0);
+  const bool is_negative = (quarters & 2) != 0;
+  // Of whole degrees, only the sines that are 1/2 are near it.
+  if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(result, 8) == 128) {
+    return ties == rounding::half_even ? 0 : !is_negative ? 1 : ties == rounding::half_up ? 0 : -1;
+  }
+  if (is_negative) result.negate();
+  return nearest_units(result, fraction_bits);
+}
+
+constexpr std::int64_t tangent(std::int64_t raw, int fraction_bits, angle_unit unit) noexcept {
+  const phase angle = phase_of(raw, fraction_bits, unit);
+  const bool is_steep = angle.quarters % 2 != 0;
+  real numerator = sine_of(angle.part, is_steep);
+  const real denominator = sine_of(angle.part, !is_steep);
+  real least = numerator;
+  least.shift(-34);
+  least -= denominator;
+  std::int64_t result = std::int64_t{1} << 34;
+  if (least.negative()) {
+    numerator /= denominator;
+    result = nearest_units(numerator, fraction_bits);
+  }
+  return is_steep ? -result : result;
+}
+
+/// Quarter turns are exact in degrees and turns.
+template <angle_unit Unit>
+constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
+  if constexpr (Unit == angle_unit::radian) {
+    return false;
+  } else {
+    phase angle = phase_of(raw, fraction_bits, Unit);
+    angle.part.negate();
+    return angle.quarters % 2 != 0 && !angle.part.negative();
+  }
+}
+
+template <angle_unit Unit, rounding R>
+constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
+                                       int fraction_bits) noexcept {
+  return sine(raw, ahead, fraction_bits, Unit, R);
+}
+
+template <angle_unit Unit>
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
+  return tangent(raw, fraction_bits, Unit);
+}
+
+}  // namespace fixproof::detail::in_digits

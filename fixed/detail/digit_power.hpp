@@ -1,0 +1,105 @@
+/// \file
+/// Powers and roots of words of at most 32 bits in digits, each the nearest integer of ulps: the
+/// results of power.hpp without a first try.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/digit_exponential.hpp"
+#include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/rounding.hpp"
+
+namespace fixproof::detail::in_digits {
+
+/// The highest r below 2^35 whose o = 2r - 1 makes o^3 or o^2 raw at most `bound`, or 0. A root of
+/// `bound` is then nearest to r, or a tie that goes up.
+///
+/// o counts units of 2^-36, so that every product is exact. \param bound in units of 2^-108
+constexpr std::int64_t nearest_root(std::uint64_t raw, const real& bound, bool is_cube) noexcept {
+  std::int64_t root = 0;
+  for (std::int64_t bit = std::int64_t{1} << 34; bit > 0; bit >>= 1) {
+    const real odd = scaled_integer(2 * (root + bit) - 1, real_bits - 36);
+    real product = odd;
+    product *= odd;
+    product *= is_cube ? odd : scaled_integer(static_cast<std::int64_t>(raw), real_bits - 36);
+    real room = bound;
+    room -= product;
+    if (!room.negative()) root += bit;
+  }
+  return root;
+}
+
+/// The cube root of raw / 2^fraction_bits. There are no ties.
+constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+  return nearest_root(
+      raw, scaled_integer(static_cast<std::int64_t>(raw), 2 * fraction_bits + 3 + real_bits - 108),
+      true);
+}
+
+/// 1 / sqrt(raw / 2^fraction_bits). Only a half is a tie.
+constexpr std::int64_t reciprocal_root(std::uint64_t raw, int fraction_bits,
+                                       rounding ties) noexcept {
+  const int exponent = 3 * fraction_bits + 2;
+  if (exponent < 34 && raw == std::uint64_t{1} << exponent) return rounded_half(1, ties);
+  return nearest_root(raw, scaled_integer(1, exponent + real_bits - 108), false);
+}
+
+/// The odd number of half ulps that x^y is, or 0 if it is no tie or out of range, for
+/// x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits.
+///
+/// Let x be m 2^e with an odd m, and y be n / 2^k with an odd n. A power in whole half ulps needs k
+/// whole square roots of m, an e that 2^k divides and, unless m is 1, n > 0. The power is then m^n
+/// times a power of two, and m^n is odd. \pre 0 < raw < 2^32, exponent != 0
+constexpr std::int64_t odd_half_ulps(std::uint64_t raw, std::int64_t exponent,
+                                     int fraction_bits) noexcept {
+  auto m = static_cast<std::uint32_t>(raw);
+  std::int64_t e = -fraction_bits;
+  for (; m % 2 == 0; m /= 2) ++e;
+  for (int roots = fraction_bits; roots > 0; --roots) {
+    if (exponent % 2 == 0) {
+      exponent /= 2;
+      continue;
+    }
+    std::uint32_t root = 0;
+    for (std::uint32_t bit = 1U << 15; bit > 0; bit >>= 1) {
+      if ((root + bit) * (root + bit) <= m) root += bit;
+    }
+    if (root * root != m || e % 2 != 0) return 0;
+    m = root;
+    e /= 2;
+  }
+  if (e * exponent != -1 - fraction_bits || (m > 1 && exponent < 0)) return 0;
+  std::uint64_t power = 1;
+  for (; m > 1 && exponent > 0; --exponent) {
+    if (power >> 32 != 0) return 0;
+    power *= m;
+  }
+  return power >> 34 != 0 ? 0 : static_cast<std::int64_t>(power);
+}
+
+constexpr std::int64_t real_power(std::uint64_t raw, std::int64_t exponent, int fraction_bits,
+                                  rounding ties) noexcept {
+  if (exponent == 0) return std::int64_t{1} << fraction_bits;
+  if (const std::int64_t odd = odd_half_ulps(raw, exponent, fraction_bits); odd != 0) {
+    return rounded_half(odd, ties);
+  }
+  real power = logarithm_of(raw, fraction_bits);
+  if (exponent < 0) power.negate();
+  power *= scaled_integer(exponent < 0 ? -exponent : exponent, real_bits);
+  power.shift(-fraction_bits);
+  take_power(power);
+  return nearest_units(power, fraction_bits);
+}
+
+template <rounding R>
+constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
+  return reciprocal_root(raw, fraction_bits, R);
+}
+
+template <rounding R>
+constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
+                                          int fraction_bits) noexcept {
+  return real_power(raw, exponent, fraction_bits, R);
+}
+
+}  // namespace fixproof::detail::in_digits

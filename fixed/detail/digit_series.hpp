@@ -1,0 +1,170 @@
+/// \file
+/// Powers of two, logarithms, arctangents, sines and square roots in digits.
+///
+/// They take the steps of precise_power(), precise_logarithm(), precise_arctangent(),
+/// precise_sine_of() and precise_side(), each rounded alike, so the results are the same to the bit
+/// and their bounds hold. There is one step fewer in none of them.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/digits.hpp"
+#include "fixed/detail/function_tables.hpp"
+
+namespace fixproof::detail::in_digits {
+
+/// integer * 2^places units.
+constexpr real scaled_integer(std::int64_t integer, int places) noexcept {
+  real x(integer);
+  x.shift(places);
+  return x;
+}
+
+inline constexpr real one = scaled_integer(1, real_bits);
+inline constexpr real log2_e(real_log2_e);
+inline constexpr real log_2(real_log_2);
+inline constexpr real log10_2(real_log10_2);
+inline constexpr real pi(real_pi);
+inline constexpr real two_over_pi(real_2_over_pi);
+
+constexpr real half_of(real x) noexcept {
+  x.shift(-1);
+  return x;
+}
+inline constexpr real half_pi = half_of(pi);
+
+/// The integer nearest to x * 2^fraction_bits, as nearest_units() of real.hpp; 2^35 if it is higher,
+/// which is beyond every format.
+constexpr std::int64_t nearest_units(real x, int fraction_bits) noexcept {
+  constexpr std::int64_t beyond = std::int64_t{1} << 35;
+  x.shift(fraction_bits + 1 - real_bits);
+  real room(2 * beyond);
+  room -= x;
+  return room.negative() ? beyond : (x.units() + 1) >> 1;
+}
+
+/// Takes the whole part of x from it, and returns it. x is then from 0 to 1.
+constexpr std::int64_t take_whole(real& x) noexcept {
+  real whole = x;
+  whole.shift(-real_bits);
+  const std::int64_t units = whole.units();
+  whole.shift(real_bits);
+  x -= whole;
+  return units;
+}
+
+/// 2^x for 0 <= x < 1.
+constexpr void raise_two(real& x) noexcept {
+  x *= log_2;
+  real sum = one;
+  for (digit n = 44; n > 0; --n) {
+    sum *= x;
+    sum /= n;
+    sum += one;
+  }
+  x = sum;
+}
+
+/// log2(m / 2^32) for 2^32 <= m < 2^33.
+constexpr real logarithm_of(std::int64_t m) noexcept {
+  constexpr std::int64_t unit = std::int64_t{1} << 32;
+  real z(m - unit);
+  z /= real(m + unit);
+  real square = z;
+  square *= z;
+  real sum;
+  for (digit n = 115; n > 1; n -= 2) {
+    real term = one;
+    term /= n;
+    sum += term;
+    sum *= square;
+  }
+  sum += one;
+  z += z;
+  sum *= z;
+  sum *= log2_e;
+  return sum;
+}
+
+/// The arctangent of x for 0 <= x <= 1.
+constexpr void take_arctangent(real& x) noexcept {
+  real fifth = scaled_integer(2, real_bits);
+  for (int i = 0; i < 5; ++i) fifth -= x;
+  const bool is_high = fifth.negative();
+  if (is_high) {
+    real sum = one;
+    sum += x;
+    x.negate();
+    x += one;
+    x /= sum;
+  }
+  real squares = x;
+  squares *= x;
+  squares += one;
+  real part = one;
+  part /= squares;
+  part.negate();
+  part += one;
+  real sum = one;
+  for (digit k = 140; k > 0; k -= 2) {
+    sum *= part;
+    real factor = scaled_integer(k, real_bits);
+    factor *= sum;
+    sum = factor;
+    sum /= static_cast<digit>(k + 1);
+    sum += one;
+  }
+  x /= squares;
+  x *= sum;
+  if (is_high) {
+    x.negate();
+    x += half_of(half_pi);
+  }
+}
+
+/// The sine or cosine of an angle from 0 to pi/2.
+constexpr void take_sine(real& angle, bool is_cosine) noexcept {
+  real square = angle;
+  square *= angle;
+  real sum = one;
+  for (digit n = 56; n > 0; n -= 2) {
+    sum *= square;
+    sum /= static_cast<digit>(n * (is_cosine ? n - 1 : n + 1));
+    sum.negate();
+    sum += one;
+  }
+  if (is_cosine) {
+    angle = sum;
+  } else {
+    angle *= sum;
+  }
+}
+
+/// sqrt(squares / 2^64) to nearest.
+///
+/// Two bits of squares * 4^(184 - 32) at a time from the top, as nearest_sqrt_by_pairs().
+constexpr real root_of(std::uint64_t squares) noexcept {
+  real root;
+  real rest;
+  for (int i = 0; i < real_bits; ++i) {
+    rest.add(rest, squares >> 63 != 0 ? 1 : 0);
+    squares <<= 1;
+    rest.add(rest, squares >> 63 != 0 ? 1 : 0);
+    squares <<= 1;
+    // rest - (4 root + 1)
+    real trial = root;
+    trial += trial;
+    trial.add(trial, 1);
+    rest -= trial;
+    const bool fits = !rest.negative();
+    if (!fits) rest += trial;
+    root.add(root, fits ? 1 : 0);
+  }
+  // The rest is at most twice the root.
+  real over = root;
+  over -= rest;
+  if (over.negative()) root.add(real(), 1);
+  return root;
+}
+
+}  // namespace fixproof::detail::in_digits
