@@ -1,10 +1,13 @@
 /// \file
-/// Angles of vectors and triangles of words of at most 32 bits in digits, each the nearest integer of
-/// ulps: the results of arctangent.hpp and arcsine.hpp without a first try.
+/// Angles of vectors and triangles of words of at most 32 bits in digits, each the nearest integer
+/// of ulps: the results of arctangent.hpp and arcsine.hpp without a first try.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
+#include "fixed/detail/arcsine.hpp"
+#include "fixed/detail/arctangent.hpp"
 #include "fixed/detail/digit_series.hpp"
 #include "fixed/detail/function_kinds.hpp"
 
@@ -12,7 +15,8 @@ namespace fixproof::detail::in_digits {
 
 /// The angle of (width, height), or of (-width, height), from 0 to pi. \pre both are not negative,
 /// nor are both 0
-constexpr std::int64_t angle_of(real height, real width, bool is_left, int fraction_bits) noexcept {
+constexpr std::int64_t angle_ulps(real height, real width, bool is_left,
+                                  int fraction_bits) noexcept {
   real difference = width;
   difference -= height;
   const bool is_steep = difference.negative();
@@ -35,32 +39,43 @@ constexpr std::int64_t angle_of(real height, real width, bool is_left, int fract
 }
 
 /// The angle of the vector (x, y), from -pi to pi; 0 for the vector 0. \pre |x|, |y| <= 2^32
-constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
+constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
+                                         int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
   const std::int64_t angle =
-      angle_of(real(y < 0 ? -y : y), real(x < 0 ? -x : x), x < 0, fraction_bits);
+      angle_ulps(real(y < 0 ? -y : y), real(x < 0 ? -x : x), x < 0, fraction_bits);
   return y < 0 ? -angle : angle;
 }
 
-constexpr std::int64_t triangle_angle(std::int64_t raw, int fraction_bits,
-                                      triangle_side side) noexcept {
+constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
+                                           triangle_side side) noexcept {
   const std::int64_t known = raw < 0 ? -raw : raw;
   // 4^fraction_bits - known^2 in units of 2^-64; 4^32 is 0 modulo 2^64, which is right unless the
   // operand is 0.
   const auto square = static_cast<std::uint64_t>(known) * static_cast<std::uint64_t>(known);
   const int unused = 32 - fraction_bits;
-  const real other = known == 0 ? one : root_of(0 - (square << unused << unused));
+  const real other = known == 0 ? real_one : root_of(0 - (square << unused << unused));
   const real given = scaled_integer(known, real_bits - fraction_bits);
-  if (side == triangle_side::cosine) return angle_of(other, given, raw < 0, fraction_bits);
-  const std::int64_t angle = angle_of(given, other, false, fraction_bits);
+  if (side == triangle_side::cosine) return angle_ulps(other, given, raw < 0, fraction_bits);
+  const std::int64_t angle = angle_ulps(given, other, false, fraction_bits);
   return raw < 0 ? -angle : angle;
+}
+
+// Compilers limit the steps of a constant expression, so words compute it.
+
+constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
+  if (std::is_constant_evaluated()) return detail::nearest_angle(y, x, fraction_bits);
+  return vector_angle_ulps(y, x, fraction_bits);
 }
 
 /// The arcsine or arccosine of raw / 2^fraction_bits.
 /// \pre |raw| <= 2^fraction_bits <= 2^32
 template <triangle_side Side>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
-  return triangle_angle(raw, fraction_bits, Side);
+  if (std::is_constant_evaluated()) {
+    return detail::nearest_triangle_angle<Side>(raw, fraction_bits);
+  }
+  return triangle_angle_ulps(raw, fraction_bits, Side);
 }
 
 }  // namespace fixproof::detail::in_digits

@@ -1,6 +1,6 @@
 /// \file
-/// Exponentials, logarithms and hyperbolic functions of words of at most 32 bits in digits, each the
-/// nearest integer of ulps.
+/// Exponentials, logarithms and hyperbolic functions of words of at most 32 bits in digits, each
+/// the nearest integer of ulps.
 ///
 /// These are the results of exponential.hpp and hyperbolic.hpp without their first try. Where that
 /// decides, its bound has room for the error of the digits; where it does not, the steps are those
@@ -8,9 +8,12 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/exponential.hpp"
 #include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/hyperbolic.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail::in_digits {
@@ -28,8 +31,8 @@ constexpr void take_power(real& x) noexcept {
   x.shift(static_cast<int>(whole < -200 ? -200 : whole > 37 ? 37 : whole));
 }
 
-constexpr std::int64_t exponential(std::int64_t x, int fraction_bits, exponential_base base,
-                                   rounding ties) noexcept {
+constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits, exponential_base base,
+                                        rounding ties) noexcept {
   real power = scaled_integer(x, real_bits - 32);
   if (base == exponential_base::e) {
     power *= log2_e;
@@ -49,8 +52,8 @@ constexpr real logarithm_of(std::uint64_t raw, int fraction_bits) noexcept {
   return log;
 }
 
-constexpr std::int64_t logarithm(std::uint64_t raw, int fraction_bits,
-                                 logarithm_base base) noexcept {
+constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int fraction_bits,
+                                      logarithm_base base) noexcept {
   real log = logarithm_of(raw, fraction_bits);
   if (base != logarithm_base::two) log *= base == logarithm_base::e ? log_2 : log10_2;
   return nearest_units(log, fraction_bits);
@@ -64,7 +67,8 @@ constexpr real exponential_of(std::int64_t x) noexcept {
   return power;
 }
 
-constexpr std::int64_t hyperbolic(std::int64_t x, int fraction_bits, hyperbola function) noexcept {
+constexpr std::int64_t hyperbolic_ulps(std::int64_t x, int fraction_bits,
+                                       hyperbola function) noexcept {
   real sum = exponential_of(-x);
   if (function == hyperbola::sine) sum.negate();
   sum += exponential_of(x);
@@ -73,32 +77,40 @@ constexpr std::int64_t hyperbolic(std::int64_t x, int fraction_bits, hyperbola f
 }
 
 /// Beyond 13 it is 1, as 2 e^-26 is below 2^-36.
-constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_bits) noexcept {
+constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits) noexcept {
   if (x >= std::int64_t{13} << 32) return std::int64_t{1} << fraction_bits;
   real numerator = exponential_of(-2 * x);
   real denominator = numerator;
-  denominator += one;
+  denominator += real_one;
   numerator.negate();
-  numerator += one;
+  numerator += real_one;
   numerator /= denominator;
   return nearest_units(numerator, fraction_bits);
 }
 
-// Programs with several of these functions share the code above.
+// Compilers limit the steps of a constant expression, so words compute it.
 
 template <exponential_base Base, rounding R>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
-  return exponential(x, fraction_bits, Base, R);
+  if (std::is_constant_evaluated()) return detail::nearest_exponential<Base, R>(x, fraction_bits);
+  return exponential_ulps(x, fraction_bits, Base, R);
 }
 
 template <logarithm_base Base>
 constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
-  return logarithm(raw, fraction_bits, Base);
+  if (std::is_constant_evaluated()) return detail::nearest_logarithm<Base>(raw, fraction_bits);
+  return logarithm_ulps(raw, fraction_bits, Base);
 }
 
 template <hyperbola Function>
 constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noexcept {
-  return hyperbolic(x, fraction_bits, Function);
+  if (std::is_constant_evaluated()) return detail::nearest_hyperbolic<Function>(x, fraction_bits);
+  return hyperbolic_ulps(x, fraction_bits, Function);
+}
+
+constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_bits) noexcept {
+  if (std::is_constant_evaluated()) return detail::nearest_hyperbolic_tangent(x, fraction_bits);
+  return hyperbolic_tangent_ulps(x, fraction_bits);
 }
 
 }  // namespace fixproof::detail::in_digits

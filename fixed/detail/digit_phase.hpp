@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/digit_series.hpp"
 #include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/phase.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail::in_digits {
@@ -34,8 +36,8 @@ constexpr real sine_of(real part, bool is_cosine) noexcept {
   return part;
 }
 
-constexpr std::int64_t sine(std::int64_t raw, unsigned ahead, int fraction_bits, angle_unit unit,
-                            rounding ties) noexcept {
+constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_bits,
+                                 angle_unit unit, rounding ties) noexcept {
   const phase angle = phase_of(raw, fraction_bits, unit);
   const std::int64_t quarters = angle.quarters + ahead;
   real result = sine_of(angle.part, quarters % 2 != 0);
@@ -48,7 +50,7 @@ constexpr std::int64_t sine(std::int64_t raw, unsigned ahead, int fraction_bits,
   return nearest_units(result, fraction_bits);
 }
 
-constexpr std::int64_t tangent(std::int64_t raw, int fraction_bits, angle_unit unit) noexcept {
+constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_unit unit) noexcept {
   const phase angle = phase_of(raw, fraction_bits, unit);
   const bool is_steep = angle.quarters % 2 != 0;
   real numerator = sine_of(angle.part, is_steep);
@@ -64,12 +66,15 @@ constexpr std::int64_t tangent(std::int64_t raw, int fraction_bits, angle_unit u
   return is_steep ? -result : result;
 }
 
+// Compilers limit the steps of a constant expression, so words compute it.
+
 /// Quarter turns are exact in degrees and turns.
 template <angle_unit Unit>
 constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
   if constexpr (Unit == angle_unit::radian) {
     return false;
   } else {
+    if (std::is_constant_evaluated()) return detail::is_pole<Unit>(raw, fraction_bits);
     phase angle = phase_of(raw, fraction_bits, Unit);
     angle.part.negate();
     return angle.quarters % 2 != 0 && !angle.part.negative();
@@ -79,12 +84,16 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
 template <angle_unit Unit, rounding R>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
                                        int fraction_bits) noexcept {
-  return sine(raw, ahead, fraction_bits, Unit, R);
+  if (std::is_constant_evaluated()) {
+    return detail::nearest_sine_of<Unit, R>(raw, ahead, fraction_bits);
+  }
+  return sine_ulps(raw, ahead, fraction_bits, Unit, R);
 }
 
 template <angle_unit Unit>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  return tangent(raw, fraction_bits, Unit);
+  if (std::is_constant_evaluated()) return detail::nearest_tangent<Unit>(raw, fraction_bits);
+  return tangent_ulps(raw, fraction_bits, Unit);
 }
 
 }  // namespace fixproof::detail::in_digits

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/digit_exponential.hpp"
 #include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/power.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail::in_digits {
@@ -30,15 +32,15 @@ constexpr std::int64_t nearest_root(std::uint64_t raw, const real& bound, bool i
 }
 
 /// The cube root of raw / 2^fraction_bits. There are no ties.
-constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+constexpr std::int64_t cube_root_ulps(std::uint64_t raw, int fraction_bits) noexcept {
   return nearest_root(
       raw, scaled_integer(static_cast<std::int64_t>(raw), 2 * fraction_bits + 3 + real_bits - 108),
       true);
 }
 
 /// 1 / sqrt(raw / 2^fraction_bits). Only a half is a tie.
-constexpr std::int64_t reciprocal_root(std::uint64_t raw, int fraction_bits,
-                                       rounding ties) noexcept {
+constexpr std::int64_t reciprocal_root_ulps(std::uint64_t raw, int fraction_bits,
+                                            rounding ties) noexcept {
   const int exponent = 3 * fraction_bits + 2;
   if (exponent < 34 && raw == std::uint64_t{1} << exponent) return rounded_half(1, ties);
   return nearest_root(raw, scaled_integer(1, exponent + real_bits - 108), false);
@@ -77,7 +79,7 @@ constexpr std::int64_t odd_half_ulps(std::uint64_t raw, std::int64_t exponent,
   return power >> 34 != 0 ? 0 : static_cast<std::int64_t>(power);
 }
 
-constexpr std::int64_t real_power(std::uint64_t raw, std::int64_t exponent, int fraction_bits,
+constexpr std::int64_t power_ulps(std::uint64_t raw, std::int64_t exponent, int fraction_bits,
                                   rounding ties) noexcept {
   if (exponent == 0) return std::int64_t{1} << fraction_bits;
   if (const std::int64_t odd = odd_half_ulps(raw, exponent, fraction_bits); odd != 0) {
@@ -91,15 +93,26 @@ constexpr std::int64_t real_power(std::uint64_t raw, std::int64_t exponent, int 
   return nearest_units(power, fraction_bits);
 }
 
+// Compilers limit the steps of a constant expression, so words compute it.
+
+constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+  if (std::is_constant_evaluated()) return detail::nearest_cube_root(raw, fraction_bits);
+  return cube_root_ulps(raw, fraction_bits);
+}
+
 template <rounding R>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
-  return reciprocal_root(raw, fraction_bits, R);
+  if (std::is_constant_evaluated()) return detail::nearest_reciprocal_root<R>(raw, fraction_bits);
+  return reciprocal_root_ulps(raw, fraction_bits, R);
 }
 
 template <rounding R>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {
-  return real_power(raw, exponent, fraction_bits, R);
+  if (std::is_constant_evaluated()) {
+    return detail::nearest_real_power<R>(raw, exponent, fraction_bits);
+  }
+  return power_ulps(raw, exponent, fraction_bits, R);
 }
 
 }  // namespace fixproof::detail::in_digits

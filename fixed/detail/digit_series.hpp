@@ -20,7 +20,7 @@ constexpr real scaled_integer(std::int64_t integer, int places) noexcept {
   return x;
 }
 
-inline constexpr real one = scaled_integer(1, real_bits);
+inline constexpr real real_one = scaled_integer(1, real_bits);
 inline constexpr real log2_e(real_log2_e);
 inline constexpr real log_2(real_log_2);
 inline constexpr real log10_2(real_log10_2);
@@ -33,8 +33,8 @@ constexpr real half_of(real x) noexcept {
 }
 inline constexpr real half_pi = half_of(pi);
 
-/// The integer nearest to x * 2^fraction_bits, as nearest_units() of real.hpp; 2^35 if it is higher,
-/// which is beyond every format.
+/// The integer nearest to x * 2^fraction_bits, as nearest_units() of real.hpp; 2^35 if it is
+/// higher, which is beyond every format.
 constexpr std::int64_t nearest_units(real x, int fraction_bits) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 35;
   x.shift(fraction_bits + 1 - real_bits);
@@ -56,11 +56,11 @@ constexpr std::int64_t take_whole(real& x) noexcept {
 /// 2^x for 0 <= x < 1.
 constexpr void raise_two(real& x) noexcept {
   x *= log_2;
-  real sum = one;
+  real sum = real_one;
   for (digit n = 44; n > 0; --n) {
     sum *= x;
     sum /= n;
-    sum += one;
+    sum += real_one;
   }
   x = sum;
 }
@@ -74,12 +74,12 @@ constexpr real logarithm_of(std::int64_t m) noexcept {
   square *= z;
   real sum;
   for (digit n = 115; n > 1; n -= 2) {
-    real term = one;
+    real term = real_one;
     term /= n;
     sum += term;
     sum *= square;
   }
-  sum += one;
+  sum += real_one;
   z += z;
   sum *= z;
   sum *= log2_e;
@@ -92,27 +92,27 @@ constexpr void take_arctangent(real& x) noexcept {
   for (int i = 0; i < 5; ++i) fifth -= x;
   const bool is_high = fifth.negative();
   if (is_high) {
-    real sum = one;
+    real sum = real_one;
     sum += x;
     x.negate();
-    x += one;
+    x += real_one;
     x /= sum;
   }
   real squares = x;
   squares *= x;
-  squares += one;
-  real part = one;
+  squares += real_one;
+  real part = real_one;
   part /= squares;
   part.negate();
-  part += one;
-  real sum = one;
+  part += real_one;
+  real sum = real_one;
   for (digit k = 140; k > 0; k -= 2) {
     sum *= part;
     real factor = scaled_integer(k, real_bits);
     factor *= sum;
     sum = factor;
     sum /= static_cast<digit>(k + 1);
-    sum += one;
+    sum += real_one;
   }
   x /= squares;
   x *= sum;
@@ -126,12 +126,12 @@ constexpr void take_arctangent(real& x) noexcept {
 constexpr void take_sine(real& angle, bool is_cosine) noexcept {
   real square = angle;
   square *= angle;
-  real sum = one;
+  real sum = real_one;
   for (digit n = 56; n > 0; n -= 2) {
     sum *= square;
     sum /= static_cast<digit>(n * (is_cosine ? n - 1 : n + 1));
     sum.negate();
-    sum += one;
+    sum += real_one;
   }
   if (is_cosine) {
     angle = sum;

@@ -83,8 +83,7 @@ class real {
     const int whole = places >= 0 ? places / digit_bits : -((digit_bits - 1 - places) / digit_bits);
     const int rest = places - whole * digit_bits;
     for (int i = 0; i < real_digits; ++i) {
-      const two_digits both =
-          two_digits{old.at(i - whole)} << digit_bits | old.at(i - whole - 1);
+      const two_digits both = two_digits{old.at(i - whole)} << digit_bits | old.at(i - whole - 1);
       digits_[index(i)] = static_cast<digit>(both << rest >> digit_bits);
     }
   }
