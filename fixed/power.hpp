@@ -78,6 +78,12 @@ constexpr std::int64_t reciprocal_root(Number x) noexcept {
                                                   Number::fraction_bits);
 }
 
+/// The ulps of 1 / x for an x that is not 0.
+template <class Number>
+constexpr auto reciprocal_of(Number x) noexcept {
+  return nearest_reciprocal<ties_of<Number>, Number::fraction_bits>(x.raw());
+}
+
 }  // namespace detail::FIXED_FUNCTIONS
 
 inline namespace FIXED_FUNCTIONS {
@@ -116,14 +122,12 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> reciprocal(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  using wide = detail::signed_t<2 * F + detail::larger(detail::bits_of<Raw> - F, 2) + 2>;
   if (x.raw() == 0) {
     return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(),
                                                      "reciprocal", x);
   }
-  return detail::limited<number<Raw, F, P>>(
-      detail::rounded_ratio<detail::ties_of<number<Raw, F, P>>>(wide{1} << (2 * F), wide{x.raw()}),
-      "reciprocal", x);
+  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_of(x), "reciprocal",
+                                            x);
 }
 
 /// The length of the vector (x, y). There are no ties.

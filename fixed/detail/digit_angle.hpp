@@ -13,9 +13,9 @@
 
 namespace fixproof::detail::in_digits {
 
-/// The angle of (width, height), or of (-width, height), from 0 to pi. \pre both are not negative,
-/// nor are both 0
-constexpr std::int64_t angle_ulps(real height, real width, bool is_left,
+/// The angle of (width, height), or of (-width, height), from 0 to pi. Both are then other numbers.
+/// \pre both are not negative, nor are both 0
+constexpr std::int64_t angle_ulps(real& height, real& width, bool is_left,
                                   int fraction_bits) noexcept {
   real difference = width;
   difference -= height;
@@ -42,8 +42,9 @@ constexpr std::int64_t angle_ulps(real height, real width, bool is_left,
 constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
                                          int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
-  const std::int64_t angle =
-      angle_ulps(real(y < 0 ? -y : y), real(x < 0 ? -x : x), x < 0, fraction_bits);
+  real height(y < 0 ? -y : y);
+  real width(x < 0 ? -x : x);
+  const std::int64_t angle = angle_ulps(height, width, x < 0, fraction_bits);
   return y < 0 ? -angle : angle;
 }
 
@@ -54,8 +55,8 @@ constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
   // operand is 0.
   const auto square = static_cast<std::uint64_t>(known) * static_cast<std::uint64_t>(known);
   const int unused = 32 - fraction_bits;
-  const real other = known == 0 ? real_one : root_of(0 - (square << unused << unused));
-  const real given = scaled_integer(known, real_bits - fraction_bits);
+  real other = known == 0 ? real_one : root_of(0 - (square << unused << unused));
+  real given = scaled_integer(known, real_bits - fraction_bits);
   if (side == triangle_side::cosine) return angle_ulps(other, given, raw < 0, fraction_bits);
   const std::int64_t angle = angle_ulps(given, other, false, fraction_bits);
   return raw < 0 ? -angle : angle;

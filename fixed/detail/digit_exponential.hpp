@@ -18,12 +18,6 @@
 
 namespace fixproof::detail::in_digits {
 
-/// odd / 2 for a positive odd number, rounded by rule `ties`.
-constexpr std::int64_t rounded_half(std::int64_t odd, rounding ties) noexcept {
-  const std::int64_t low = odd >> 1;
-  return low + (ties == rounding::half_even ? low & 1 : ties == rounding::floor ? 0 : 1);
-}
-
 /// 2^x. Below 2^-200 it is 0, and from 2^37 on it is at least that.
 constexpr void take_power(real& x) noexcept {
   const std::int64_t whole = take_whole(x);
@@ -37,7 +31,7 @@ constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits, expon
   if (base == exponential_base::e) {
     power *= log2_e;
   } else if (x == std::int64_t{-1 - fraction_bits} * (std::int64_t{1} << 32)) {
-    return rounded_half(1, ties);
+    return rounded_half(false, ties);
   }
   take_power(power);
   return nearest_units(power, fraction_bits);

@@ -43,8 +43,9 @@ constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_
   real result = sine_of(angle.part, quarters % 2 != 0);
   const bool is_negative = (quarters & 2) != 0;
   // Of whole degrees, only the sines that are 1/2 are near it.
-  if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(result, 8) == 128) {
-    return ties == rounding::half_even ? 0 : !is_negative ? 1 : ties == rounding::half_up ? 0 : -1;
+  real copy = result;
+  if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(copy, 8) == 128) {
+    return rounded_half(is_negative, ties);
   }
   if (is_negative) result.negate();
   return nearest_units(result, fraction_bits);

@@ -10,6 +10,7 @@
 
 #include "fixed/detail/digits.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail::in_digits {
 
@@ -35,12 +36,19 @@ inline constexpr real half_pi = half_of(pi);
 
 /// The integer nearest to x * 2^fraction_bits, as nearest_units() of real.hpp; 2^35 if it is
 /// higher, which is beyond every format.
-constexpr std::int64_t nearest_units(real x, int fraction_bits) noexcept {
+constexpr std::int64_t nearest_units(real& x, int fraction_bits) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 35;
   x.shift(fraction_bits + 1 - real_bits);
   real room(2 * beyond);
   room -= x;
   return room.negative() ? beyond : (x.units() + 1) >> 1;
+}
+
+/// 1/2 or -1/2 rounded by rule `ties`, which is to nearest.
+constexpr std::int64_t rounded_half(bool is_negative, rounding ties) noexcept {
+  if (ties == rounding::half_even) return 0;
+  if (is_negative) return ties == rounding::half_up ? 0 : -1;
+  return 1;
 }
 
 /// Takes the whole part of x from it, and returns it. x is then from 0 to 1.

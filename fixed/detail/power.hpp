@@ -13,6 +13,7 @@
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
+#include "fixed/detail/storage.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
@@ -63,6 +64,13 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
     if (scaled == exact) return shift_right<R>(2 * low + 1, 1);
     return low + (scaled < exact ? 1 : 0);
   });
+}
+
+/// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule R. \pre raw is not 0
+template <rounding R, int FractionBits, class Raw>
+constexpr auto nearest_reciprocal(Raw raw) noexcept {
+  using wide = signed_t<2 * FractionBits + larger(bits_of<Raw> - FractionBits, 2) + 2>;
+  return rounded_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
 }
 
 /// A rational power: the integer nearest to it in ulps, or the news that the power is not rational
