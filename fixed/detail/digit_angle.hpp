@@ -42,10 +42,12 @@ constexpr std::int64_t angle_ulps(real& height, real& width, bool is_left,
 constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
                                          int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
-  real height(y < 0 ? -y : y);
-  real width(x < 0 ? -x : x);
-  const std::int64_t angle = angle_ulps(height, width, x < 0, fraction_bits);
-  return y < 0 ? -angle : angle;
+  for (int lowest = short_digit;; lowest = 0) {
+    real height = scaled_integer(y < 0 ? -y : y, real_bits - 32, lowest);
+    real width = scaled_integer(x < 0 ? -x : x, real_bits - 32, lowest);
+    const std::int64_t ulps = angle_ulps(height, width, x < 0, fraction_bits);
+    if (ulps != undecided) return y < 0 ? -ulps : ulps;
+  }
 }
 
 constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
@@ -55,11 +57,15 @@ constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
   // operand is 0.
   const auto square = static_cast<std::uint64_t>(known) * static_cast<std::uint64_t>(known);
   const int unused = 32 - fraction_bits;
-  real other = known == 0 ? real_one : root_of(0 - (square << unused << unused));
-  real given = scaled_integer(known, real_bits - fraction_bits);
-  if (side == triangle_side::cosine) return angle_ulps(other, given, raw < 0, fraction_bits);
-  const std::int64_t angle = angle_ulps(given, other, false, fraction_bits);
-  return raw < 0 ? -angle : angle;
+  for (int lowest = short_digit;; lowest = 0) {
+    real other = known == 0 ? real_one : root_of(0 - (square << unused << unused), lowest);
+    other.use_from(lowest);
+    real given = scaled_integer(known, real_bits - fraction_bits, lowest);
+    const bool is_sine = side == triangle_side::sine;
+    const std::int64_t ulps = is_sine ? angle_ulps(given, other, false, fraction_bits)
+                                      : angle_ulps(other, given, raw < 0, fraction_bits);
+    if (ulps != undecided) return is_sine && raw < 0 ? -ulps : ulps;
+  }
 }
 
 // Compilers limit the steps of a constant expression, so words compute it.

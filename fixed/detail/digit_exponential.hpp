@@ -18,6 +18,9 @@
 
 namespace fixproof::detail::in_digits {
 
+// The value is below 2^34 units of the result unless that is beyond every format. The error of a
+// short number is below 2^-76 of the value, so it is below 2^-42 of a unit.
+
 /// 2^x. Below 2^-200 it is 0, and from 2^37 on it is at least that.
 constexpr void take_power(real& x) noexcept {
   const std::int64_t whole = take_whole(x);
@@ -27,35 +30,41 @@ constexpr void take_power(real& x) noexcept {
 
 constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits, exponential_base base,
                                         rounding ties) noexcept {
-  real power = scaled_integer(x, real_bits - 32);
-  if (base == exponential_base::e) {
-    power *= log2_e;
-  } else if (x == std::int64_t{-1 - fraction_bits} * (std::int64_t{1} << 32)) {
+  if (base == exponential_base::two &&
+      x == std::int64_t{-1 - fraction_bits} * (std::int64_t{1} << 32)) {
     return rounded_half(false, ties);
   }
-  take_power(power);
-  return nearest_units(power, fraction_bits);
+  for (int lowest = short_digit;; lowest = 0) {
+    real power = scaled_integer(x, real_bits - 32, lowest);
+    if (base == exponential_base::e) power *= log2_e;
+    take_power(power);
+    const std::int64_t ulps = nearest_units(power, fraction_bits);
+    if (ulps != undecided) return ulps;
+  }
 }
 
 /// log2(raw / 2^fraction_bits). \pre 0 < raw < 2^33
-constexpr real logarithm_of(std::uint64_t raw, int fraction_bits) noexcept {
+constexpr real logarithm_of(std::uint64_t raw, int fraction_bits, int lowest) noexcept {
   int exponent = 32 - fraction_bits;
   for (; raw >> 32 == 0; raw <<= 1) --exponent;
-  real log = logarithm_of(static_cast<std::int64_t>(raw));
+  real log = logarithm_of(static_cast<std::int64_t>(raw), lowest);
   log += scaled_integer(exponent, real_bits);
   return log;
 }
 
 constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int fraction_bits,
                                       logarithm_base base) noexcept {
-  real log = logarithm_of(raw, fraction_bits);
-  if (base != logarithm_base::two) log *= base == logarithm_base::e ? log_2 : log10_2;
-  return nearest_units(log, fraction_bits);
+  for (int lowest = short_digit;; lowest = 0) {
+    real log = logarithm_of(raw, fraction_bits, lowest);
+    if (base != logarithm_base::two) log *= base == logarithm_base::e ? log_2 : log10_2;
+    const std::int64_t ulps = nearest_units(log, fraction_bits);
+    if (ulps != undecided) return ulps;
+  }
 }
 
 /// e^(x / 2^32), as take_power().
-constexpr real exponential_of(std::int64_t x) noexcept {
-  real power = scaled_integer(x, real_bits - 32);
+constexpr real exponential_of(std::int64_t x, int lowest) noexcept {
+  real power = scaled_integer(x, real_bits - 32, lowest);
   power *= log2_e;
   take_power(power);
   return power;
@@ -63,23 +72,29 @@ constexpr real exponential_of(std::int64_t x) noexcept {
 
 constexpr std::int64_t hyperbolic_ulps(std::int64_t x, int fraction_bits,
                                        hyperbola function) noexcept {
-  real sum = exponential_of(-x);
-  if (function == hyperbola::sine) sum.negate();
-  sum += exponential_of(x);
-  sum.shift(-1);
-  return nearest_units(sum, fraction_bits);
+  for (int lowest = short_digit;; lowest = 0) {
+    real sum = exponential_of(-x, lowest);
+    if (function == hyperbola::sine) sum.negate();
+    sum += exponential_of(x, lowest);
+    sum.shift(-1);
+    const std::int64_t ulps = nearest_units(sum, fraction_bits);
+    if (ulps != undecided) return ulps;
+  }
 }
 
 /// Beyond 13 it is 1, as 2 e^-26 is below 2^-36.
 constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits) noexcept {
   if (x >= std::int64_t{13} << 32) return std::int64_t{1} << fraction_bits;
-  real numerator = exponential_of(-2 * x);
-  real denominator = numerator;
-  denominator += real_one;
-  numerator.negate();
-  numerator += real_one;
-  numerator /= denominator;
-  return nearest_units(numerator, fraction_bits);
+  for (int lowest = short_digit;; lowest = 0) {
+    real numerator = exponential_of(-2 * x, lowest);
+    real denominator = numerator;
+    denominator += real_one;
+    numerator.negate();
+    numerator += real_one;
+    numerator /= denominator;
+    const std::int64_t ulps = nearest_units(numerator, fraction_bits);
+    if (ulps != undecided) return ulps;
+  }
 }
 
 // Compilers limit the steps of a constant expression, so words compute it.

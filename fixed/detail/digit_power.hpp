@@ -100,12 +100,17 @@ constexpr std::int64_t power_ulps(std::uint64_t raw, std::int64_t exponent, int 
     const std::int64_t low = odd >> 1;
     return low + (ties == rounding::half_even ? low & 1 : ties == rounding::floor ? 0 : 1);
   }
-  real power = logarithm_of(raw, fraction_bits);
-  if (exponent < 0) power.negate();
-  power *= scaled_integer(exponent < 0 ? -exponent : exponent, real_bits);
-  power.shift(-fraction_bits);
-  take_power(power);
-  return nearest_units(power, fraction_bits);
+  const std::int64_t magnitude = exponent < 0 ? -exponent : exponent;
+  // y multiplies the error of the logarithm. Below 2^16 it makes that less than 2^-60 of the value.
+  for (int lowest = magnitude >> (fraction_bits + 16) == 0 ? short_digit : 0;; lowest = 0) {
+    real power = logarithm_of(raw, fraction_bits, lowest);
+    if (exponent < 0) power.negate();
+    power *= scaled_integer(magnitude, real_bits);
+    power.shift(-fraction_bits);
+    take_power(power);
+    const std::int64_t ulps = nearest_units(power, fraction_bits);
+    if (ulps != undecided) return ulps;
+  }
 }
 
 // Compilers limit the steps of a constant expression, so words compute it.

@@ -22,7 +22,12 @@ inline constexpr int real_digits = 224 / digit_bits;
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-/// An integer of 224 bits in two's complement, which counts units of 2^-184.
+/// The lowest digit of short numbers, which have 88 bits after the point: enough for almost every
+/// result, in a fraction of the time.
+inline constexpr int short_digit = 6;
+
+/// An integer of 224 bits in two's complement, which counts units of 2^-184, or 2^-88 if it is
+/// short. An operation rounds to the units of the number that it changes.
 class real {
  public:
   constexpr real() noexcept = default;
@@ -47,7 +52,12 @@ class real {
     return digits_[index(real_digits - 1)] >> (digit_bits - 1) != 0;
   }
 
-  /// The units modulo 2^64.
+  [[nodiscard]] constexpr int lowest() const noexcept { return lowest_; }
+
+  /// Makes digit `lowest` the lowest in use. \pre those below it are 0
+  constexpr void use_from(int lowest) noexcept { lowest_ = lowest; }
+
+  /// The units of 2^-184 modulo 2^64.
   [[nodiscard]] constexpr std::int64_t units() const noexcept {
     std::uint64_t low = 0;
     for (int i = 64 / digit_bits; i-- > 0;) low = low << digit_bits | digits_[index(i)];
@@ -56,7 +66,7 @@ class real {
 
   /// Adds b, and a unit if `carry` is 1. All sums are modulo 2^224.
   constexpr void add(const real& b, two_digits carry) noexcept {
-    for (int i = 0; i < real_digits; ++i) {
+    for (int i = lowest_; i < real_digits; ++i) {
       carry += two_digits{digits_[index(i)]} + b.digits_[index(i)];
       digits_[index(i)] = static_cast<digit>(carry);
       carry >>= digit_bits;
@@ -66,7 +76,9 @@ class real {
   constexpr void operator+=(const real& b) noexcept { add(b, 0); }
 
   constexpr void negate() noexcept {
-    for (digit& place : digits_) place = static_cast<digit>(~place);
+    for (int i = lowest_; i < real_digits; ++i) {
+      digits_[index(i)] = static_cast<digit>(~digits_[index(i)]);
+    }
     add(real(), 1);
   }
 
@@ -82,7 +94,7 @@ class real {
     const real old = *this;
     const int whole = places >= 0 ? places / digit_bits : -((digit_bits - 1 - places) / digit_bits);
     const int rest = places - whole * digit_bits;
-    for (int i = 0; i < real_digits; ++i) {
+    for (int i = lowest_; i < real_digits; ++i) {
       const two_digits both = two_digits{old.at(i - whole)} << digit_bits | old.at(i - whole - 1);
       digits_[index(i)] = static_cast<digit>(both << rest >> digit_bits);
     }
@@ -95,24 +107,24 @@ class real {
     real factor = b;
     factor.shift(192 - real_bits);
     std::array<digit, index(whole + 2 * real_digits)> sum{};
-    for (int i = 0; i < whole + real_digits; ++i) {
+    for (int i = lowest_; i < whole + real_digits; ++i) {
       const two_digits each = at(i);
       if (each == 0) continue;
       two_digits carry = 0;
-      for (int k = 0; k < real_digits; ++k) {
+      for (int k = lowest_; k < real_digits; ++k) {
         carry += each * factor.digits_[index(k)] + sum[index(i + k)];
         sum[index(i + k)] = static_cast<digit>(carry);
         carry >>= digit_bits;
       }
       sum[index(i + real_digits)] = static_cast<digit>(carry);
     }
-    for (int i = 0; i < real_digits; ++i) digits_[index(i)] = sum[index(i + whole)];
+    for (int i = lowest_; i < real_digits; ++i) digits_[index(i)] = sum[index(i + whole)];
   }
 
   /// The quotient, rounded down. \pre *this >= 0, n > 0
   constexpr void operator/=(digit n) noexcept {
     two_digits rest = 0;
-    for (int i = real_digits; i-- > 0;) {
+    for (int i = real_digits; i-- > lowest_;) {
       rest = rest << digit_bits | digits_[index(i)];
       digits_[index(i)] = static_cast<digit>(rest / n);
       rest %= n;
@@ -122,10 +134,15 @@ class real {
   /// The quotient, rounded down. \pre *this >= 0, b > 0, the quotient is below 2^39
   constexpr void operator/=(const real& b) noexcept {
     // One bit at a time. Those of the quotient take the places of those of the dividend.
+    real minus = b;
+    minus.use_from(lowest_);
+    minus.negate();
     real rest;
-    for (int i = 0; i < real_digits * digit_bits + real_bits; ++i) {
+    rest.use_from(lowest_);
+    const int steps = real_digits * digit_bits + real_bits - 2 * lowest_ * digit_bits;
+    for (int i = 0; i < steps; ++i) {
       rest.add(rest, negative() ? 1 : 0);
-      rest -= b;
+      rest += minus;
       const bool fits = !rest.negative();
       if (!fits) rest += b;
       add(*this, fits ? 1 : 0);
@@ -141,6 +158,7 @@ class real {
   }
 
   std::array<digit, index(real_digits)> digits_{};
+  int lowest_ = 0;
 };
 
 }  // namespace fixproof::detail::in_digits

@@ -127,10 +127,10 @@ TEST_F(Digits, PartsAreThoseOfWords) {
     expect_same(both.cosine, cosine, x);
 
     const std::int64_t m = (std::int64_t{1} << 32) + positive(32);
-    expect_same(words::precise_logarithm(static_cast<std::uint64_t>(m)), digits::logarithm_of(m),
+    expect_same(words::precise_logarithm(static_cast<std::uint64_t>(m)), digits::logarithm_of(m, 0),
                 x);
     const auto squares = static_cast<std::uint64_t>(any(63));
-    expect_same(words::precise_side(squares, 32), digits::root_of(squares), x);
+    expect_same(words::precise_side(squares, 32), digits::root_of(squares, 0), x);
   }
   digits::real quarter = digits::real_one;
   digits::take_arctangent(quarter);
@@ -142,7 +142,7 @@ TEST_F(Digits, PhasesAreThoseOfWords) {
     const std::int64_t raw = any(32);
     const int fraction_bits = below(33);
     const auto check = [&](const auto& word, angle_unit unit) {
-      digits::phase digit = digits::phase_of(raw, fraction_bits, unit);
+      digits::phase digit = digits::phase_of(raw, fraction_bits, unit, 0);
       digit.part *= digits::half_pi;
       ASSERT_EQ(word.quarters, static_cast<unsigned>(digit.quarters) % 4) << raw;
       ASSERT_EQ(bits_of(word.rest), bits_of(digit.part)) << raw << ' ' << fraction_bits;
