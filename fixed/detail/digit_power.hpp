@@ -19,9 +19,10 @@ namespace fixproof::detail::in_digits {
 ///
 /// o counts units of 2^-36, so that every product is exact. \param bound in units of 2^-108
 constexpr std::int64_t nearest_root(std::uint64_t raw, const real& bound, bool is_cube) noexcept {
+  constexpr int lowest = (real_bits - 108) / digit_bits;
   std::int64_t root = 0;
   for (std::int64_t bit = std::int64_t{1} << 34; bit > 0; bit >>= 1) {
-    const real odd = scaled_integer(2 * (root + bit) - 1, real_bits - 36);
+    const real odd = scaled_integer(2 * (root + bit) - 1, real_bits - 36, lowest);
     real product = odd;
     product *= odd;
     product *= is_cube ? odd : scaled_integer(static_cast<std::int64_t>(raw), real_bits - 36);

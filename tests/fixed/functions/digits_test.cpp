@@ -137,6 +137,52 @@ TEST_F(Digits, PartsAreThoseOfWords) {
   EXPECT_EQ(bits_of(words::precise_arctangent(words::real_one)), bits_of(quarter));
 }
 
+/// The distance of a short number from a long one is below 2^-bits.
+void expect_near(digits::real is_short, const digits::real& is_long, int bits = 77) {
+  ASSERT_NE(is_short.lowest(), 0);
+  is_short.use_from(0);
+  is_short -= is_long;
+  if (is_short.negative()) is_short.negate();
+  is_short -= digits::scaled_integer(1, digits::real_bits - bits);
+  ASSERT_TRUE(is_short.negative());
+}
+
+TEST_F(Digits, ShortPartsHaveTheirError) {
+  // The lowest bit of an operand is 2^-63, that of a word 2^-32.
+  const auto check = [](const digits::real& x, const auto& take) {
+    digits::real is_long = x;
+    take(is_long);
+    digits::real is_short = x;
+    is_short.use_from(digits::short_digit);
+    take(is_short);
+    expect_near(is_short, is_long);
+  };
+  for (int i = 0; i < 500; ++i) {
+    const std::int64_t highest = std::numeric_limits<std::int64_t>::max();
+    const digits::real x = digits::scaled_integer(i == 0 ? highest : positive(63), 121);
+    check(x, [](digits::real& power) { digits::raise_two(power); });
+    check(x, [](digits::real& angle) { digits::take_arctangent(angle); });
+    check(x, [](digits::real& part) { part = digits::sine_of(part, false); });
+    check(x, [](digits::real& part) { part = digits::sine_of(part, true); });
+    check(x, [](digits::real& n) {
+      n /= digits::scaled_integer(3, digits::real_bits - 1, n.lowest());
+    });
+    const std::int64_t m = (std::int64_t{1} << 32) + (i == 0 ? 0xffffffff : positive(32));
+    expect_near(digits::logarithm_of(m, digits::short_digit), digits::logarithm_of(m, 0));
+    const auto squares = static_cast<std::uint64_t>(any(63));
+    expect_near(digits::root_of(squares, digits::short_digit), digits::root_of(squares, 0));
+
+    const std::int64_t raw = any(32);
+    const int fraction_bits = below(33);
+    for (const angle_unit unit : {angle_unit::radian, angle_unit::degree, angle_unit::turn}) {
+      const auto is_short = digits::phase_of(raw, fraction_bits, unit, digits::short_digit);
+      const auto is_long = digits::phase_of(raw, fraction_bits, unit, 0);
+      ASSERT_EQ(is_short.quarters, is_long.quarters) << raw << ' ' << fraction_bits;
+      expect_near(is_short.part, is_long.part, 88 - 33 + fraction_bits);
+    }
+  }
+}
+
 TEST_F(Digits, PhasesAreThoseOfWords) {
   for (int i = 0; i < 1000; ++i) {
     const std::int64_t raw = any(32);
