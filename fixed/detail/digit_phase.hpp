@@ -62,8 +62,8 @@ constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_u
     const bool is_steep = angle.quarters % 2 != 0;
     real numerator = sine_of(angle.part, is_steep);
     const real denominator = sine_of(angle.part, !is_steep);
-    // An error multiplies by the square of the tangent, so short numbers are for tangents below
-    // 2^8: it is below 2^(51 - fraction_bits - 88).
+    // The square of the tangent multiplies an error, so short numbers are for tangents below 2^8:
+    // it is below 2^(51 - fraction_bits - 88) + 2^-60.
     real least = numerator;
     least.shift(lowest == 0 ? -34 : -8);
     least -= denominator;

@@ -257,6 +257,11 @@ const std::array of_positive{
     BOTH("log", nearest_logarithm<logarithm_base::e>(magnitude(x), f)),
     BOTH("log10", nearest_logarithm<logarithm_base::ten>(magnitude(x), f)),
     BOTH("rsqrt", nearest_reciprocal_root<R>(magnitude(x), f)),
+};
+
+// `floor` is the rule for ties of negative powers.
+template <rounding R>
+const std::array powers{
     BOTH("pow", nearest_real_power<R>(magnitude(x), y, f)),
 };
 
@@ -285,6 +290,7 @@ void expect_same_functions(std::int64_t x, std::int64_t y, int f) {
     expect_same(of_angles, x, y, f);
   }
   if (x != 0) expect_same(of_positive<R>, x, y, f);
+  if (x != 0) expect_same(powers<R>, x, y, f);
   if (magnitude(x) <= std::uint64_t{1} << f) expect_same(of_unit, x, y, f);
 }
 
@@ -309,15 +315,26 @@ TEST_F(Digits, FunctionsAreThoseOfWords) {
     } else if (i % 4 == 2) {
       expect_same_functions<rounding::half_up>(x, y, f);
     } else if (x != 0) {
-      // The rule for powers of negative numbers
-      const auto of = magnitude(x);
-      ASSERT_EQ(words::nearest_real_power<rounding::floor>(of, y, f) >> 33 == 0
-                    ? words::nearest_real_power<rounding::floor>(of, y, f)
-                    : 0,
-                digits::nearest_real_power<rounding::floor>(of, y, f) >> 33 == 0
-                    ? digits::nearest_real_power<rounding::floor>(of, y, f)
-                    : 0)
-          << x << ' ' << y << ' ' << f;
+      expect_same(powers<rounding::floor>, x, y, f);
+    }
+  }
+}
+
+// Small operands have all ties: 1.5^2 is 4.5 halves.
+TEST_F(Digits, TiesAreThoseOfWords) {
+  for (int f = 0; f < 4; ++f) {
+    for (std::int64_t x = 1; x <= 64; ++x) {
+      for (int quarters = -12; quarters <= 12; ++quarters) {
+        const std::int64_t y = quarters * (std::int64_t{1} << f) / 4;
+        expect_same(powers<rounding::half_up>, x, y, f);
+        expect_same(powers<rounding::half_even>, x, y, f);
+        expect_same(powers<rounding::floor>, x, y, f);
+      }
+      for (const std::int64_t either : {x, -x}) {
+        expect_same_functions<rounding::half_up>(either, 1, f);
+        expect_same_functions<rounding::half_even>(either, 1, f);
+        expect_same_functions<rounding::half_away>(either, 1, f);
+      }
     }
   }
 }
