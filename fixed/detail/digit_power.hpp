@@ -10,7 +10,6 @@
 #include "fixed/detail/digit_series.hpp"
 #include "fixed/detail/power.hpp"
 #include "fixed/detail/rounding.hpp"
-#include "fixed/detail/storage.hpp"
 
 namespace fixproof::detail::in_digits {
 
@@ -46,19 +45,6 @@ constexpr std::int64_t reciprocal_root_ulps(std::uint64_t raw, int fraction_bits
   const int exponent = 3 * fraction_bits + 2;
   if (exponent < 34 && raw == std::uint64_t{1} << exponent) return rounded_half(false, ties);
   return nearest_root(raw, scaled_integer(1, exponent + real_bits - 108), false);
-}
-
-/// 1 / (raw / 2^fraction_bits). Only a half is a tie. \pre raw is not 0
-constexpr std::int64_t reciprocal_ulps(std::int64_t raw, int fraction_bits,
-                                       rounding ties) noexcept {
-  const bool is_negative = raw < 0;
-  if (is_negative) raw = -raw;
-  const int exponent = 2 * fraction_bits + 1;
-  if (exponent < 33 && raw == std::int64_t{1} << exponent) return rounded_half(is_negative, ties);
-  real quotient = scaled_integer(1, fraction_bits);
-  quotient /= real(raw);
-  const std::int64_t ulps = nearest_units(quotient, fraction_bits);
-  return is_negative ? -ulps : ulps;
 }
 
 /// The odd number of half ulps that x^y is, or 0 if it is no tie or out of range, for
@@ -125,16 +111,6 @@ template <rounding R>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
   if (std::is_constant_evaluated()) return detail::nearest_reciprocal_root<R>(raw, fraction_bits);
   return reciprocal_root_ulps(raw, fraction_bits, R);
-}
-
-/// Constant expressions have enough steps for a division. A wider number is divided as a word.
-template <rounding R, int FractionBits, class Raw>
-constexpr auto nearest_reciprocal(Raw raw) noexcept {
-  if constexpr (bits_of < Raw >> 32) {
-    return detail::nearest_reciprocal<R, FractionBits>(raw);
-  } else {
-    return reciprocal_ulps(std::int64_t{raw}, FractionBits, R);
-  }
 }
 
 template <rounding R>
