@@ -16,7 +16,7 @@ namespace fixproof::detail::in_digits {
 /// An angle as a whole number of quarter turns, and a part of one from 0 to 1. In short numbers the
 /// error of the part is below 2^(33 - fraction_bits - 88).
 struct phase {
-  std::int64_t quarters;
+  std::int64_t quarters = 0;
   real part;
 };
 

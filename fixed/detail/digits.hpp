@@ -24,7 +24,7 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 
 /// The lowest digit of short numbers, which have 88 bits after the point: enough for almost every
 /// result, in a fraction of the time.
-inline constexpr int short_digit = 6;
+inline constexpr int short_digit = 96 / digit_bits;
 
 /// An integer of 224 bits in two's complement, which counts units of 2^-184, or 2^-88 if it is
 /// short. An operation rounds to the units of the number that it changes.
