@@ -107,7 +107,7 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   if (m > 1) {
     for (std::int64_t i = 0; i < n; ++i) {
       power = power * int128{m};
-      if (int128{1} << 66 < power) return unknown;
+      if ((int128{1} << 66) < power) return unknown;
     }
   }
   constexpr std::int64_t far_out = 100;
