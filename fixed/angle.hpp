@@ -11,14 +11,21 @@
 
 #include <cstdint>
 
+#include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/limited.hpp"
+#include "fixed/detail/variant.hpp"
+#include "fixed/number.hpp"
+
+#if defined(FIXED_SMALL)
+#include "fixed/detail/digit_angle.hpp"
+#else
 #include "fixed/detail/arcsine.hpp"
 #include "fixed/detail/arctangent.hpp"
-#include "fixed/detail/limited.hpp"
-#include "fixed/number.hpp"
+#endif
 
 namespace fixproof {
 
-namespace detail {
+namespace detail::FIXED_FUNCTIONS {
 
 template <class Number, class... Operands>
 constexpr Number angle_of(std::int64_t y, std::int64_t x, const char* function,
@@ -37,7 +44,9 @@ constexpr Number triangle_angle(Number x, const char* function) noexcept(Number:
   return limited<Number>(nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits), function, x);
 }
 
-}  // namespace detail
+}  // namespace detail::FIXED_FUNCTIONS
+
+inline namespace FIXED_FUNCTIONS {
 
 /// The angle whose tangent is x, from -pi/2 to pi/2.
 ///
@@ -46,7 +55,8 @@ constexpr Number triangle_angle(Number x, const char* function) noexcept(Number:
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> atan(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::angle_of<number<Raw, F, P>>(x.raw(), std::int64_t{1} << F, "atan", x);
+  return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(x.raw(), std::int64_t{1} << F, "atan",
+                                                              x);
 }
 
 /// The angle of the vector (x, y), from -pi to pi; 0 if both are 0.
@@ -56,7 +66,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> atan2(number<Raw, F, P> y, number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::angle_of<number<Raw, F, P>>(y.raw(), x.raw(), "atan2", y, x);
+  return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(y.raw(), x.raw(), "atan2", y, x);
 }
 
 /// The angle whose sine is x, from -pi/2 to pi/2. Unless -1 <= x <= 1 it throws a domain_error
@@ -66,7 +76,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> asin(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::triangle_angle<detail::triangle_side::sine>(x, "asin");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine>(x, "asin");
 }
 
 /// The angle whose cosine is x, from 0 to pi. Unless -1 <= x <= 1, as asin().
@@ -75,7 +85,8 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> acos(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::triangle_angle<detail::triangle_side::cosine>(x, "acos");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine>(x, "acos");
 }
 
+}  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -13,15 +13,21 @@
 #include <cstdint>
 #include <limits>
 
-#include "fixed/detail/exponential.hpp"
-#include "fixed/detail/hyperbolic.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/storage.hpp"
+#include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
+
+#if defined(FIXED_SMALL)
+#include "fixed/detail/digit_exponential.hpp"
+#else
+#include "fixed/detail/exponential.hpp"
+#include "fixed/detail/hyperbolic.hpp"
+#endif
 
 namespace fixproof {
 
-namespace detail {
+namespace detail::FIXED_FUNCTIONS {
 
 /// The operand in units of 2^-32, limited to +-64: beyond, every result is out of range or flat.
 template <class Number>
@@ -69,7 +75,16 @@ constexpr std::int64_t hyperbolic(Number x) noexcept {
   return nearest_hyperbolic<Function>(units < 0 ? -units : units, Number::fraction_bits);
 }
 
-}  // namespace detail
+/// tanh of the magnitude of x.
+template <class Number>
+constexpr std::int64_t hyperbolic_tangent(Number x) noexcept {
+  const std::int64_t units = exponent_units(x);
+  return nearest_hyperbolic_tangent(units < 0 ? -units : units, Number::fraction_bits);
+}
+
+}  // namespace detail::FIXED_FUNCTIONS
+
+inline namespace FIXED_FUNCTIONS {
 
 /// 2 to the power of x.
 ///
@@ -78,7 +93,7 @@ constexpr std::int64_t hyperbolic(Number x) noexcept {
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::exponential<detail::exponential_base::two>(x, 0, "exp2");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two>(x, 0, "exp2");
 }
 
 /// e to the power of x.
@@ -87,7 +102,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::exponential<detail::exponential_base::e>(x, 0, "exp");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e>(x, 0, "exp");
 }
 
 /// e to the power of x, minus 1.
@@ -96,7 +111,8 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> expm1(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::exponential<detail::exponential_base::e>(x, std::int64_t{1} << F, "expm1");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e>(x, std::int64_t{1} << F,
+                                                                           "expm1");
 }
 
 /// The natural logarithm. Unless x > 0 it throws a domain_error under overflow::trap, and is the
@@ -106,7 +122,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::e>(x, 0, "log");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, 0, "log");
 }
 
 /// The natural logarithm of 1 + x. Unless x > -1, as log().
@@ -115,7 +131,8 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log1p(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::e>(x, std::int64_t{1} << F, "log1p");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, std::int64_t{1} << F,
+                                                                       "log1p");
 }
 
 /// The logarithm to base 2. Unless x > 0, as log().
@@ -124,7 +141,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::two>(x, 0, "log2");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two>(x, 0, "log2");
 }
 
 /// The logarithm to base 10. Unless x > 0, as log().
@@ -133,7 +150,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log10(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::logarithm<detail::logarithm_base::ten>(x, 0, "log10");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten>(x, 0, "log10");
 }
 
 /// The hyperbolic sine, (e^x - e^-x) / 2.
@@ -142,7 +159,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sinh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  const std::int64_t ulps = detail::hyperbolic<detail::hyperbola::sine>(x);
+  const std::int64_t ulps = detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine>(x);
   return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "sinh", x);
 }
 
@@ -152,8 +169,8 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cosh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::limited<number<Raw, F, P>>(detail::hyperbolic<detail::hyperbola::cosine>(x),
-                                            "cosh", x);
+  return detail::limited<number<Raw, F, P>>(
+      detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine>(x), "cosh", x);
 }
 
 /// The hyperbolic tangent, sinh(x) / cosh(x).
@@ -162,9 +179,9 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tanh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  const std::int64_t units = detail::exponent_units(x);
-  const std::int64_t ulps = detail::nearest_hyperbolic_tangent(units < 0 ? -units : units, F);
+  const std::int64_t ulps = detail::FIXED_FUNCTIONS::hyperbolic_tangent(x);
   return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "tanh", x);
 }
 
+}  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -14,15 +14,21 @@
 #include <type_traits>
 
 #include "fixed/detail/limited.hpp"
-#include "fixed/detail/power.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/storage.hpp"
+#include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
+
+#if defined(FIXED_SMALL)
+#include "fixed/detail/digit_power.hpp"
+#else
+#include "fixed/detail/power.hpp"
+#endif
 
 namespace fixproof {
 
-namespace detail {
+namespace detail::FIXED_FUNCTIONS {
 
 /// The root of a sum of squares, to nearest.
 template <class Number, class... Coordinates>
@@ -56,7 +62,31 @@ constexpr std::int64_t power_of(Number x, Number y) noexcept {
                  : nearest_real_power<ties>(magnitude, y.raw(), F));
 }
 
-}  // namespace detail
+/// The ulps of the cube root.
+template <class Number>
+constexpr std::int64_t cube_root(Number x) noexcept {
+  const std::int64_t raw{x.raw()};
+  const std::int64_t root =
+      nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
+  return raw < 0 ? -root : root;
+}
+
+/// The ulps of 1 / sqrt(x) for x > 0.
+template <class Number>
+constexpr std::int64_t reciprocal_root(Number x) noexcept {
+  return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
+                                                  Number::fraction_bits);
+}
+
+/// The ulps of 1 / x for an x that is not 0.
+template <class Number>
+constexpr auto reciprocal_of(Number x) noexcept {
+  return nearest_reciprocal<ties_of<Number>, Number::fraction_bits>(x.raw());
+}
+
+}  // namespace detail::FIXED_FUNCTIONS
+
+inline namespace FIXED_FUNCTIONS {
 
 /// The cube root.
 ///
@@ -66,10 +96,7 @@ template <class Raw, int F, policy P>
     number<Raw, F, P>::never_throws) {
   static_assert(detail::has_functions<number<Raw, F, P>>,
                 "cbrt needs a format of at most 32 bits: convert, as in cbrt(q16_16(x))");
-  const std::int64_t raw{x.raw()};
-  const std::int64_t root =
-      detail::nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), F);
-  return detail::limited<number<Raw, F, P>>(raw < 0 ? -root : root, "cbrt", x);
+  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt", x);
 }
 
 /// 1 / sqrt(x). Unless x > 0 it throws a domain_error under overflow::trap, and is the highest
@@ -84,10 +111,8 @@ template <class Raw, int F, policy P>
   if (x.raw() <= 0) {
     return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(), "rsqrt", x);
   }
-  return detail::limited<number<Raw, F, P>>(
-      detail::nearest_reciprocal_root<detail::ties_of<number<Raw, F, P>>>(
-          static_cast<std::uint64_t>(x.raw()), F),
-      "rsqrt", x);
+  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_root(x), "rsqrt",
+                                            x);
 }
 
 /// 1 / x to nearest, whereas the operator / rounds as its policy says. For zero it throws a
@@ -97,14 +122,12 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> reciprocal(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  using wide = detail::signed_t<2 * F + detail::larger(detail::bits_of<Raw> - F, 2) + 2>;
   if (x.raw() == 0) {
     return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(),
                                                      "reciprocal", x);
   }
-  return detail::limited<number<Raw, F, P>>(
-      detail::rounded_ratio<detail::ties_of<number<Raw, F, P>>>(wide{1} << (2 * F), wide{x.raw()}),
-      "reciprocal", x);
+  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_of(x), "reciprocal",
+                                            x);
 }
 
 /// The length of the vector (x, y). There are no ties.
@@ -113,7 +136,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> hypot(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::length<number<Raw, F, P>>(x, y);
+  return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y);
 }
 
 /// The length of the vector (x, y, z).
@@ -123,7 +146,7 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> hypot(
     number<Raw, F, P> x, number<Raw, F, P> y,
     number<Raw, F, P> z) noexcept(number<Raw, F, P>::never_throws) {
-  return detail::length<number<Raw, F, P>>(x, y, z);
+  return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y, z);
 }
 
 /// x to the power of y; 1 if y is 0. For a negative x, y must be a whole number, and for x = 0 it
@@ -146,7 +169,8 @@ template <class Raw, int F, policy P>
   if (x.raw() < 0 && exponent % (std::int64_t{1} << F) != 0) {
     return detail::outside_domain<result>(0, "pow", x, y);
   }
-  return detail::limited<result>(detail::power_of(x, y), "pow", x, y);
+  return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);
 }
 
+}  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -14,14 +14,21 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/limited.hpp"
-#include "fixed/detail/phase.hpp"
+#include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 #include "fixed/trig.hpp"
 
+#if defined(FIXED_SMALL)
+#include "fixed/detail/digit_phase.hpp"
+#else
+#include "fixed/detail/phase.hpp"
+#endif
+
 namespace fixproof {
 
-namespace detail {
+namespace detail::FIXED_FUNCTIONS {
 
 template <angle_unit Unit, class Number>
 constexpr Number sine_of(Number x, unsigned ahead,
@@ -43,7 +50,9 @@ constexpr Number tangent_of(Number x, const char* function) noexcept(Number::nev
   return limited<Number>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits), function, x);
 }
 
-}  // namespace detail
+}  // namespace detail::FIXED_FUNCTIONS
+
+inline namespace FIXED_FUNCTIONS {
 
 /// The sine of an angle in radians.
 ///
@@ -51,7 +60,7 @@ constexpr Number tangent_of(Number x, const char* function) noexcept(Number::nev
 template <class Raw, int F, policy P>
 requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> sin(
     number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
-  return detail::sine_of<detail::angle_unit::radian>(angle, 0, "sin");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian>(angle, 0, "sin");
 }
 
 /// The cosine of an angle in radians.
@@ -60,7 +69,7 @@ requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P>
 template <class Raw, int F, policy P>
 requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> cos(
     number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
-  return detail::sine_of<detail::angle_unit::radian>(angle, 1, "cos");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian>(angle, 1, "cos");
 }
 
 /// The tangent of an angle in radians.
@@ -69,7 +78,7 @@ requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::tangent_of<detail::angle_unit::radian>(angle, "tan");
+  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian>(angle, "tan");
 }
 
 /// The sine of an angle in degrees.
@@ -78,7 +87,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sin_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::sine_of<detail::angle_unit::degree>(angle, 0, "sin_of_degrees");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 0, "sin_of_degrees");
 }
 
 /// The cosine of an angle in degrees.
@@ -87,7 +96,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cos_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::sine_of<detail::angle_unit::degree>(angle, 1, "cos_of_degrees");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 1, "cos_of_degrees");
 }
 
 /// The tangent of an angle in degrees. That of an odd number of quarter turns is a domain_error
@@ -97,7 +106,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::tangent_of<detail::angle_unit::degree>(angle, "tan_of_degrees");
+  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree>(angle, "tan_of_degrees");
 }
 
 /// The sine of an angle in turns.
@@ -106,7 +115,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sin_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::sine_of<detail::angle_unit::turn>(angle, 0, "sin_of_turns");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 0, "sin_of_turns");
 }
 
 /// The cosine of an angle in turns.
@@ -115,7 +124,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cos_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::sine_of<detail::angle_unit::turn>(angle, 1, "cos_of_turns");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 1, "cos_of_turns");
 }
 
 /// The tangent of an angle in turns. That of an odd number of quarter turns is a domain_error under
@@ -125,7 +134,8 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
-  return detail::tangent_of<detail::angle_unit::turn>(angle, "tan_of_turns");
+  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn>(angle, "tan_of_turns");
 }
 
+}  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

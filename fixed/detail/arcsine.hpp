@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/square_root.hpp"
 
 namespace fixproof::detail {
@@ -39,8 +40,6 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
 constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
   return nearest_sqrt_by_pairs<real_bits>(real{squares} << (2 * (real_bits - fraction_bits)));
 }
-
-enum class triangle_side { sine, cosine };
 
 /// The arcsine or arccosine of raw / 2^fraction_bits in units of 2^-fraction_bits.
 /// \pre |raw| <= 2^fraction_bits <= 2^32

@@ -12,14 +12,13 @@
 #include <cstdint>
 
 #include "fixed/detail/cosine.hpp"
+#include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/precise_exponential.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail {
-
-enum class exponential_base { two, e };
 
 /// 2^(x / 2^64) in units of 2^-63, at most 15 units too low and never too high.
 ///
@@ -104,8 +103,6 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
     return nearest_precise_power(precise, fraction_bits);
   });
 }
-
-enum class logarithm_base { two, e, ten };
 
 /// The logarithm of 2 in a base.
 struct logarithm_scale {

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "fixed/detail/exponential.hpp"
+#include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -33,8 +34,6 @@ constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
   const std::int64_t shift = 1 - exponent.whole;
   return shift < 64 ? static_cast<std::int64_t>(power_of_two(exponent.fraction) >> shift) : 0;
 }
-
-enum class hyperbola { sine, cosine };
 
 /// sinh or cosh of x / 2^32 in units of 2^-fraction_bits; 2^35 for every result that is not below
 /// 2^33 units. \pre 0 <= x <= 2^38

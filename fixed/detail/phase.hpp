@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "fixed/detail/cosine.hpp"
+#include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
@@ -17,8 +18,6 @@
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
-
-enum class angle_unit { radian, degree, turn };
 
 /// An angle in units of 2^-64 of a turn, modulo a turn. The error is at most 1 + 2^-32 units.
 template <angle_unit Unit>

@@ -13,6 +13,7 @@
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
+#include "fixed/detail/storage.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
@@ -65,6 +66,13 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
   });
 }
 
+/// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule R. \pre raw is not 0
+template <rounding R, int FractionBits, class Raw>
+constexpr auto nearest_reciprocal(Raw raw) noexcept {
+  using wide = signed_t<2 * FractionBits + larger(bits_of<Raw> - FractionBits, 2) + 2>;
+  return rounded_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
+}
+
 /// A rational power: the integer nearest to it in ulps, or the news that the power is not rational
 /// or has too many bits to be a tie.
 struct exact_power {
@@ -99,7 +107,7 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   if (m > 1) {
     for (std::int64_t i = 0; i < n; ++i) {
       power = power * int128{m};
-      if (int128{1} << 66 < power) return unknown;
+      if ((int128{1} << 66) < power) return unknown;
     }
   }
   constexpr std::int64_t far_out = 100;

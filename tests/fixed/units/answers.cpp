@@ -3,8 +3,12 @@
 
 #include "batch/batch.hpp"
 #include "batch/radian.hpp"
+#include "fixed/angle.hpp"
 #include "fixed/bytes.hpp"
+#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
+#include "fixed/trigonometry.hpp"
 
 std::string ANSWERS();
 
@@ -39,6 +43,20 @@ void append_results(std::string& text, N a, N b) {
   text += a < b || a == 2 ? '<' : '>';
 }
 
+template <class N>
+void append_functions(std::string& text, N a, N b) {
+  append(text, exp(a));
+  append(text, log10(b));
+  append(text, tanh(a));
+  append(text, tan(a));
+  append(text, sin_of_degrees(b));
+  append(text, atan2(a, b));
+  append(text, acos(a));
+  append(text, pow(b, a));
+  append(text, rsqrt(b));
+  append(text, reciprocal(a));
+}
+
 }  // namespace
 
 std::string ANSWERS() {
@@ -50,6 +68,10 @@ std::string ANSWERS() {
     append_results(text, q48_16::from_raw(i * 1'234'567'890'123), q48_16::from_raw(-i));
     append(text, sin(q16_16::from_raw(i * 99'991)));
     append(text, cos_of_tenths<q16_16>(i));
+  }
+  for (int i = 1; i < 100; ++i) {
+    append_functions(text, q16_16::from_raw(i * 7'777 - 400'000), q16_16::from_raw(i * 99'991));
+    append_functions(text, q2_30::from_raw(i * 9'999'999), q2_30::from_raw(i * 7'777'777));
   }
   std::array<q16_16, 512> x{};
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -1,0 +1,109 @@
+/// \file
+/// Sines, cosines and tangents of angles in words of at most 32 bits in digits, each the nearest
+/// integer of ulps: the results of phase.hpp without a first try.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/phase.hpp"
+#include "fixed/detail/rounding.hpp"
+
+namespace fixproof::detail::in_digits {
+
+/// An angle as a whole number of quarter turns, and a part of one from 0 to 1. In short numbers the
+/// error of the part is below 2^(33 - fraction_bits - 88).
+struct phase {
+  std::int64_t quarters = 0;
+  real part;
+};
+
+constexpr phase phase_of(std::int64_t raw, int fraction_bits, angle_unit unit,
+                         int lowest) noexcept {
+  real angle = scaled_integer(raw < 0 ? -raw : raw, real_bits, lowest);
+  if (unit == angle_unit::radian) angle *= two_over_pi;
+  angle.shift(unit == angle_unit::turn ? 2 - fraction_bits : -fraction_bits);
+  if (unit == angle_unit::degree) angle /= digit{90};
+  if (raw < 0) angle.negate();
+  const std::int64_t quarters = take_whole(angle);
+  return {quarters, angle};
+}
+
+/// The sine or cosine of a part of a quarter turn.
+constexpr real sine_of(real part, bool is_cosine) noexcept {
+  part *= half_pi;
+  take_sine(part, is_cosine);
+  return part;
+}
+
+constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_bits,
+                                 angle_unit unit, rounding ties) noexcept {
+  for (int lowest = short_digit;; lowest = 0) {
+    const phase angle = phase_of(raw, fraction_bits, unit, lowest);
+    const std::int64_t quarters = angle.quarters + ahead;
+    real result = sine_of(angle.part, quarters % 2 != 0);
+    const bool is_negative = (quarters & 2) != 0;
+    // Of whole degrees, only the sines that are 1/2 are near it.
+    real copy = result;
+    if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(copy, 8) == 128) {
+      return rounded_half(is_negative, ties);
+    }
+    if (is_negative) result.negate();
+    const std::int64_t ulps = nearest_units(result, fraction_bits);
+    if (ulps != undecided) return ulps;
+  }
+}
+
+constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_unit unit) noexcept {
+  for (int lowest = short_digit;; lowest = 0) {
+    const phase angle = phase_of(raw, fraction_bits, unit, lowest);
+    const bool is_steep = angle.quarters % 2 != 0;
+    real numerator = sine_of(angle.part, is_steep);
+    const real denominator = sine_of(angle.part, !is_steep);
+    // The square of the tangent multiplies an error, so short numbers are for tangents below 2^8:
+    // it is below 2^(51 - fraction_bits - 88) + 2^-60.
+    real least = numerator;
+    least.shift(lowest == 0 ? -34 : -8);
+    least -= denominator;
+    std::int64_t ulps = lowest == 0 ? std::int64_t{1} << 34 : undecided;
+    if (least.negative()) {
+      numerator /= denominator;
+      ulps = nearest_units(numerator, fraction_bits);
+    }
+    if (ulps != undecided) return is_steep ? -ulps : ulps;
+  }
+}
+
+// Compilers limit the steps of a constant expression, so words compute it.
+
+/// Quarter turns are exact in degrees and turns.
+template <angle_unit Unit>
+constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
+  if constexpr (Unit == angle_unit::radian) {
+    return false;
+  } else {
+    if (std::is_constant_evaluated()) return detail::is_pole<Unit>(raw, fraction_bits);
+    phase angle = phase_of(raw, fraction_bits, Unit, short_digit);
+    angle.part.negate();
+    return angle.quarters % 2 != 0 && !angle.part.negative();
+  }
+}
+
+template <angle_unit Unit, rounding R>
+constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
+                                       int fraction_bits) noexcept {
+  if (std::is_constant_evaluated()) {
+    return detail::nearest_sine_of<Unit, R>(raw, ahead, fraction_bits);
+  }
+  return sine_ulps(raw, ahead, fraction_bits, Unit, R);
+}
+
+template <angle_unit Unit>
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
+  if (std::is_constant_evaluated()) return detail::nearest_tangent<Unit>(raw, fraction_bits);
+  return tangent_ulps(raw, fraction_bits, Unit);
+}
+
+}  // namespace fixproof::detail::in_digits
