@@ -222,7 +222,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [3]})", "objects[0]: must be an object {…}, not 3"},
       {R"({"objects": [], "objects": []})", "the key \"objects\" occurs twice in one object"},
       {R"({"objects": [], "camera": {"poistion": [0, 0, 0]}})",
-       "camera: unknown key \"poistion\"; choose one of page, position, turn_tenths"},
+       "camera: unknown key \"poistion\"; choose one of page, position, turn_tenths, look_at"},
       {R"({"objects": [], "arithmetic": {"repaired": true}})",
        "arithmetic: repaired is for the target i8088: only its ConcatXforms loses a carry"},
       {R"({"objects": [], "arithmetic": {"by": "double", "target": "i8088", "repaired": true}})",
