@@ -84,9 +84,9 @@ TEST(UnitVectorByHand, IsRoundedAsTheDivideRounds) {
 
 TEST(UnitVectorByHand, InFloat) {
   const Vec3<float> v = unit_vector(Vec3<float>{2e-30F, -3e-30F, 6e-30F});
-  EXPECT_NEAR(static_cast<double>(v.x), 2 / 7.0, 1e-7);
-  EXPECT_NEAR(static_cast<double>(v.y), -3 / 7.0, 1e-7);
-  EXPECT_NEAR(static_cast<double>(v.z), 6 / 7.0, 1e-7);
+  EXPECT_NEAR(static_cast<double>(v.x), 2 / 7.0, 2e-7);
+  EXPECT_NEAR(static_cast<double>(v.y), -3 / 7.0, 2e-7);
+  EXPECT_NEAR(static_cast<double>(v.z), 6 / 7.0, 2e-7);
   EXPECT_EQ(unit_vector(Vec3<float>{}), Vec3<float>{});
 }
 
