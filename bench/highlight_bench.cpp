@@ -3,7 +3,8 @@
 // Highlight/*: the highlights of the faces that scenes/highlight.json shows, with correctly rounded
 // powers, with repeated products, and in float. Each variant takes the same 16.16 normals, places
 // and lights, and adds its highlight to the same colour. `wrong` counts the pixels of 60 frames
-// whose colour is not that of double, of the `pixels` of `faces`; `most` is the largest difference in 255ths.
+// whose colour is not that of double, of the `pixels` of `faces`; `most` is the largest difference
+// in 255ths.
 //
 // Unit/*: unit vectors of 16.16 vectors, by the length and divides, by a reciprocal root and
 // products, and in float. `ulp` is the largest error of a component, `rounded` the share of
