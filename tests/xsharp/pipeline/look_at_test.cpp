@@ -24,7 +24,8 @@ pipeline::Matrix expected(const Triple& toward) {
     for (long double& part : v) part /= size;
     return v;
   };
-  const Long z = unit({-toward[0], -toward[1], -toward[2]});
+  const auto back = [&toward](std::size_t i) { return -static_cast<long double>(toward[i]); };
+  const Long z = unit({back(0), back(1), back(2)});
   const Long x = z[0] == 0 && z[2] == 0 ? Long{1, 0, 0} : unit({z[2], 0, -z[0]});
   const Long y{z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]};
   return {{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}};

@@ -9,6 +9,7 @@ namespace xsharp {
 namespace {
 
 using draws::Integers;
+using pipeline::number;
 using pipeline::product_error;
 using pipeline::triple;
 using pipeline::ulp;
@@ -80,6 +81,16 @@ TEST(UnitVectorByHand, IsRoundedAsTheDivideRounds) {
   EXPECT_EQ(cut.x.raw(), 18724);
   EXPECT_EQ(cut.y.raw(), -28086);
   EXPECT_EQ(cut.z.raw(), 56173);
+}
+
+// By hand: the 8088 divides by 8191, the whole part of the length 8191.9, so the quotient is
+// 1.00011, seven units of 2^-16 too long. The Newton step leaves half a unit and its own roundings.
+TEST(UnitVectorByHand, AWholePartDivideLeavesNoErrorOfLength) {
+  using N = fixproof::q16_16_i8088;
+  EXPECT_NEAR(static_cast<double>(unit_vector(Vec3<N>{number<N>(8191.9), N(0), N(0)}).x), 1,
+              1.5 * ulp);
+  EXPECT_NEAR(static_cast<double>(unit_vector(Vec3<N>{N(0), number<N>(-8191.9), N(0)}).y), -1,
+              1.5 * ulp);
 }
 
 TEST(UnitVectorByHand, InFloat) {

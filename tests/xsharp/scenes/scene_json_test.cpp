@@ -375,7 +375,8 @@ TEST(SceneJson, NamesTheFile) {
 
 TEST(SceneJson, OutlivesAnyBytes) {
   std::vector<std::string> texts;
-  for (const char* name : {"ball_and_cubes.json", "shaded_ball.json", "solid.json"}) {
+  for (const char* name : {"ball_and_cubes.json", "highlight.json", "look_at.json",
+                           "shaded_ball.json", "solid.json"}) {
     texts.push_back(contents(root / "scenes" / name));
     ASSERT_EQ(said_of_scene(texts.back()), "accepted");
   }
