@@ -107,7 +107,20 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
     return result;
   }
 
+  // No listing has a root or a power. These are the type's, whose results no build changes.
+  static N length(const Vec3<N>& v) {
+    const Vec3<Type> of{type_of(v.x), type_of(v.y), type_of(v.z)};
+    return from_raw(Arithmetic<Type>::length(of).raw());
+  }
+  static N power(N base, N exponent) {
+    return from_raw(Arithmetic<Type>::power(type_of(base), type_of(exponent)).raw());
+  }
+
  private:
+  using Type = fixproof::q16_16;
+
+  static Type type_of(N x) { return Type::from_raw(x.raw()); }
+
   static void put(const Transform<N>& t, std::uint32_t* words) {
     for (std::size_t i = 0; i < 12; ++i) words[i] = t.rows[i / 4][i % 4].word();
   }

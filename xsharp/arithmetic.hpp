@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
 #include "xsharp/scene.hpp"
 #include "xsharp/transform.hpp"
 
@@ -67,8 +68,10 @@ constexpr bool is_i8088_build(const fixproof::policy& p) {
 ///     static Vec3<N> apply(const Transform<N>&, const Vec3<N>&);
 ///     static Transform<N> concatenate(const Transform<N>& first,
 ///                                     const Transform<N>& second, Concatenation);
+///     static N length(const Vec3<N>&);          to nearest; below 32768
+///     static N power(N base, N exponent);       to nearest; base above 0
 ///
-/// Motion needs only from_raw, constant and turn.
+/// Motion needs only from_raw, constant, divide, divides_by_whole_part, turn and length.
 template <class N>
 struct Arithmetic;
 
@@ -101,29 +104,29 @@ struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
     }
     return concatenate_products(first, second);
   }
+  static constexpr N length(const Vec3<N>& v) { return fixproof::hypot(v.x, v.y, v.z); }
+  static constexpr N power(N base, N exponent) { return fixproof::pow(base, exponent); }
 };
 
-/// The reference: does not round constants, sines and cosines to 16.16.
-template <>
-struct Arithmetic<double> {
-  static std::int32_t raw(double x) { return raw_constant(x, Conversion::nearest); }
-  static double from_raw(std::int32_t raw) { return raw / 65536.0; }
-  static double constant(double value, Conversion /*conversion*/) { return value; }
-  static std::optional<double> divide(double n, double d) {
-    return d == 0 ? std::nullopt : std::optional(n / d);
-  }
+/// double, the reference, and float: neither rounds constants, sines and cosines to 16.16.
+template <std::floating_point N>
+struct Arithmetic<N> {
+  static std::int32_t raw(N x) { return raw_constant(static_cast<double>(x), Conversion::nearest); }
+  static N from_raw(std::int32_t raw) { return static_cast<N>(raw / 65536.0); }
+  static N constant(double value, Conversion /*conversion*/) { return static_cast<N>(value); }
+  static std::optional<N> divide(N n, N d) { return d == 0 ? std::nullopt : std::optional(n / d); }
   static constexpr bool divides_by_whole_part = false;
-  static Turn<double> turn(std::int32_t tenths) {
-    return {std::cos(radians(tenths)), std::sin(radians(tenths))};
+  static Turn<N> turn(std::int32_t tenths) {
+    return {static_cast<N>(std::cos(radians(tenths))), static_cast<N>(std::sin(radians(tenths)))};
   }
-  static double midpoint(double a, double b) { return std::midpoint(a, b); }
-  static Vec3<double> apply(const Transform<double>& t, const Vec3<double>& v) {
-    return apply_products(t, v);
-  }
-  static Transform<double> concatenate(const Transform<double>& first,
-                                       const Transform<double>& second, Concatenation /*how*/) {
+  static N midpoint(N a, N b) { return std::midpoint(a, b); }
+  static Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v) { return apply_products(t, v); }
+  static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second,
+                                  Concatenation /*how*/) {
     return concatenate_products(first, second);
   }
+  static N length(const Vec3<N>& v) { return std::hypot(v.x, v.y, v.z); }
+  static N power(N base, N exponent) { return std::pow(base, exponent); }
 };
 
 template <class N>
@@ -165,8 +168,8 @@ Vec3<N> vertex_of(const Mesh& mesh, const Triple& v, Conversion conversion) {
 /// @param x at least 0.5 from the ends of the range
 template <Scalar N>
 std::int32_t nearest_pixel(N x) {
-  if constexpr (std::same_as<N, double>) {
-    return static_cast<std::int32_t>(std::floor(x + 0.5));
+  if constexpr (std::floating_point<N>) {
+    return static_cast<std::int32_t>(std::floor(x + N{0.5}));
   } else {
     return static_cast<std::int32_t>((std::int64_t{Arithmetic<N>::raw(x)} + 0x8000) >> 16);
   }

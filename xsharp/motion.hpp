@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "xsharp/arithmetic.hpp"
+#include "xsharp/look_at.hpp"
 #include "xsharp/rotation.hpp"
 #include "xsharp/scene.hpp"
 
@@ -21,8 +22,6 @@ struct RotationStyle {
   RestoredRows restore_rows = RestoredRows::all;
 };
 
-inline constexpr std::int32_t page_size = 16384;
-
 /// The position and orientation of an object in the world, and their changes.
 template <Scalar N>
 class Motion {
@@ -33,7 +32,8 @@ class Motion {
         drift_(object.drift),
         orbit_(object.orbit),
         to_world_(identity<N>()),
-        page_(object.page) {
+        page_(object.page),
+        look_at_page_(object.page) {
     for (std::size_t i = 0; i < 3; ++i)
       place(i) = coordinate<N>(object.position[i], style.conversion);
     if (style.trigonometry == Trigonometry::floating) {
@@ -57,13 +57,21 @@ class Motion {
       orbit_radius_ = coordinate<N>(orbit_->radius, style.conversion);
       put_on_orbit();
     }
+    if (object.look_at) {
+      look_at_.emplace();
+      for (std::size_t i = 0; i < 3; ++i) {
+        (*look_at_)[i] = coordinate<N>((*object.look_at)[i], style.conversion);
+      }
+      face_point();
+    }
   }
 
   /// The transform to world space; its translation is the position within the page.
   [[nodiscard]] const Transform<N>& to_world() const { return to_world_; }
   [[nodiscard]] const std::array<std::int32_t, 3>& page() const { return page_; }
 
-  /// Advances one frame: rotates if the delay is over, then moves. @return whether anything changed
+  /// Advances one frame: rotates if the delay is over, then moves, then faces its point.
+  /// @return whether anything changed
   bool advance() {
     bool changed = false;
     if (spin_.tenths != std::array<std::int32_t, 3>{} && due(rotation_count_, spin_.delay)) {
@@ -79,6 +87,7 @@ class Motion {
       put_on_orbit();
       changed = true;
     }
+    if (changed && look_at_) face_point();
     return changed;
   }
 
@@ -153,6 +162,22 @@ class Motion {
     }
   }
 
+  /// At the point itself the object keeps its orientation.
+  void face_point() {
+    Triple toward{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Exact: whole units of 2^-16, fewer than 2^53 of them.
+      const double pages = static_cast<double>(look_at_page_[i]) - page_[i];
+      toward[i] =
+          pages * page_size + static_cast<double>((*look_at_)[i]) - static_cast<double>(place(i));
+    }
+    if (toward == Triple{}) return;
+    const auto rotation = look_at_rotation<N>(toward);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) to_world_.rows[i][j] = rotation[i][j];
+    }
+  }
+
   static constexpr std::int32_t max_pages = 1 << 30;
 
   RotationStyle style_;
@@ -161,6 +186,8 @@ class Motion {
   std::optional<Orbit> orbit_;
   Transform<N> to_world_;
   std::array<std::int32_t, 3> page_;
+  std::array<std::int32_t, 3> look_at_page_;
+  std::optional<std::array<N, 3>> look_at_{};
   /// Chapter 52 calls cos() and sin() for every rotation, always with these results.
   std::array<Turn<N>, 3> floating_turns_{};
   std::array<N, 3> step_{};

@@ -40,11 +40,11 @@ namespace xsharp {
 /// Normalises a vector of length 0.5 to 1.5 by Newton steps towards 1 / |v|. Uses only products,
 /// because an arithmetic's divide may use only a part of its divisor. Stops within four units of
 /// 2^-16 of 1 in the square, or after eight steps. A shorter vector comes as near as it can. In
-/// double, any length becomes 1 and 0 stays 0.
+/// floating point, any length becomes 1 and 0 stays 0.
 template <Scalar N>
 Vec3<N> unit(Vec3<N> v) {
-  if constexpr (std::same_as<N, double>) {
-    const double size = std::hypot(v.x, v.y, v.z);
+  if constexpr (std::floating_point<N>) {
+    const N size = std::hypot(v.x, v.y, v.z);
     return size > 0 ? v * (1 / size) : v;
   } else {
     const N three = from_whole<N>(3);

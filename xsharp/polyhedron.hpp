@@ -12,6 +12,7 @@
 #include "xsharp/clip.hpp"
 #include "xsharp/face_table.hpp"
 #include "xsharp/facing.hpp"
+#include "xsharp/highlight.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/object.hpp"
 #include "xsharp/place.hpp"
@@ -67,11 +68,16 @@ class Polyhedron final : public Object<N> {
       const auto vertices = faces_.vertices_of(seen.face);
       Paint paint = paints_[seen.face];
       const Shading shading = shadings_.empty() ? Shading{} : shadings_[seen.face];
-      if (shading.ambient || shading.diffuse) {
+      if (is_lit(shading)) {
         // A face with only ambient light has no normal.
-        const Vec3<N> normal =
-            shading.diffuse ? view_[faces_.normal_end(seen.face)] - view_[vertices[0]] : Vec3<N>{};
+        const Vec3<N> normal = needs_normals(shading)
+                                   ? view_[faces_.normal_end(seen.face)] - view_[vertices[0]]
+                                   : Vec3<N>{};
         paint = {false, 0, shade(normal, paint.color, shading, lighting)};
+        if (shading.highlight) {
+          paint.color = with_highlight(paint.color, normal, to_viewer_from(seen.face),
+                                       *shading.highlight, lighting);
+        }
       }
       const auto first = static_cast<std::uint32_t>(picture.points.size());
       if (seen.clipped_corners == 0) {
@@ -197,6 +203,14 @@ class Polyhedron final : public Object<N> {
     return {view_[v],
             {Arithmetic<N>::constant(place[0], Conversion::nearest),
              Arithmetic<N>::constant(place[1], Conversion::nearest), from_whole<N>(0)}};
+  }
+
+  /// The unit vector to the viewer from a face: from the middle between its first corner and the
+  /// one opposite.
+  [[nodiscard]] Vec3<N> to_viewer_from(std::uint32_t f) const {
+    const auto corners = faces_.vertices_of(f);
+    const Vec3<N> middle = between(view_[corners[0]], view_[corners[corners.size() / 2]]);
+    return unit_vector(Vec3<N>{-middle.x, -middle.y, -middle.z});
   }
 
   /// Adds the values for the points that draw() has added, if the object has any, and zeros for

@@ -68,6 +68,9 @@ struct Delay {
   std::int32_t base = 1;
 };
 
+/// The size of a page of the world; see ObjectDescription::page.
+inline constexpr std::int32_t page_size = 16384;
+
 /// Rotation about axes through the object's origin, parallel to the world's axes: rotations are
 /// multiplied from the left. Nonzero angles are appended about x, then y, then z.
 struct Spin {
@@ -99,11 +102,28 @@ struct Orbit {
   std::int32_t tilt_tenths = 0;
 };
 
-/// The lights that affect a face; with neither, the paint is used as it is.
+/// The mirror image of a light on a face: the light's intensity * strength * cosine^exponent. The
+/// cosine is that of the normal and the vector halfway between light and viewer.
+struct Highlight {
+  double exponent = 1;  ///< the greater, the smaller the highlight
+  double strength = 0;
+};
+
+/// The lights that affect a face; with none, the paint is used as it is.
 struct Shading {
   bool ambient = false;
   bool diffuse = false;
+  std::optional<Highlight> highlight{};
 };
+
+constexpr bool is_lit(const Shading& shading) {
+  return shading.ambient || shading.diffuse || shading.highlight;
+}
+
+/// Whether its faces need normals.
+constexpr bool needs_normals(const Shading& shading) {
+  return shading.diffuse || shading.highlight;
+}
 
 struct ObjectDescription {
   std::string name;  ///< for messages
@@ -111,12 +131,15 @@ struct ObjectDescription {
   std::vector<Paint> paints;        ///< one per face; a Color is the reflectance, 255 for 1
   std::vector<Shading> shadings{};  ///< one per face, or empty if no face is lit
   Surface surface{};
-  /// The world consists of pages of 16384 units: the place is page * 16384 + position.
+  /// The world consists of pages: the place is page * page_size + position.
   std::array<std::int32_t, 3> page{};
   Triple position{};
   Spin spin{};
   std::optional<Drift> drift{};
   std::optional<Orbit> orbit{};
+  /// A point, relative to the page where the object begins, that its -z axis points at; excludes a
+  /// spin.
+  std::optional<Triple> look_at{};
 };
 
 /// Light per colour; 1 gives a face of reflectance 1 full brightness.
@@ -138,6 +161,8 @@ struct Camera {
   std::array<std::int32_t, 3> page{};
   Triple position{};
   std::array<std::int32_t, 3> turn_tenths{};  ///< about x, then y, then z
+  /// A point of the same page in the middle of the picture; excludes a turn.
+  std::optional<Triple> look_at{};
 };
 
 /// The arithmetic for drawing a scene, if the command does not choose one.

@@ -29,6 +29,7 @@ inline constexpr std::int32_t narrowest = 2;
 /// 16.16.
 inline constexpr double max_position = 16384;
 inline constexpr std::int32_t max_page = 1000000;
+inline constexpr double max_exponent = 1000;
 
 namespace detail {
 
@@ -82,6 +83,13 @@ inline void validate_orbit(const Orbit& orbit) {
   require_angle("orbit.tilt_tenths", orbit.tilt_tenths);
 }
 
+inline void validate_highlight(std::size_t face, const Highlight& highlight, const Face& of) {
+  if (!of.normal_end) throw SceneError(text_of("face ", face, " has a highlight, but no normal"));
+  const std::string name = text_of("face ", face, ": highlight.");
+  require_range(name + "exponent", highlight.exponent, 1.0, max_exponent);
+  require_range(name + "strength", highlight.strength, 0.0, 1.0);
+}
+
 inline void validate_paints(const ObjectDescription& object) {
   const auto& faces = object.mesh.faces;
   if (object.paints.size() != faces.size()) {
@@ -93,12 +101,13 @@ inline void validate_paints(const ObjectDescription& object) {
   }
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const Shading& shading = object.shadings[i];
-    if ((shading.ambient || shading.diffuse) && object.paints[i].is_index) {
+    if (is_lit(shading) && object.paints[i].is_index) {
       throw SceneError(text_of("face ", i, " answers to light, so its paint must be a colour"));
     }
     if (shading.diffuse && !faces[i].normal_end) {
       throw SceneError(text_of("face ", i, " answers to diffuse light, but has no normal"));
     }
+    if (shading.highlight) validate_highlight(i, *shading.highlight, faces[i]);
   }
 }
 
@@ -162,6 +171,15 @@ inline void validate_lights(const Lights& lights) {
   }
 }
 
+inline void validate_look_at(const Camera& camera) {
+  if (camera.turn_tenths != std::array<std::int32_t, 3>{}) {
+    throw SceneError("must not have both turn_tenths and look_at");
+  }
+  require_range("look_at", *camera.look_at, -max_position, max_position);
+  require_range("distance of look_at", length(difference(*camera.look_at, camera.position)),
+                std::ldexp(1, -14), 4 * max_position);
+}
+
 /// Checks the scene without its objects.
 inline void validate_setting(const Scene& scene) {
   require_range("width", scene.width, narrowest, longest_side);
@@ -184,6 +202,7 @@ inline void validate_setting(const Scene& scene) {
   try {
     require_place(scene.camera.page, scene.camera.position);
     for (const std::int32_t tenths : scene.camera.turn_tenths) require_angle("turn_tenths", tenths);
+    if (scene.camera.look_at) validate_look_at(scene.camera);
   } catch (const SceneError& error) {
     throw SceneError(text_of("camera: ", error.what()));
   }
@@ -218,6 +237,12 @@ inline void validate_object(const ObjectDescription& object) {
     detail::require_delay("drift", object.drift->delay);
   }
   if (object.orbit) detail::validate_orbit(*object.orbit);
+  if (object.look_at) {
+    if (object.spin.tenths != std::array<std::int32_t, 3>{}) {
+      throw SceneError("must not have both spin and look_at");
+    }
+    detail::require_range("look_at", *object.look_at, -max_position, max_position);
+  }
 }
 
 /// Checks that every arithmetic can draw the scene without overflowing 16.16 unnoticed, as far as

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "xsharp/arithmetic.hpp"
+#include "xsharp/look_at.hpp"
 #include "xsharp/project.hpp"
 #include "xsharp/rotation.hpp"
 #include "xsharp/scene.hpp"
@@ -32,7 +33,9 @@ struct View {
 
 /// The world-to-view matrix in double, for directions and measurements.
 inline std::array<std::array<double, 3>, 3> turn_to_view(const Camera& camera) {
-  const auto turned = rotation_after(camera.turn_tenths, 1);
+  const auto turned = camera.look_at
+                          ? look_at_rotation<double>(difference(*camera.look_at, camera.position))
+                          : rotation_after(camera.turn_tenths, 1);
   // The inverse of a rotation is its transpose.
   std::array<std::array<double, 3>, 3> inverse{};
   for (std::size_t i = 0; i < 3; ++i) {

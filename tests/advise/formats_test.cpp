@@ -78,7 +78,7 @@ void expect_same_corners(const xsharp::Scene& scene) {
 
 TEST(FractionNumber, With16FractionBitsDrawsEveryScene) {
   for (const char* name : {"twelve_cubes", "ball_and_cubes", "shaded_ball", "chapter53", "textured",
-                           "intersecting", "solid", "phong"}) {
+                           "intersecting", "solid", "phong", "look_at"}) {
     SCOPED_TRACE(name);
     expect_same_corners(xsharp::read_scene(std::string(SCENES "/") + name + ".json"));
   }

@@ -70,7 +70,8 @@ TEST_P(Equality, ModelAndTypeDrawTheSame) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Equality,
                          testing::Values(SCENES "/twelve_cubes.json", SCENES "/ball_and_cubes.json",
                                          SCENES "/shaded_ball.json", SCENES "/solid.json",
-                                         SCENES "/lost_carry.json", GOLDEN "/../passing_by.json"),
+                                         SCENES "/lost_carry.json", SCENES "/look_at.json",
+                                         GOLDEN "/../passing_by.json"),
                          [](const auto& scene) {
                            return std::filesystem::path(scene.param).stem().string();
                          });

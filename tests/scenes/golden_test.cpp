@@ -1,5 +1,5 @@
-// Compares the pipeline with the frames of golden/work_out.py, which uses exact integers, and the
-// pictures of golden/work_out_pixels.py.
+// Compares the pipeline with the frames of golden/work_out.py, which uses exact integers, the
+// pictures of golden/work_out_pixels.py and the colours of golden/work_out_paints.py.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -97,6 +97,36 @@ void expect_golden_pixels(const std::string& name, const std::string& folder = S
   EXPECT_EQ(all, read(fmt::format("{}/{}_pixels.txt", GOLDEN, name)));
 }
 
+/// Compares the colours of the faces with the record that golden/work_out_paints.py keeps of them.
+void expect_golden_paints(const std::string& name, const std::string& by) {
+  constexpr std::size_t shown = 8;
+  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+  std::string all;
+  for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
+    if (choice.by != by || !xsharp::is_listing(choice) || choice.repaired) continue;
+    all += fmt::format("# {} multiply {} divide {}\n", choice.target,
+                       choice.mul_round ? "on" : "off", choice.div_round ? "on" : "off");
+    const auto player = player::make_player(scene, choice);
+    xsharp::Picture picture;
+    for (std::uint64_t frame = 0; frame <= kept_frames.back(); ++frame) {
+      if (frame > 0) player->move();
+      if (std::ranges::find(kept_frames, frame) == kept_frames.end()) continue;
+      player->draw(picture);
+      std::vector<std::uint8_t> components;
+      std::string colors;
+      for (const auto& [object, first, points, paint] : picture.polygons) {
+        const auto [red, green, blue] = paint.color;
+        if (components.size() < 3 * shown)
+          colors += fmt::format(" {:02x}{:02x}{:02x}", red, green, blue);
+        components.insert(components.end(), {red, green, blue});
+      }
+      all += fmt::format("frame {} faces {} hash {:016x}\n {}\n", frame, picture.polygons.size(),
+                         hash_of(components), colors);
+    }
+  }
+  EXPECT_EQ(all, read(fmt::format("{}/{}_paints.txt", GOLDEN, name)));
+}
+
 TEST(Golden, TwelveCubes) { expect_golden("twelve_cubes", "type"); }
 TEST(Golden, BallAndCubes) { expect_golden("ball_and_cubes", "type"); }
 TEST(Golden, ShadedBall) { expect_golden("shaded_ball", "type"); }
@@ -104,6 +134,12 @@ TEST(Golden, Intersecting) { expect_golden("intersecting", "type"); }
 TEST(Golden, Textured) { expect_golden("textured", "type"); }
 TEST(Golden, Phong) { expect_golden("phong", "type"); }
 TEST(Golden, LostCarry) { expect_golden("lost_carry", "type"); }
+TEST(Golden, Highlight) { expect_golden("highlight", "type"); }
+TEST(Golden, LookAt) { expect_golden("look_at", "type"); }
+TEST(Golden, LookAtOnTheModel) { expect_golden("look_at", "model"); }
+TEST(Golden, PaintsOfHighlight) { expect_golden_paints("highlight", "type"); }
+TEST(Golden, PaintsOfHighlightOnTheModel) { expect_golden_paints("highlight", "model"); }
+TEST(Golden, PaintsOfLookAt) { expect_golden_paints("look_at", "type"); }
 TEST(Golden, LostCarryOnTheModel) { expect_golden("lost_carry", "model"); }
 TEST(Golden, PixelsOfIntersecting) { expect_golden_pixels("intersecting"); }
 TEST(Golden, PixelsOfIntersectingByZItself) {

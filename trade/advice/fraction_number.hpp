@@ -80,6 +80,16 @@ class FractionNumber {
     return std::ldexp(static_cast<double>(ulps_), -fraction_bits());
   }
 
+  /// The root of the sum of squares, to nearest; there are no ties.
+  static FractionNumber length(FractionNumber x, FractionNumber y, FractionNumber z) {
+    const Wide sum = Wide{x.ulps_} * x.ulps_ + Wide{y.ulps_} * y.ulps_ + Wide{z.ulps_} * z.ulps_;
+    auto root = static_cast<Wide>(std::sqrt(static_cast<double>(sum)));
+    while (root * root > sum) --root;
+    while ((root + 1) * (root + 1) <= sum) ++root;
+    if (sum - root * root > root) ++root;
+    return result(static_cast<std::int64_t>(root));
+  }
+
  private:
   __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ needs typedef
 
@@ -123,6 +133,7 @@ struct Arithmetic<fixproof::trade::FractionNumber> {
                                   Concatenation /*how*/) {
     return concatenate_products(first, second);
   }
+  static N length(const Vec3<N>& v) { return N::length(v.x, v.y, v.z); }
 };
 
 }  // namespace xsharp

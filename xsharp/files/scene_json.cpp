@@ -13,6 +13,7 @@
 
 #include "support/bounded_file.hpp"
 #include "xsharp/files/json_node.hpp"
+#include "xsharp/files/light_json.hpp"
 #include "xsharp/files/obj.hpp"
 #include "xsharp/files/parse_json.hpp"
 #include "xsharp/files/surface_json.hpp"
@@ -109,39 +110,13 @@ Orbit orbit(const JsonNode& node) {
   return read;
 }
 
-Shading shading(const JsonNode& node) {
-  Shading read;
-  node.object({{"ambient", [&](const JsonNode& value) { read.ambient = value.flag(); }},
-               {"diffuse", [&](const JsonNode& value) { read.diffuse = value.flag(); }}});
-  return read;
-}
-
-Spot spot(const JsonNode& node) {
-  Spot read;
-  node.require("direction");
-  node.require("intensity");
-  node.object({{"on", [&](const JsonNode& value) { read.on = value.flag(); }},
-               {"direction", [&](const JsonNode& value) { read.direction = value.triple(); }},
-               {"intensity", [&](const JsonNode& value) { read.intensity = value.triple(); }}});
-  return read;
-}
-
-Lights lights(const JsonNode& node) {
-  Lights read;
-  node.object({{"ambient_on", [&](const JsonNode& value) { read.ambient_on = value.flag(); }},
-               {"ambient", [&](const JsonNode& value) { read.ambient = value.triple(); }},
-               {"spots", [&](const JsonNode& value) {
-                  for (const JsonNode& element : value.list()) read.spots.push_back(spot(element));
-                }}});
-  return read;
-}
-
 Camera camera(const JsonNode& node) {
   Camera read;
   node.object(
       {{"page", [&](const JsonNode& value) { read.page = page(value); }},
        {"position", [&](const JsonNode& value) { read.position = value.triple(); }},
-       {"turn_tenths", [&](const JsonNode& value) { read.turn_tenths = three_tenths(value); }}});
+       {"turn_tenths", [&](const JsonNode& value) { read.turn_tenths = three_tenths(value); }},
+       {"look_at", [&](const JsonNode& value) { read.look_at = value.triple(); }}});
   return read;
 }
 
@@ -252,7 +227,8 @@ void read_draft(const JsonNode& node, Files& files, Draft& draft) {
        {"position", [&](const JsonNode& value) { object.position = value.triple(); }},
        {"spin", [&](const JsonNode& value) { object.spin = spin(value); }},
        {"drift", [&](const JsonNode& value) { object.drift = drift(value); }},
-       {"orbit", [&](const JsonNode& value) { object.orbit = orbit(value); }}});
+       {"orbit", [&](const JsonNode& value) { object.orbit = orbit(value); }},
+       {"look_at", [&](const JsonNode& value) { object.look_at = value.triple(); }}});
 }
 
 ObjectDescription finished(const JsonNode& node, Draft draft) {
@@ -286,7 +262,7 @@ ObjectDescription finished(const JsonNode& node, Draft draft) {
   // Vertex normals first: an object's own vertices come first, then the ends of their normals.
   if (needs_normals(object.surface)) object.mesh = with_vertex_normals(std::move(object.mesh));
   object.mesh = with_normals(std::move(object.mesh), [&object](std::size_t face) {
-    return face < object.shadings.size() && object.shadings[face].diffuse;
+    return face < object.shadings.size() && needs_normals(object.shadings[face]);
   });
   return std::move(object);
 }

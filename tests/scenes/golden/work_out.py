@@ -5,14 +5,17 @@ usage: work_out.py SCENE                    what tests/scenes/golden keeps of a 
        work_out.py SCENE TARGET MUL DIV N   the dump of N frames, as `fixproof render --dump` writes it
                                             (TARGET i386, i8088 or i8088-repaired; MUL and DIV on or off)
 """
+import decimal
 import json
 import math
+import os
 import re
 import sys
 
 ONE = 1 << 16
 FRAMES = (0, 1, 199, 599)
 VERTICES = 8
+decimal.getcontext().prec = 60
 LIT_AT_VERTICES = {"gouraud8", "gouraud16", "environment", "phong"}
 
 
@@ -44,6 +47,26 @@ class Rules:
             q += 1
         return wrap(sign(n) * sign(d) * q)
 
+    def unit(self, v):
+        """The unit vector by the length to nearest, of the vector doubled to about 14 bits."""
+        if not any(v):
+            return v
+        while max(map(abs, v)) < 8191 * ONE:
+            v = [2 * x for x in v]
+        square = sum(x * x for x in v)
+        size = math.isqrt(square)
+        size += square - size * size > size
+        v = [self.div(x, size) for x in v]
+        return v if self.i386 else self.toward_unit(v)
+
+    def toward_unit(self, v):
+        factor = self.mul(wrap(3 * ONE - self.dot(v, v)), ONE // 2)
+        return [self.mul(x, factor) for x in v]
+
+    def cross(self, a, b):
+        return [wrap(self.mul(a[(i + 1) % 3], b[(i + 2) % 3]) - self.mul(a[(i + 2) % 3], b[(i + 1) % 3]))
+                for i in range(3)]
+
     def dot(self, a, b):
         return wrap(sum(self.mul(x, y) for x, y in zip(a, b)))
 
@@ -63,10 +86,22 @@ def coordinate(x):
     return int(x) * ONE if x == int(x) else published(x)
 
 
+def nearest(x):
+    return math.floor(x * ONE + decimal.Decimal(0.5))
+
+
 def camera_of(scene):
-    """World to view for a camera that is not turned: its place, to the nearest, the other way."""
-    place = scene.get("camera", {}).get("position", [0, 0, 0])
-    return [[ONE * (i == j) for j in range(3)] + [math.floor(-place[i] * ONE + 0.5)] for i in range(3)]
+    """World to view, to the nearest: the axes of a camera that looks at a point, or of one that is not
+    turned, and its place the other way."""
+    camera = scene.get("camera", {})
+    place = [decimal.Decimal(x) for x in camera.get("position", [0, 0, 0])]
+    rows = [[decimal.Decimal(i == j) for j in range(3)] for i in range(3)]
+    if "look_at" in camera:
+        back = [p - decimal.Decimal(x) for p, x in zip(place, camera["look_at"])]
+        right = [back[2], 0, -back[0]] if back[0] or back[2] else [1, 0, 0]
+        up = [back[(i + 1) % 3] * right[(i + 2) % 3] - back[(i + 2) % 3] * right[(i + 1) % 3] for i in range(3)]
+        rows = [[x / sum(y * y for y in axis).sqrt() for x in axis] for axis in (right, up, back)]
+    return [[nearest(x) for x in row] + [nearest(-sum(x * p for x, p in zip(row, place)))] for row in rows]
 
 
 def table(tenths):
@@ -103,9 +138,22 @@ def ball(radius, bands):
     return vertices, faces
 
 
+def obj(file):
+    """Vertices and faces, whose order a scene turns round after the first corner."""
+    vertices, faces = [], []
+    for line in open(os.path.join(os.path.dirname(sys.argv[1]), file)):
+        kind, *words = line.split()
+        if kind == "v":
+            vertices.append([float(word) for word in words])
+        if kind == "f":
+            first, *others = [int(word) - 1 for word in words]
+            faces.append([first] + others[::-1])
+    return vertices, faces
+
+
 def add_normals(vertices, faces, shadings):
     for face, shading in zip(faces, shadings):
-        if not shading.get("diffuse"):
+        if not shading.get("diffuse") and "highlight" not in shading:
             continue
         a, b, c = (vertices[face[i]] for i in (0, 1, 2))
         u = [c[i] - a[i] for i in range(3)]
@@ -133,13 +181,13 @@ class Body:
         self.rules = rules
         self.camera = camera_of(scene)
         (kind, of), = data["shape"].items()
-        vertices, self.faces = cube(of["half_edge"]) if kind == "cube" else ball(**of)
+        vertices, self.faces = cube(of["half_edge"]) if kind == "cube" else obj(of) if kind == "obj" else ball(**of)
         if data.get("surface", {}).get("kind") in LIT_AT_VERTICES:
             add_vertex_normals(vertices, self.faces)
         shadings = data.get("shadings", [data.get("shading", {})] * len(self.faces))
         add_normals(vertices, self.faces, shadings)
-        # A cube's vertices are typed in as whole numbers, a ball's are all computed.
-        convert = coordinate if kind == "cube" else published
+        # A cube's vertices are typed in as whole numbers, a file's too, a ball's are all computed.
+        convert = published if kind == "ball" else coordinate
         self.vertices = [[convert(c) for c in v] for v in vertices]
         self.m = [[ONE * (i == j) for j in range(3)] + [coordinate(data["position"][i])]
                   for i in range(3)] if "position" in data else \
@@ -158,6 +206,8 @@ class Body:
         if self.orbit:
             self.angle = self.orbit.get("start_tenths", 0)
             self.place()
+        self.look_at = data.get("look_at")
+        self.face_point()
 
     def place(self):
         mul, orbit = self.rules.mul, self.orbit
@@ -168,6 +218,18 @@ class Body:
         offset = [mul(radius, cos), -mul(along, tilt_sin), mul(along, tilt_cos)]
         for i in range(3):
             self.m[i][3] = wrap(coordinate(orbit["about"][i]) + offset[i])
+
+    def face_point(self):
+        if self.look_at is None:
+            return
+        back = [row[3] - coordinate(x) for row, x in zip(self.m, self.look_at)]
+        if any(back):
+            unit = lambda v: self.rules.unit(scaled(v))
+            right = unit([back[2], 0, -back[0]]) if back[0] or back[2] else [ONE, 0, 0]
+            back = unit(back)
+            up = self.rules.cross(back, right)
+            for i in range(3):
+                self.m[i][:3] = right[i], up[i], back[i]
 
     def rotate(self):
         mul, m = self.rules.mul, self.m
@@ -187,22 +249,13 @@ class Body:
                 m[a][j] = wrap(mul(cos, above) + mul(-sin, below))
                 m[b][j] = wrap(mul(sin, above) + mul(cos, below))
         if self.restore and self.rotations % self.restore == 0 and self.one_row:
-            m[2][:3] = self.cross(m[0][:3], m[1][:3])
+            m[2][:3] = self.rules.cross(m[0][:3], m[1][:3])
         elif self.restore and self.rotations % self.restore == 0:
-            first = self.unit(m[0][:3])
-            last = self.unit(self.cross(first, m[1][:3]))
-            middle = self.unit(self.cross(last, first))
+            first = self.rules.toward_unit(m[0][:3])
+            last = self.rules.toward_unit(self.rules.cross(first, m[1][:3]))
+            middle = self.rules.toward_unit(self.rules.cross(last, first))
             for i, row in enumerate((first, middle, last)):
                 m[i][:3] = row
-
-    def unit(self, v):
-        factor = self.rules.mul(wrap(3 * ONE - self.rules.dot(v, v)), ONE // 2)
-        return [self.rules.mul(x, factor) for x in v]
-
-    def cross(self, a, b):
-        mul = self.rules.mul
-        return [wrap(mul(a[(i + 1) % 3], b[(i + 2) % 3]) - mul(a[(i + 2) % 3], b[(i + 1) % 3]))
-                for i in range(3)]
 
     def move(self):
         self.wait -= 1
@@ -222,9 +275,9 @@ class Body:
         if self.orbit:
             self.angle = math.fmod(self.angle + self.orbit.get("step_tenths", 0), 3600)
             self.place()
+        self.face_point()
 
     def prepare(self):
-        self.to_view = self.rules.concat(self.camera, self.m)
         self.view = [[wrap(self.rules.dot(row[:3], v) + row[3]) for row in self.to_view]
                      for v in self.vertices]
         self.screen = [self.project(v) for v in self.view]
@@ -242,6 +295,12 @@ class Body:
         return v[0] * w[1] - v[1] * w[0] > 0
 
 
+def scaled(v):
+    """A power of two makes the longest component at least 8192 and less than 16384."""
+    shift = 30 - max(map(abs, v)).bit_length()
+    return [x << shift if shift >= 0 else (x + (1 << -shift - 1)) >> -shift for x in v]
+
+
 def light_of(spot):
     """To the light: the direction's constants, made a unit vector, converted, then negated."""
     direction = [published(d) / ONE for d in spot["direction"]]
@@ -249,7 +308,8 @@ def light_of(spot):
     return [-published(d / size) for d in direction]
 
 
-def frames(scene, rules, count):
+def frames(scene, rules, count, shown=None):
+    """Each frame with its bodies and their order; only those of `shown`, if it is given."""
     bodies = [Body(scene, {**scene.get("defaults", {}), **data}, rules) for data in scene["objects"]]
     buffered = scene.get("depth_buffer", "off") != "off"
     by_depth = scene.get("depth_key", "center") == "center"
@@ -261,23 +321,26 @@ def frames(scene, rules, count):
             for body in bodies:
                 body.move()
         for body in bodies:
-            body.prepare()
+            body.to_view = rules.concat(body.camera, body.m)
         if by_depth:
             # Stable. What a depth buffer hides need not be drawn: the nearest comes first.
             first = -1 if buffered else 1
             order.sort(key=lambda i: first * bodies[i].to_view[2][3])
-        yield frame, bodies, order
+        if shown is None or frame in shown:
+            for body in bodies:
+                body.prepare()
+            yield frame, bodies, order
 
 
 KNOWN = {"name", "camera", "frames_per_second", "conversion", "trigonometry", "depth_key", "palette", "arithmetic",
          "defaults", "objects", "lights", "restore_every", "restore_rows", "depth_buffer", "depth_measure", "near"}
 KNOWN_OF_OBJECTS = {"name", "shape", "paint", "paints", "checks", "shading", "shadings", "position", "spin", "drift",
-                    "orbit", "surface"}
+                    "orbit", "surface", "look_at"}
 
 
 def refuse_unknown(scene):
     unknown = set(scene) - KNOWN
-    unknown |= set(scene.get("camera", {})) - {"position"}
+    unknown |= set(scene.get("camera", {})) - {"position", "look_at"}
     for data in [scene.get("defaults", {})] + scene["objects"]:
         unknown |= set(data) - KNOWN_OF_OBJECTS
     if scene.get("conversion", "published") != "published" or unknown:
@@ -303,9 +366,7 @@ def main():
                 rules = Rules(target, mul_on, div_on)
                 print("#", target.replace("-", " "), "multiply", "on" if mul_on else "off", "divide",
                       "on" if div_on else "off")
-                for frame, bodies, order in frames(scene, rules, FRAMES[-1] + 1):
-                    if frame not in FRAMES:
-                        continue
+                for frame, bodies, order in frames(scene, rules, FRAMES[-1] + 1, FRAMES):
                     i = frame % len(bodies)
                     b = bodies[i]
                     print("frame", frame, "order", join(order))

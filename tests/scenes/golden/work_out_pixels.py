@@ -262,11 +262,11 @@ def main():
                 rules = Rules(target, mul_on, div_on)
                 print("#", target, "multiply", "on" if mul_on else "off", "divide",
                       "on" if div_on else "off")
-                for frame, bodies, order in frames(scene, rules, FRAMES[-1] + 1):
-                    if frame in FRAMES:
-                        page = picture(scene, rules, bodies, order)
-                        drawn = len(page) - page.count(0)
-                        print("frame %d drawn %d hash %016x" % (frame, drawn, fnv(page)))
+                for frame, bodies, order in frames(scene, rules, FRAMES[-1] + 1, FRAMES):
+                    page = picture(scene, rules, bodies, order)
+                    drawn = len(page) - page.count(0)
+                    print("frame %d drawn %d hash %016x" % (frame, drawn, fnv(page)))
 
 
-main()
+if __name__ == "__main__":
+    main()

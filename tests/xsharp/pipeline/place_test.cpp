@@ -52,6 +52,8 @@ struct Arithmetic<pipeline::Plain<M>> {
                                   Concatenation /*how*/) {
     return concatenate_products(first, second);
   }
+  static N length(const Vec3<N>& v) { return {Of::length({v.x.n, v.y.n, v.z.n})}; }
+  static N power(N base, N exponent) { return {Of::power(base.n, exponent.n)}; }
 };
 
 namespace {

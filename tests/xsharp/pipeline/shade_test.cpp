@@ -9,6 +9,7 @@ namespace xsharp {
 namespace {
 
 using draws::Integers;
+using pipeline::direction;
 using pipeline::number;
 using pipeline::product_error;
 using pipeline::triple;
@@ -27,13 +28,6 @@ Ray<N> ray(const Triple& to_light, double intensity) {
 template <class N>
 Lighting<N> ambient(double intensity) {
   return {true, {number<N>(intensity), number<N>(intensity), number<N>(intensity)}, {}};
-}
-
-/// A vector of length 1, up to rounding.
-template <class N>
-Vec3<N> direction(std::int64_t x, std::int64_t y, std::int64_t z) {
-  const Triple v{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) + 0.5};
-  return pipeline::vector<N>(scaled(v, 1 / length(v)));
 }
 
 /// 255 times the reflected light of a component, in double, from the rounded inputs.

@@ -69,6 +69,14 @@ xsharp::Vec3<N> vector(const xsharp::Triple& v) {
   return {number<N>(v[0]), number<N>(v[1]), number<N>(v[2])};
 }
 
+/// A vector of length 1, up to rounding.
+template <class N>
+xsharp::Vec3<N> direction(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const xsharp::Triple v{static_cast<double>(x), static_cast<double>(y),
+                         static_cast<double>(z) + 0.5};
+  return vector<N>(xsharp::scaled(v, 1 / xsharp::length(v)));
+}
+
 template <class N>
 xsharp::Triple triple(const xsharp::Vec3<N>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};

@@ -222,7 +222,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [3]})", "objects[0]: must be an object {…}, not 3"},
       {R"({"objects": [], "objects": []})", "the key \"objects\" occurs twice in one object"},
       {R"({"objects": [], "camera": {"poistion": [0, 0, 0]}})",
-       "camera: unknown key \"poistion\"; choose one of page, position, turn_tenths"},
+       "camera: unknown key \"poistion\"; choose one of page, position, turn_tenths, look_at"},
       {R"({"objects": [], "arithmetic": {"repaired": true}})",
        "arithmetic: repaired is for the target i8088: only its ConcatXforms loses a carry"},
       {R"({"objects": [], "arithmetic": {"by": "double", "target": "i8088", "repaired": true}})",
@@ -375,7 +375,8 @@ TEST(SceneJson, NamesTheFile) {
 
 TEST(SceneJson, OutlivesAnyBytes) {
   std::vector<std::string> texts;
-  for (const char* name : {"ball_and_cubes.json", "shaded_ball.json", "solid.json"}) {
+  for (const char* name : {"ball_and_cubes.json", "highlight.json", "look_at.json",
+                           "shaded_ball.json", "solid.json"}) {
     texts.push_back(contents(root / "scenes" / name));
     ASSERT_EQ(said_of_scene(texts.back()), "accepted");
   }

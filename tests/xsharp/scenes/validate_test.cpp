@@ -91,6 +91,17 @@ const std::vector<BadScene>& bad_settings() {
        [](Scene& s) { s.camera.position[1] = nan; }},
       {"camera: turn_tenths is 32768, must be from -32768 to 32767",
        [](Scene& s) { s.camera.turn_tenths[1] = 32768; }},
+      {"camera: look_at is nan, must be from -16384 to 16384",
+       [](Scene& s) {
+         s.camera.look_at = Triple{0, 0, nan};
+       }},
+      {"camera: distance of look_at is 0, must be from 6.10352e-05 to 65536",
+       [](Scene& s) { s.camera.look_at = s.camera.position; }},
+      {"camera: must not have both turn_tenths and look_at",
+       [](Scene& s) {
+         s.camera.turn_tenths = {1, 0, 0};
+         s.camera.look_at = Triple{0, 0, -9};
+       }},
       {"lights.ambient is -0.1, must be from 0 to 100",
        [](Scene& s) { s.lights.ambient[1] = -0.1; }},
       {"17 spots, more than 16", [](Scene& s) { s.lights.spots.resize(17); }},
@@ -136,6 +147,28 @@ const std::vector<BadScene>& bad_objects() {
        [](Scene& s) { s.objects[1].paints[3].is_index = true; }},
       {"'ball': face 71 answers to diffuse light, but has no normal",
        [](Scene& s) { s.objects[1].mesh.faces[71].normal_end.reset(); }},
+      {"'ball': face 5 has a highlight, but no normal",
+       [](Scene& s) {
+         s.objects[1].shadings[5] = {.highlight = Highlight{8, 1}};
+         s.objects[1].mesh.faces[5].normal_end.reset();
+       }},
+      {"'ball': face 5: highlight.exponent is nan, must be from 1 to 1000",
+       [](Scene& s) {
+         s.objects[1].shadings[5].highlight = Highlight{nan, 1};
+       }},
+      {"'ball': face 5: highlight.strength is inf, must be from 0 to 1",
+       [](Scene& s) {
+         s.objects[1].shadings[5].highlight = Highlight{8, infinity};
+       }},
+      {"'cube': look_at is inf, must be from -16384 to 16384",
+       [](Scene& s) {
+         s.objects[0].look_at = Triple{infinity, 0, 0};
+       }},
+      {"'cube': must not have both spin and look_at",
+       [](Scene& s) {
+         s.objects[0].spin.tenths = {0, 0, -1};
+         s.objects[0].look_at = Triple{};
+       }},
       {"'cube': page is -1000001, must be from -1000000 to 1000000",
        [](Scene& s) { s.objects[0].page[0] = -1000001; }},
       {"'cube': position is 16384.5, must be from -16384 to 16384",
