@@ -150,8 +150,9 @@ class Polyhedron final : public Object<N> {
   }
 
   [[nodiscard]] bool is_on_screen(std::uint32_t face) const {
-    return std::ranges::all_of(faces_.vertices_of(face),
-                               [this](std::uint32_t v) { return screen_[v].has_value(); });
+    const auto vertices = faces_.vertices_of(face);
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [this](std::uint32_t v) { return screen_[v].has_value(); });
   }
 
   /// Keeps a face that shows its front. @pre is_on_screen(f)

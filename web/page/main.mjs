@@ -1,0 +1,51 @@
+// Starts the module and draws the view that the address names.
+import { html, render } from "../vendor/lit-html.js";
+import { numberView } from "./number.mjs";
+import { operationView } from "./operation.mjs";
+import { defaults, hashOf, stateOf } from "./state.mjs";
+import { embeddedModule } from "./wasm.mjs";
+
+const views = {
+  number: ["Number", (module, state, update) => html`
+    <section>${numberView(module, state, update)}</section>
+    <section>${operationView(module, state, update)}</section>`],
+};
+
+let state = stateOf(location.hash);
+let module;
+
+function draw() {
+  if (!(state.view in views)) state.view = defaults.view;
+  render(Object.entries(views).map(([view, [name]]) => html`
+    <a href=${hashOf({ ...state, view })} aria-current=${view === state.view ? "page" : "false"}>${name}</a>`),
+    document.getElementById("views"));
+  render(views[state.view][1](module, state, update), document.getElementById("view"));
+  document.documentElement.dataset.drawn = state.view;
+}
+
+// A view changes the state, never the page itself.
+function update(changes) {
+  state = { ...state, ...changes };
+  history.replaceState(null, "", hashOf(state));
+  draw();
+}
+
+// The module ends at a throw; the page then says so.
+function broken(error) {
+  document.getElementById("view").textContent = `The module stopped: ${error.message}. Load the page again.`;
+}
+
+addEventListener("hashchange", () => {
+  state = stateOf(location.hash);
+  draw();
+});
+addEventListener("error", (event) => broken(event.error ?? event));
+
+try {
+  module = await embeddedModule();
+  document.getElementById("view").replaceChildren();
+  draw();
+  performance.mark("started");
+} catch (error) {
+  broken(error);
+}
