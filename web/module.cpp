@@ -1,12 +1,15 @@
 // The functions that the page calls. A request is text that the page writes into the buffer; an
 // answer is text, too.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "web/number.hpp"
 #include "web/operate.hpp"
+#include "web/trace.hpp"
 
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): the page reads and writes this
 // memory
@@ -42,4 +45,11 @@ FIXPROOF_EXPORT(operation) std::size_t operation(std::size_t length) {
 }
 FIXPROOF_EXPORT(answers) std::size_t answers(std::size_t length) {
   return answered(fixproof::web::answers(request(length)));
+}
+FIXPROOF_EXPORT(routines) std::size_t routines() { return answered(fixproof::web::routines()); }
+FIXPROOF_EXPORT(trace) std::size_t trace(std::size_t length) {
+  return answered(fixproof::web::trace(request(length)));
+}
+FIXPROOF_EXPORT(state) std::size_t state(std::size_t length) {
+  return answered(fixproof::web::state(request(length)));
 }

@@ -1,14 +1,18 @@
 // Starts the module and draws the view that the address names.
 import { html, render } from "../vendor/lit-html.js";
+import { casesView } from "./cases.mjs";
 import { numberView } from "./number.mjs";
 import { operationView } from "./operation.mjs";
 import { defaults, hashOf, stateOf } from "./state.mjs";
+import { afterTrace, traceView } from "./trace.mjs";
 import { embeddedModule } from "./wasm.mjs";
 
+// For each view its name, what it draws, and what it does once that is drawn.
 const views = {
-  number: ["Number", (module, state, update) => html`
-    <section>${numberView(module, state, update)}</section>
-    <section>${operationView(module, state, update)}</section>`],
+  number: ["Number", numberView],
+  operation: ["Operation", operationView],
+  trace: ["Trace", traceView, afterTrace],
+  cases: ["Famous cases", casesView],
 };
 
 let state = stateOf(location.hash);
@@ -19,7 +23,9 @@ function draw() {
   render(Object.entries(views).map(([view, [name]]) => html`
     <a href=${hashOf({ ...state, view })} aria-current=${view === state.view ? "page" : "false"}>${name}</a>`),
     document.getElementById("views"));
-  render(views[state.view][1](module, state, update), document.getElementById("view"));
+  const [, view, after] = views[state.view];
+  render(view(module, state, update), document.getElementById("view"));
+  after?.();
   document.documentElement.dataset.drawn = state.view;
 }
 

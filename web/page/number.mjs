@@ -62,8 +62,8 @@ export function numberView(module, state, update) {
     ${row.fits ? bitsOf(row, update) : nothing}
     <div class="scroll" tabindex="0" role="region" aria-label="The number in every format">
     <table>
-      <thead><tr><th scope="col">format</th><th scope="col">word</th><th scope="col">value</th><th scope="col">error</th>
-        <th scope="col">in units</th><th scope="col">next below</th><th scope="col">next above</th><th scope="col">parties</th></tr></thead>
+      <thead><tr><th scope="col">format</th><th scope="col">word</th><th scope="col" class="figure">value</th><th scope="col" class="figure">error</th>
+        <th scope="col" class="figure">in units</th><th scope="col" class="figure">next below</th><th scope="col" class="figure">next above</th><th scope="col">parties</th></tr></thead>
       <tbody>${shown.rows.map((each) => rowOf(each, update))}</tbody>
     </table></div>`;
 }

@@ -1,8 +1,9 @@
 // Two numbers and an operation: the exact result, and where each rule and each build lands.
 import { html, nothing } from "../vendor/lit-html.js";
 import { agreement, between, input, operations, problem, select, short } from "./parts.mjs";
+import { hashOf } from "./state.mjs";
 
-const rowOf = (row) => html`
+const rowOf = (row, state) => html`
   <tr>
     <th scope="row">${row.name}</th>
     ${row.word ? html`
@@ -12,14 +13,16 @@ const rowOf = (row) => html`
     : html`<td colspan="3">no result: divide error</td>`}
     <td>${row.wraps ? "wraps" : ""}</td>
     <td>${agreement(row.agrees)}</td>
+    <td>${row.link ? html`<a href=${hashOf({ view: "trace", routine: state.op, build: row.link, beside: "none",
+      operands: `${state.a} ${state.b}` })}>trace</a>` : ""}</td>
   </tr>`;
 
-const table = (label, rows) => html`
+const table = (label, rows, state) => html`
   <div class="scroll" tabindex="0" role="region" aria-label=${label}>
   <table>
-    <thead><tr><th scope="col">${label}</th><th scope="col">word</th><th scope="col">value</th>
-      <th scope="col">error in units</th><th scope="col">range</th><th scope="col">parties</th></tr></thead>
-    <tbody>${rows.map(rowOf)}</tbody>
+    <thead><tr><th scope="col">${label}</th><th scope="col">word</th><th scope="col" class="figure">value</th>
+      <th scope="col" class="figure">error in units</th><th scope="col">range</th><th scope="col">parties</th><th scope="col">steps</th></tr></thead>
+    <tbody>${rows.map((row) => rowOf(row, state))}</tbody>
   </table></div>`;
 
 const resultOf = (answer) => html`
@@ -37,7 +40,7 @@ export function operationView(module, state, update) {
   const shown = answer.error ? operationView.last : answer;
   const formats = module.ask("number", "q16_16", "0").rows.map((row) => [row.name, row.name]);
   return html`
-    <h2>Two numbers</h2>
+    <h2>Two numbers and an operation</h2>
     <div class="choices">
       ${input("First", state.a, (a) => update({ a }))}
       ${select("Operation", state.op, operations, (op) => update({ op }))}
@@ -47,6 +50,6 @@ export function operationView(module, state, update) {
     ${problem(answer.error)}
     ${shown ? html`
       ${resultOf(shown)}
-      ${table("Rule of rounding", shown.rules)}
-      ${shown.builds.length ? table("Build of FIXED.ASM", shown.builds) : nothing}` : nothing}`;
+      ${table("Rule of rounding", shown.rules, state)}
+      ${shown.builds.length ? table("Build of FIXED.ASM", shown.builds, state) : nothing}` : nothing}`;
 }

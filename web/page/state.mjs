@@ -4,6 +4,7 @@ export const defaults = {
   view: "number",
   text: "0.1", format: "q16_16",
   op: "mul", in: "q16_16", a: "0xffffffff", b: "0.5",
+  routine: "mul", build: "i386-on", beside: "i8088-on", operands: "-0.5 1.5", step: "0",
 };
 
 // Values that are missing or unknown are the defaults.
