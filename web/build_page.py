@@ -14,7 +14,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 # A script comes after those that it imports.
-ORDER = ("wasm", "state", "parts", "number", "operation", "trace", "cases", "main")
+ORDER = ("wasm", "state", "parts", "number", "operation", "trace", "scenes", "cases", "main")
 IMPORT = re.compile(r'^import (\{.*\}) from "(?:\./|\.\./vendor/)([\w-]+)\.m?js";$', re.M)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const) (\w+))", re.M)
 

@@ -77,7 +77,7 @@ class Polyhedron final : public Object<N> {
       if (seen.clipped_corners == 0) {
         for (const std::uint32_t v : vertices) picture.points.push_back(*screen_[v]);
       } else {
-        const auto end = clipped + seen.clipped_corners;
+        const auto end = clipped + static_cast<std::ptrdiff_t>(seen.clipped_corners);
         picture.points.insert(picture.points.end(), clipped, end);
         clipped = end;
       }

@@ -7,6 +7,10 @@ const move = (x, y, z) => `1 0 0 ${x}  0 1 0 ${y}  0 0 1 ${z}`;
 export const cases = [
   { name: "0.5 + 0.5 = 0", finding: 18, state: { view: "trace", routine: "concat", build: "i8088-on", beside: "i8088-on-repaired", operands: `${move("0.5", 0, 0)}  ${move("0.5", 0, 0)}`, step: "differs" },
     says: "The 8088 ConcatXforms adds a translation as a low and a high word. Both additions are ADD, so the carry from the low words is lost and 0.5 + 0.5 gives 0. The repaired routine has ADC for the second one: step on and watch the high word." },
+  { name: "Cubes one unit too far away", finding: 18, state: { view: "scenes", scene: "lost_carry", arithmetic: "4", against: "8", play: "no", frame: "0" },
+    says: "The viewer stands at a place with a fraction, so the lost carry shifts whole cubes. On the right is every pixel that the repaired routine draws differently. Play the scene, and switch to the repaired arithmetic while it runs." },
+  { name: "Thirty minutes of drift", finding: 2, state: { view: "scenes", scene: "twelve_cubes", arithmetic: "3", against: "11", show: "other", play: "no", frame: "108000" },
+    says: "Every turn multiplies the last orientation by a small rotation and rounds. Without rounding to nearest, the errors all point one way, and after half an hour the cubes are no longer cubes. On the right are the same cubes in double." },
   { name: "The fault that disappears", finding: 3, state: { view: "operation", op: "div", in: "q16_16", a: "0x00008001", b: "0x00000001" },
     says: "The rounded 386 divide uses the unsigned DIV, which faults only if the quotient needs more than 32 bits. This quotient, 32769, needs the sign bit, so two positive numbers silently give −32767. Without rounding the routine uses IDIV, which raises the divide error." },
   { name: "Halves that split two builds", finding: 2, state: { view: "operation", op: "mul", in: "q16_16", a: "0xffffffff", b: "0.5" },

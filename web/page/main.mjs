@@ -3,6 +3,7 @@ import { html, render } from "../vendor/lit-html.js";
 import { casesView } from "./cases.mjs";
 import { numberView } from "./number.mjs";
 import { operationView } from "./operation.mjs";
+import { afterScenes, reopenScenes, scenesView } from "./scenes.mjs";
 import { defaults, hashOf, stateOf } from "./state.mjs";
 import { afterTrace, traceView } from "./trace.mjs";
 import { embeddedModule } from "./wasm.mjs";
@@ -12,10 +13,13 @@ const views = {
   number: ["Number", numberView],
   operation: ["Operation", operationView],
   trace: ["Trace", traceView, afterTrace],
+  scenes: ["Scenes", scenesView, afterScenes],
   cases: ["Famous cases", casesView],
 };
 
 let state = stateOf(location.hash);
+// Who asks for less motion starts the scenes.
+if (matchMedia("(prefers-reduced-motion: reduce)").matches) state.play = "no";
 let module;
 
 function draw() {
@@ -25,7 +29,7 @@ function draw() {
     document.getElementById("views"));
   const [, view, after] = views[state.view];
   render(view(module, state, update), document.getElementById("view"));
-  after?.();
+  after?.(module, state, () => state);
   document.documentElement.dataset.drawn = state.view;
 }
 
@@ -43,6 +47,7 @@ function broken(error) {
 
 addEventListener("hashchange", () => {
   state = stateOf(location.hash);
+  reopenScenes();
   draw();
 });
 addEventListener("error", (event) => broken(event.error ?? event));
