@@ -206,10 +206,9 @@ inline double level_of(const Spot& spot) {
 /// Whether polygons have values at their points.
 inline bool interpolates(const Scene& scene) {
   if (scene.depth_buffer != DepthBuffering::off) return true;
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const ObjectDescription& object) {
-                       return object.surface.kind != SurfaceKind::flat;
-                     });
+  return std::any_of(
+      scene.objects.begin(), scene.objects.end(),
+      [](const ObjectDescription& object) { return object.surface.kind != SurfaceKind::flat; });
 }
 
 }  // namespace xsharp

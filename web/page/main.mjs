@@ -1,5 +1,5 @@
 // Starts the module and draws the view that the address names.
-import { html, render } from "../vendor/lit-html.js";
+import { render } from "../vendor/lit-html.js";
 import { casesView } from "./cases.mjs";
 import { numberView } from "./number.mjs";
 import { operationView } from "./operation.mjs";
@@ -8,13 +8,13 @@ import { defaults, hashOf, stateOf } from "./state.mjs";
 import { afterTrace, traceView } from "./trace.mjs";
 import { embeddedModule } from "./wasm.mjs";
 
-// For each view its name, what it draws, and what it does once that is drawn.
+// For each view what it draws, and what it does once that is drawn.
 const views = {
-  number: ["Number", numberView],
-  operation: ["Operation", operationView],
-  trace: ["Trace", traceView, afterTrace],
-  scenes: ["Scenes", scenesView, afterScenes],
-  cases: ["Famous cases", casesView],
+  number: [numberView],
+  operation: [operationView],
+  trace: [traceView, afterTrace],
+  scenes: [scenesView, afterScenes],
+  cases: [casesView],
 };
 
 let state = stateOf(location.hash);
@@ -24,10 +24,12 @@ let module;
 
 function draw() {
   if (!(state.view in views)) state.view = defaults.view;
-  render(Object.entries(views).map(([view, [name]]) => html`
-    <a href=${hashOf({ ...state, view })} aria-current=${view === state.view ? "page" : "false"}>${name}</a>`),
-    document.getElementById("views"));
-  const [, view, after] = views[state.view];
+  for (const link of document.querySelectorAll("#views a")) {
+    const { view } = stateOf(new URL(link.href).hash);
+    link.href = hashOf({ ...state, view });
+    link.setAttribute("aria-current", view === state.view ? "page" : "false");
+  }
+  const [view, after] = views[state.view];
   render(view(module, state, update), document.getElementById("view"));
   after?.(module, state, () => state);
   document.documentElement.dataset.drawn = state.view;
