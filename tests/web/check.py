@@ -136,6 +136,7 @@ def builds(driver):
 
 def cases(driver):
     """Every famous case shows what docs/findings.md says. The words are those of that page."""
+    size(driver, 800, 900)
     none = "no result: divide error"
     operations = {
         "The fault that disappears": ["80010000", none, none, none],
