@@ -90,14 +90,14 @@ def policy(driver):
 def bits(driver):
     """Text, bits and table agree; arrow keys and the space bar flip a bit; the address keeps the number."""
     open_page(driver, "#view=number&text=1.5")
-    expect_equal(cells(driver, "section:first-of-type", "q16_16")[1:4], ["00018000", "1.5", "0"], "1.5 in q16_16")
+    expect_equal(cells(driver, "#view", "q16_16")[1:4], ["00018000", "1.5", "0"], "1.5 in q16_16")
     # 1.5 needs a bit that q8_0 does not have: a half goes up.
-    expect_equal(cells(driver, "section:first-of-type", "q8_0")[1:5], ["02", "2", "0.5", "0.5"], "1.5 in q8_0")
-    expect("out of range" in cells(driver, "section:first-of-type", "u0_8")[1], "1.5 in u0_8")
+    expect_equal(cells(driver, "#view", "q8_0")[1:5], ["02", "2", "0.5", "0.5"], "1.5 in q8_0")
+    expect("out of range" in cells(driver, "#view", "u0_8")[1], "1.5 in u0_8")
     driver.execute_script("document.querySelector('.bits button').focus()")
     ActionChains(driver).send_keys(Keys.END).send_keys(Keys.ARROW_LEFT).send_keys(Keys.SPACE).perform()
     # 2 units above 1.5, and one unit below and above that.
-    expect_equal(cells(driver, "section:first-of-type", "q16_16")[1:],
+    expect_equal(cells(driver, "#view", "q16_16")[1:],
                  ["00018002", "1.500030517578125", "0", "0", "1.5000152587890625", "1.5000457763671875", "agree"],
                  "bit 1 flipped")
     expect("0x00018002" in driver.current_url, f"the address is {driver.current_url}")
@@ -105,7 +105,7 @@ def bits(driver):
     box.clear()
     box.send_keys("-32768.00001")
     # 0.66 units below the lowest number is nearer to the number below it, which does not exist.
-    expect("out of range" in cells(driver, "section:first-of-type", "q16_16")[1], "below the lowest word")
+    expect("out of range" in cells(driver, "#view", "q16_16")[1], "below the lowest word")
     box.send_keys("x")
     expect("Not a number" in text(driver, ".problem"), "an error for letters")
 
