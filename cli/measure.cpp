@@ -39,7 +39,7 @@ measure::MeasureRequest read_request(const MeasureOptions& options,
                                      std::unique_ptr<support::OutputFile>& json) {
   measure::MeasureRequest request = options.request;
   if (!options.format.empty()) request.format = cases::format_named(options.format);
-  std::vector<std::filesystem::path> inputs;
+  std::vector<std::string> inputs;
   for (const std::string& file : options.scenes) {
     request.scenes.push_back(xsharp::read_scene(file));
     const auto& files = request.scenes.back().files;

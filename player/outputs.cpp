@@ -33,13 +33,13 @@ bool is_frame_of(const fs::path& folder, const fs::path& file) {
 }
 
 void refuse_inputs(std::string_view option, const fs::path& file,
-                   const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
+                   const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
     if (support::same_file(file, input)) refuse_use(option, file, "the scene");
   }
 }
 
-void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& inputs) {
+void refuse_clashes(const OutputNames& names, const std::vector<std::string>& inputs) {
   std::vector<Use> outputs;
   if (!names.animation.empty()) outputs.emplace_back("--animate", names.animation);
   if (!names.dump.empty()) outputs.emplace_back("--dump", names.dump);
@@ -54,7 +54,7 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
     others.emplace_back(option, file);
   }
   if (names.folder.empty()) return;
-  for (const fs::path& input : inputs) others.emplace_back("the scene", input);
+  for (const std::string& input : inputs) others.emplace_back("the scene", input);
   for (const auto& [other, file] : others) {
     if (is_frame_of(names.folder, file)) {
       throw support::UsageError(
@@ -67,18 +67,18 @@ void refuse_clashes(const OutputNames& names, const std::vector<fs::path>& input
 }  // namespace
 
 std::unique_ptr<support::OutputFile> open_output(std::string_view option, const fs::path& file,
-                                                 const std::vector<fs::path>& inputs) {
+                                                 const std::vector<std::string>& inputs) {
   if (file.empty()) return nullptr;
   refuse_inputs(option, file, inputs);
   return std::make_unique<support::OutputFile>(file.string());
 }
 
 void check_output(std::string_view option, const fs::path& file,
-                  const std::vector<fs::path>& inputs) {
+                  const std::vector<std::string>& inputs) {
   open_output(option, file, inputs);
 }
 
-Outputs::Outputs(const OutputNames& names, const std::vector<fs::path>& inputs,
+Outputs::Outputs(const OutputNames& names, const std::vector<std::string>& inputs,
                  double frames_per_second)
     : folder_(names.folder) {
   if (!folder_.empty()) {

@@ -32,11 +32,11 @@ struct OutputNames {
 /// another run is writing it
 std::unique_ptr<support::OutputFile> open_output(std::string_view option,
                                                  const std::filesystem::path& file,
-                                                 const std::vector<std::filesystem::path>& inputs);
+                                                 const std::vector<std::string>& inputs);
 
 /// Does the same, but releases the lock. Only for files in a folder that the run has locked.
 void check_output(std::string_view option, const std::filesystem::path& file,
-                  const std::vector<std::filesystem::path>& inputs);
+                  const std::vector<std::string>& inputs);
 
 /// Output files for frames, locked against another run. A file appears or changes only when it is
 /// complete.
@@ -46,7 +46,7 @@ class Outputs {
   /// @throws UsageError if an output is another output or an input, the folder cannot be made, or
   /// another run is writing there
   /// @throws std::runtime_error naming the file that cannot be written, or that another run writes
-  Outputs(const OutputNames& names, const std::vector<std::filesystem::path>& inputs,
+  Outputs(const OutputNames& names, const std::vector<std::string>& inputs,
           double frames_per_second);
 
   /// Adds a frame. Frames come in order, from 0.

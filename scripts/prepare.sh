@@ -5,20 +5,23 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# clang-format and clang-tidy judge differently from version to version: one version for every machine.
+# shellcheck disable=SC2034  # used by the scripts that source this one
+llvm=14
 build_packages=(cmake ninja-build g++ libboost-dev libboost-filesystem-dev libcli11-dev libfmt-dev
   nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev nasm
   libunicorn-dev z3 libfixmath-dev libfreetype-dev)
 test_packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
   libglm-dev libmpfr-dev gappa dosbox cvc5 python3-yaml)
 # shellcheck disable=SC2034  # used by ./test
-browser_packages=(chromium chromium-driver python3-selenium)
+wasm_packages=(clang lld wasi-libc "libc++-$llvm-dev-wasm32" "libc++abi-$llvm-dev-wasm32"
+  "libclang-rt-$llvm-dev-wasm32" python3)
+# shellcheck disable=SC2034
+browser_packages=(chromium chromium-driver python3-selenium nodejs "${wasm_packages[@]}")
 # shellcheck disable=SC2034
 import_packages=(clang git pkg-config)
 # shellcheck disable=SC2034
 scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
-# clang-format and clang-tidy judge differently from version to version: one version for every machine.
-# shellcheck disable=SC2034  # used by the scripts that source this one
-llvm=14
 
 say() { printf 'fixproof: %s\n' "$*" >&2; }
 die() { say "$*"; exit 2; }

@@ -2,15 +2,40 @@
 /// A fixed set of threads that run the same function.
 #pragma once
 
-#include <barrier>
 #include <boost/noncopyable.hpp>
 #include <cstddef>
-#include <exception>
 #include <functional>
+
+#if !defined(__wasi__)
+#include <barrier>
+#include <exception>
 #include <thread>
 #include <vector>
+#endif
 
 namespace fixproof::support {
+
+#if defined(__wasi__)
+
+/// The same interface without threads, which WebAssembly's libraries lack: the caller is the only
+/// worker.
+class ThreadPool : private boost::noncopyable {
+ public:
+  explicit ThreadPool(std::size_t /*workers*/) {}
+
+  [[nodiscard]] static constexpr std::size_t workers() { return 1; }
+  static void run(const std::function<void(std::size_t)>& work) { work(0); }
+
+  struct Part {
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+  [[nodiscard]] static constexpr Part part(std::size_t count, std::size_t /*worker*/) {
+    return {0, count};
+  }
+};
+
+#else
 
 /// Threads that wait between calls of run(). The calling thread is worker 0. Only one thread may
 /// call run() at a time.
@@ -44,5 +69,7 @@ class ThreadPool : private boost::noncopyable {
   std::barrier<> end_;
   std::vector<std::thread> threads_;
 };
+
+#endif
 
 }  // namespace fixproof::support

@@ -83,7 +83,7 @@ class Polyhedron final : public Object<N> {
       if (seen.clipped_corners == 0) {
         for (const std::uint32_t v : vertices) picture.points.push_back(*screen_[v]);
       } else {
-        const auto end = clipped + seen.clipped_corners;
+        const auto end = clipped + static_cast<std::ptrdiff_t>(seen.clipped_corners);
         picture.points.insert(picture.points.end(), clipped, end);
         clipped = end;
       }
@@ -156,8 +156,9 @@ class Polyhedron final : public Object<N> {
   }
 
   [[nodiscard]] bool is_on_screen(std::uint32_t face) const {
-    return std::ranges::all_of(faces_.vertices_of(face),
-                               [this](std::uint32_t v) { return screen_[v].has_value(); });
+    const auto vertices = faces_.vertices_of(face);
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [this](std::uint32_t v) { return screen_[v].has_value(); });
   }
 
   /// Keeps a face that shows its front. @pre is_on_screen(f)

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -214,7 +213,7 @@ struct Scene {
   Camera camera{};
   Lights lights{};
   std::vector<ObjectDescription> objects;
-  std::vector<std::filesystem::path> files{};  ///< the files it was read from
+  std::vector<std::string> files{};  ///< the files it was read from
 };
 
 /// The factor of x / z and y / z, in pixels. As published, half the width of the page is a whole
@@ -232,9 +231,9 @@ inline double level_of(const Spot& spot) {
 /// Whether polygons have values at their points.
 inline bool interpolates(const Scene& scene) {
   if (scene.depth_buffer != DepthBuffering::off) return true;
-  return std::ranges::any_of(scene.objects, [](const ObjectDescription& object) {
-    return object.surface.kind != SurfaceKind::flat;
-  });
+  return std::any_of(
+      scene.objects.begin(), scene.objects.end(),
+      [](const ObjectDescription& object) { return object.surface.kind != SurfaceKind::flat; });
 }
 
 }  // namespace xsharp

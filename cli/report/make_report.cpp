@@ -54,7 +54,7 @@ void check_outputs(const ReportRequest& request, const std::vector<xsharp::Scene
   for (const ReportStep& step : steps) {
     files.insert(files.end(), step.files.begin(), step.files.end());
   }
-  std::vector<std::filesystem::path> inputs;
+  std::vector<std::string> inputs;
   for (const xsharp::Scene& scene : scenes) {
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }

@@ -7,58 +7,23 @@ to PICTURES. Expected figures come from FOLDER/report.json. Status 0: holds, 1: 
 import base64
 import json
 import pathlib
-import shutil
 import sys
 
+sys.dont_write_bytecode = True
+import chromium
+import sample_host
+from chromium import browser, media, size, violations
+
 try:
-    from selenium import webdriver
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.support.ui import Select, WebDriverWait
 except ImportError:
-    print("skipped: python3-selenium is not installed")
-    sys.exit(77)
-sys.dont_write_bytecode = True
-import sample_host
+    chromium.skip("python3-selenium is not installed")
 
 CASE, FOLDER, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3])
 DATA = json.loads((FOLDER / "report.json").read_text())
-
-
-def browser(width=1280, height=900):
-    if not shutil.which("chromium") or not shutil.which("chromedriver"):
-        print("skipped: chromium or chromium-driver is not installed")
-        sys.exit(77)
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--force-device-scale-factor=1", f"--window-size={width},{height}"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.chrome.service.Service(shutil.which("chromedriver"))
-    driver = webdriver.Chrome(service=service, options=options)
-    # In every page, before its own scripts; the policy of the page does not apply to it.
-    driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """
-        window.violations = [];
-        document.addEventListener("securitypolicyviolation", (event) => violations.push(
-          `${event.effectiveDirective} blocks ${event.blockedURI} at ${event.sourceFile}:${event.lineNumber}`));"""})
-    return driver
-
-
-def violations(driver):
-    """What the page's Content-Security-Policy has blocked since the page was opened."""
-    return driver.execute_script("return window.violations")
-
-
-def size(driver, width, height, mobile=False):
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                           {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
-
-
-def media(driver, kind="", scheme="light"):
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-        "media": kind, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
 
 
 def open_page(driver, file=None):
@@ -68,16 +33,11 @@ def open_page(driver, file=None):
 
 
 def picture(driver, name, whole=True):
-    """The page as it is seen, from its top to its end."""
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    shot = driver.execute_cdp_cmd("Page.captureScreenshot", {"captureBeyondViewport": whole})
-    (PICTURES / f"{name}.png").write_bytes(base64.b64decode(shot["data"]))
+    chromium.picture(driver, PICTURES / f"{name}.png", whole)
 
 
 def expect(holds, what):
-    if not holds:
-        print(f"{CASE}: {what}")
-        sys.exit(1)
+    chromium.expect(holds, f"{CASE}: {what}")
 
 
 def expect_equal(is_, wanted, what):

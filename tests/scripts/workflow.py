@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """usage: workflow.py ROOT
 
-Holds ROOT/.github/workflows/*.yml to what can be told without running them: they parse, ask for no rights, and run
+Holds ROOT/.github/workflows/*.yml to what can be told without running them: they parse, ask for no rights but those of
+publishing the playground, and run
 nothing but scripts of the tree, with presets, labels, processors and options that there are. Actions are named by commit
 with the version beside them, and images by digest, also in the documents and docs/scale. Status 1 for any breach.
 """
@@ -18,6 +19,8 @@ import yaml
 
 root = Path(sys.argv[1])
 breaches = []
+# The rights of the one job that publishes.
+PUBLISHES = {"contents": "read", "pages": "write", "id-token": "write"}
 
 
 def expanded(text, matrix):
@@ -90,7 +93,7 @@ def check_workflow(path):
     tried = set()
     for name, job in workflow["jobs"].items():
         place = f"{path.name}: {name}"
-        if "permissions" in job:
+        if job.get("permissions") != (PUBLISHES if name == "pages" else None):
             breaches.append(f"{place}: asks for rights of its own")
         if "timeout-minutes" not in job:
             breaches.append(f"{place}: may hang for hours")

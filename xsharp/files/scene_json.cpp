@@ -335,7 +335,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
             if (objects.size() > max_objects || faces > max_faces_in_scene) break;
           }
         }}});
-  for (const auto& [file, mesh] : files.read) read.files.push_back(files.folder / file);
+  for (const auto& [file, mesh] : files.read) read.files.push_back((files.folder / file).string());
   return read;
 }
 
@@ -355,7 +355,7 @@ Scene read_scene(const std::filesystem::path& file) {
     const std::string text = fixproof::support::read_bounded(file.string(), std::size_t{1} << 20U);
     Scene read =
         parse_scene(text, file.stem().string(), file.has_parent_path() ? file.parent_path() : ".");
-    read.files.push_back(file);
+    read.files.push_back(file.string());
     return read;
   } catch (const std::runtime_error& error) {
     throw SceneError(file.string() + ": " + error.what());

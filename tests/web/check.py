@@ -1,0 +1,265 @@
+#!/usr/bin/env python3
+"""usage: check.py CASE PLAYGROUND.html PICTURES
+
+Opens the playground in headless Chromium and looks at one thing, CASE, that must hold; screenshots go to PICTURES.
+Status 0: holds, 1: does not, 77: no browser here.
+"""
+import json
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "browser"))
+import chromium
+from chromium import browser, media, size, violations
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+CASE, PAGE, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3])
+
+
+def open_page(driver, address=""):
+    driver.get("about:blank")
+    driver.get(PAGE.as_uri() + address)
+    WebDriverWait(driver, 20).until(
+        lambda d: d.execute_script("return document.documentElement.dataset.drawn ?? ''"))
+
+
+def picture(driver, name):
+    chromium.picture(driver, PICTURES / f"{name}.png", whole=False)
+
+
+def expect(holds, what):
+    chromium.expect(holds, f"{CASE}: {what}")
+
+
+def expect_equal(is_, wanted, what):
+    expect(is_ == wanted, f"{what}: {is_!r}, not {wanted!r}")
+
+
+def text(driver, selector):
+    return driver.find_element(By.CSS_SELECTOR, selector).get_attribute("textContent")
+
+
+def cells(driver, table, name):
+    """The cells of the row with this name."""
+    rows = driver.execute_script("""
+        return [...document.querySelectorAll(arguments[0] + ' tbody tr')].map(
+          (row) => [...row.children].map((cell) => (cell.querySelector('[title]:not(.agrees)')?.title ?? cell.textContent).trim()))""",
+                                 table)
+    return next(row for row in rows if row[0] == name)
+
+
+def size_(driver):
+    """Small, quick, and nothing asked of the network."""
+    expect(PAGE.stat().st_size < 300_000, f"{PAGE.stat().st_size} bytes")
+    open_page(driver)
+    started = driver.execute_script("return performance.getEntriesByName('started')[0].startTime")
+    print(f"{PAGE.stat().st_size} bytes, drawn after {started:.0f} ms")
+    expect(started < 1000, f"drawn after {started:.0f} ms")
+    asked = []
+    for entry in driver.get_log("performance"):
+        message = json.loads(entry["message"])["message"]
+        if message["method"] == "Network.requestWillBeSent":
+            asked.append(message["params"]["request"]["url"].split("#")[0])
+    beyond = [url for url in asked if not url.startswith(("data:", "about:", "blob:"))]
+    expect_equal(set(beyond), {PAGE.as_uri()}, "what was asked for")
+    wrong = [e for e in driver.get_log("browser") if e["level"] in ("SEVERE", "WARNING")]
+    expect(not wrong, f"the console says {wrong}")
+
+
+def policy(driver):
+    """The policy blocks every script and style that is not the page's own."""
+    run = "document.documentElement.dataset.injected = 'yes'"
+    injected = {"script-src-elem": f"<script>{run}</script>", "script-src-attr": f'<svg onload="{run}"></svg>',
+                "style-src-elem": "<style>h1 { opacity: 0.5 }</style>",
+                "style-src-attr": '<p style="opacity: 0.5">styled</p>', "img-src": '<img src="elsewhere.png" alt="">'}
+    page = PAGE.read_text()
+    for directive, html in injected.items():
+        file = PICTURES / "injected.html"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(page.replace("<main", f"{html}<main", 1))
+        driver.get(file.as_uri())
+        WebDriverWait(driver, 20).until(lambda d: d.execute_script("return document.documentElement.dataset.drawn ?? ''"))
+        expect_equal([b.split()[0] for b in violations(driver)], [directive], f"what is blocked of {html}")
+        expect_equal(driver.execute_script("return document.documentElement.dataset.injected ?? 'no'"), "no", "ran")
+
+
+def bits(driver):
+    """Text, bits and table agree; arrow keys and the space bar flip a bit; the address keeps the number."""
+    open_page(driver, "#view=number&text=1.5")
+    expect_equal(cells(driver, "#view", "q16_16")[1:4], ["00018000", "1.5", "0"], "1.5 in q16_16")
+    # 1.5 needs a bit that q8_0 does not have: a half goes up.
+    expect_equal(cells(driver, "#view", "q8_0")[1:5], ["02", "2", "0.5", "0.5"], "1.5 in q8_0")
+    expect("out of range" in cells(driver, "#view", "u0_8")[1], "1.5 in u0_8")
+    driver.execute_script("document.querySelector('.bits button').focus()")
+    ActionChains(driver).send_keys(Keys.END).send_keys(Keys.ARROW_LEFT).send_keys(Keys.SPACE).perform()
+    # 2 units above 1.5, and one unit below and above that.
+    expect_equal(cells(driver, "#view", "q16_16")[1:],
+                 ["00018002", "1.500030517578125", "0", "0", "1.5000152587890625", "1.5000457763671875", "agree"],
+                 "bit 1 flipped")
+    expect("0x00018002" in driver.current_url, f"the address is {driver.current_url}")
+    box = driver.find_element(By.CSS_SELECTOR, "input[name=Number]")
+    box.clear()
+    box.send_keys("-32768.00001")
+    # 0.66 units below the lowest number is nearer to the number below it, which does not exist.
+    expect("out of range" in cells(driver, "#view", "q16_16")[1], "below the lowest word")
+    box.send_keys("x")
+    expect("Not a number" in text(driver, ".problem"), "an error for letters")
+
+
+def results(driver):
+    """The words that the recorded runs return, or how they end."""
+    return driver.execute_script("""
+        return [...document.querySelectorAll('.run .ending')].map((e) =>
+          [...e.querySelectorAll('.code')].map((c) => c.textContent).join(' ') || e.textContent.trim())""")
+
+
+def follow(driver, name):
+    """Opens a famous case by the keyboard."""
+    open_page(driver, "#view=cases")
+    driver.execute_script("""
+        [...document.querySelectorAll('.cases a')].find((a) => a.textContent === arguments[0]).focus()""", name)
+    ActionChains(driver).send_keys(Keys.ENTER).perform()
+    WebDriverWait(driver, 20).until(lambda d: d.execute_script("return document.documentElement.dataset.drawn") != "cases")
+
+
+def builds(driver):
+    """The words of the builds of FIXED.ASM in the view of an operation; all parties agree."""
+    expect("differ" not in text(driver, "#view"), "the parties differ")
+    tables = driver.find_elements(By.CSS_SELECTOR, "#view table")
+    rows = tables[-1].find_elements(By.CSS_SELECTOR, "tbody tr")
+    return [row.find_elements(By.TAG_NAME, "td")[0].text for row in rows]
+
+
+def cases(driver):
+    """Every famous case shows what docs/findings.md says. The words are those of that page."""
+    size(driver, 800, 900)
+    none = "no result: divide error"
+    operations = {
+        "The fault that disappears": ["80010000", none, none, none],
+        "Halves that split two builds": ["00000000", "ffffffff", "ffffffff", "00000000"],
+        "A divisor loses its fraction": ["00008000", "00007fff", "0000ffff", "0000ffff"],
+        "One is too small to divide by": ["00010001", "00010001", none, none],
+        "Half a unit, and less": ["00000001", "00000000", "00000001", "00000000"]}
+    for name, words in operations.items():
+        follow(driver, name)
+        expect_equal(builds(driver), words, name)
+    move = "00010000 00000000 00000000 {} 00000000 00010000 00000000 {} 00000000 00000000 00010000 {}"
+    traces = {
+        "0.5 + 0.5 = 0": [move.format("00000000", *["00000000"] * 2), move.format("00010000", *["00000000"] * 2)],
+        "A switch the wrong way round": ["0000aaaa", "0000aaab"],
+        "The translation in every column": [
+            "00020000 00010000 00010000 00050000 00020000 00030000 00020000 00070000 00030000 00030000 00040000 00090000",
+            move.format("00050000", "00070000", "00090000")]}
+    for name, words in traces.items():
+        follow(driver, name)
+        driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
+        expect_equal(results(driver), words, name)
+    follow(driver, "0.5 + 0.5 = 0")
+    current = [e.get_attribute("textContent").split(maxsplit=1)[1].strip()
+               for e in driver.find_elements(By.CSS_SELECTOR, ".current")]
+    expect_equal(current, ["add bp, [si+14]", "adc bp, [si+14]"], "where the carry is lost")
+    picture(driver, "lost_carry")
+    follow(driver, "A carry that means nothing")
+    expect("undefined" in results(driver)[0], f"the scan ends so: {results(driver)}")
+    expect_equal(results(driver)[1], "00014000", "2.5 / 2")
+    follow(driver, "Arguments that change")
+    memory = driver.execute_script("return [...document.querySelectorAll('.memory .changed')].map((e) => e.textContent.trim())")
+    expect_equal(memory, ["0058 4000"], "the argument that changes")
+    for name in ("Cubes one unit too far away", "Thirty minutes of drift"):
+        follow(driver, name)
+        frame = "108,000" if "drift" in name else "0"
+        WebDriverWait(driver, 60).until(lambda d: text(d, '[data-part="frame"]') == frame)
+        wrong = int(text(driver, '[data-part="wrong"]').replace(",", ""))
+        expect(1000 < wrong < 76_800, f"{name}: {wrong} pixels differ")
+        if "drift" in name:
+            picture(driver, "drift")
+    seen = len(operations) + len(traces) + 4
+    open_page(driver, "#view=cases")
+    expect_equal(len(driver.find_elements(By.CSS_SELECTOR, ".cases a")), seen, "cases")
+    for said in driver.find_elements(By.CSS_SELECTOR, ".cases p"):
+        expect_equal(said.text.count(". ") + 1, 3, f"sentences of {said.text!r}")
+
+
+VIEWS = ("number", "operation", "trace", "scenes", "cases")
+
+
+def keyboard(driver):
+    """Tab reaches every control of every view, and the keys of steps and frames work."""
+    for view in VIEWS:
+        open_page(driver, f"#view={view}&play=no")
+        controls = """[...document.querySelectorAll('a, button:not([disabled]), input, select, summary, [tabindex]')]"""
+        driver.execute_script(f"{controls}.forEach((e, i) => {{ e.dataset.control = i; }}); document.body.focus()")
+        wanted = driver.execute_script(f"return {controls}.length")
+        reached = set()
+        for _ in range(wanted + 12):
+            ActionChains(driver).send_keys(Keys.TAB).perform()
+            reached.add(driver.execute_script("return document.activeElement.dataset.control"))
+        expect_equal(len(reached - {None}), wanted, f"{view}: controls that Tab reaches")
+    open_page(driver, "#view=trace&routine=mul&build=i386-on&operands=-0.5+1.5")
+    button = driver.find_element(By.CSS_SELECTOR, "button[name=forward]")
+    button.send_keys(Keys.ARROW_RIGHT * 5)
+    # The registers after ADD EAX, 8000h, as README.md traces it.
+    expect("eax40008000" in text(driver, ".registers"), text(driver, ".registers"))
+    button.send_keys(Keys.ARROW_LEFT)
+    expect("eax40000000" in text(driver, ".registers") and "CF1" in text(driver, ".flags"), "a step back")
+    expect("PF?" in text(driver, ".flags"), "an undefined flag")
+    expect("step=4" in driver.current_url, driver.current_url)
+    open_page(driver, "#view=scenes&play=no")
+    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.ENTER)
+    WebDriverWait(driver, 10).until(lambda d: text(d, '[data-part="frame"]') == "1")
+
+
+def scenes(driver):
+    """A scene keeps up with its frames, and another arithmetic goes on from where it is."""
+    open_page(driver, "#view=scenes&scene=chapter53&arithmetic=0&against=0")
+    WebDriverWait(driver, 20).until(lambda d: int(text(d, '[data-part="frame"]').replace(",", "")) > 150)
+    rate = int(text(driver, '[data-part="fps"]'))
+    print(f"{rate} frames per second")
+    # Sixty where there is a graphics processor; here the browser draws without one, beside other tests.
+    expect(rate >= 5, f"{rate} frames per second")
+    expect_equal(text(driver, '[data-part="wrong"]'), "0", "pixels that differ in one arithmetic")
+    box = driver.find_element(By.CSS_SELECTOR, "select[name=Arithmetic]")
+    box.send_keys("8088, not")
+    WebDriverWait(driver, 20).until(lambda d: text(d, '[data-part="wrong"]') != "0")
+    expect(int(text(driver, '[data-part="frame"]').replace(",", "")) > 150, "the scene started again")
+
+
+def screens(driver):
+    """No view is wider than its screen, nothing moves once it is drawn, and both themes have contrast."""
+    for width, height in ((360, 740), (800, 900), (1600, 1000)):
+        size(driver, width, height, mobile=width == 360)
+        for view in VIEWS:
+            scheme = "dark" if width == 800 else "light"
+            media(driver, scheme=scheme)
+            open_page(driver, f"#view={view}&beside=i8088-on&step=differs&play=no&frame=300")
+            shift = driver.execute_async_script("""
+                const done = arguments[0];
+                const moved = [];
+                new PerformanceObserver((list) => {
+                  for (const e of list.getEntries())
+                    moved.push(...e.sources.map((s) => `${s.node?.nodeName}.${s.node?.className} by ${e.value}`));
+                }).observe({ type: 'layout-shift', buffered: true });
+                setTimeout(() => done(moved), 600);""")
+            expect(not shift, f"{view} at {width} moves {shift}")
+            wide = driver.execute_script("return document.documentElement.scrollWidth")
+            expect(wide <= width, f"{view} at {width} is {wide} wide")
+            paper, ink = driver.execute_script("const s = getComputedStyle(document.body); return [s.backgroundColor, s.color]")
+            light = [sum(map(int, c[c.index("(") + 1:-1].split(",")[:3])) / 765 for c in (paper, ink)]
+            expect((light[0] > light[1]) == (scheme == "light") and abs(light[0] - light[1]) > 0.6, f"{ink} on {paper}")
+            picture(driver, f"{view}_{width}")
+
+
+CASES = {"size": size_, "policy": policy, "bits": bits, "cases": cases, "keyboard": keyboard, "scenes": scenes,
+         "screens": screens}
+driver = browser()
+try:
+    CASES[CASE](driver)
+    if CASE != "policy":
+        expect_equal(violations(driver), [], "what the policy blocks of the page itself")
+finally:
+    driver.quit()
+print(f"{CASE}: holds")

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""usage: build_page.py MODULE.wasm PAGE.html
+
+Writes the playground: page/page.html with the style, the scripts, the library and the module inside. The scripts of page/
+are ES modules; here they become one, in the order of ORDER, because a page that is opened from a file cannot import.
+The policy of the page allows this script and this style only, by SHA-256. Status 1 if a file is not what it should be.
+"""
+import base64
+import gzip
+import hashlib
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+# A script comes after those that it imports.
+ORDER = ("wasm", "state", "parts", "number", "operation", "trace", "scenes", "cases", "main")
+IMPORT = re.compile(r'^import (\{.*\}) from "(?:\./|\.\./vendor/)([\w-]+)\.m?js";$', re.M)
+EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const) (\w+))", re.M)
+
+
+def as_object(name, body, exports):
+    """A module as an object of what it exports, so that its other names stay its own."""
+    members = ", ".join(f"{key}: {value}" for key, value in exports.items())
+    return f"const ${name.replace('-', '_')} = (() => {{{body}\nreturn {{{members}}};}})();\n"
+
+
+def library():
+    file = HERE / "vendor/lit-html.js"
+    wanted = (HERE / "vendor/SHA512SUMS").read_text().split()[0]
+    if hashlib.sha512(file.read_bytes()).hexdigest() != wanted:
+        sys.exit(f"{file}: not the file of vendor/SHA512SUMS; take it from the npm package again")
+    text = re.sub(r"\n//# sourceMappingURL=.*", "", file.read_text())
+    body, exports = re.fullmatch(r"(.*)export\{([^}]*)\};?\s*", text, re.S).groups()
+    return as_object("lit-html", body, dict(reversed(pair.split(" as ")) for pair in exports.split(",")))
+
+
+def scripts():
+    text = library()
+    seen = {"lit-html"}
+    for name in ORDER:
+        source = (HERE / f"page/{name}.mjs").read_text()
+        for _, imported in IMPORT.findall(source):
+            if imported not in seen:
+                sys.exit(f"page/{name}.mjs imports {imported}, which ORDER in {__file__} has later or not at all")
+        body = IMPORT.sub(lambda found: f"const {found[1]} = ${found[2].replace('-', '_')};", source)
+        exports = {export: export for export in EXPORT.findall(body)}
+        body = EXPORT.sub("", body)
+        if re.search(r"^(import|export)\b", body, re.M):
+            sys.exit(f"page/{name}.mjs: an import or export that is not one line of the form of the others")
+        # The last one starts the page, and may wait for the module.
+        text += body if name == ORDER[-1] else as_object(name, f"\n{body}", exports)
+        seen.add(name)
+    extra = {file.stem for file in (HERE / "page").glob("*.mjs")} - set(ORDER)
+    if extra:
+        sys.exit(f"page/: {', '.join(sorted(extra))} missing in ORDER in {__file__}")
+    return text
+
+
+def source_hash(text):
+    return "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
+
+
+def main():
+    module, out = map(pathlib.Path, sys.argv[1:3])
+    style = "\n" + (HERE / "page/page.css").read_text()
+    script = "\n" + scripts()
+    packed = base64.b64encode(gzip.compress(module.read_bytes(), 9, mtime=0)).decode()
+    policy = (f"default-src 'none'; script-src {source_hash(script)} 'wasm-unsafe-eval'; "
+              f"style-src {source_hash(style)}; base-uri 'none'; form-action 'none'")
+    licences = ((HERE / "vendor/lit-html.LICENSE").read_text(), (HERE.parent / "LICENSE").read_text())
+    page = (HERE / "page/page.html").read_text()
+    for place, text in (("policy", policy), ("style", style), ("module", packed), ("script", script),
+                        ("library-licence", licences[0]), ("own-licence", licences[1])):
+        if page.count(f"<!--{place}-->") != 1:
+            sys.exit(f"page/page.html: not one place for {place}")
+        page = page.replace(f"<!--{place}-->", text)
+    out.write_text(page)
+    print(f"{out}: {out.stat().st_size:,} bytes")
+
+
+main()

@@ -1,0 +1,32 @@
+/// @file
+/// A number that a person types: decimal, hexadecimal or bits.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "oracle/decimal.hpp"
+#include "oracle/format.hpp"
+#include "web/formats.hpp"
+
+namespace fixproof::web {
+
+struct Operand {
+  std::string error{};    ///< what is wrong with the text; empty if nothing is
+  oracle::Ratio exact{};  ///< the number that the text says
+  std::string decimal{};  ///< the same, as the type's reader takes it
+};
+
+/// Longer texts are refused.
+inline constexpr std::size_t longest_operand = 100;
+
+/// Reads decimal text, or a word of the format after `0x` or `0b`.
+Operand operand_of(std::string_view text, const NumberFormat& format);
+
+oracle::Format oracle_format(const cases::Format& format);
+
+/// The range of a format: `-32768 to 32767.9999847412109375`.
+std::string range_of(const NumberFormat& format);
+
+}  // namespace fixproof::web

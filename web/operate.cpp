@@ -1,0 +1,200 @@
+#include "web/operate.hpp"
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "oracle/unbounded.hpp"
+#include "web/builds.hpp"
+#include "web/json.hpp"
+#include "web/operand.hpp"
+#include "web/words.hpp"
+
+namespace fixproof::web {
+
+namespace {
+
+using oracle::Integer;
+
+constexpr std::array oracle_rules{oracle::Rounding::half_up, oracle::Rounding::half_away,
+                                  oracle::Rounding::half_even, oracle::Rounding::floor,
+                                  oracle::Rounding::truncate};
+
+/// The exact result in units, as a fraction; empty for a zero divisor and for a root, which is
+/// irrational.
+std::optional<oracle::Ratio> exact_units(Operation operation, const Integer& a, const Integer& b,
+                                         int fraction_bits) {
+  const Integer one = Integer(1) << fraction_bits;
+  switch (operation) {
+    case Operation::add:
+      return oracle::Ratio{a + b};
+    case Operation::sub:
+      return oracle::Ratio{a - b};
+    case Operation::mul:
+      return oracle::Ratio{a * b, one};
+    case Operation::div:
+      if (b == 0) return std::nullopt;
+      return b < 0 ? oracle::Ratio{-a * one, -b} : oracle::Ratio{a * one, b};
+    case Operation::sqrt:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// The exact result, rounded by a rule, in units.
+std::optional<Integer> rounded_units(Operation operation, std::uint64_t a, std::uint64_t b,
+                                     oracle::Rounding rule, const oracle::Format& f) {
+  if (operation == Operation::sqrt) {
+    const auto root = oracle::exact_root(a, oracle::Rounding::half_up, f);
+    return root ? root : std::optional<Integer>(0);
+  }
+  const auto exact =
+      exact_units(operation, oracle::ulps(a, f), oracle::ulps(b, f), f.fraction_bits);
+  if (!exact) return std::nullopt;
+  return oracle::rounded(exact->numerator, exact->denominator, rule);
+}
+
+/// Whether the word is what the oracle expects of the type.
+bool agrees(const std::optional<std::uint64_t>& word, const std::optional<Integer>& expected,
+            const oracle::Format& f) {
+  return word.has_value() == expected.has_value() && (!word || *word == oracle::wrap(*expected, f));
+}
+
+/// A word, its value, and how far it is from the exact result.
+void write_word(Json& json, std::uint64_t word, const std::optional<oracle::Ratio>& exact,
+                const NumberFormat& format) {
+  const oracle::Format f = oracle_format(format.format);
+  json.field("word", hex(word, f.bits));
+  json.field("value", format.write(word));
+  if (!exact) return;
+  const Integer off = oracle::ulps(word, f) * exact->denominator - exact->numerator;
+  json.field("units", decimal_text(off, exact->denominator, 6));
+}
+
+void write_rules(Json& json, Operation operation, std::uint64_t a, std::uint64_t b,
+                 const NumberFormat& format, const std::optional<oracle::Ratio>& exact) {
+  const oracle::Format f = oracle_format(format.format);
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    json.object([&] {
+      const auto expected = rounded_units(operation, a, b, oracle_rules[i], f);
+      const auto word = format.answer[i](operation, a, b);
+      json.field("name", rule_names[i]);
+      json.field("agrees", agrees(word, expected, f));
+      json.field("wraps", expected && !oracle::fits(*expected, f));
+      if (word) write_word(json, *word, exact, format);
+    });
+  }
+  const auto expected = rounded_units(operation, a, b, oracle_rules[0], f);
+  if (!expected || oracle::fits(*expected, f)) return;
+  json.object([&] {
+    const std::uint64_t word = format.saturated(operation, a, b).value_or(0);
+    json.field("name", "half up, saturating");
+    json.field("agrees", word == oracle::saturate(*expected, f));
+    json.field("wraps", false);
+    write_word(json, word, exact, format);
+  });
+}
+
+void write_builds(Json& json, Operation operation, std::uint64_t a, std::uint64_t b,
+                  const NumberFormat& format, const std::optional<oracle::Ratio>& exact) {
+  for (const BuildAnswer& build :
+       answers_of_builds(operation, format.format, static_cast<std::uint32_t>(a),
+                         static_cast<std::uint32_t>(b))) {
+    json.object([&] {
+      json.field("name", build.name);
+      json.field("agrees", build.agrees);
+      json.field("wraps", false);
+      json.field("link", build.link);
+      if (build.word) write_word(json, *build.word, exact, format);
+    });
+  }
+}
+
+void write_operand(Json& json, std::string_view name, const Operand& operand, std::uint64_t word,
+                   const NumberFormat& format) {
+  json.object(name, [&] {
+    json.field("word", hex(word, format.format.word_bits));
+    json.field("value", format.write(word));
+    json.field("typed", decimal_text(operand.exact.numerator, operand.exact.denominator, 40));
+  });
+}
+
+}  // namespace
+
+std::string operation_view(std::string_view request) {
+  const auto lines = lines_of(request);
+  Json json;
+  json.object([&] {
+    const auto operation = operation_named(lines[0]);
+    const NumberFormat* const format = lines.size() == 4 ? format_named(lines[1]) : nullptr;
+    if (!operation || format == nullptr) {
+      json.field("error", "Choose one of the operations and formats.");
+      return;
+    }
+    const bool unary = *operation == Operation::sqrt;
+    std::array<std::uint64_t, 2> words{};
+    std::array<Operand, 2> operands{};
+    for (std::size_t i = 0; i < (unary ? 1U : 2U); ++i) {
+      operands[i] = operand_of(lines[2 + i], *format);
+      const auto read = operands[i].error.empty() ? format->read(operands[i].decimal) : Reading{};
+      if (operands[i].error.empty() && !read.word) {
+        operands[i].error =
+            "Out of the range of " + format_name(format->format) + ", " + range_of(*format) + ".";
+      }
+      if (!operands[i].error.empty()) {
+        json.field("error", (i == 0 ? "First number: " : "Second number: ") + operands[i].error);
+        return;
+      }
+      words[i] = *read.word;
+    }
+    const oracle::Format f = oracle_format(format->format);
+    const auto exact = exact_units(*operation, oracle::ulps(words[0], f), oracle::ulps(words[1], f),
+                                   f.fraction_bits);
+    write_operand(json, "first", operands[0], words[0], *format);
+    if (!unary) write_operand(json, "second", operands[1], words[1], *format);
+    if (exact) {
+      const Integer scale = exact->denominator * (Integer(1) << f.fraction_bits);
+      const Integer below =
+          oracle::rounded(exact->numerator, exact->denominator, oracle::Rounding::floor);
+      json.field("exact", decimal_text(exact->numerator, scale, 60));
+      json.field("between", decimal_text(exact->numerator - below * exact->denominator,
+                                         exact->denominator, 6));
+      json.field("fits", oracle::fits(below, f));
+      json.object("below",
+                  [&] { write_word(json, oracle::wrap(below, f), std::nullopt, *format); });
+      json.object("above",
+                  [&] { write_word(json, oracle::wrap(below + 1, f), std::nullopt, *format); });
+    }
+    json.array("rules", [&] { write_rules(json, *operation, words[0], words[1], *format, exact); });
+    json.array("builds",
+               [&] { write_builds(json, *operation, words[0], words[1], *format, exact); });
+  });
+  return json.text();
+}
+
+std::string answers(std::string_view request) {
+  const auto lines = lines_of(request);
+  const std::size_t space = lines[0].find(' ');
+  const auto operation = operation_named(lines[0].substr(0, space));
+  const NumberFormat* const format =
+      space == std::string_view::npos ? nullptr : format_named(lines[0].substr(space + 1));
+  if (!operation || format == nullptr) return {};
+  std::string text;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    std::array<std::uint64_t, 2> words{};
+    const char* at = lines[i].data();
+    const char* const end = at + lines[i].size();
+    for (std::uint64_t& word : words) {
+      const auto [stop, error] = std::from_chars(at, end, word, 16);
+      if (error != std::errc()) break;
+      at = stop == end ? end : stop + 1;
+    }
+    if (at != end) return {};
+    const auto answer = format->answer[0](*operation, words[0], words[1]);
+    text += answer ? hex(*answer, format->format.word_bits) : "DE";
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace fixproof::web

@@ -1,0 +1,64 @@
+// Starts the module and draws the view that the address names.
+import { render } from "../vendor/lit-html.js";
+import { casesView } from "./cases.mjs";
+import { numberView } from "./number.mjs";
+import { operationView } from "./operation.mjs";
+import { afterScenes, reopenScenes, scenesView } from "./scenes.mjs";
+import { defaults, hashOf, stateOf } from "./state.mjs";
+import { afterTrace, traceView } from "./trace.mjs";
+import { embeddedModule } from "./wasm.mjs";
+
+// For each view what it draws, and what it does once that is drawn.
+const views = {
+  number: [numberView],
+  operation: [operationView],
+  trace: [traceView, afterTrace],
+  scenes: [scenesView, afterScenes],
+  cases: [casesView],
+};
+
+let state = stateOf(location.hash);
+// Who asks for less motion starts the scenes.
+if (matchMedia("(prefers-reduced-motion: reduce)").matches) state.play = "no";
+let module;
+
+function draw() {
+  if (!(state.view in views)) state.view = defaults.view;
+  for (const link of document.querySelectorAll("#views a")) {
+    const { view } = stateOf(new URL(link.href).hash);
+    link.href = hashOf({ ...state, view });
+    link.setAttribute("aria-current", view === state.view ? "page" : "false");
+  }
+  const [view, after] = views[state.view];
+  render(view(module, state, update), document.getElementById("view"));
+  after?.(module, state, () => state);
+  document.documentElement.dataset.drawn = state.view;
+}
+
+// A view changes the state, never the page itself.
+function update(changes) {
+  state = { ...state, ...changes };
+  history.replaceState(null, "", hashOf(state));
+  draw();
+}
+
+// The module ends at a throw; the page then says so.
+function broken(error) {
+  document.getElementById("view").textContent = `The module stopped: ${error.message}. Load the page again.`;
+}
+
+addEventListener("hashchange", () => {
+  state = stateOf(location.hash);
+  reopenScenes();
+  draw();
+});
+addEventListener("error", (event) => broken(event.error ?? event));
+
+try {
+  module = await embeddedModule();
+  document.getElementById("view").replaceChildren();
+  draw();
+  performance.mark("started");
+} catch (error) {
+  broken(error);
+}

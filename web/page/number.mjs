@@ -1,0 +1,69 @@
+// One number: its bits, and the same number in every format.
+import { html, nothing } from "../vendor/lit-html.js";
+import { agreement, input, problem, select, short } from "./parts.mjs";
+
+export const formatNames = (rows) => rows.map((row) => [row.name, row.name]);
+
+const flipped = (row, bit) => "0x" + (BigInt("0x" + row.word) ^ (1n << BigInt(bit))).toString(16).padStart(row.bits / 4, "0");
+
+// Arrow keys go from bit to bit.
+function moveFocus(event) {
+  const step = { ArrowLeft: -1, ArrowRight: 1, Home: -64, End: 64 }[event.key];
+  if (!step) return;
+  const bits = [...event.currentTarget.querySelectorAll("button")];
+  const at = bits.indexOf(document.activeElement) + step;
+  bits[Math.max(0, Math.min(bits.length - 1, at))].focus();
+  event.preventDefault();
+}
+
+function bitsOf(row, update) {
+  const places = Array.from({ length: row.bits }, (_, i) => row.bits - 1 - i);
+  const word = BigInt("0x" + row.word);
+  return html`<div class="bits" role="group" aria-label="Bits of the word; arrow keys move" @keydown=${moveFocus}>
+    ${Array.from({ length: row.bits / 8 }, (_, byte) => html`<span class="byte">${places.slice(8 * byte, 8 * byte + 8).map((bit) => {
+      const on = (word >> BigInt(bit)) & 1n;
+      const kind = row.signed && bit === row.bits - 1 ? "sign" : bit >= row.fraction ? "whole" : "part";
+      return html`<button class=${kind} aria-pressed=${on ? "true" : "false"} title="bit ${bit}"
+        aria-label="bit ${bit}, ${on}" @click=${() => update({ text: flipped(row, bit) })}>${on}</button>`;
+    })}</span>`)}</div>`;
+}
+
+const rowOf = (row, update) => html`
+  <tr class=${row.fits ? "" : "outside"}>
+    <th scope="row">${row.name}</th>
+    ${row.fits ? html`
+      <td class="word">${row.word}</td>
+      <td class="figure">${short(row.value, 22)}</td>
+      <td class="figure">${short(row.error)}</td>
+      <td class="figure">${short(row.units, 9)}</td>
+      <td class="figure">${short(row.below, 16)}</td>
+      <td class="figure">${short(row.above, 16)}</td>`
+    : html`<td colspan="6">out of range: ${row.range}</td>`}
+    <td>${agreement(row.agrees)}</td>
+  </tr>`;
+
+export function numberView(module, state, update) {
+  const answer = module.ask("number", state.format, state.text);
+  // The last good answer stays, so that nothing moves while a person types.
+  if (!answer.error) numberView.last = answer;
+  const shown = answer.error ? numberView.last ?? module.ask("number", "q16_16", "0") : answer;
+  const row = shown.rows.find((each) => each.name === state.format) ?? shown.rows[17];
+  return html`
+    <h2>One number in every format</h2>
+    <p>Type a decimal number, or a word of the chosen format as 0x and hexadecimal digits or 0b and bits. Each format takes the
+      nearest number, and a half goes up.</p>
+    <div class="choices">
+      ${input("Number", state.text, (text) => update({ text }))}
+      ${select("Format of words", state.format, formatNames(shown.rows), (format) => update({ format }))}
+    </div>
+    ${problem(answer.error)}
+    <p class="exact">The number is exactly <b>${short(shown.exact, 60)}</b>.
+      ${row.fits ? html`In ${row.name} it is 0x${row.word}, ${short(row.value, 30)}.` : html`It is out of the range of ${row.name}.`}</p>
+    ${row.fits ? bitsOf(row, update) : nothing}
+    <div class="scroll" tabindex="0" role="region" aria-label="The number in every format">
+    <table>
+      <thead><tr><th scope="col">format</th><th scope="col">word</th><th scope="col" class="figure">value</th><th scope="col" class="figure">error</th>
+        <th scope="col" class="figure">in units</th><th scope="col" class="figure">next below</th><th scope="col" class="figure">next above</th><th scope="col">parties</th></tr></thead>
+      <tbody>${shown.rows.map((each) => rowOf(each, update))}</tbody>
+    </table></div>`;
+}

@@ -1,0 +1,34 @@
+// Parts that several views have.
+import { html, svg, nothing } from "../vendor/lit-html.js";
+
+export const operations = [["add", "+"], ["sub", "−"], ["mul", "×"], ["div", "÷"], ["sqrt", "√"]];
+
+export const select = (label, value, options, choose) => html`
+  <label class="choice"><span>${label}</span>
+    <select name=${label} @change=${(e) => choose(e.target.value)}>
+      ${options.map(([key, name]) => html`<option value=${key} ?selected=${key === value}>${name}</option>`)}
+    </select>
+  </label>`;
+
+export const input = (label, value, change) => html`
+  <label class="choice"><span>${label}</span>
+    <input name=${label} .value=${value} spellcheck="false" autocomplete="off" autocapitalize="off" maxlength="400"
+      @input=${(e) => change(e.target.value)}>
+  </label>`;
+
+// A figure shortened for the table; the whole of it is its title.
+export const short = (text, digits = 14) => text === undefined ? nothing :
+  text.length <= digits ? text : html`<span title=${text}>${text.slice(0, digits - 1)}…</span>`;
+
+export const agreement = (agrees) => agrees
+  ? html`<span class="agrees" title="The type, the oracle and, where there is one, the model agree.">agree</span>`
+  : html`<strong class="differs">differ</strong>`;
+
+export const problem = (text) => html`<p class="problem" role="status">${text ?? ""}</p>`;
+
+// Where the exact result lies between two words.
+export const between = (part) => svg`
+  <svg class="between" viewBox="0 0 400 24" aria-hidden="true">
+    <path d="M8 12H392M8 5V19M200 9V15M392 5V19"></path>
+    <circle cx=${8 + 384 * part} cy="12" r="6"></circle>
+  </svg>`;

@@ -1,0 +1,136 @@
+// X-Sharp on a canvas: the arithmetic can be switched while it runs, and every pixel is compared with another arithmetic.
+import { html } from "../vendor/lit-html.js";
+import { select } from "./parts.mjs";
+
+const MINUTES = 30;
+// Moves in one tick while the slider is ahead: a tenth of a second at most, so that the page answers.
+const MOVES = 1500;
+
+// What runs. The page is drawn when a control changes; the figures of each frame are written by tick().
+const run = { opened: "", arithmetic: -1, frame: 0, target: 0, ticking: false, drawn: [], last: 0, owed: 0 };
+
+// A link opens a scene from its first frame, whatever ran before.
+export function reopenScenes() {
+  run.opened = "";
+}
+
+const part = (name) => document.querySelector(`#stage [data-part="${name}"]`);
+const clock = (frame, fps) => {
+  const seconds = Math.floor(frame / fps);
+  return `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
+};
+
+function show(c, scene, name, which) {
+  const pixels = new Uint8ClampedArray(c.memory.buffer, c.stage_pixels(which), 4 * scene.width * scene.height);
+  part(name).getContext("2d").putImageData(new ImageData(pixels.slice(), scene.width, scene.height), 0, 0);
+}
+
+function drawFrame(c, scene, other) {
+  const wrong = c.stage_draw();
+  show(c, scene, "played", 0);
+  show(c, scene, "other", other);
+  part("wrong").textContent = wrong.toLocaleString("en");
+  part("frame").textContent = run.frame.toLocaleString("en");
+  part("time").textContent = clock(run.frame, scene.frames_per_second);
+  part("slider").value = run.frame;
+  part("busy").textContent = run.frame < run.target ? `on the way to ${clock(run.target, scene.frames_per_second)}` : "";
+}
+
+// One tick of the screen: moves towards the target, and the target with the time if the scene plays.
+function tick(now, module, stateNow) {
+  const state = stateNow();
+  if (state.view !== "scenes" || !document.getElementById("stage")) {
+    run.ticking = false;
+    return;
+  }
+  const { scenes } = stagesOf(module);
+  const scene = sceneOf(scenes, state);
+  const most = MINUTES * 60 * scene.frames_per_second;
+  if (state.play === "yes" && run.frame === run.target) {
+    run.owed = Math.min(4, run.owed + (now - run.last) * scene.frames_per_second / 1000);
+    const whole = Math.floor(run.owed + 0.01);
+    run.owed -= whole;
+    run.target = Math.min(most, run.target + whole);
+  }
+  run.last = now;
+  if (run.frame !== run.target || run.fresh) {
+    run.frame = module.c.stage_seek(run.target, MOVES);
+    run.fresh = false;
+    drawFrame(module.c, scene, state.show === "other" ? 1 : 2);
+    run.drawn.push(now);
+  }
+  while (run.drawn.length && run.drawn[0] < now - 1000) run.drawn.shift();
+  part("fps").textContent = String(run.drawn.length);
+  requestAnimationFrame((next) => tick(next, module, stateNow));
+}
+
+let known;
+const stagesOf = (module) => known ??= module.ask("stages");
+const sceneOf = (scenes, state) => scenes.find((scene) => scene.file === state.scene) ?? scenes[0];
+const within = (text, count) => Math.min(count - 1, Math.max(0, Number.parseInt(text, 10) || 0));
+
+// Opens the scene, or switches the arithmetic of the one that runs.
+function follow(module, state) {
+  const { scenes, arithmetics } = stagesOf(module);
+  const opened = [state.scene, state.against].join("\n");
+  const played = within(state.arithmetic, arithmetics.length);
+  if (run.opened !== opened) {
+    module.c.stage_open(scenes.indexOf(sceneOf(scenes, state)), played, within(state.against, arithmetics.length));
+    run.target = within(state.frame, MINUTES * 60 * sceneOf(scenes, state).frames_per_second + 1);
+    run.frame = 0;
+  } else if (run.arithmetic !== played) {
+    module.c.stage_switch(0, played);
+  }
+  Object.assign(run, { opened, arithmetic: played, fresh: true });
+}
+
+export function scenesView(module, state, update) {
+  const { scenes, arithmetics } = stagesOf(module);
+  const scene = sceneOf(scenes, state);
+  const numbered = arithmetics.map((name, i) => [String(i), name]);
+  const most = MINUTES * 60 * scene.frames_per_second;
+  const go = (frame) => {
+    run.target = Math.max(0, Math.min(most, frame));
+    update({ frame: String(run.target), play: "no" });
+  };
+  const restart = () => {
+    reopenScenes();
+    update({ frame: "0" });
+  };
+  return html`
+    <h2>X-Sharp in two arithmetics</h2>
+    <p>The arithmetic switches while the scene runs: it goes on from where the old one left everything. Restart plays from the
+      first frame. White pixels are those that differ from the other arithmetic.</p>
+    <div class="choices">
+      ${select("Scene", scene.file, scenes.map(({ file, name }) => [file, name]), (file) => update({ scene: file, frame: "0" }))}
+      ${select("Arithmetic", state.arithmetic, numbered, (arithmetic) => update({ arithmetic, frame: String(run.frame) }))}
+      ${select("Compared with", state.against, numbered, (against) => update({ against, frame: String(run.frame) }))}
+      ${select("On the right", state.show, [["difference", "pixels that differ"], ["other", "the other arithmetic"]], (what) => update({ show: what }))}
+    </div>
+    <div id="stage">
+      <div class="stepper">
+        <button name="play" @click=${() => update({ play: state.play === "yes" ? "no" : "yes", frame: String(run.frame) })}>
+          ${state.play === "yes" ? "Pause" : "Play"}</button>
+        <button name="back" @click=${() => go(run.frame - 1)}>← Frame</button>
+        <button name="forward" @click=${() => go(run.frame + 1)}>Frame →</button>
+        <button name="restart" @click=${restart}>Restart</button>
+        <input type="range" data-part="slider" aria-label="Time, 0 to 30 minutes" min="0" max=${most} step="1"
+          @input=${(e) => go(Number(e.target.value))}>
+      </div>
+      <p class="figures"><span><b data-part="time">0:00</b> of 30:00</span> <span>frame <b data-part="frame">0</b></span>
+        <span><b data-part="wrong">0</b> pixels differ</span> <span><b data-part="fps">0</b> frames per second</span>
+        <span data-part="busy"></span></p>
+      <div class="canvases">
+        <canvas data-part="played" width=${scene.width} height=${scene.height} role="img" aria-label="The scene"></canvas>
+        <canvas data-part="other" width=${scene.width} height=${scene.height} role="img"
+          aria-label=${state.show === "other" ? "The scene in the other arithmetic" : "Pixels that differ"}></canvas>
+      </div>
+    </div>`;
+}
+
+export function afterScenes(module, state, stateNow) {
+  follow(module, state);
+  if (run.ticking) return;
+  Object.assign(run, { ticking: true, last: performance.now(), owed: 0, drawn: [] });
+  requestAnimationFrame((now) => tick(now, module, stateNow));
+}

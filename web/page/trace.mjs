@@ -1,0 +1,110 @@
+// A routine, instruction by instruction, forward and backward; two builds in step.
+import { html, nothing } from "../vendor/lit-html.js";
+import { input, problem, select, short } from "./parts.mjs";
+
+export const routineNames = [["mul", "FixedMul"], ["div", "FixedDiv"], ["cossin", "CosSin"], ["xformvec", "XformVec"],
+  ["concat", "ConcatXforms"]];
+
+const identity = "1 0 0 0  0 1 0 0  0 0 1 0";
+export const sampleOperands = {
+  mul: "-0.5 1.5", div: "2 3", cossin: "300", xformvec: "0.5 0.5 0.5 0  0 -1 0 0  0 0 0 5  1 2 3",
+  concat: `${identity}  ${identity}`,
+};
+
+const buildName = (name) => name.replace("i", "").replace("-on", ", rounded").replace("-off", ", not rounded")
+  .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned");
+
+// The last recorded trace; it is recorded again only if what is traced changes.
+let recorded = { key: "", answer: null };
+function recording(module, state) {
+  const key = [state.routine, state.build, state.beside, state.operands].join("\n");
+  if (recorded.key === key) return recorded;
+  const answer = module.ask("trace", state.routine, state.build, state.beside, state.operands);
+  recorded = { key, error: answer.error, answer: answer.error ? recorded.answer : answer };
+  return recorded;
+}
+
+export const lastStep = (answer) => Math.max(...answer.runs.map((run) => run.steps));
+
+// The step that the address names: a number, or where the builds differ.
+export function stepOf(answer, step) {
+  const wanted = step === "differs" ? answer.differs : Number.parseInt(step, 10) || 0;
+  return Math.max(0, Math.min(lastStep(answer), wanted));
+}
+
+const instruction = (run, now, i, { text, label }) => {
+  const current = now.step > 0 && i === now.position;
+  const stops = !run.returns && i === run.stopped && now.step === run.steps;
+  return html`<li class="${current ? "current" : ""} ${stops ? "stops" : ""}" aria-current=${current ? "step" : "false"}>
+    <span class="label">${label ?? ""}</span><span>${i.toString().padStart(3)}  ${text}</span></li>`;
+};
+
+const changing = ({ name, value, changed }) => html`<div class=${changed ? "changed" : ""}><dt>${name}</dt><dd>${value}</dd></div>`;
+
+function runView(run, now) {
+  const ended = now.step === run.steps;
+  return html`<article class="run">
+    <h3>${buildName(run.name)}</h3>
+    <ol class="listing code" tabindex="0" aria-label="Listing, ${buildName(run.name)}">
+      ${run.listing.map((row, i) => instruction(run, now, i, row))}</ol>
+    <p class="code">step ${now.step} of ${run.steps}, ${now.clocks} clocks</p>
+    <dl class="registers code">${now.registers.map(changing)}</dl>
+    <dl class="flags code">${now.flags.map(changing)}</dl>
+    <div class="memory code" tabindex="0" role="region" aria-label="Stack and operands in memory">
+      ${now.memory.map((word) => html`<span class="${word.changed ? "changed" : ""} ${word.sp ? "sp" : ""}"
+        title=${word.sp ? "top of the stack" : ""}>${word.address} ${word.value}</span>`)}</div>
+    <p class="ending">${!ended ? "" : run.returns
+      ? html`Returns ${run.result.map((r) => html`<span class="code">${r.word}</span> (${short(r.value, 24)}) `)}`
+      : html`<strong>${run.ending}</strong> at instruction ${run.stopped}`}</p>
+  </article>`;
+}
+
+function stepKeys(event, go) {
+  const move = { ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10, Home: -1e6, End: 1e6 }[event.key];
+  if (!move || event.target.tagName === "INPUT") return;
+  event.preventDefault();
+  go(move);
+}
+
+export function traceView(module, state, update) {
+  const { error, answer } = recording(module, state);
+  const builds = module.ask("routines")[state.routine] ?? [];
+  const named = builds.map((name) => [name, buildName(name)]);
+  const chooseRoutine = (routine) => {
+    const of = module.ask("routines")[routine];
+    update({ routine, operands: sampleOperands[routine], build: of[0], beside: "none", step: "0" });
+  };
+  const step = answer ? stepOf(answer, state.step) : 0;
+  const go = (by) => update({ step: String(Math.max(0, Math.min(lastStep(answer), step + by))) });
+  return html`
+    <h2>A routine, instruction by instruction</h2>
+    <div class="choices">
+      ${select("Routine", state.routine, routineNames, chooseRoutine)}
+      ${select("Build", state.build, named, (build) => update({ build, step: "0" }))}
+      ${select("Beside", state.beside, [["none", "nothing"], ...named], (beside) => update({ beside, step: "0" }))}
+      ${input("Operands", state.operands, (operands) => update({ operands, step: "0" }))}
+    </div>
+    ${problem(error)}
+    ${answer ? html`
+      <div class="stepper" role="group" aria-label="Steps; arrow keys go back and forward" @keydown=${(e) => stepKeys(e, go)}>
+        <button name="start" @click=${() => go(-1e6)} ?disabled=${step === 0}>Start</button>
+        <button name="back" @click=${() => go(-1)}>← Back</button>
+        <button name="forward" @click=${() => go(1)}>Forward →</button>
+        <button name="end" @click=${() => go(1e6)} ?disabled=${step === lastStep(answer)}>End</button>
+        <button name="differs" ?disabled=${answer.differs === 0} @click=${() => update({ step: "differs" })}>First difference</button>
+        <input type="range" aria-label="Step" min="0" max=${lastStep(answer)} .value=${String(step)}
+          @input=${(e) => update({ step: e.target.value })}>
+      </div>
+      <div class="runs">${answer.runs.map((run, i) => runView(run, module.ask("state", i, step)))}</div>` : nothing}`;
+}
+
+// Keeps the current instruction in sight, without moving the page.
+export function afterTrace() {
+  for (const list of document.querySelectorAll(".listing")) {
+    const row = list.querySelector(".stops, .current");
+    if (!row) list.scrollTop = 0;
+    else if (row.offsetTop < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight) {
+      list.scrollTop = row.offsetTop - list.clientHeight / 2;
+    }
+  }
+}

@@ -1,0 +1,26 @@
+// The module: text in, JSON or text out. All arithmetic is there.
+
+// The C++ library would write errors to a terminal, which a page does not have.
+const noTerminal = () => 8;
+
+export async function loadModule(bytes) {
+  const imports = { wasi_snapshot_preview1: { fd_close: noTerminal, fd_seek: noTerminal, fd_write: noTerminal } };
+  const { instance } = await WebAssembly.instantiate(bytes, imports);
+  const c = instance.exports;
+  c._initialize();
+  const text = (name, request) => {
+    const space = new Uint8Array(c.memory.buffer, c.request_buffer(), c.request_size());
+    const { read, written } = new TextEncoder().encodeInto(request, space);
+    if (read < request.length) throw new Error(`a request of ${request.length} characters is too long`);
+    const length = c[name](written);
+    return new TextDecoder().decode(new Uint8Array(c.memory.buffer, c.answer_buffer(), length));
+  };
+  return { c, text, ask: (name, ...lines) => JSON.parse(text(name, lines.join("\n"))) };
+}
+
+// The module of this page, which is packed with gzip and written in base64.
+export async function embeddedModule() {
+  const packed = Uint8Array.from(atob(document.getElementById("module").textContent), (c) => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return loadModule(await new Response(stream).arrayBuffer());
+}
