@@ -1,0 +1,191 @@
+#include "desync/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "support/usage_error.hpp"
+
+namespace fixproof::desync {
+
+namespace {
+
+/// How many operations later the other side's operation is looked for.
+constexpr std::size_t order_window = 64;
+
+/// Whether both sides do the same two operations on one value in turn, as in x + a + b and
+/// x + b + a.
+bool are_swapped(const Operation& a, const Operation& a_next, const Operation& b,
+                 const Operation& b_next) {
+  const auto is_binary = [](const Operation& o) {
+    return o.operands.size() == 2 && o.results.size() == 1;
+  };
+  if (!is_binary(a) || !is_binary(a_next) || !is_binary(b) || !is_binary(b_next)) return false;
+  const auto is_same = [](const Operation& x, const Operation& y) {
+    return x.kind == y.kind && x.type == y.type && x.operands[1] == y.operands[1];
+  };
+  return is_same(a, b_next) && is_same(a_next, b) && a.operands[0] == b.operands[0] &&
+         a_next.operands[0] == a.results[0] && b_next.operands[0] == b.results[0];
+}
+
+/// Whether `wanted` comes among the records from `index` on.
+bool comes_soon(const std::vector<Record>& records, std::size_t index,
+                const std::vector<word>& wanted) {
+  const std::size_t end = std::min(records.size(), index + order_window);
+  for (; index < end; ++index) {
+    if (records[index].words == wanted) return true;
+  }
+  return false;
+}
+
+Verdict judge(const Place& a, const Place& b) {
+  const std::size_t i = *a.index;
+  const Operation x = operation_of(a.records[i].words);
+  const Operation y = operation_of(b.records[i].words);
+  const bool is_same_operation = x.kind == y.kind && x.type == y.type;
+  if (is_same_operation && x.operands.empty() && y.operands.empty() &&
+      (x.kind == record::kind::convert || x.kind == record::kind::from_text)) {
+    return Verdict::input;
+  }
+  if (is_same_operation && x.operands == y.operands && record::is_operation(x.kind)) {
+    return Verdict::arithmetic;
+  }
+  if (comes_soon(b.records, i + 1, a.records[i].words) &&
+      comes_soon(a.records, i + 1, b.records[i].words)) {
+    return Verdict::order;
+  }
+  if (i + 1 < a.records.size() && i + 1 < b.records.size() &&
+      are_swapped(x, operation_of(a.records[i + 1].words), y,
+                  operation_of(b.records[i + 1].words))) {
+    return Verdict::order;
+  }
+  return is_same_operation && record::is_operation(x.kind) ? Verdict::operands : Verdict::path;
+}
+
+Place place_of(LogFile& log, word block) {
+  Place place;
+  place.block = block;
+  place.entry = log.entry(block);
+  place.records = log.records(block);
+  return place;
+}
+
+/// Looks into the first blocks that differ.
+void look_into(Comparison& comparison) {
+  Place& a = comparison.a;
+  Place& b = comparison.b;
+  if (a.records.empty() || b.records.empty()) {
+    comparison.verdict = Verdict::block;
+    return;
+  }
+  const std::size_t common = std::min(a.records.size(), b.records.size());
+  std::size_t i = 0;
+  while (i < common && a.records[i].words == b.records[i].words) ++i;
+  if (i < common) {
+    a.index = b.index = i;
+    comparison.verdict = judge(a, b);
+    return;
+  }
+  if (i < a.records.size()) a.index = i;
+  if (i < b.records.size()) b.index = i;
+  const Place& shorter = a.records.size() < b.records.size() ? a : b;
+  comparison.verdict = shorter.entry.is_last ? Verdict::ended : Verdict::path;
+  comparison.operations = shorter.entry.first_operation + shorter.entry.operations;
+}
+
+/// A simulation of a frame.
+struct Simulation {
+  word first = 0;
+  word end = 0;
+};
+
+std::map<std::int64_t, Simulation> last_simulations(LogFile& log) {
+  std::map<std::int64_t, Simulation> last;
+  Simulation* open = nullptr;
+  for (word block = 0; block < log.blocks(); ++block) {
+    const Entry entry = log.entry(block);
+    if (entry.begins_frame) {
+      open = &last[entry.frame];
+      open->first = block;
+    }
+    if (open != nullptr) open->end = block + 1;
+  }
+  if (last.empty()) {
+    throw support::UsageError(
+        fmt::format("{}: has no frames: --rollback needs record::frame()", log.path()));
+  }
+  return last;
+}
+
+}  // namespace
+
+Comparison compare(LogFile& a, LogFile& b) {
+  Comparison comparison;
+  comparison.blocks = std::min(a.blocks(), b.blocks());
+  const auto differ = [&](word block) {
+    ++comparison.steps;
+    return a.entry(block).prefix != b.entry(block).prefix;
+  };
+  if (comparison.blocks == 0) return comparison;
+  word high = comparison.blocks - 1;
+  if (!differ(high)) {
+    const Entry last = a.entry(high);
+    comparison.operations = last.first_operation + last.operations;
+    return comparison;
+  }
+  for (word low = 0; low < high;) {
+    const word middle = low + (high - low) / 2;
+    if (differ(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  comparison.a = place_of(a, high);
+  comparison.b = place_of(b, high);
+  look_into(comparison);
+  return comparison;
+}
+
+Comparison compare_last_frames(LogFile& a, LogFile& b) {
+  Comparison comparison;
+  const auto of_a = last_simulations(a);
+  const auto of_b = last_simulations(b);
+  const bool is_confirmed = a.confirmed() != record::no_frame && b.confirmed() != record::no_frame;
+  const std::int64_t confirmed = std::min(a.confirmed(), b.confirmed());
+  for (const auto& [frame, in_a] : of_a) {
+    const auto found = of_b.find(frame);
+    if (found == of_b.end() || (is_confirmed && frame > confirmed)) continue;
+    const Simulation& in_b = found->second;
+    ++comparison.blocks;
+    for (word i = 0; in_a.first + i < in_a.end && in_b.first + i < in_b.end; ++i) {
+      const Entry x = a.entry(in_a.first + i);
+      const Entry y = b.entry(in_b.first + i);
+      ++comparison.steps;
+      if (x.hash == y.hash && x.operations == y.operations) {
+        comparison.operations += x.operations;
+        continue;
+      }
+      comparison.a = place_of(a, in_a.first + i);
+      comparison.b = place_of(b, in_b.first + i);
+      look_into(comparison);
+      if (comparison.verdict == Verdict::ended) break;
+      return comparison;
+    }
+    if (comparison.verdict == Verdict::ended) continue;
+    const word blocks_a = in_a.end - in_a.first;
+    const word blocks_b = in_b.end - in_b.first;
+    const bool cut_a = in_a.end == a.blocks();
+    const bool cut_b = in_b.end == b.blocks();
+    if (blocks_a == blocks_b || (blocks_a < blocks_b ? cut_a : cut_b)) continue;
+    // One side simulated more of the frame: it differs where the other one's last block ends.
+    comparison.verdict = Verdict::block;
+    comparison.a = place_of(a, in_a.end - 1);
+    comparison.b = place_of(b, in_b.end - 1);
+    return comparison;
+  }
+  return comparison;
+}
+
+}  // namespace fixproof::desync
