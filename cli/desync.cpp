@@ -125,6 +125,13 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
     std::cout << fmt::format("No difference in {} operations, {} common {}. {}",
                              support::grouped(found.operations), support::grouped(found.blocks),
                              rollback ? "frames" : "blocks", closing);
+    if (found.verdict == Verdict::ended && !rollback && !found.a.index && !found.b.index) {
+      std::cout << fmt::format(
+          "{} ends in block {}, which is not compared: it can be, recorded in full with\n"
+          "FIXPROOF_RECORD_FULL={}-{}.\n",
+          found.a.entry.operations < found.b.entry.operations ? "A" : "B", found.a.block,
+          found.a.block, found.a.block);
+    }
     if (!rollback && a.blocks() != b.blocks()) {
       std::cout << fmt::format("{} goes on for {} more blocks.\n",
                                a.blocks() > b.blocks() ? "A" : "B",
@@ -141,10 +148,6 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
     std::cout << fmt::format(
         "It is among the operations {} to {} of A.\n", support::grouped(entry.first_operation),
         support::grouped(entry.first_operation + std::max<desync::word>(entry.operations, 1) - 1));
-    if (entry.is_last != found.b.entry.is_last) {
-      std::cout << fmt::format("{} ends in this block, which may be all of the difference.\n",
-                               entry.is_last ? "A" : "B");
-    }
     if (entry.frame != found.b.entry.frame && !rollback) {
       std::cout << fmt::format(
           "B is in {} there. If the programs simulate frames again, compare with --rollback.\n",

@@ -76,7 +76,12 @@ void look_into(Comparison& comparison) {
   Place& a = comparison.a;
   Place& b = comparison.b;
   if (a.records.empty() || b.records.empty()) {
-    comparison.verdict = Verdict::block;
+    const Entry& x = a.entry;
+    const Entry& y = b.entry;
+    const bool is_cut =
+        x.operations < y.operations ? x.is_last : y.operations < x.operations && y.is_last;
+    comparison.verdict = is_cut ? Verdict::ended : Verdict::block;
+    comparison.operations = x.first_operation;
     return;
   }
   const std::size_t common = std::min(a.records.size(), b.records.size());

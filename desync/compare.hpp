@@ -21,7 +21,8 @@ enum class Verdict {
   arithmetic,  ///< The results of the same operation with the same operands.
   order,       ///< The same operations come in another order.
   path,        ///< The operations are others: the programs take different ways.
-  ended,       ///< One run ended inside of a block; until there, nothing.
+  ended,       ///< Nothing until a block in which one run ended. If the records of the block are in
+               ///< both logs, nothing in it either.
 };
 
 /// A side's place of the difference.

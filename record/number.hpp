@@ -214,7 +214,7 @@ class recorded_number {
   [[nodiscard]] friend constexpr recorded_number operator+(Int a,
                                                            operand b) noexcept(never_throws) {
     return record::detail::logged<record::kind::add_integer, Number>(
-        b.from, [](Number x, Int y) { return x + y; }, b.value, a);
+        b.from, [](Number x, Int y) { return y + x; }, b.value, a);
   }
   template <detail::integer Int>
   [[nodiscard]] friend constexpr recorded_number operator-(Int a,
@@ -226,7 +226,7 @@ class recorded_number {
   [[nodiscard]] friend constexpr recorded_number operator*(Int a, operand b) noexcept(
       multiply_never_throws) {
     return record::detail::logged<record::kind::multiply_integer, Number>(
-        b.from, [](Number x, Int y) { return x * y; }, b.value, a);
+        b.from, [](Number x, Int y) { return y * x; }, b.value, a);
   }
 
  private:

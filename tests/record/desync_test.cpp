@@ -46,8 +46,8 @@ constexpr std::uint64_t turns = 25000;
 constexpr std::uint64_t before = 1;
 
 /// Records both runs, finds the block, records it in full, and returns what compare() then says.
-Comparison find(const Runs&, const std::string& a, const std::string& b, std::uint64_t count,
-                Plant plant, std::uint64_t turn) {
+Comparison find(const std::string& a, const std::string& b, std::uint64_t count, Plant plant,
+                std::uint64_t turn) {
   recorder_test::run(a, count, Plant::nothing, 0);
   recorder_test::run(b, count, plant, turn);
   record::full_range full;
@@ -91,8 +91,14 @@ TEST_F(Runs, AShorterRunHasNoDifference) {
   EXPECT_EQ(found.operations, before + 4 * (turns - 777));
 }
 
+TEST_F(Runs, AShorterRunHasNoDifferenceWithoutRecords) {
+  recorder_test::run(a(), turns, Plant::nothing, 0);
+  recorder_test::run(b(), turns - 777, Plant::nothing, 0);
+  EXPECT_EQ(compare().verdict, Verdict::ended);
+}
+
 TEST_F(Runs, OneOperand) {
-  const Comparison found = find(*this, a(), b(), turns, Plant::operand, turns - 5);
+  const Comparison found = find(a(), b(), turns, Plant::operand, turns - 5);
   EXPECT_EQ(found.verdict, Verdict::operands);
   expect_at(found, before + 4 * (turns - 5) + 1);
   const desync::Record& record = found.a.records[*found.a.index];
@@ -110,26 +116,26 @@ TEST_F(Runs, OneOperand) {
 }
 
 TEST_F(Runs, OneResult) {
-  const Comparison found = find(*this, a(), b(), turns, Plant::arithmetic, turns / 3);
+  const Comparison found = find(a(), b(), turns, Plant::arithmetic, turns / 3);
   EXPECT_EQ(found.verdict, Verdict::arithmetic);
   expect_at(found, before + 4 * (turns / 3) + 1);
 }
 
 TEST_F(Runs, TwoSwappedAdditions) {
-  const Comparison found = find(*this, a(), b(), turns, Plant::order, turns / 2);
+  const Comparison found = find(a(), b(), turns, Plant::order, turns / 2);
   EXPECT_EQ(found.verdict, Verdict::order);
   expect_at(found, before + 4 * (turns / 2) + 1);
 }
 
 TEST_F(Runs, OneMoreOperation) {
-  const Comparison found = find(*this, a(), b(), turns, Plant::extra, 4321);
+  const Comparison found = find(a(), b(), turns, Plant::extra, 4321);
   EXPECT_EQ(found.verdict, Verdict::path);
   expect_at(found, before + 4 * 4321 + 1);
 }
 
 TEST_F(Runs, TheFirstOperationAndTheLast) {
-  expect_at(find(*this, a(), b(), turns, Plant::operand, 0), before + 1);
-  expect_at(find(*this, a(), b(), turns, Plant::order, turns - 1), before + 4 * (turns - 1) + 1);
+  expect_at(find(a(), b(), turns, Plant::operand, 0), before + 1);
+  expect_at(find(a(), b(), turns, Plant::order, turns - 1), before + 4 * (turns - 1) + 1);
 }
 
 TEST_F(Runs, ADoubleThatRoundsToTheSameNumberIsNoDifference) {
