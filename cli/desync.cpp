@@ -100,7 +100,7 @@ const char* explanation(Verdict verdict) {
     case Verdict::arithmetic:
       return "The results differ for the same operands: the arithmetic is not the same.";
     case Verdict::order:
-      return "The order differs: both sides do these operations, one after the other.";
+      return "The order differs: both sides do these two operations on one value, in turn.";
     case Verdict::path:
       return "The operations differ: the programs take different ways from here. A comparison, a\n"
              "branch or a loop before depends on something that is not recorded.";
@@ -111,7 +111,7 @@ const char* explanation(Verdict verdict) {
 
 void print_hint(const Comparison& found, bool rollback) {
   const std::string range = rollback ? fmt::format("frames:{0}-{0}", found.a.entry.frame)
-                                     : fmt::format("{}-{}", found.a.block, found.b.block);
+                                     : fmt::format("{}-{}", found.a.block, found.a.block + 1);
   std::cout << fmt::format(
       "To see the operation, run both programs again with FIXPROOF_RECORD_FULL={} in their\n"
       "environment, and compare the new logs.\n",
@@ -130,7 +130,7 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
           "{} ends in block {}, which is not compared: it can be, recorded in full with\n"
           "FIXPROOF_RECORD_FULL={}-{}.\n",
           found.a.entry.operations < found.b.entry.operations ? "A" : "B", found.a.block,
-          found.a.block, found.a.block);
+          found.a.block, found.a.block + 1);
     }
     if (!rollback && a.blocks() != b.blocks()) {
       std::cout << fmt::format("{} goes on for {} more blocks.\n",

@@ -19,7 +19,7 @@ enum class Verdict {
   input,       ///< A number that was read or converted from floating point.
   operands,    ///< The operands of the same operation: the states differ.
   arithmetic,  ///< The results of the same operation with the same operands.
-  order,       ///< The same operations come in another order.
+  order,       ///< Two operations on one value come in another order.
   path,        ///< The operations are others: the programs take different ways.
   ended,       ///< Nothing until a block in which one run ended. If the records of the block are in
                ///< both logs, nothing in it either.
@@ -29,7 +29,7 @@ enum class Verdict {
 struct Place {
   word block = 0;
   Entry entry;
-  std::vector<Record> records;       ///< Of the block, if the log has them.
+  std::vector<Record> records;       ///< Of it and the next one, if the log has them.
   std::optional<std::size_t> index;  ///< Of the record that differs; none if the block ends before.
 };
 
@@ -45,6 +45,10 @@ struct Comparison {
 
 /// Compares two runs from the beginning: in a logarithmic number of steps, because the entry of a
 /// block has a hash of everything before its end.
+///
+/// Compilers choose which operand of an operator they compute first, so the same operations in
+/// another order, with the same operands and results, are no difference. Where the end of a block
+/// comes between two such operations, its hashes differ, and those of later blocks do not.
 Comparison compare(LogFile& a, LogFile& b);
 
 /// Compares the last simulation of every frame, in the order of their numbers, up to the last frame

@@ -17,8 +17,8 @@ using record::word;
 
 /// The summary of a block.
 struct Entry {
-  word prefix = 0;  ///< The hash of all records to the end of this block.
-  word hash = 0;    ///< The hash of the records of this block.
+  word prefix = 0;  ///< The sum of the hashes of all records to its end.
+  word hash = 0;    ///< The same of the records of this block.
   std::int64_t frame = record::no_frame;
   word operations = 0;
   word first_operation = 0;  ///< The operations before this block.

@@ -26,14 +26,14 @@ static void put_blocks(void) {
   first = block, entries = 0, operations = block * 1024;
 }
 static void end_block(uint64_t flags) {
-  prefix = next(prefix, hash, records);
+  prefix += hash;
   const uint64_t entry[4] = {prefix, hash, (uint64_t)1 << 63, records | flags};
   memcpy(&page[8 + 4 * entries++], entry, sizeof entry);
   hash = records = 0, ++block;
   if (entries == 30) put_blocks();
 }
 static uint32_t add(uint32_t a, uint32_t b, uint32_t sum) {
-  hash = next(hash, (uint64_t)sum << 32 | 0x1e08201, (uint64_t)b << 32 | a);
+  hash += next(0, (uint64_t)sum << 32 | 0x1e08201, (uint64_t)b << 32 | a);
   if (++records == 1024) end_block(0);
   return sum;
 }

@@ -71,8 +71,8 @@ struct options {
 
 /// How far a run is: equal on two machines whose operations so far are equal.
 struct position {
-  std::uint64_t blocks = 0;  ///< Finished blocks.
-  std::uint64_t hash = 0;    ///< Of every record in them.
+  std::uint64_t records = 0;  ///< Operations, frames and marks.
+  std::uint64_t hash = 0;     ///< The sum of their hashes.
 
   friend bool operator==(const position&, const position&) = default;
 };
@@ -109,8 +109,9 @@ word taken(word first, word second, place from) noexcept;
 template <std::size_t Count>
 inline void put(const std::array<word, Count>& words, place from) noexcept {
   static_assert(Count % 2 == 0 && Count <= max_record_words);
-  word hash = current_hash;
-  for (std::size_t i = 0; i < Count; i += 2) hash = next_hash(hash, words[i], words[i + 1]);
+  // A sum, which does not depend on the order: compilers choose which operand of an operator they
+  // compute first.
+  word hash = current_hash + hash_words(words.data(), Count);
   word left = current_left - 1;
   if (left == 0) [[unlikely]] {
     current_hash = hash;
@@ -202,7 +203,9 @@ class log {
   }
 
   /// How far this run is.
-  [[nodiscard]] position where() const noexcept { return {block_, prefix_}; }
+  [[nodiscard]] position where() const noexcept {
+    return {total_ + records_ + (granted_ - detail::current_left), prefix_ + detail::current_hash};
+  }
 
  private:
   friend word detail::taken(const word*, std::size_t, place) noexcept;
@@ -275,7 +278,8 @@ class log {
     records_ += granted_ - detail::current_left;
     if (records_ == 0) return;
     if (used_ != 0) write_records();
-    prefix_ = next_hash(prefix_, detail::current_hash, records_);
+    prefix_ += detail::current_hash;
+    total_ += records_;
     const std::size_t at = page_header + entries_ * entry_words;
     page_[at] = prefix_;
     page_[at + 1] = detail::current_hash;
@@ -340,7 +344,8 @@ class log {
   word place_ = 0;
 
   word block_ = 0;      ///< Finished blocks,
-  word operation_ = 0;  ///< and the operations in them.
+  word operation_ = 0;  ///< the operations in them,
+  word total_ = 0;      ///< and their records.
   word prefix_ = 0;
   bool is_recorded_ = false;
   bool begins_frame_ = false;
@@ -396,7 +401,7 @@ inline void flush() noexcept {
   if (log* const owner = detail::current_log) owner->flush();
 }
 
-/// How far the run is, for machines to compare while they run. Blocks 0 without a log.
+/// How far the run is, for machines to compare while they run. Both are 0 without a log.
 inline position where() noexcept {
   const log* const owner = detail::current_log;
   return owner == nullptr ? position{} : owner->where();

@@ -18,7 +18,7 @@ struct options {
 
 /// See record/log.hpp.
 struct position {
-  std::uint64_t blocks = 0;
+  std::uint64_t records = 0;
   std::uint64_t hash = 0;
   friend bool operator==(const position&, const position&) = default;
 };

@@ -57,7 +57,8 @@ Comparison find(const std::string& a, const std::string& b, std::uint64_t count,
     const Comparison found = desync::compare(first, second);
     EXPECT_EQ(found.verdict, Verdict::block);
     EXPECT_LE(found.steps, 2 + static_cast<std::uint64_t>(std::log2(first.blocks() + 1)));
-    full.first = full.last = static_cast<std::int64_t>(found.a.block);
+    full.first = static_cast<std::int64_t>(found.a.block);
+    full.last = full.first + 1;
   }
   recorder_test::run(a, count, Plant::nothing, 0, full);
   recorder_test::run(b, count, plant, turn, full);
@@ -125,6 +126,48 @@ TEST_F(Runs, TwoSwappedAdditions) {
   const Comparison found = find(a(), b(), turns, Plant::order, turns / 2);
   EXPECT_EQ(found.verdict, Verdict::order);
   expect_at(found, before + 4 * (turns / 2) + 1);
+}
+
+/// Sums of products, whose order the compiler may choose. `other` chooses the other one.
+void sums_of_products(const std::string& path, bool other, int wrong,
+                      record::full_range full = {}) {
+  const record::log log(path, {.program = "test", .full = full});
+  using real = recorder_test::real;
+  real x(1);
+  for (int i = 0; i < 50000; ++i) {
+    const real y = x + real(q16_16::from_raw(i));
+    if (i == wrong) x.value_ = x.plain() + q16_16::from_raw(1);
+    const real first = other ? y * y : x * x;
+    const real second = other ? x * x : y * y;
+    x = other ? second + first : first + second;
+  }
+}
+
+TEST_F(Runs, OperandsThatAreComputedInAnotherOrderAreNoDifference) {
+  sums_of_products(a(), false, -1);
+  sums_of_products(b(), true, -1);
+  EXPECT_EQ(compare().verdict, Verdict::equal);
+}
+
+TEST_F(Runs, ADifferenceAmongOperandsInAnotherOrderIsFound) {
+  for (const int wrong : {1, 2, 255, 256, 1023, 20000, 49999}) {
+    record::full_range full;
+    for (int pass = 0; pass < 2; ++pass) {
+      sums_of_products(a(), false, -1, full);
+      sums_of_products(b(), true, wrong, full);
+      const Comparison found = compare();
+      if (pass == 0) {
+        ASSERT_EQ(found.verdict, Verdict::block);
+        full = {false, static_cast<std::int64_t>(found.a.block),
+                static_cast<std::int64_t>(found.a.block) + 1};
+        continue;
+      }
+      ASSERT_TRUE(found.a.index) << wrong;
+      const auto operation = found.a.records[*found.a.index].operation;
+      // The conversion, then four operations in each turn: the product of the wrong number.
+      EXPECT_EQ(operation, 1 + 4 * static_cast<std::uint64_t>(wrong) + 1) << wrong;
+    }
+  }
 }
 
 TEST_F(Runs, OneMoreOperation) {
