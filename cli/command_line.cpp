@@ -39,6 +39,7 @@ void add_all(CLI::App& app, int& status) {
   add_prove(app, status);
   add_mutate(app, status);
   add_dos(app, status);
+  add_desync(app, status);
   add_render(app, status);
   add_drift(app, status);
   add_measure(app, status);

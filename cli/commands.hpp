@@ -17,6 +17,7 @@ void add_trace(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
 void add_prove(CLI::App& app, int& status);
 void add_mutate(CLI::App& app, int& status);
+void add_desync(CLI::App& app, int& status);
 void add_dos(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
 void add_drift(CLI::App& app, int& status);

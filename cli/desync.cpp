@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "desync/compare.hpp"
+#include "desync/log_file.hpp"
+#include "desync/values.hpp"
+#include "support/plain_text.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+using desync::Comparison;
+using desync::LogFile;
+using desync::Place;
+using desync::Verdict;
+
+struct DesyncOptions {
+  std::string a;
+  std::string b;
+  bool rollback = false;
+};
+
+/// Records printed before and after the one that differs.
+constexpr std::size_t context_records = 3;
+
+std::string frame_text(std::int64_t frame) {
+  return frame == record::no_frame ? "before the first frame" : fmt::format("frame {}", frame);
+}
+
+void print_log(const char* side, const LogFile& log) {
+  std::string made;
+  for (const char c : log.origin()) made += c == '\n' ? ';' : c;
+  if (made.ends_with(';')) made.pop_back();
+  std::cout << fmt::format("{}: {}\n   {}\n", side, support::printable(log.path()),
+                           support::printable(made));
+  if (!log.is_complete()) {
+    std::cout << fmt::format(
+        "   not closed: the program was killed or still runs{}\n",
+        log.torn_bytes() == 0 ? "" : fmt::format("; {} torn bytes at the end", log.torn_bytes()));
+  }
+}
+
+/// The mark in force at a record of a place.
+std::string mark_at(LogFile& log, const Place& place, std::size_t index) {
+  if (index < place.records.size() && place.records[index].name != 0) {
+    return log.name_with_hash(place.records[index].name);
+  }
+  return place.entry.name == 0 ? "" : log.name(place.entry.name);
+}
+
+void print_record(const char* side, LogFile& log, const Place& place, std::size_t index) {
+  const desync::Record& record = place.records[index];
+  const desync::Operation operation = desync::operation_of(record.words);
+  std::string text = operation.kind == record::kind::mark
+                         ? "mark " + log.name_with_hash(record.words[1])
+                         : desync::text_of(operation);
+  std::string source;
+  if (record.input) {
+    source = fmt::format(" from the double {} ({:016x})", std::bit_cast<double>(*record.input),
+                         *record.input);
+  }
+  if (record.line != 0 && record::is_operation(operation.kind))
+    source += fmt::format("  {}:{}", log.name(record.file), record.line);
+  std::cout << fmt::format("{} {:>14}  {}{}\n", side, support::grouped(record.operation),
+                           support::printable(text), support::printable(source));
+}
+
+void print_side(const char* side, LogFile& log, const Place& place) {
+  if (!place.index) {
+    std::cout << fmt::format("{} {:>14}  {}\n", side, "",
+                             place.entry.is_last ? "the run ends here" : "the frame ends here");
+    return;
+  }
+  const std::size_t index = *place.index;
+  const std::size_t end = std::min(place.records.size(), index + 1 + context_records);
+  for (std::size_t i = index - std::min(index, context_records); i < end; ++i) {
+    print_record(i == index ? (side[0] == 'A' ? "A>" : "B>") : (side[0] == 'A' ? "A " : "B "), log,
+                 place, i);
+  }
+}
+
+const char* explanation(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::input:
+      return "The numbers that enter differ: look at how the programs compute or read them, and "
+             "with\n"
+             "which options they are compiled.";
+    case Verdict::operands:
+      return "The operands differ: the states were different before, although every recorded\n"
+             "operation until here was equal. A value came from outside: loaded or copied memory, "
+             "or\n"
+             "a variable that is not initialised.";
+    case Verdict::arithmetic:
+      return "The results differ for the same operands: the arithmetic is not the same.";
+    case Verdict::order:
+      return "The order differs: both sides do these two operations on one value, in turn.";
+    case Verdict::path:
+      return "The operations differ: the programs take different ways from here. A comparison, a\n"
+             "branch or a loop before depends on something that is not recorded.";
+    default:
+      return "";
+  }
+}
+
+void print_hint(const Comparison& found, bool rollback) {
+  const std::string range = rollback ? fmt::format("frames:{0}-{0}", found.a.entry.frame)
+                                     : fmt::format("{}-{}", found.a.block, found.a.block + 1);
+  std::cout << fmt::format(
+      "To see the operation, run both programs again with FIXPROOF_RECORD_FULL={} in their\n"
+      "environment, and compare the new logs.\n",
+      range);
+}
+
+int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
+  const auto closing =
+      fmt::format("{} steps, {} pages read\n", found.steps, a.pages_read() + b.pages_read());
+  if (found.verdict == Verdict::equal || found.verdict == Verdict::ended) {
+    std::cout << fmt::format("No difference in {} operations, {} common {}. {}",
+                             support::grouped(found.operations), support::grouped(found.blocks),
+                             rollback ? "frames" : "blocks", closing);
+    if (found.verdict == Verdict::ended && !rollback && !found.a.index && !found.b.index) {
+      std::cout << fmt::format(
+          "{} ends in block {}, which is not compared: it can be, recorded in full with\n"
+          "FIXPROOF_RECORD_FULL={}-{}.\n",
+          found.a.entry.operations < found.b.entry.operations ? "A" : "B", found.a.block,
+          found.a.block, found.a.block + 1);
+    }
+    if (!rollback && a.blocks() != b.blocks()) {
+      std::cout << fmt::format("{} goes on for {} more blocks.\n",
+                               a.blocks() > b.blocks() ? "A" : "B",
+                               support::grouped(std::max(a.blocks(), b.blocks()) - found.blocks));
+    }
+    return 0;
+  }
+  const desync::Entry& entry = found.a.entry;
+  const std::string mark = mark_at(a, found.a, found.a.index.value_or(0));
+  std::cout << fmt::format(
+      "First difference: block {} ({}{}), {}", found.a.block, frame_text(entry.frame),
+      mark.empty() ? "" : ", after the mark " + support::quoted(mark), closing);
+  if (found.verdict == Verdict::block) {
+    std::cout << fmt::format(
+        "It is among the operations {} to {} of A.\n", support::grouped(entry.first_operation),
+        support::grouped(entry.first_operation + std::max<desync::word>(entry.operations, 1) - 1));
+    if (entry.frame != found.b.entry.frame && !rollback) {
+      std::cout << fmt::format(
+          "B is in {} there. If the programs simulate frames again, compare with --rollback.\n",
+          frame_text(found.b.entry.frame));
+    }
+    print_hint(found, rollback);
+    return 1;
+  }
+  print_side("A", a, found.a);
+  print_side("B", b, found.b);
+  std::cout << explanation(found.verdict) << '\n';
+  return 1;
+}
+
+}  // namespace
+
+void add_desync(CLI::App& app, int& status) {
+  auto options = std::make_shared<DesyncOptions>();
+  CLI::App* command =
+      app.add_subcommand("desync", "find the first operation in which two recorded runs differ");
+  command->add_option("a", options->a, "the log of one run, which record::log wrote")->required();
+  command->add_option("b", options->b, "the log of the other run")->required();
+  command->add_flag(
+      "--rollback", options->rollback,
+      "compare the last simulation of every frame, not the runs from their beginning");
+  command->footer(
+      R"(Programs that compute with fixproof::recorded<q16_16> write these logs (docs/recorder.md).
+Status 0: no difference. 1: a difference, which is printed. 2: a log cannot be read.
+
+Examples:
+  fixproof desync mine.log theirs.log
+  FIXPROOF_RECORD_FULL=97655-97655 ./game       # on both sides, then once more:
+  fixproof desync mine.log theirs.log           # shows the operation)");
+  command->callback([options, &status] {
+    LogFile a(options->a);
+    LogFile b(options->b);
+    print_log("A", a);
+    print_log("B", b);
+    const Comparison found = options->rollback ? compare_last_frames(a, b) : compare(a, b);
+    status = print(found, a, b, options->rollback);
+  });
+}
+
+}  // namespace fixproof::cli

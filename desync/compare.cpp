@@ -1,0 +1,234 @@
+#include "desync/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "support/usage_error.hpp"
+
+namespace fixproof::desync {
+
+namespace {
+
+/// How many records later the other side's record is looked for: more than an expression has.
+constexpr std::size_t order_window = 64;
+
+/// How many later blocks are asked whether the runs are equal again.
+constexpr word later_blocks = 8;
+
+/// Whether both sides do the same two operations on one value in turn, as in x + a + b and
+/// x + b + a.
+bool are_swapped(const Operation& a, const Operation& a_next, const Operation& b,
+                 const Operation& b_next) {
+  const auto is_binary = [](const Operation& o) {
+    return o.operands.size() == 2 && o.results.size() == 1;
+  };
+  if (!is_binary(a) || !is_binary(a_next) || !is_binary(b) || !is_binary(b_next)) return false;
+  const auto is_same = [](const Operation& x, const Operation& y) {
+    return x.kind == y.kind && x.type == y.type && x.operands[1] == y.operands[1];
+  };
+  return is_same(a, b_next) && is_same(a_next, b) && a.operands[0] == b.operands[0] &&
+         a_next.operands[0] == a.results[0] && b_next.operands[0] == b.results[0];
+}
+
+/// Passes over the records that both sides have, at the same place or within a few records.
+/// \return the first index on each side that remains
+std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a,
+                                                    const std::vector<Record>& b) {
+  std::vector<bool> has_match(b.size());
+  const auto find = [&](const Record& wanted, std::size_t from) {
+    const std::size_t end = std::min(b.size(), from + order_window);
+    while (from < end && (has_match[from] || b[from].words != wanted.words)) ++from;
+    return from == end ? b.size() : from;
+  };
+  std::size_t next = 0;  // the first record of b without a match
+  const auto pass = [&] {
+    while (next < b.size() && has_match[next]) ++next;
+  };
+  for (std::size_t i = 0; i < a.size(); ++i, pass()) {
+    const std::size_t match = find(a[i], next);
+    if (match != b.size()) {
+      has_match[match] = true;
+      continue;
+    }
+    // What comes soon after a[i] on its side is only in another order on the other.
+    for (std::size_t k = i + 1; k < std::min(a.size(), i + order_window); ++k) {
+      const std::size_t later = find(a[k], next);
+      if (later == b.size()) continue;
+      has_match[later] = true;
+      if (later == next) pass();
+    }
+    return {i, next};
+  }
+  return {a.size(), next};
+}
+
+Verdict judge(const Place& a, const Place& b) {
+  const std::size_t i = *a.index;
+  const std::size_t j = *b.index;
+  const Operation x = operation_of(a.records[i].words);
+  const Operation y = operation_of(b.records[j].words);
+  const bool is_same_operation = x.kind == y.kind && x.type == y.type;
+  if (is_same_operation && x.operands.empty() && y.operands.empty() &&
+      (x.kind == record::kind::convert || x.kind == record::kind::from_text)) {
+    return Verdict::input;
+  }
+  if (is_same_operation && x.operands == y.operands && record::is_operation(x.kind)) {
+    return Verdict::arithmetic;
+  }
+  if (i + 1 < a.records.size() && j + 1 < b.records.size() &&
+      are_swapped(x, operation_of(a.records[i + 1].words), y,
+                  operation_of(b.records[j + 1].words))) {
+    return Verdict::order;
+  }
+  return is_same_operation && record::is_operation(x.kind) ? Verdict::operands : Verdict::path;
+}
+
+/// \param end the blocks of the run or of the frame
+Place place_of(LogFile& log, word block, word end) {
+  Place place;
+  place.block = block;
+  place.entry = log.entry(block);
+  place.records = log.records(block);
+  if (!place.records.empty() && block + 1 < end) {
+    for (Record& record : log.records(block + 1)) place.records.push_back(std::move(record));
+  }
+  return place;
+}
+
+/// Looks into the first blocks that differ.
+void look_into(Comparison& comparison) {
+  Place& a = comparison.a;
+  Place& b = comparison.b;
+  if (a.records.empty() || b.records.empty()) {
+    const Entry& x = a.entry;
+    const Entry& y = b.entry;
+    const bool is_cut =
+        x.operations < y.operations ? x.is_last : y.operations < x.operations && y.is_last;
+    comparison.verdict = is_cut ? Verdict::ended : Verdict::block;
+    comparison.operations = x.first_operation;
+    return;
+  }
+  const auto [i, j] = first_unmatched(a.records, b.records);
+  if (i < a.records.size()) a.index = i;
+  if (j < b.records.size()) b.index = j;
+  if (a.index && b.index) {
+    comparison.verdict = judge(a, b);
+    return;
+  }
+  const Place& shorter = a.records.size() < b.records.size() ? a : b;
+  comparison.verdict = shorter.entry.is_last ? Verdict::ended : Verdict::path;
+  comparison.operations = shorter.entry.first_operation + shorter.entry.operations;
+}
+
+/// A simulation of a frame.
+struct Simulation {
+  word first = 0;
+  word end = 0;
+};
+
+std::map<std::int64_t, Simulation> last_simulations(LogFile& log) {
+  std::map<std::int64_t, Simulation> last;
+  Simulation* open = nullptr;
+  for (word block = 0; block < log.blocks(); ++block) {
+    const Entry entry = log.entry(block);
+    if (entry.begins_frame) {
+      open = &last[entry.frame];
+      open->first = block;
+    }
+    if (open != nullptr) open->end = block + 1;
+  }
+  if (last.empty()) {
+    throw support::UsageError(
+        fmt::format("{}: has no frames: --rollback needs record::frame()", log.path()));
+  }
+  return last;
+}
+
+}  // namespace
+
+Comparison compare(LogFile& a, LogFile& b) {
+  Comparison comparison;
+  comparison.blocks = std::min(a.blocks(), b.blocks());
+  const auto differ = [&](word block) {
+    ++comparison.steps;
+    const word end = std::min(comparison.blocks, block + later_blocks);
+    for (; block < end; ++block) {
+      if (a.entry(block).prefix == b.entry(block).prefix) return false;
+    }
+    return true;
+  };
+  if (comparison.blocks == 0) return comparison;
+  word high = comparison.blocks - 1;
+  if (!differ(high)) {
+    const Entry last = a.entry(high);
+    comparison.operations = last.first_operation + last.operations;
+    return comparison;
+  }
+  for (word low = 0; low < high;) {
+    const word middle = low + (high - low) / 2;
+    if (differ(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  comparison.a = place_of(a, high, a.blocks());
+  comparison.b = place_of(b, high, b.blocks());
+  look_into(comparison);
+  return comparison;
+}
+
+Comparison compare_last_frames(LogFile& a, LogFile& b) {
+  Comparison comparison;
+  const auto of_a = last_simulations(a);
+  const auto of_b = last_simulations(b);
+  const bool is_confirmed = a.confirmed() != record::no_frame && b.confirmed() != record::no_frame;
+  const std::int64_t confirmed = std::min(a.confirmed(), b.confirmed());
+  for (const auto& [frame, in_a] : of_a) {
+    const auto found = of_b.find(frame);
+    if (found == of_b.end() || (is_confirmed && frame > confirmed)) continue;
+    const Simulation& in_b = found->second;
+    ++comparison.blocks;
+    word sum_a = 0;
+    word sum_b = 0;
+    word operations = 0;
+    std::optional<word> differs;
+    const word common = std::min(in_a.end - in_a.first, in_b.end - in_b.first);
+    for (word i = 0; i < common; ++i) {
+      const Entry x = a.entry(in_a.first + i);
+      const Entry y = b.entry(in_b.first + i);
+      ++comparison.steps;
+      operations += x.operations;
+      sum_a += x.hash;
+      sum_b += y.hash;
+      if (sum_a == sum_b) differs.reset();
+      if (sum_a != sum_b && !differs) differs = i;
+    }
+    if (differs) {
+      comparison.a = place_of(a, in_a.first + *differs, in_a.end);
+      comparison.b = place_of(b, in_b.first + *differs, in_b.end);
+      look_into(comparison);
+      if (comparison.verdict != Verdict::ended) return comparison;
+      comparison = {Verdict::equal, comparison.blocks, 0, comparison.steps, {}, {}};
+      continue;
+    }
+    comparison.operations += operations;
+    const word blocks_a = in_a.end - in_a.first;
+    const word blocks_b = in_b.end - in_b.first;
+    const bool cut_a = in_a.end == a.blocks();
+    const bool cut_b = in_b.end == b.blocks();
+    if (blocks_a == blocks_b || (blocks_a < blocks_b ? cut_a : cut_b)) continue;
+    // One side simulated more of the frame: it differs where the other one's last block ends.
+    comparison.verdict = Verdict::block;
+    comparison.a = place_of(a, in_a.end - 1, in_a.end);
+    comparison.b = place_of(b, in_b.end - 1, in_b.end);
+    return comparison;
+  }
+  return comparison;
+}
+
+}  // namespace fixproof::desync

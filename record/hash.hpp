@@ -1,0 +1,51 @@
+/// \file
+/// The hashes of records, blocks and pages. They read words as numbers, so the order of bytes does
+/// not matter.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fixproof::record {
+
+/// The upper half of the product of a and b, xor the lower half.
+constexpr std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) noexcept {
+#if defined(__SIZEOF_INT128__) && !defined(FIXED_NO_INT128)
+  __extension__ using wide = unsigned __int128;
+  const wide product = wide{a} * b;
+  return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+#else
+  constexpr std::uint64_t low = 0xffffffff;
+  const std::uint64_t bottom = (a & low) * (b & low);
+  const std::uint64_t one = (a >> 32) * (b & low) + (bottom >> 32);
+  const std::uint64_t other = (a & low) * (b >> 32) + (one & low);
+  const std::uint64_t top = (a >> 32) * (b >> 32) + (one >> 32) + (other >> 32);
+  return top ^ (other << 32 | (bottom & low));
+#endif
+}
+
+/// The hash of a sequence of pairs of words, one pair further. The factor makes it depend on the
+/// order. The product is not in the way of the next pair, so this costs two cycles where they
+/// count.
+constexpr std::uint64_t next_hash(std::uint64_t hash, std::uint64_t first,
+                                  std::uint64_t second) noexcept {
+  return hash * 9 + folded_product(first ^ 0x9e3779b97f4a7c00, second ^ 0xd1b54a32d192ed03);
+}
+
+/// The hash of `count` words, an even number.
+constexpr std::uint64_t hash_words(const std::uint64_t* words, std::size_t count) noexcept {
+  std::uint64_t hash = 0;
+  for (std::size_t i = 0; i < count; i += 2) hash = next_hash(hash, words[i], words[i + 1]);
+  return hash;
+}
+
+/// The hash of a text: of each byte with its place.
+constexpr std::uint64_t hash_text(const char* text, std::size_t length) noexcept {
+  std::uint64_t hash = length;
+  for (std::size_t i = 0; i < length; ++i) {
+    hash = next_hash(hash, i, static_cast<unsigned char>(text[i]));
+  }
+  return hash;
+}
+
+}  // namespace fixproof::record

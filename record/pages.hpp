@@ -1,0 +1,66 @@
+/// \file
+/// Writes the pages of a log.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "record/hash.hpp"
+#include "record/layout.hpp"
+
+namespace fixproof::record {
+
+/// Appends pages to a file. After an error it writes nothing more, so a log never has a gap.
+class page_file {
+ public:
+  explicit page_file(const char* path) noexcept : file_(std::fopen(path, "wb")) {
+    // A page is written when it is ready, so that a killed program leaves all of its pages.
+    if (file_ != nullptr) std::setvbuf(file_, nullptr, _IONBF, 0);
+  }
+  ~page_file() {
+    if (file_ != nullptr) std::fclose(file_);
+  }
+  page_file(const page_file&) = delete;
+  page_file(page_file&&) = delete;
+  page_file& operator=(const page_file&) = delete;
+  page_file& operator=(page_file&&) = delete;
+
+  /// Whether the file could be opened and every page could be written.
+  [[nodiscard]] bool good() const noexcept { return file_ != nullptr; }
+
+  /// Appends a page, whose second and eighth word this sets: the page's number and its checksum.
+  void append(std::array<word, page_words>& page) noexcept {
+    if (file_ == nullptr) return;
+    page[1] = pages_++;
+    page[7] = 0;
+    page[7] = hash_words(page.data(), page.size());
+    std::array<unsigned char, page_bytes> bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] = static_cast<unsigned char>(page[i / 8] >> (8 * (i % 8)) & 0xff);
+    }
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size()) return;
+    std::fclose(file_);
+    file_ = nullptr;
+  }
+
+ private:
+  std::FILE* file_;
+  word pages_ = 0;
+};
+
+/// Puts a text into the contents of a page, eight characters in a word, the first one lowest. What
+/// does not fit is cut off. \return the length
+inline std::size_t put_text(std::array<word, page_words>& page, std::string_view text) noexcept {
+  const std::size_t room = page_room * sizeof(word);
+  const std::size_t length = text.size() < room ? text.size() : room;
+  for (std::size_t i = 0; i < length; ++i) {
+    page[page_header + i / 8] |= word{static_cast<unsigned char>(text[i])} << (8 * (i % 8));
+  }
+  return length;
+}
+
+}  // namespace fixproof::record

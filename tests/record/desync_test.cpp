@@ -1,0 +1,282 @@
+// Planted differences in runs of a hundred thousand operations: compare() must name the operation
+// and say what differs. Equal runs differ nowhere.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "desync/compare.hpp"
+#include "tests/record/sim.hpp"
+
+namespace {
+
+using namespace fixproof;
+using desync::Comparison;
+using desync::LogFile;
+using desync::Verdict;
+using recorder_test::Plant;
+
+class Runs : public testing::Test {
+ protected:
+  std::string a() const { return folder_ / "a.log"; }
+  std::string b() const { return folder_ / "b.log"; }
+
+  Comparison compare() const {
+    LogFile first(a());
+    LogFile second(b());
+    return desync::compare(first, second);
+  }
+
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("fixproof_record_" + std::string(test->name()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+constexpr std::uint64_t turns = 25000;
+// from_raw() of the loop's constant comes first.
+constexpr std::uint64_t before = 1;
+
+/// Records both runs, finds the block, records it in full, and returns what compare() then says.
+Comparison find(const std::string& a, const std::string& b, std::uint64_t count, Plant plant,
+                std::uint64_t turn) {
+  recorder_test::run(a, count, Plant::nothing, 0);
+  recorder_test::run(b, count, plant, turn);
+  record::full_range full;
+  {
+    LogFile first(a);
+    LogFile second(b);
+    const Comparison found = desync::compare(first, second);
+    EXPECT_EQ(found.verdict, Verdict::block);
+    EXPECT_LE(found.steps, 2 + static_cast<std::uint64_t>(std::log2(first.blocks() + 1)));
+    full.first = static_cast<std::int64_t>(found.a.block);
+    full.last = full.first + 1;
+  }
+  recorder_test::run(a, count, Plant::nothing, 0, full);
+  recorder_test::run(b, count, plant, turn, full);
+  LogFile first(a);
+  LogFile second(b);
+  return desync::compare(first, second);
+}
+
+void expect_at(const Comparison& found, std::uint64_t operation) {
+  ASSERT_TRUE(found.a.index && found.b.index);
+  EXPECT_EQ(found.a.records[*found.a.index].operation, operation);
+  EXPECT_EQ(found.b.records[*found.b.index].operation, operation);
+}
+
+TEST_F(Runs, EqualRunsHaveNoDifference) {
+  recorder_test::run(a(), turns, Plant::nothing, 0);
+  recorder_test::run(b(), turns, Plant::nothing, 0);
+  const Comparison found = compare();
+  EXPECT_EQ(found.verdict, Verdict::equal);
+  EXPECT_EQ(found.operations, before + 4 * turns);
+  EXPECT_EQ(found.steps, 1U);
+}
+
+TEST_F(Runs, AShorterRunHasNoDifference) {
+  recorder_test::run(a(), turns, Plant::nothing, 0,
+                     {.is_of_frames = false, .first = 0, .last = 99999});
+  recorder_test::run(b(), turns - 777, Plant::nothing, 0,
+                     {.is_of_frames = false, .first = 0, .last = 99999});
+  const Comparison found = compare();
+  EXPECT_EQ(found.verdict, Verdict::ended);
+  EXPECT_EQ(found.operations, before + 4 * (turns - 777));
+}
+
+TEST_F(Runs, AShorterRunHasNoDifferenceWithoutRecords) {
+  recorder_test::run(a(), turns, Plant::nothing, 0);
+  recorder_test::run(b(), turns - 777, Plant::nothing, 0);
+  EXPECT_EQ(compare().verdict, Verdict::ended);
+}
+
+TEST_F(Runs, OneOperand) {
+  const Comparison found = find(a(), b(), turns, Plant::operand, turns - 5);
+  EXPECT_EQ(found.verdict, Verdict::operands);
+  expect_at(found, before + 4 * (turns - 5) + 1);
+  const desync::Record& record = found.a.records[*found.a.index];
+  const auto mine = desync::operation_of(record.words);
+  const auto theirs = desync::operation_of(found.b.records[*found.b.index].words);
+  EXPECT_EQ(mine.kind, record::kind::add);
+  EXPECT_EQ(mine.operands.at(0).bits ^ theirs.operands.at(0).bits, 1U);
+  EXPECT_EQ(mine.operands.at(1), theirs.operands.at(1));
+  EXPECT_EQ(record.input, std::nullopt);
+  EXPECT_NE(record.line, 0U);
+  LogFile log(a());
+  EXPECT_TRUE(log.name(record.file).ends_with("sim.hpp")) << log.name(record.file);
+  EXPECT_EQ(log.name(found.a.entry.name), "even");
+  EXPECT_EQ(found.a.entry.frame, static_cast<std::int64_t>(turns / 5000) - 1);
+}
+
+TEST_F(Runs, OneOperandThatChangesNoResult) {
+  for (const auto& [path, other] : {std::pair(a(), 5), std::pair(b(), 6)}) {
+    const record::log log(path, {.program = "test", .full = {false, 0, 0}});
+    recorder_test::real x;
+    for (int i = 0; i < 100; ++i) x = x * recorder_test::real(q16_16(i == 50 ? other : 7));
+  }
+  const Comparison found = compare();
+  EXPECT_EQ(found.verdict, Verdict::operands);
+  expect_at(found, 50);
+}
+
+TEST_F(Runs, OneResult) {
+  const Comparison found = find(a(), b(), turns, Plant::arithmetic, turns / 3);
+  EXPECT_EQ(found.verdict, Verdict::arithmetic);
+  expect_at(found, before + 4 * (turns / 3) + 1);
+}
+
+TEST_F(Runs, TwoSwappedAdditions) {
+  const Comparison found = find(a(), b(), turns, Plant::order, turns / 2);
+  EXPECT_EQ(found.verdict, Verdict::order);
+  expect_at(found, before + 4 * (turns / 2) + 1);
+}
+
+/// Sums of products, whose order the compiler may choose. `other` chooses the other one.
+void sums_of_products(const std::string& path, bool other, int wrong,
+                      record::full_range full = {}) {
+  const record::log log(path, {.program = "test", .full = full});
+  using real = recorder_test::real;
+  real x(1);
+  for (int i = 0; i < 50000; ++i) {
+    const real y = x + real(q16_16::from_raw(i));
+    if (i == wrong) x.value_ = x.plain() + q16_16::from_raw(1);
+    const real first = other ? y * y : x * x;
+    const real second = other ? x * x : y * y;
+    // Five records a turn: ends of blocks come between the products, too.
+    x = -(other ? second + first : first + second);
+  }
+}
+
+TEST_F(Runs, OperandsThatAreComputedInAnotherOrderAreNoDifference) {
+  sums_of_products(a(), false, -1);
+  sums_of_products(b(), true, -1);
+  EXPECT_EQ(compare().verdict, Verdict::equal);
+}
+
+TEST_F(Runs, ADifferenceAmongOperandsInAnotherOrderIsFound) {
+  for (const int wrong : {1, 2, 255, 256, 1023, 20000, 49999}) {
+    record::full_range full;
+    for (int pass = 0; pass < 2; ++pass) {
+      sums_of_products(a(), false, -1, full);
+      sums_of_products(b(), true, wrong, full);
+      const Comparison found = compare();
+      if (pass == 0) {
+        ASSERT_EQ(found.verdict, Verdict::block);
+        full = {false, static_cast<std::int64_t>(found.a.block),
+                static_cast<std::int64_t>(found.a.block) + 1};
+        continue;
+      }
+      ASSERT_TRUE(found.a.index) << wrong;
+      const auto operation = found.a.records[*found.a.index].operation;
+      // The conversion, then five operations in each turn: the product of the wrong number.
+      EXPECT_EQ(operation, 1 + 5 * static_cast<std::uint64_t>(wrong) + 1) << wrong;
+    }
+  }
+}
+
+TEST_F(Runs, OneMoreOperation) {
+  const Comparison found = find(a(), b(), turns, Plant::extra, 4321);
+  EXPECT_EQ(found.verdict, Verdict::path);
+  expect_at(found, before + 4 * 4321 + 1);
+}
+
+TEST_F(Runs, TheFirstOperationAndTheLast) {
+  expect_at(find(a(), b(), turns, Plant::operand, 0), before + 1);
+  expect_at(find(a(), b(), turns, Plant::order, turns - 1), before + 4 * (turns - 1) + 1);
+}
+
+TEST_F(Runs, ADoubleThatRoundsToTheSameNumberIsNoDifference) {
+  for (const auto& [path, x] : {std::pair(a(), 0.1), std::pair(b(), 0.1 + 1e-12)}) {
+    const record::log log(path);
+    recorder_test::real sum(x);
+    sum += sum;
+  }
+  EXPECT_EQ(compare().verdict, Verdict::equal);
+}
+
+TEST_F(Runs, ADoubleThatDiffersIsShown) {
+  for (const auto& [path, x] : {std::pair(a(), 0.1), std::pair(b(), 0.1 + 1e-4)}) {
+    const record::log log(path, {.program = "test", .full = {false, 0, 0}});
+    recorder_test::real sum(x);
+    sum += sum;
+  }
+  const Comparison found = compare();
+  EXPECT_EQ(found.verdict, Verdict::input);
+  expect_at(found, 0);
+  EXPECT_EQ(found.a.records.at(0).input, std::bit_cast<std::uint64_t>(0.1));
+  EXPECT_EQ(found.b.records.at(0).input, std::bit_cast<std::uint64_t>(0.1 + 1e-4));
+}
+
+/// A game that goes back: frame by frame, with the inputs of the other player guessed and, where
+/// the guess was wrong, simulated again.
+void play(const std::string& path, int late, int frames, int wrong_frame = -1) {
+  const record::log log(path, {.program = "rollback", .full = {true, 20, 20}});
+  using real = recorder_test::real;
+  std::vector<real> states{real(1)};
+  const auto simulate = [&](int frame, int input) {
+    record::frame(frame);
+    real x = states.at(static_cast<std::size_t>(frame));
+    for (int i = 0; i < 500; ++i) x = x * 3 + real::from_raw(input + i);
+    if (frame == wrong_frame) x.value_ = x.plain() + q16_16::from_raw(1);
+    x += real::from_raw(7);
+    states.resize(static_cast<std::size_t>(frame) + 1);
+    states.push_back(x);
+  };
+  const auto input_of = [](int frame) { return frame % 7; };
+  for (int frame = 0; frame < frames; ++frame) {
+    simulate(frame, frame % late == 0 ? 0 : input_of(frame));
+    if (frame % late != late - 1 && frame != frames - 1) continue;
+    const int back = frame / late * late;
+    for (int again = back; again <= frame; ++again) simulate(again, input_of(again));
+    record::confirm(frame);
+  }
+}
+
+TEST_F(Runs, RollbacksComparedByTheLastSimulation) {
+  play(a(), 3, 60);
+  play(b(), 5, 60);
+  EXPECT_NE(compare().verdict, Verdict::equal);
+  LogFile first(a());
+  LogFile second(b());
+  const Comparison found = desync::compare_last_frames(first, second);
+  EXPECT_EQ(found.verdict, Verdict::equal);
+  EXPECT_EQ(found.blocks, 60U);
+}
+
+TEST_F(Runs, ADifferenceInARollback) {
+  play(a(), 3, 60);
+  play(b(), 5, 60, 20);
+  LogFile first(a());
+  LogFile second(b());
+  const Comparison found = desync::compare_last_frames(first, second);
+  EXPECT_EQ(found.verdict, Verdict::operands);
+  EXPECT_EQ(found.a.entry.frame, 20);
+  const auto operation = desync::operation_of(found.a.records.at(*found.a.index).words);
+  EXPECT_EQ(operation.kind, record::kind::add);
+}
+
+TEST_F(Runs, FramesThatAreNotConfirmedDoNotCount) {
+  for (const auto& [path, guess] : {std::pair(a(), 1), std::pair(b(), 2)}) {
+    const record::log log(path);
+    for (int frame = 0; frame < 4; ++frame) {
+      record::frame(frame);
+      (void)(recorder_test::real::from_raw(frame < 3 ? 5 : guess) * 2);
+      if (frame == 2) record::confirm(2);
+    }
+  }
+  LogFile first(a());
+  LogFile second(b());
+  const Comparison found = desync::compare_last_frames(first, second);
+  EXPECT_EQ(found.verdict, Verdict::equal);
+  EXPECT_EQ(found.blocks, 3U);
+}
+
+}  // namespace
