@@ -1,0 +1,6 @@
+; Correct: eax * ebx in 16.16, half up.
+        imul ebx
+        add eax, 0x8000
+        adc edx, 0
+        shrd eax, edx, 16
+        ret

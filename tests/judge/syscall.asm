@@ -1,0 +1,3 @@
+        mov eax, 1
+        int 0x80
+        ret

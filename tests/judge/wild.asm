@@ -1,0 +1,2 @@
+        mov ebx, 0x5000
+        jmp ebx
