@@ -199,6 +199,13 @@ bool print_inspection(const judge::Subject& subject) {
 int judge_file(const JudgeOptions& options) {
   const support::Interrupt interrupt;
   const judge::Image image = image_of(options);
+  if (options.list) {
+    std::cout << judge::source_of(image);
+    return 0;
+  }
+  if (options.operation.empty()) {
+    throw support::UsageError("--as is required; name what the routine computes, or ? to find out");
+  }
   const cases::Operation operation =
       options.operation == "?" ? ask_operation(options, image) : operation_of(options.operation);
   const cases::Variant variant = variant_of(operation, cases::format_named(options.format));

@@ -16,6 +16,8 @@ namespace {
 
 /// Cases for finding the rounding; all of them then judge it.
 constexpr std::uint64_t cases_for_guess = 20'000;
+/// The same for results of several words, whose rules take longer to try.
+constexpr std::uint64_t cases_for_choice = 2000;
 
 bool is_right(const check::Rules& rules, const check::JudgedCase& one) {
   return check::keeps(rules, one.operands(), one.said);
@@ -160,25 +162,37 @@ std::vector<Candidate> candidates_for(cases::Operation operation) {
 }  // namespace
 
 WholeVerdict judge_whole(const Subject& subject, const VerdictOptions& options) {
-  WholeVerdict whole;
-  const std::size_t results = words_out(subject.variant);
-  std::vector<std::uint32_t> expected(results);
-  run_cases(
-      subject, options, whole.verdict,
-      [&] { whole.candidates = candidates_for(subject.variant.operation); },
-      [&](std::span<const std::uint32_t> words, const Answer& answer, std::string_view) {
-        for (Candidate& candidate : whole.candidates) {
-          candidate.results(words, expected);
-          const bool kept = answer.ending.end == End::returned &&
-                            std::equal(expected.begin(), expected.end(), answer.words.begin());
-          if (kept || candidate.exceptions++ > 0) continue;
-          candidate.first_exception = Incident{.words = {words.begin(), words.end()},
-                                               .operands = text_of_operands(subject.variant, words),
-                                               .ending = answer.ending};
-        }
-      });
-  std::ranges::stable_sort(whole.candidates, {}, &Candidate::exceptions);
-  return whole;
+  std::vector<std::uint32_t> expected(words_out(subject.variant));
+  const auto judged = [&](const VerdictOptions& use, const std::vector<Candidate>& candidates) {
+    WholeVerdict whole;
+    run_cases(
+        subject, use, whole.verdict, [&] { whole.candidates = candidates; },
+        [&](std::span<const std::uint32_t> words, const Answer& answer, std::string_view) {
+          for (Candidate& candidate : whole.candidates) {
+            candidate.results(words, expected);
+            const bool kept = answer.ending.end == End::returned &&
+                              std::equal(expected.begin(), expected.end(), answer.words.begin());
+            if (kept || candidate.exceptions++ > 0) continue;
+            candidate.first_exception =
+                Incident{.words = {words.begin(), words.end()},
+                         .operands = text_of_operands(subject.variant, words),
+                         .ending = answer.ending};
+          }
+        });
+    std::ranges::stable_sort(whole.candidates, {}, &Candidate::exceptions);
+    return whole;
+  };
+  VerdictOptions guess = options;
+  guess.cases.cases = std::min(options.cases.cases.value_or(cases_for_choice), cases_for_choice);
+  guess.progress = {};
+  WholeVerdict first = judged(guess, candidates_for(subject.variant.operation));
+  if (first.verdict.stuck) return first;
+  const std::uint64_t least = first.candidates.front().exceptions;
+  std::vector<Candidate> best;
+  for (const Candidate& candidate : first.candidates) {
+    if (candidate.exceptions == least) best.push_back({candidate.name, candidate.results});
+  }
+  return judged(options, best);
 }
 
 }  // namespace fixproof::judge

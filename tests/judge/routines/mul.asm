@@ -1,4 +1,5 @@
-; Correct: eax * ebx in 16.16, half up.
+; Right: eax * ebx in 16.16, half up. The carry of the half goes on into edx.
+mul_half_up:
         imul ebx
         add eax, 0x8000
         adc edx, 0

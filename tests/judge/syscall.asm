@@ -1,3 +1,0 @@
-        mov eax, 1
-        int 0x80
-        ret

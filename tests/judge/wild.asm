@@ -1,2 +1,0 @@
-        mov ebx, 0x5000
-        jmp ebx
