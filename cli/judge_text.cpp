@@ -67,11 +67,7 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
       return "does not end";
     case judge::End::bad_instruction:
     case judge::End::halted:
-      // HLT, with which the memory around the code is filled, has one byte.
-      if (outside) {
-        return fmt::format("leaves the code, to {:04x}h",
-                           ending.at - (ending.end == judge::End::halted ? 1 : 0));
-      }
+      if (outside) return fmt::format("leaves the code, to {:04x}h", ending.at);
       return ending.end == judge::End::halted ? "halts the processor " + at
                                               : "has an invalid instruction " + at;
     default:

@@ -158,11 +158,11 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
   begin();
   auto pass = std::make_unique<Pass>(subject, options, verdict, verdict.machine);
   bool done = pass->run(on_answer);
-  if (!done && verdict.machine == On::processor && no_unicorn.empty()) {
-    // Unicorn knows what happened. If it sees no trouble, the trouble is this processor's alone.
-    const Answer other = Runner(subject, On::unicorn).answers(verdict.stuck->words).front();
-    verdict.stuck->ending = other.ending;
-    if (ended_well(other)) {
+  if (!done && no_unicorn.empty()) {
+    // A trace knows what happened, and where. If Unicorn sees no trouble, it is the processor's.
+    const auto call = traced(subject, verdict.stuck->words);
+    if (call) verdict.stuck->ending = call->answer.ending;
+    if (call && ended_well(call->answer) && verdict.machine == On::processor) {
       const Downfall downfall = pass->runner().downfall();
       verdict = Verdict{.machine = On::unicorn, .rules = verdict.rules};
       verdict.note = fmt::format("on this processor {}, on Unicorn it does not",

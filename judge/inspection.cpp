@@ -122,7 +122,9 @@ std::string trace_text(const Subject& subject, std::span<const std::uint32_t> wo
         i + 1 < steps.size()
             ? changes_text(steps[i].registers, steps[i + 1].registers, subject.image.bits)
             : "";
-    text += fmt::format("{:04x}  {:<30}{}\n", steps[i].at, listing.at(steps[i].at).text, changes);
+    const std::string line =
+        fmt::format("{:04x}  {:<30}{}", steps[i].at, listing.at(steps[i].at).text, changes);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
   }
   if (call->answer.ending.end != End::returned) return text;
   const auto results = std::span(call->answer.words).first(words_out(subject.variant));

@@ -66,7 +66,7 @@ TEST(Containers, AnElfObject) {
   const std::string object = folder.path("fixed.o");
   ASSERT_EQ(command::run({"nasm", "-f", "elf32", "-o", object, routine("mul_cdecl")}).status, 0);
   expect(judge(object, "--symbol|mul_cdecl|--as|mul" + few), 0,
-         {"ELF object, routine at 1000h, 32-bit code", "must keep bx, bp, si, di"});
+         {"ELF object, routine at 1000h, 32-bit code", "must keep ebx, ebp, esi, edi"});
   const auto missing = judge(object, "--symbol|other|--as|mul");
   command::expect_usage_error(missing, "--symbol 'other': there is none; choose one of mul_cdecl");
 }
