@@ -11,9 +11,11 @@
 #include "cli/commands.hpp"
 #include "cli/judge_text.hpp"
 #include "cli/rule_named.hpp"
+#include "cli/solver_options.hpp"
 #include "judge/inspection.hpp"
 #include "judge/listing.hpp"
 #include "judge/load.hpp"
+#include "judge/prove.hpp"
 #include "judge/verdict.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
@@ -38,6 +40,8 @@ struct JudgeOptions {
   check::CaseOptions cases;
   std::size_t shown = 3;
   bool list = false;
+  bool prove = false;
+  SolverOptions solver{.seconds = 30};
   std::string trace;
 };
 
@@ -196,6 +200,16 @@ bool print_inspection(const judge::Subject& subject) {
   return inspection.is_clean();
 }
 
+/// Prints a proof, a counterexample, or why there is neither. @return false for a counterexample
+bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
+                 const judge::Verdict& verdict) {
+  const proof::Solver solver(options.solver.name);
+  const judge::RoutineProof proof =
+      judge::prove(subject, verdict.rules, verdict.machine, solver, options.solver.seconds);
+  std::cout << '\n' << proof_text(proof, verdict.rules, solver.version());
+  return proof.standing != proof::Standing::disproven;
+}
+
 int judge_file(const JudgeOptions& options) {
   const support::Interrupt interrupt;
   const judge::Image image = image_of(options);
@@ -219,6 +233,7 @@ int judge_file(const JudgeOptions& options) {
     progress->show(done);
   };
   if (is_whole(operation)) {
+    if (options.prove) throw support::UsageError("--prove is for a routine with one result");
     const judge::WholeVerdict whole = judge::judge_whole(subject, use);
     progress.reset();
     std::cout << heading_text(subject, options.file, rules_line(use.rules, false))
@@ -234,7 +249,9 @@ int judge_file(const JudgeOptions& options) {
                             rules_line(verdict.rules, use.rounding_is_open && !verdict.stuck))
             << verdict_text(subject, verdict);
   if (verdict.stuck) return 1;
-  return print_inspection(subject) && verdict.is_right() ? 0 : 1;
+  bool right = print_inspection(subject) && verdict.is_right();
+  if (options.prove) right = print_proof(options, subject, verdict) && right;
+  return right ? 0 : 1;
 }
 
 void add_judge_options(CLI::App& command, JudgeOptions& options) {
@@ -287,6 +304,9 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
   command.add_option("--show", options.shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str();
+  command.add_flag("--prove", options.prove,
+                   "also prove it for all operands, or find a case that fails");
+  options.solver.add_to(command);
   command.add_flag("--list", options.list,
                    "only disassemble the routine, as NASM source of the same bytes");
   command

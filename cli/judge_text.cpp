@@ -190,4 +190,18 @@ std::string inspection_text(const judge::Inspection& inspection) {
   return text;
 }
 
+std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rules,
+                       const std::string& solver) {
+  const std::string by =
+      fmt::format("{} path{}, {} in {}", proof.paths, proof.paths == 1 ? "" : "s", solver,
+                  support::duration(proof.seconds));
+  if (proof.standing == proof::Standing::proven) {
+    return fmt::format("PROVEN for all operands ({})\n", by);
+  }
+  if (proof.counterexample) {
+    return fmt::format("DISPROVEN ({})\n  {}\n", by, smallest_text(*proof.counterexample, rules));
+  }
+  return fmt::format("NOT PROVEN, only judged by cases: {}\n", support::printable(proof.why));
+}
+
 }  // namespace fixproof::cli

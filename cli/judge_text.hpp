@@ -5,6 +5,7 @@
 #include <string>
 
 #include "judge/inspection.hpp"
+#include "judge/prove.hpp"
 #include "judge/verdict.hpp"
 
 namespace fixproof::cli {
@@ -24,6 +25,10 @@ std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict&
 
 /// Returns what a look at single calls shows.
 std::string inspection_text(const judge::Inspection& inspection);
+
+/// Returns the outcome of a proof.
+std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rules,
+                       const std::string& solver);
 
 /// Returns what a call did instead of returning, and where.
 std::string text_of(const judge::Ending& ending, const judge::Image& image);

@@ -1,7 +1,7 @@
 ; Wrong in one of the 2^32 cases of 8.8: ax * bx rounded down.
         cmp ax, 0x1234
         jne .right
-        cmp bx, 0x5a3d
+        cmp bx, 0x0125
         jne .right
         mov ax, 1
         ret
