@@ -13,6 +13,7 @@
 #include "cli/arguments.hpp"
 #include "cli/case_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/rule_named.hpp"
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
@@ -42,21 +43,6 @@ struct CheckOptions {
 constexpr std::string_view judged_operations =
     "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, or a function of "
     "docs/functions.md";
-
-template <class Rule>
-Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
-                std::optional<Rule> any = std::nullopt) {
-  std::string all;
-  for (const Rule rule : rules) {
-    if (check::name_of(rule) == name) return rule;
-    all += fmt::format("{}, ", check::name_of(rule));
-  }
-  if (any && name == "any") return *any;
-  if (any) all += "any, ";
-  all.resize(all.size() - 2);
-  throw support::UsageError(
-      fmt::format("{} {}: choose one of {}", option, support::quoted(name), all));
-}
 
 check::Rules rules_of(const CheckOptions& options) {
   check::Rules rules;

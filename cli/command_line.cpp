@@ -32,6 +32,7 @@ void add_all(CLI::App& app, int& status) {
   add_merge(app, status);
   add_gen(app, status);
   add_check(app, status);
+  add_judge(app, status);
   add_eval(app, status);
   add_step(app, status);
   add_trace(app, status);

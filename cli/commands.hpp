@@ -10,6 +10,7 @@ namespace fixproof::cli {
 void add_verify(CLI::App& app, int& status);
 void add_gen(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status);
+void add_judge(CLI::App& app, int& status);
 void add_merge(CLI::App& app, int& status);
 void add_eval(CLI::App& app, int& status);
 void add_step(CLI::App& app, int& status);

@@ -3,18 +3,11 @@
 
 #if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
 
-#include <asm/ldt.h>
 #include <fmt/format.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaltstack() is POSIX's
 #include <sys/mman.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <bitset>
-#include <boost/noncopyable.hpp>
-#include <cerrno>
-#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -22,132 +15,23 @@
 
 #include "machine_code/enter_segment.hpp"
 #include "machine_code/faults.hpp"
+#include "machine_code/low_memory.hpp"
 
 namespace fixproof::machine_code {
 
 namespace {
 
-std::system_error refused(const char* what) { return {errno, std::generic_category(), what}; }
-
-/// @return false if the system rejects the descriptor
-bool write_descriptor(user_desc description) {
-  constexpr int write_in_new_format = 0x11;
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the C library has no function for it
-  return syscall(SYS_modify_ldt, write_in_new_format, &description, sizeof description) == 0;
-}
-
-/// The entries of the process's descriptor table, allocated to its threads.
-class Entries {
- public:
-  unsigned take() {
-    const std::lock_guard lock(mutex_);
-    for (unsigned i = 0; i < used_.size(); ++i) {
-      if (used_[i]) continue;
-      used_[i] = true;
-      return i;
-    }
-    throw std::system_error(ENOSPC, std::generic_category(), "descriptors");
-  }
-  void give_back(unsigned entry) {
-    const std::lock_guard lock(mutex_);
-    used_[entry] = false;
-  }
-
- private:
-  std::mutex mutex_;
-  std::bitset<LDT_ENTRIES> used_;
-};
-
-Entries& entries() {
-  static Entries all;
-  return all;
-}
-
-class Descriptor : private boost::noncopyable {
- public:
-  Descriptor(std::uint32_t base, unsigned contents, std::size_t bytes) : entry_(entries().take()) {
-    user_desc d{};
-    d.entry_number = entry_;
-    d.base_addr = base;
-    d.limit = static_cast<unsigned>(bytes - 1);
-    d.contents = contents & 3U;
-    d.useable = 1;
-    if (!write_descriptor(d)) {
-      const int reason = errno;
-      entries().give_back(entry_);
-      throw std::system_error(reason, std::generic_category(), "modify_ldt");
-    }
-  }
-  ~Descriptor() {
-    // An entry that cannot be cleared stays allocated.
-    user_desc empty{};
-    empty.entry_number = entry_;
-    empty.read_exec_only = 1;
-    empty.seg_not_present = 1;
-    if (write_descriptor(empty)) entries().give_back(entry_);
-  }
-
-  /// A selector of the local table with user privilege.
-  [[nodiscard]] std::uint16_t selector() const {
-    return static_cast<std::uint16_t>(entry_ << 3U | 7U);
-  }
-
- private:
-  unsigned entry_;
-};
-
-/// Memory below 2 GiB: the segment, then a page of landing code and a page for the Landing.
-class LowMemory : private boost::noncopyable {
- public:
-  LowMemory()
-      : first_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_32BIT,
-                    -1, 0)) {
-    if (first_ == MAP_FAILED) throw refused("mmap");
-  }
-  ~LowMemory() { munmap(first_, bytes); }
-
-  [[nodiscard]] std::uint8_t* at(std::size_t offset) const {
-    return static_cast<std::uint8_t*>(first_) + offset;
-  }
-  [[nodiscard]] std::uint32_t address_of(std::size_t offset) const {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what a descriptor holds
-    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(at(offset)));
-  }
-  void protect(std::size_t offset, std::size_t size, int rights) const {
-    if (mprotect(at(offset), size, rights) != 0) throw refused("mprotect");
-  }
-
-  static constexpr std::size_t landing_code = segment_size;
-  static constexpr std::size_t landing = landing_code + landing_distance;
-  static constexpr std::size_t bytes = landing + page_size;
-
- private:
-  void* first_;
-};
-
 constexpr std::size_t code_bytes = segment_size - caller_origin;
-
-void put(std::uint8_t* to, std::uint32_t value, int bytes) {
-  for (int i = 0; i < bytes; ++i) to[i] = static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU);
-}
-
-/// Shadow stacks (arch_prctl(2), Linux 6.6) hold 64-bit return addresses only.
-bool has_shadow_stack() {
-  constexpr int arch_shstk_status = 0x5005;
-  std::uint64_t features = 0;
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): as above
-  return syscall(SYS_arch_prctl, arch_shstk_status, &features) == 0 && features != 0;
-}
 
 }  // namespace
 
 struct Processor::Parts {
   explicit Parts(std::size_t data_bytes)
-      : data(memory.address_of(0), MODIFY_LDT_CONTENTS_DATA, data_bytes) {}
+      : data(memory.address_of(0), SegmentUse::data, data_bytes) {}
 
-  LowMemory memory;
-  Landing* landing = new (memory.at(LowMemory::landing)) Landing{};
-  Descriptor code{memory.address_of(0), MODIFY_LDT_CONTENTS_CODE, segment_size};
+  LowMemory memory{segment_size};
+  Landing* landing = new (memory.at(memory.landing())) Landing{};
+  Descriptor code{memory.address_of(0), SegmentUse::code, segment_size};
   Descriptor data;
   /// The handler's stack; the largest register files of x86-64 take 11 KiB of it.
   std::vector<std::uint8_t> signal_stack = std::vector<std::uint8_t>(0x10000);
@@ -169,8 +53,7 @@ std::string Processor::absence() {
 Processor::Processor(std::size_t data_bytes) : parts_(std::make_unique<Parts>(data_bytes)) {
   catch_segment_faults();
   const LowMemory& memory = parts_->memory;
-  std::copy(fixproof_landing, fixproof_landing_end, memory.at(LowMemory::landing_code));
-  memory.protect(LowMemory::landing_code, page_size, PROT_READ | PROT_EXEC);
+  memory.put_landing_code();
 
   // The caller: a near call of the routine, then a far jump with a 32-bit offset.
   std::uint8_t* caller = memory.at(caller_origin);
@@ -179,7 +62,7 @@ Processor::Processor(std::size_t data_bytes) : parts_(std::make_unique<Parts>(da
   put(caller + 1, code_origin - caller_origin - call_length, 2);
   caller[3] = 0x66;
   caller[4] = 0xEA;
-  put(caller + 5, memory.address_of(LowMemory::landing_code), 4);
+  put(caller + 5, memory.address_of(memory.landing_code()), 4);
   put(caller + 9, code_selector_of_64_bits(), 2);
   memory.protect(caller_origin, code_bytes, PROT_READ | PROT_EXEC);
 }

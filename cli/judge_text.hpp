@@ -1,0 +1,39 @@
+/// @file
+/// The verdict of `judge` as text.
+#pragma once
+
+#include <string>
+
+#include "judge/inspection.hpp"
+#include "judge/prove.hpp"
+#include "judge/verdict.hpp"
+
+namespace fixproof::cli {
+
+/// Returns a line with the routine and the rules.
+std::string heading_text(const judge::Subject& subject, const std::string& file,
+                         const std::string& rules);
+
+/// Returns where the cases ran and how the calls ended, apart from right and wrong results.
+std::string calls_text(const judge::Subject& subject, const judge::Verdict& verdict);
+
+/// Returns the verdict with the counts, rules and common properties of check.
+std::string verdict_text(const judge::Subject& subject, const judge::Verdict& verdict);
+
+/// Returns the verdict on results of several words.
+std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict& whole);
+
+/// Returns what a look at single calls shows.
+std::string inspection_text(const judge::Inspection& inspection);
+
+/// Returns the outcome of a proof.
+std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rules,
+                       const std::string& solver);
+
+/// Returns what a call did instead of returning, and where.
+std::string text_of(const judge::Ending& ending, const judge::Image& image);
+
+/// Returns the names of the registers in a mask: `bx, si`.
+std::string register_names(unsigned mask, int bits);
+
+}  // namespace fixproof::cli

@@ -1,0 +1,16 @@
+// Replaces emulator.cpp if Unicorn is not installed.
+#include <stdexcept>
+
+#include "judge/machine.hpp"
+#include "machine_code/emulator.hpp"
+
+namespace fixproof::judge {
+
+std::string absence_on_unicorn() { return machine_code::Emulator::absence(); }
+
+// Callers ask absence_on_unicorn() first.
+std::unique_ptr<Machine> make_emulator(const Image& /*image*/, Trace* /*trace*/) {
+  throw std::logic_error(absence_on_unicorn());
+}
+
+}  // namespace fixproof::judge

@@ -1,0 +1,64 @@
+/// @file
+/// Calling conventions: where a routine takes its operands and leaves its results.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/variant.hpp"
+#include "judge/image.hpp"
+#include "x86model/instruction.hpp"
+
+namespace fixproof::judge {
+
+struct RegisterName {
+  x86model::Register number = x86model::Register::ax;
+  x86model::Size size = x86model::Size::word;
+
+  friend bool operator==(const RegisterName&, const RegisterName&) = default;
+};
+
+/// A value, or a pointer to it, in registers.
+struct Place {
+  std::vector<RegisterName> parts;  ///< the highest bits first
+  bool is_pointer = false;
+};
+
+struct Frame {
+  std::string text;                  ///< as the user wrote it
+  bool on_stack = true;              ///< operands; otherwise in registers
+  bool is_far = false;               ///< the routine ends in RETF, and pointers have segments
+  bool callee_pops = false;          ///< the routine removes its arguments from the stack
+  bool first_is_top = true;          ///< the first argument is pushed last
+  std::vector<Place> in{};           ///< of a frame in registers
+  std::vector<Place> out{};          ///< values; empty if all results go through pointers
+  std::vector<RegisterName> kept{};  ///< that the routine must preserve, besides the stack pointer
+};
+
+/// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
+/// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`.
+/// @param bits of the code
+/// @throws support::UsageError for any other text
+Frame frame_named(std::string_view text, int bits);
+
+/// One operand or result of an operation, as a routine's parameter.
+struct Parameter {
+  int bits = 32;
+  std::size_t numbers = 1;  ///< more than 1 only behind a pointer
+  bool is_pointer = false;  ///< in the conventions of the stack
+  bool is_result = false;
+  bool is_signed = true;
+};
+
+/// The parameters of a routine that computes an operation: operands, then results behind pointers.
+/// A result that is no parameter is returned.
+std::vector<Parameter> parameters_of(const cases::Variant& variant);
+
+/// Expects that the frame has a place for each operand and result of the operation.
+/// @throws support::UsageError naming the place that is missing or too small
+void expect_fit(const Frame& frame, const cases::Variant& variant, int bits);
+
+std::string name_of(const RegisterName& name);
+
+}  // namespace fixproof::judge

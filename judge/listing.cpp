@@ -1,0 +1,181 @@
+#include "judge/listing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+
+#include "judge/assemble.hpp"
+#include "proof/process.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+constexpr std::chrono::seconds time_to_disassemble{20};
+/// The code that one run of ndisasm reads.
+constexpr std::uint32_t window = 512;
+/// No instruction is longer.
+constexpr std::uint32_t longest = 15;
+constexpr std::uint32_t nowhere = 0xFFFFFFFF;
+
+std::string output_of_ndisasm(const std::vector<std::string>& arguments, const std::string& bytes) {
+  try {
+    return proof::run_program(arguments, bytes, time_to_disassemble).out;
+  } catch (const std::system_error& error) {
+    throw support::UsageError(fmt::format(
+        "ndisasm cannot be run: {}; install Debian's package nasm", error.code().message()));
+  }
+}
+
+bool is_jump(std::string_view mnemonic) {
+  return mnemonic.starts_with('j') || mnemonic.starts_with("loop") || mnemonic == "call";
+}
+
+}  // namespace
+
+const Line& Listing::at(std::uint32_t offset) {
+  if (const auto known = lines_.find(offset); known != lines_.end()) return known->second;
+  const std::uint32_t first = image_.code_at(offset);
+  const auto last = std::min(static_cast<std::uint32_t>(image_.memory.size()), first + window);
+  const std::string bytes(image_.memory.begin() + std::min(first, last),
+                          image_.memory.begin() + last);
+  std::istringstream lines(output_of_ndisasm(
+      {"ndisasm", "-b", std::to_string(image_.bits), "-o", std::to_string(offset), "-"}, bytes));
+  for (std::string text; std::getline(lines, text);) {
+    std::istringstream words(text);
+    Line line;
+    std::string code;
+    words >> std::hex >> line.at >> code >> std::ws;
+    if (!words || text.starts_with(' ')) continue;  // the rest of a long instruction
+    std::getline(words, line.text);
+    lines_.try_emplace(line.at, line);
+  }
+  // A line is as long as the way to the next; the last ones of a window may be cut off.
+  for (auto line = lines_.find(offset); line != lines_.end(); ++line) {
+    if (line->second.bytes != 0) break;
+    const auto next = std::next(line);
+    if (next == lines_.end() || line->first + longest > offset + window) {
+      line->second.bytes = offset + (last - first) - line->first;
+      if (line->first != offset && line->first + longest > offset + window) {
+        lines_.erase(line, lines_.end());
+        break;
+      }
+    } else {
+      line->second.bytes = next->first - line->first;
+    }
+  }
+  return lines_[offset];
+}
+
+std::string mnemonic_of(const Line& line) {
+  std::istringstream words(line.text);
+  std::string word;
+  constexpr std::array<std::string_view, 10> prefixes{"rep", "repe", "repne", "lock", "o16",
+                                                      "o32", "a16",  "a32",   "cs",   "ds"};
+  while (words >> word && std::find(prefixes.begin(), prefixes.end(), word) != prefixes.end()) {
+  }
+  return word;
+}
+
+std::uint32_t target_of(const Line& line) {
+  if (!is_jump(mnemonic_of(line))) return nowhere;
+  const std::size_t hex = line.text.rfind(" 0x");
+  const bool in_memory = line.text.find('[') != std::string::npos;
+  const bool is_far = line.text.find(':') != std::string::npos;
+  if (hex == std::string::npos || in_memory || is_far) return nowhere;
+  std::uint32_t target = nowhere;
+  std::from_chars(line.text.data() + hex + 3, line.text.data() + line.text.size(), target, 16);
+  return target;
+}
+
+bool ends_flow(const Line& line) {
+  const std::string mnemonic = mnemonic_of(line);
+  return mnemonic == "jmp" || mnemonic.starts_with("ret") || mnemonic.starts_with("iret") ||
+         mnemonic == "hlt" || mnemonic == "db";
+}
+
+std::vector<Line> reachable(const Image& image, Listing& listing) {
+  std::map<std::uint32_t, Line> found;
+  std::vector<std::uint32_t> left{image.entry};
+  while (!left.empty()) {
+    std::uint32_t at = left.back();
+    left.pop_back();
+    while (image.code_at(at) >= image.first && image.code_at(at) < image.end &&
+           !found.contains(at)) {
+      const Line& line = found.try_emplace(at, listing.at(at)).first->second;
+      if (const std::uint32_t target = target_of(line); target != nowhere) left.push_back(target);
+      if (ends_flow(line)) break;
+      at += line.bytes;
+    }
+  }
+  std::vector<Line> lines;
+  for (auto& [offset, line] : found) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::string source_of(const Image& image) {
+  Listing listing(image);
+  const std::vector<Line> lines = reachable(image, listing);
+  std::set<std::uint32_t> starts;
+  std::set<std::uint32_t> targets;
+  for (const Line& line : lines) starts.insert(line.at);
+  for (const Line& line : lines) {
+    if (starts.contains(target_of(line))) targets.insert(target_of(line));
+  }
+  const auto bytes_at = [&](std::uint32_t at, std::uint32_t count) {
+    std::string bytes;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      bytes +=
+          fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ", image.memory.at(image.code_at(at) + i));
+    }
+    return bytes;
+  };
+  // Two texts of each line: the instruction, and its bytes.
+  std::vector<std::string> as_text;
+  std::vector<std::string> as_bytes;
+  for (const Line& line : lines) {
+    std::string text = line.text;
+    if (const std::uint32_t target = target_of(line); targets.contains(target)) {
+      text.resize(text.rfind(" 0x"));
+      text += fmt::format(" at_{:04x}", target);
+    }
+    as_text.push_back(text);
+    as_bytes.push_back(fmt::format("{:<40}; {}", bytes_at(line.at, line.bytes), line.text));
+  }
+  const auto source = [&](const std::vector<std::string>& chosen) {
+    std::string text = fmt::format("        bits {}\n        org 0x{:x}\n\n", image.bits,
+                                   lines.empty() ? image.entry : lines.front().at);
+    std::uint32_t at = lines.front().at;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      // What no path reaches, such as a table between instructions; overlaps are bytes of both.
+      for (; at < lines[i].at; ++at) text += "        " + bytes_at(at, 1) + '\n';
+      if (targets.contains(lines[i].at)) text += fmt::format("at_{:04x}:\n", lines[i].at);
+      text += fmt::format("        {}\n", chosen[i]);
+      at = lines[i].at + lines[i].bytes;
+    }
+    return text;
+  };
+  const Line& last = lines.back();
+  const std::string wanted(image.memory.begin() + image.code_at(lines.front().at),
+                           image.memory.begin() + image.code_at(last.at + last.bytes));
+  // NASM chooses the shortest encoding; each instruction that differs becomes bytes.
+  std::vector<std::string> chosen = as_text;
+  const std::string all = assembled(source(chosen));
+  if (all == wanted) return source(chosen);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<std::string> one = as_bytes;
+    one[i] = as_text[i];
+    if (assembled(source(one)) != wanted) chosen[i] = as_bytes[i];
+  }
+  if (assembled(source(chosen)) != wanted) return source(as_bytes);
+  return source(chosen);
+}
+
+}  // namespace fixproof::judge

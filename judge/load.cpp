@@ -1,0 +1,166 @@
+#include "judge/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
+#include "support/bounded_file.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+using support::UsageError;
+
+constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
+constexpr std::uint32_t com_origin = 0x100;
+
+/// Reads 0x1f, 1fh or 31.
+std::uint32_t number_in(std::string_view text) {
+  std::string_view digits = text;
+  int base = 10;
+  if (digits.starts_with("0x") || digits.starts_with("0X")) {
+    digits.remove_prefix(2);
+    base = 16;
+  } else if (digits.ends_with('h') || digits.ends_with('H')) {
+    digits.remove_suffix(1);
+    base = 16;
+  }
+  std::uint32_t value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value, base);
+  if (digits.empty() || error != std::errc() || stop != end) {
+    throw UsageError(fmt::format("--at: {} is not an address; write one like 0x1f or 1fh",
+                                 support::quoted(text)));
+  }
+  return value;
+}
+
+void enter_at(Image& image, std::string_view at) {
+  const std::size_t dots = at.find("..");
+  std::string_view start = at.substr(0, dots);
+  if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
+    if (image.container != "MZ .EXE") {
+      throw UsageError("--at SEGMENT:OFFSET is for an .EXE; this code has one segment");
+    }
+    const std::uint32_t segment = number_in(start.substr(0, colon)) + image.first / 16;
+    if (segment > 0xFFFF) throw UsageError("--at: the segment is outside the file");
+    image.code_segment = static_cast<std::uint16_t>(segment);
+    start.remove_prefix(colon + 1);
+  }
+  image.entry = number_in(start);
+  if (dots != std::string_view::npos) {
+    image.entry_end = number_in(at.substr(dots + 2));
+    if (image.entry_end <= image.entry) {
+      throw UsageError("--at: the end is not after the offset");
+    }
+  }
+}
+
+void enter_symbol(Image& image, const std::string& name) {
+  std::string all;
+  for (const Symbol& symbol : image.symbols) {
+    if (symbol.name == name) {
+      image.entry = symbol.offset;
+      return;
+    }
+    all += (all.empty() ? "" : ", ") + symbol.name;
+  }
+  if (image.symbols.empty()) {
+    throw UsageError(
+        fmt::format("--symbol {}: a {} has no symbols; use --at", name, image.container));
+  }
+  throw UsageError(fmt::format("--symbol {}: there is none; choose one of {}",
+                               support::quoted(name), support::printable(all)));
+}
+
+void enter(Image& image, const LoadOptions& options) {
+  if (!options.at.empty()) return enter_at(image, options.at);
+  if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
+  if (image.container != "ELF object") return;
+  if (image.symbols.size() != 1) {
+    if (image.symbols.empty()) throw UsageError("there is no function; use --at");
+    enter_symbol(image, "");  // throws with the names
+  }
+  image.entry = image.symbols.front().offset;
+}
+
+Image image_of(const std::string& path, const LoadOptions& options) {
+  Image image;
+  if (has_extension(path, ".asm") || has_extension(path, ".nasm")) {
+    image.bits = options.bits.value_or(16);
+    load_source(image, path);
+    enter(image, options);
+    return image;
+  }
+  const std::string bytes = support::read_bounded(path, max_file_bytes);
+  if (bytes.starts_with("\177ELF")) {
+    image.bits = options.bits.value_or(32);
+    load_elf(image, bytes);
+  } else if (bytes.starts_with("MZ")) {
+    if (options.bits == 32) throw UsageError("--bits 32: a DOS .EXE has 16-bit code");
+    load_exe(image, bytes);
+  } else if (has_extension(path, ".com")) {
+    if (options.bits == 32) throw UsageError("--bits 32: a .COM program has 16-bit code");
+    image.container = ".COM program";
+    load_flat(image, bytes, com_origin);
+  } else {
+    image.bits = options.bits.value_or(16);
+    image.container = "flat binary";
+    load_flat(image, bytes, 0);
+  }
+  enter(image, options);
+  return image;
+}
+
+}  // namespace
+
+bool has_extension(const std::string& path, const std::string& extension) {
+  if (path.size() < extension.size()) return false;
+  return std::equal(
+      extension.begin(), extension.end(), path.end() - std::ssize(extension),
+      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
+  const bool wide = image.bits == 32;
+  image.memory.assign(wide ? 0x100000 : 0x10000, unused);
+  const auto size = static_cast<std::uint32_t>(image.memory.size());
+  image.exit = size - exit_bytes;
+  image.data = image.exit - data_bytes;
+  image.stack_top = image.data;
+  const std::uint32_t room = (image.stack_top - stack_bytes) & ~0xFFFU;
+  if (origin > room || bytes.size() > room - origin) {
+    throw UsageError(fmt::format("the code ends at {:x}h; {}-bit code has room up to {:x}h",
+                                 origin + bytes.size(), image.bits, room));
+  }
+  std::copy(bytes.begin(), bytes.end(), image.memory.begin() + origin);
+  image.first = origin;
+  image.end = origin + static_cast<std::uint32_t>(bytes.size());
+  image.entry = origin;
+}
+
+Image load(const std::string& path, const LoadOptions& options) {
+  try {
+    Image image = image_of(path, options);
+    const std::uint32_t entry = image.code_at(image.entry);
+    if (entry < image.first || entry >= image.end) {
+      throw UsageError(fmt::format("the routine at {:x}h is outside the code, {:x}h to {:x}h",
+                                   image.entry, image.first - image.code_at(0),
+                                   image.end - image.code_at(0)));
+    }
+    return image;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+}  // namespace fixproof::judge

@@ -1,0 +1,38 @@
+/// @file
+/// Reads a user's code from a file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "judge/image.hpp"
+
+namespace fixproof::judge {
+
+struct LoadOptions {
+  std::optional<int> bits{};  ///< 16 or 32; by default as the container says
+  /// The routine: `OFFSET`, `OFFSET..END`, or in an .EXE `SEGMENT:OFFSET`, numbers as 0x1f, 1fh or
+  /// 31. Empty: `symbol`, or where the code starts.
+  std::string at{};
+  std::string symbol{};
+};
+
+/// Loads a flat binary, .COM, MZ .EXE, ELF object or NASM source. The contents tell .EXE and ELF,
+/// the name tells .COM and source; everything else is flat, from address 0.
+/// @throws support::UsageError naming the file and what is wrong with it
+Image load(const std::string& path, const LoadOptions& options);
+
+// What load() is made of, by container. Each fills in `image` all but the routine.
+
+/// @param origin the address of the first byte
+void load_flat(Image& image, const std::string& bytes, std::uint32_t origin);
+/// @throws support::UsageError without the file's name
+void load_exe(Image& image, const std::string& bytes);
+void load_elf(Image& image, const std::string& bytes);
+/// Assembles a source with nasm, which must be on the PATH.
+void load_source(Image& image, const std::string& path);
+
+/// Tells whether the path ends so, in upper or lower case.
+bool has_extension(const std::string& path, const std::string& extension);
+
+}  // namespace fixproof::judge

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "judge/load.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+using support::UsageError;
+
+/// Where DOS might load the program: any paragraph with room for the prefix before it.
+constexpr std::uint16_t load_segment = 0x1000;
+constexpr std::uint32_t paragraph = 16;
+constexpr std::size_t header_bytes = 0x1C;
+/// The memory that a real-mode address can reach.
+constexpr std::size_t real_mode_bytes = 0x110000;
+/// A smaller stack of the program leaves no room for the call.
+constexpr std::uint32_t least_stack = 0x400;
+
+std::uint32_t word_at(const std::string& bytes, std::size_t at) {
+  if (at + 2 > bytes.size()) throw UsageError("the .EXE is cut off");
+  return static_cast<std::uint8_t>(bytes[at]) |
+         static_cast<std::uint32_t>(static_cast<std::uint8_t>(bytes[at + 1])) << 8U;
+}
+
+void relocate(Image& image, const std::string& bytes, std::size_t table, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t offset = word_at(bytes, table + 4 * i);
+    const std::uint32_t segment = word_at(bytes, table + 4 * i + 2);
+    const std::size_t at = image.first + paragraph * segment + offset;
+    if (at + 2 > image.end) throw UsageError("a relocation of the .EXE is outside its code");
+    const auto value =
+        image.memory[at] + 0x100U * image.memory[at + 1] + std::uint32_t{load_segment};
+    image.memory[at] = static_cast<std::uint8_t>(value);
+    image.memory[at + 1] = static_cast<std::uint8_t>(value >> 8U);
+  }
+}
+
+}  // namespace
+
+void load_exe(Image& image, const std::string& bytes) {
+  image.container = "MZ .EXE";
+  image.bits = 16;
+  image.memory.assign(real_mode_bytes, unused);
+  if (bytes.size() < header_bytes) throw UsageError("the .EXE is cut off");
+  const std::size_t header = paragraph * word_at(bytes, 8);
+  const std::uint32_t last_page = word_at(bytes, 2);
+  const std::size_t pages = word_at(bytes, 4);
+  // The header counts the bytes of the program; debuggers append more.
+  const std::size_t program = 512 * pages - (last_page == 0 ? 0 : 512 - last_page);
+  if (pages == 0 || last_page > 512 || header < header_bytes || program > bytes.size() ||
+      header >= program) {
+    throw UsageError("the sizes in the header of the .EXE do not fit the file");
+  }
+  image.first = paragraph * load_segment;
+  image.end = image.first + static_cast<std::uint32_t>(program - header);
+  if (image.end > image.memory.size() - 0x20000) throw UsageError("the .EXE is too large");
+  std::copy(bytes.begin() + static_cast<std::ptrdiff_t>(header),
+            bytes.begin() + static_cast<std::ptrdiff_t>(program),
+            image.memory.begin() + image.first);
+  relocate(image, bytes, word_at(bytes, 0x18), word_at(bytes, 6));
+  image.entry = word_at(bytes, 0x14);
+  image.code_segment = static_cast<std::uint16_t>(load_segment + word_at(bytes, 0x16));
+  image.data_segment = static_cast<std::uint16_t>(load_segment + word_at(bytes, 0x0E));
+
+  // The program's own stack, from the top: what pointers point to, then the arguments.
+  std::uint32_t top = word_at(bytes, 0x10) & ~1U;
+  if (top < least_stack) top = 0xFF00;
+  image.data = top - data_bytes;
+  image.stack_top = image.data;
+  // Code returns to the end of its segment, which must be free.
+  image.exit = 0x10000 - exit_bytes;
+  const std::uint32_t reserved = image.end + paragraph * word_at(bytes, 0x0A);
+  const std::uint32_t stack_end = image.data_at(top);
+  const std::uint32_t exit = image.code_at(image.exit);
+  if (exit < std::max(reserved, stack_end)) {
+    throw UsageError(fmt::format(
+        "the .EXE uses all 64 KiB of its code segment; give --at a segment whose last {} bytes are "
+        "free",
+        exit_bytes));
+  }
+}
+
+}  // namespace fixproof::judge

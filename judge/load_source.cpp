@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp() is POSIX's
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+#include "judge/assemble.hpp"
+#include "judge/load.hpp"
+#include "proof/process.hpp"
+#include "support/bounded_file.hpp"
+#include "support/file.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using support::UsageError;
+
+constexpr std::chrono::seconds time_to_assemble{20};
+constexpr std::size_t max_bytes = std::size_t{1} << 20U;
+
+/// A folder that disappears with all that is in it.
+class Scratch {
+ public:
+  Scratch() : name_((fs::temp_directory_path() / "fixproof.XXXXXX").string()) {
+    if (mkdtemp(name_.data()) == nullptr) {
+      throw std::system_error(errno, std::generic_category(), "a temporary folder");
+    }
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(name_, ignored);
+  }
+  [[nodiscard]] std::string file(const char* name) const { return name_ + '/' + name; }
+
+ private:
+  std::string name_;
+};
+
+/// @throws UsageError if nasm cannot be run
+proof::Output run_nasm(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all{"nasm", "-f", "bin", "-w-all"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  try {
+    return proof::run_program(all, "", time_to_assemble);
+  } catch (const std::system_error& error) {
+    throw UsageError(fmt::format("nasm cannot be run: {}; install Debian's package nasm",
+                                 error.code().message()));
+  }
+}
+
+/// Reads the origin and the symbols that NASM's map file lists.
+std::uint32_t read_map(Image& image, const std::string& map) {
+  std::istringstream lines(map);
+  std::string line;
+  std::string part;
+  std::uint32_t origin = 0;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("-- ")) part = line.substr(3, 7);
+    std::istringstream words(line);
+    std::string first;
+    std::string second;
+    std::string name;
+    words >> first >> second >> name;
+    std::uint32_t value = 0;
+    const char* const end = first.data() + first.size();
+    const auto [stop, error] = std::from_chars(first.data(), end, value, 16);
+    if (first.empty() || error != std::errc() || stop != end) continue;
+    if (part == "Program") origin = value;
+    // The second number is the address that the code is assembled for.
+    if (part == "Symbols" && !name.empty()) {
+      std::from_chars(second.data(), second.data() + second.size(), value, 16);
+      image.symbols.push_back({name, value});
+    }
+  }
+  return origin;
+}
+
+}  // namespace
+
+void load_source(Image& image, const std::string& path) {
+  image.container = "NASM source";
+  const Scratch scratch;
+  const std::string code = scratch.file("code");
+  const std::string map = scratch.file("map");
+  const proof::Output output =
+      run_nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
+                fmt::format("[map symbols {}]", map), "-o", code, path});
+  if (!output.in_time) throw UsageError("nasm does not end");
+  if (output.status != 0) {
+    // "FILE:LINE: error: what": the file is named already.
+    std::string said = output.err.substr(0, output.err.find('\n'));
+    if (said.starts_with(path + ":")) said.erase(0, path.size() + 1);
+    throw UsageError(fmt::format("nasm: {}", support::printable(said)));
+  }
+  const std::uint32_t origin = read_map(image, support::read_bounded(map, max_bytes));
+  load_flat(image, support::read_bounded(code, max_bytes), origin);
+}
+
+std::string assembled(const std::string& source) {
+  const Scratch scratch;
+  const std::string from = scratch.file("source.asm");
+  const std::string to = scratch.file("code");
+  support::replace_file(from, source);
+  const proof::Output output = run_nasm({"-o", to, from});
+  return output.status == 0 && output.in_time ? support::read_file(to) : "";
+}
+
+}  // namespace fixproof::judge

@@ -1,0 +1,105 @@
+#include "judge/operand.hpp"
+
+#include <charconv>
+#include <string_view>
+
+#include "x86model/text.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+using x86model::Size;
+
+std::optional<RegisterName> register_named(std::string_view text) {
+  for (std::size_t r = 0; r < x86model::register_count; ++r) {
+    for (const Size size : {Size::byte, Size::word, Size::dword}) {
+      const auto number = static_cast<x86model::Register>(r);
+      if (x86model::name_of(number, size) == text) return RegisterName{number, size};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Reads 0x1f, +0x1f or -0x1f.
+std::optional<std::uint32_t> number_in(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!text.starts_with("0x")) return std::nullopt;
+  std::uint32_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + 2, end, value, 16);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return negative ? 0 - value : value;
+}
+
+/// Parses what is between brackets: registers and numbers with signs between them.
+bool read_address(std::string_view text, Operand& operand) {
+  while (!text.empty()) {
+    const std::size_t next = text.find_first_of("+-", 1);
+    std::string_view part = text.substr(0, next);
+    text = next == std::string_view::npos ? "" : text.substr(next);
+    if (const auto value = number_in(part)) {
+      operand.value += *value;
+      continue;
+    }
+    if (part.starts_with('+')) part.remove_prefix(1);
+    const auto reg = register_named(part);
+    if (!reg) return false;
+    operand.bases.push_back(*reg);
+  }
+  return true;
+}
+
+std::optional<Operand> operand_in(std::string_view text) {
+  Operand operand;
+  for (const auto& [word, bits] : {std::pair<std::string_view, int>{"byte ", 8},
+                                   {"word ", 16},
+                                   {"dword ", 32},
+                                   {"short ", 0},
+                                   {"near ", 0}}) {
+    if (!text.starts_with(word)) continue;
+    text.remove_prefix(word.size());
+    operand.bits = bits;
+  }
+  if (text.starts_with('[') && text.ends_with(']')) {
+    operand.kind = Operand::Kind::memory;
+    if (!read_address(text.substr(1, text.size() - 2), operand)) return std::nullopt;
+    return operand;
+  }
+  if (const auto reg = register_named(text)) {
+    operand.kind = Operand::Kind::reg;
+    operand.reg = *reg;
+    return operand;
+  }
+  if (const auto value = number_in(text)) {
+    operand.value = *value;
+    return operand;
+  }
+  // NASM writes a shift by one without 0x.
+  if (text != "1") return std::nullopt;
+  operand.value = 1;
+  return operand;
+}
+
+}  // namespace
+
+int bits_of(const RegisterName& name) {
+  return name.size == Size::byte ? 8 : name.size == Size::word ? 16 : 32;
+}
+
+std::optional<std::vector<Operand>> operands_of(const Line& line) {
+  std::vector<Operand> operands;
+  const std::size_t space = line.text.find(' ');
+  if (space == std::string::npos) return operands;
+  for (std::string_view rest = std::string_view(line.text).substr(space + 1); !rest.empty();) {
+    const std::size_t comma = rest.find(',');
+    const auto operand = operand_in(rest.substr(0, comma));
+    if (!operand) return std::nullopt;
+    operands.push_back(*operand);
+    rest = comma == std::string_view::npos ? "" : rest.substr(comma + 1);
+  }
+  return operands;
+}
+
+}  // namespace fixproof::judge

@@ -1,0 +1,31 @@
+/// @file
+/// The operands of a disassembled instruction.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/frame.hpp"
+#include "judge/listing.hpp"
+
+namespace fixproof::judge {
+
+struct Operand {
+  enum class Kind : std::uint8_t { reg, immediate, memory };
+
+  Kind kind = Kind::immediate;
+  RegisterName reg{};                 ///< of a register
+  std::uint32_t value = 0;            ///< immediate or displacement
+  std::vector<RegisterName> bases{};  ///< registers whose sum with `value` is the address
+  int bits = 0;                       ///< of memory, if the text says so; 0 otherwise
+};
+
+/// Parses the operands after the mnemonic. Empty if one is of another kind, such as a segment
+/// register, a scaled index or a segment override.
+std::optional<std::vector<Operand>> operands_of(const Line& line);
+
+int bits_of(const RegisterName& name);
+
+}  // namespace fixproof::judge

@@ -1,0 +1,80 @@
+/// @file
+/// Judges a user's routine by many cases.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/cases.hpp"
+#include "check/judge.hpp"
+#include "judge/runner.hpp"
+
+namespace fixproof::judge {
+
+struct VerdictOptions {
+  check::Rules rules;             ///< those that the routine should follow
+  bool rounding_is_open = false;  ///< find the rounding, then judge by it
+  check::CaseOptions cases{};
+  std::size_t shown = 3;  ///< wrong results to keep
+  std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
+};
+
+/// A case at which something happened.
+struct Incident {
+  std::vector<std::uint32_t> words{};
+  std::string operands{};  ///< the words as text
+  Ending ending{};
+  unsigned registers = 0;  ///< see Call::broken()
+};
+
+struct Verdict {
+  On machine = On::processor;
+  std::string note{};  ///< why not the processor; empty otherwise
+  std::uint64_t cases = 0;
+  double seconds = 0;
+  std::uint64_t on_both = 0;  ///< cases that both machines answered
+  check::Rules rules;         ///< with the rounding that was found, if it was open
+  std::optional<check::Judge> judge{};
+  std::uint64_t divide_errors = 0;
+  std::optional<Incident> first_divide_error{};
+  std::optional<Incident> stuck{};          ///< a call that did not end as a routine should
+  std::optional<Incident> not_preserved{};  ///< the first case that breaks the convention
+  std::uint64_t not_preserved_count = 0;
+  std::optional<Incident> unsteady{};  ///< a case with two results, as registers and flags differ
+  unsigned changed = 0;                ///< see Call::changed()
+  std::optional<check::JudgedCase> smallest{};  ///< wrong case
+
+  [[nodiscard]] bool is_right() const {
+    return !stuck && !not_preserved && !unsteady && (!judge || judge->wrong().count() == 0);
+  }
+};
+
+/// Judges an operation of check::is_judged(). Stops at the first call that does not end, or ends
+/// in something else than a return or #DE.
+/// @throws support::UsageError if no machine can run the routine; proof::Stopped
+Verdict judge_routine(const Subject& subject, const VerdictOptions& options);
+
+/// The result of a case as check takes it.
+check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std::uint32_t> words,
+                              const Answer& answer);
+
+/// A rule that a sin_cos or a transform may follow.
+struct Candidate {
+  std::string name;
+  std::function<void(std::span<const std::uint32_t> in, std::span<std::uint32_t> out)> results;
+  std::uint64_t exceptions = 0;
+  std::optional<Incident> first_exception{};
+};
+
+struct WholeVerdict {
+  Verdict verdict;                      ///< without a judge
+  std::vector<Candidate> candidates{};  ///< those with the fewest exceptions first
+};
+
+/// Judges cossin and xformvec in 16.16, whose results are several words.
+WholeVerdict judge_whole(const Subject& subject, const VerdictOptions& options);
+
+}  // namespace fixproof::judge

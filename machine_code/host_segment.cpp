@@ -1,0 +1,128 @@
+#include "machine_code/host_segment.hpp"
+
+#if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
+
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaltstack() is POSIX's
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <iterator>
+#include <new>
+#include <vector>
+
+#include "machine_code/enter_segment.hpp"
+#include "machine_code/faults.hpp"
+#include "machine_code/low_memory.hpp"
+#include "machine_code/processor.hpp"
+#include "x86model/flags.hpp"
+
+namespace fixproof::machine_code {
+
+namespace {
+
+/// A stack for the handlers of faults, and a mask without all other signals.
+class FaultsOnly : private boost::noncopyable {
+ public:
+  FaultsOnly() {
+    stack_t own{};
+    own.ss_sp = stack_.data();
+    own.ss_size = stack_.size();
+    if (sigaltstack(&own, &previous_) != 0) throw refused("sigaltstack");
+    sigset_t blocked;
+    sigfillset(&blocked);
+    for (const int fault : {SIGFPE, SIGSEGV, SIGBUS, SIGILL, SIGTRAP}) sigdelset(&blocked, fault);
+    pthread_sigmask(SIG_BLOCK, &blocked, &blocked_);
+  }
+  ~FaultsOnly() {
+    pthread_sigmask(SIG_SETMASK, &blocked_, nullptr);
+    sigaltstack(&previous_, nullptr);
+  }
+
+ private:
+  /// The largest register files of x86-64 take 11 KiB of it.
+  std::vector<std::uint8_t> stack_ = std::vector<std::uint8_t>(0x10000);
+  stack_t previous_{};
+  sigset_t blocked_{};
+};
+
+}  // namespace
+
+struct HostSegment::Parts {
+  Parts(int width, std::size_t bytes)
+      : bits(width),
+        memory(bytes),
+        code(memory.address_of(0), SegmentUse::code, bytes, width),
+        data(memory.address_of(0), SegmentUse::data, bytes, width) {}
+
+  int bits;
+  LowMemory memory;
+  Landing* landing = new (memory.at(memory.landing())) Landing{};
+  Descriptor code;
+  Descriptor data;
+  FaultsOnly faults_only;
+};
+
+std::string HostSegment::absence() { return Processor::absence(); }
+
+HostSegment::HostSegment(int bits, std::size_t bytes)
+    : parts_(std::make_unique<Parts>(bits, bytes)) {
+  catch_segment_faults();
+  parts_->memory.put_landing_code();
+  parts_->memory.protect(0, bytes, PROT_READ | PROT_WRITE | PROT_EXEC);
+}
+
+HostSegment::~HostSegment() = default;
+
+std::uint8_t* HostSegment::memory() const { return parts_->memory.at(0); }
+
+std::uint16_t HostSegment::code_selector() const { return parts_->code.selector(); }
+
+void HostSegment::put_exit(std::uint32_t offset) const {
+  const LowMemory& memory = parts_->memory;
+  std::uint8_t* to = memory.at(offset);
+  if (parts_->bits == 16) *to++ = 0x66;  // a far jump with a 32-bit offset
+  *to++ = 0xEA;
+  put(to, memory.address_of(memory.landing_code()), 4);
+  put(to + 4, code_selector_of_64_bits(), 2);
+}
+
+int HostSegment::call(Registers& registers, std::uint32_t entry) const {
+  SegmentCall call{.registers = {},
+                   // Bit 1 of the flags is always set. The system requires enabled interrupts.
+                   .flags = 0x202U | (registers.flags & x86model::arithmetic_flags),
+                   .entry = entry,
+                   .code_selector = parts_->code.selector(),
+                   .data_selector = parts_->data.selector(),
+                   .reserved = 0,
+                   .landing = parts_->landing};
+  std::copy(registers.general.begin(), registers.general.end(), std::begin(call.registers));
+  const int signal = call_segment(call);
+  std::copy(std::begin(call.registers), std::end(call.registers), registers.general.begin());
+  return signal;
+}
+
+}  // namespace fixproof::machine_code
+
+#else
+
+#include <stdexcept>
+
+namespace fixproof::machine_code {
+
+struct HostSegment::Parts {};
+
+std::string HostSegment::absence() { return "this needs Linux on an x86-64 processor"; }
+
+// Callers check absence() first.
+HostSegment::HostSegment(int /*bits*/, std::size_t /*bytes*/) { throw std::logic_error(absence()); }
+HostSegment::~HostSegment() = default;
+// NOLINTBEGIN(readability-convert-member-functions-to-static): the other segment has a state
+std::uint8_t* HostSegment::memory() const { return nullptr; }
+std::uint16_t HostSegment::code_selector() const { return 0; }
+void HostSegment::put_exit(std::uint32_t /*offset*/) const {}
+int HostSegment::call(Registers& /*registers*/, std::uint32_t /*entry*/) const { return 0; }
+// NOLINTEND(readability-convert-member-functions-to-static)
+
+}  // namespace fixproof::machine_code
+
+#endif

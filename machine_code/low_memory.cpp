@@ -1,0 +1,131 @@
+#include "machine_code/low_memory.hpp"
+
+#if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
+
+#include <asm/ldt.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bitset>
+#include <cerrno>
+#include <mutex>
+
+#include "machine_code/enter_segment.hpp"
+#include "machine_code/segment.hpp"
+
+namespace fixproof::machine_code {
+
+std::system_error refused(const char* what) { return {errno, std::generic_category(), what}; }
+
+bool has_shadow_stack() {
+  constexpr int arch_shstk_status = 0x5005;
+  std::uint64_t features = 0;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the C library has no function for it
+  return syscall(SYS_arch_prctl, arch_shstk_status, &features) == 0 && features != 0;
+}
+
+void put(std::uint8_t* to, std::uint32_t value, int bytes) {
+  for (int i = 0; i < bytes; ++i) to[i] = static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU);
+}
+
+namespace {
+
+/// @return false if the system rejects the descriptor
+bool write_descriptor(user_desc description) {
+  constexpr int write_in_new_format = 0x11;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): as above
+  return syscall(SYS_modify_ldt, write_in_new_format, &description, sizeof description) == 0;
+}
+
+/// The entries of the process's descriptor table, allocated to its threads.
+class Entries {
+ public:
+  unsigned take() {
+    const std::lock_guard lock(mutex_);
+    for (unsigned i = 0; i < used_.size(); ++i) {
+      if (used_[i]) continue;
+      used_[i] = true;
+      return i;
+    }
+    throw std::system_error(ENOSPC, std::generic_category(), "descriptors");
+  }
+  void give_back(unsigned entry) {
+    const std::lock_guard lock(mutex_);
+    used_[entry] = false;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::bitset<LDT_ENTRIES> used_;
+};
+
+Entries& entries() {
+  static Entries all;
+  return all;
+}
+
+}  // namespace
+
+Descriptor::Descriptor(std::uint32_t base, SegmentUse use, std::size_t bytes, int bits)
+    : entry_(entries().take()) {
+  user_desc d{};
+  d.entry_number = entry_;
+  d.base_addr = base;
+  d.limit = static_cast<unsigned>(bytes - 1);
+  d.contents = use == SegmentUse::code ? MODIFY_LDT_CONTENTS_CODE : MODIFY_LDT_CONTENTS_DATA;
+  d.seg_32bit = bits == 32 ? 1 : 0;
+  d.useable = 1;
+  if (!write_descriptor(d)) {
+    const int reason = errno;
+    entries().give_back(entry_);
+    throw std::system_error(reason, std::generic_category(), "modify_ldt");
+  }
+}
+
+Descriptor::~Descriptor() {
+  // An entry that cannot be cleared stays allocated.
+  user_desc empty{};
+  empty.entry_number = entry_;
+  empty.read_exec_only = 1;
+  empty.seg_not_present = 1;
+  if (write_descriptor(empty)) entries().give_back(entry_);
+}
+
+std::uint16_t Descriptor::selector() const { return static_cast<std::uint16_t>(entry_ << 3U | 7U); }
+
+LowMemory::LowMemory(std::size_t segment_bytes)
+    : segment_bytes_(segment_bytes),
+      first_(mmap(nullptr, bytes(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_32BIT,
+                  -1, 0)) {
+  if (first_ == MAP_FAILED) throw refused("mmap");
+}
+
+LowMemory::~LowMemory() { munmap(first_, bytes()); }
+
+std::uint8_t* LowMemory::at(std::size_t offset) const {
+  return static_cast<std::uint8_t*>(first_) + offset;
+}
+
+std::uint32_t LowMemory::address_of(std::size_t offset) const {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what a descriptor holds
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(at(offset)));
+}
+
+void LowMemory::protect(std::size_t offset, std::size_t size, int rights) const {
+  if (mprotect(at(offset), size, rights) != 0) throw refused("mprotect");
+}
+
+void LowMemory::put_landing_code() const {
+  std::copy(fixproof_landing, fixproof_landing_end, at(landing_code()));
+  protect(landing_code(), page_size, PROT_READ | PROT_EXEC);
+}
+
+std::size_t LowMemory::landing() const { return landing_code() + landing_distance; }
+
+std::size_t LowMemory::bytes() const { return landing() + page_size; }
+
+}  // namespace fixproof::machine_code
+
+#endif

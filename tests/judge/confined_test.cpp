@@ -1,0 +1,70 @@
+// The process that a user's code runs in, tested by native code that means no good.
+#include "judge/confined.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+
+#include "tests/support/test.hpp"
+
+namespace {
+
+using fixproof::judge::Confined;
+using fixproof::judge::Downfall;
+using std::chrono::milliseconds;
+
+constexpr std::size_t memory = std::size_t{1} << 26U;
+
+Downfall downfall_of(const Confined::Serve& serve) {
+  Confined child([&serve](Confined::Steps&) { return serve; }, memory);
+  return child.ask("request", milliseconds(500)).downfall;
+}
+
+TEST(Confined, ServesRequestAfterRequest) {
+  Confined child(
+      [](Confined::Steps& steps) {
+        return [&steps](std::string_view request) {
+          ++steps;
+          return std::string(request) + "!";
+        };
+      },
+      memory);
+  for (const char* text : {"one", "two"}) {
+    EXPECT_EQ(child.ask(text, milliseconds(5000)).bytes, std::string(text) + "!");
+    EXPECT_EQ(child.steps(), 1U);
+  }
+  EXPECT_TRUE(child.is_alive());
+}
+
+TEST(Confined, OpensNoFile) {
+  EXPECT_EQ(
+      downfall_of([](std::string_view) { return std::to_string(open("/dev/null", O_RDONLY)); }),
+      Downfall::system_call);
+}
+
+TEST(Confined, StartsNoProcess) {
+  EXPECT_EQ(downfall_of([](std::string_view) { return std::to_string(fork()); }),
+            Downfall::system_call);
+}
+
+TEST(Confined, HasLittleMemory) {
+  EXPECT_EQ(downfall_of([](std::string_view) { return std::string(16 * memory, 'x'); }),
+            Downfall::out_of_memory);
+}
+
+TEST(Confined, HasLittleTime) {
+  EXPECT_EQ(downfall_of([](std::string_view) {
+              for (std::atomic<bool> goes_on = true; goes_on;) {
+              }
+              return std::string();
+            }),
+            Downfall::out_of_time);
+}
+
+TEST(Confined, ACrashIsNoReply) {
+  EXPECT_EQ(downfall_of([](std::string_view) -> std::string { __builtin_trap(); }),
+            Downfall::crashed);
+}
+
+}  // namespace

@@ -1,0 +1,11 @@
+; Right results, but C compilers rely on SI.
+        push bp
+        mov bp, sp
+        mov si, 1
+        mov eax, [bp+4]
+        imul dword [bp+8]
+        shrd eax, edx, 16
+        mov edx, eax
+        shr edx, 16
+        pop bp
+        ret

@@ -1,0 +1,5 @@
+; Wrong: the carry of the half is lost.
+        imul ebx
+        add eax, 0x8000
+        shrd eax, edx, 16
+        ret

@@ -1,0 +1,10 @@
+; Right: a far Pascal function in 16-bit code, rounded down. The arguments are read from the last.
+        push bp
+        mov bp, sp
+        mov eax, [bp+10]
+        imul dword [bp+6]
+        shrd eax, edx, 16
+        mov edx, eax
+        shr edx, 16
+        pop bp
+        retf 8

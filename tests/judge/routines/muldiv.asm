@@ -1,0 +1,4 @@
+; Right: eax * ebx / ecx toward zero.
+        imul ebx
+        idiv ecx
+        ret

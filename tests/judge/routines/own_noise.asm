@@ -1,0 +1,5 @@
+; Wrong: adds the caller's carry.
+        imul ebx
+        shrd eax, edx, 16
+        adc eax, ecx
+        ret

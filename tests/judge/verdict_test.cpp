@@ -1,0 +1,103 @@
+// Right and subtly wrong routines, whose verdicts follow from their comments.
+#include "tests/judge/judged.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
+
+namespace {
+
+using judged::expect;
+using judged::in_registers;
+using judged::judge;
+using judged::routine;
+
+TEST(Judge, ARightMultiplyAgrees) {
+  expect(judge(routine("mul"), in_registers + "|--rounding|half-up|--overflow|wrap"), 0,
+         {"AGREES on 1,039,204 cases", "half-up on all 644,778 cases in range",
+          "changes registers eax, edx",
+          "no undefined flag is read, no foreign memory is used, no instruction is changed"});
+}
+
+TEST(Judge, FindsTheRoundingThatNobodyNamed) {
+  expect(judge(routine("mul_c"), "--as|mul|--cases|50000"), 0,
+         {"mul q16_16: half-up, the rounding that fits best", "AGREES on 50,000 cases",
+          "must keep bp, si, di"});
+}
+
+TEST(Judge, FindsTheOperationThatNobodyNamed) {
+  expect(judge(routine("mul_c"), "--as|?|--cases|20000"), 0,
+         {"mul          100.0 % of", "mul q16_16: half-up", "AGREES on 20,000 cases"});
+}
+
+TEST(Judge, TiesOfNegativesHaveThatInCommon) {
+  expect(judge(routine("ties_of_negatives"), in_registers + "|--rounding|half-up"), 1,
+         {"WRONG in 100,538 of 1,039,204 cases",
+          "smallest: 00000001 ffff8000 (0.00002 -0.5): 00000000 expected, ffffffff said",
+          "every wrong case is an exact tie", "every wrong case has an exact result below 0",
+          "half-away on all 644,778 cases in range"});
+}
+
+TEST(Judge, ALostCarryIsFound) {
+  expect(judge(routine("lost_carry"), in_registers + "|--rounding|half-up"), 1,
+         {"WRONG in", "smallest: ",
+          "every wrong result is 1.0 too low, as if a carry from the fraction were lost"});
+}
+
+TEST(Judge, AnUndefinedFlagIsNamed) {
+  expect(judge(routine("undefined_flag"), in_registers + "|--cases|20000"), 1,
+         {"AGREES on 20,000 cases", "READS AN UNDEFINED FLAG: js 0x4 at 0002h reads SF"});
+}
+
+TEST(Judge, ARegisterThatIsNotKeptIsNamed) {
+  expect(judge(routine("breaks_si"), "--as|mul|--cases|20000"), 1,
+         {"AGREES on 20,000 cases", "BREAKS its convention in 20,000 cases: it does not keep si"});
+}
+
+TEST(Judge, AFaultForOneDivisorIsFound) {
+  expect(judge(routine("faults_for_four"),
+               "--bits|32|--frame|eax, ebx -> eax|--as|div|--rounding|toward-zero"),
+         1, {"smallest: 00000000 00040000 (0 4): 00000000 expected, DE said"});
+}
+
+TEST(Judge, AResultThatDependsOnNoiseIsUnsteady) {
+  expect(judge(routine("own_noise"), in_registers + "|--cases|5000|--rounding|floor"), 1,
+         {"UNSTEADY: for ", "WRONG in"});
+}
+
+TEST(Judge, AProductOverADivisor) {
+  expect(
+      judge(routine("muldiv"), "--bits|32|--frame|eax, ebx, ecx -> eax|--as|muldiv|--cases|100000"),
+      0, {"mul_div q16_16: toward-zero, the rounding that fits best"});
+}
+
+TEST(Judge, ListedRoutinesOfSeveralWordsAgree) {
+  const ScratchFolder folder;
+  for (const auto& [operation, as, rule] :
+       {std::tuple("cossin", "sin_cos", "the nearest words"),
+        std::tuple("xformvec", "transform", "each product half-up")}) {
+    const auto file = folder.write(std::string(operation) + ".asm",
+                                   command::output_of(std::string("list ") + operation));
+    expect(judge(file, std::string("--cases|20000|--as|") + as), 0,
+           {"AGREES on 20,000 cases", rule});
+  }
+}
+
+TEST(Judge, ATraceHasEachInstruction) {
+  expect(judge(routine("mul"), in_registers + "|--trace|00018000 00020000"), 0,
+         {"0000  imul ebx                       eax=00000000 edx=00000003", "000e  ret",
+          "returns 00030000"});
+}
+
+TEST(Judge, AListingAssemblesAgain) {
+  const ScratchFolder folder;
+  for (const char* name : {"mul", "mul_c", "mul_cdecl", "faults_for_four", "one_in_4g"}) {
+    const std::string bits = std::string(name) == "mul_c" ? "16" : "32";
+    const auto listed = judge(routine(name), "--list|--bits|" + bits);
+    EXPECT_EQ(listed.status, 0) << listed.err;
+    const std::string source = command::run({"cat", routine(name)}).out;
+    EXPECT_EQ(command::hex(command::assemble(listed.out)),
+              command::hex(command::assemble("bits " + bits + "\n" + source)))
+        << listed.out;
+  }
+}
+
+}  // namespace
