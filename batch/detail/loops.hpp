@@ -39,6 +39,25 @@ struct loops {
     return each_block(root_blocks<Raw, F>{x, out}, count, found);
   }
 
+  template <class N, class Float>
+  FIXED_LANE_LOOP static std::size_t from_floats(const void* x, void* out, std::size_t count,
+                                                 fault_recorder& found) {
+    if constexpr (!hardware_double) return 0;
+    return each_block(from_float_blocks<N, Float>{x, out}, count, found);
+  }
+
+  template <class N, class Float>
+  FIXED_LANE_LOOP static std::size_t to_floats(const void* x, void* out, std::size_t count,
+                                               fault_recorder& found) {
+    if constexpr (!hardware_double) return 0;
+    if constexpr (std::is_same_v<Float, double>) {
+      return each_block(to_double_blocks<N>{x, out}, count, found);
+    } else {
+      if (!floats_are_nearest()) return 0;
+      return each_block(to_float_blocks<N>{x, out}, count, found);
+    }
+  }
+
   /// Adds the products to `sum`, modulo 2^64 or exactly. \pre exactly: count <= 2^30
   template <class Raw, class Sum>
   FIXED_LANE_LOOP static std::size_t dot(const void* a, const void* b, std::size_t count,

@@ -45,6 +45,17 @@ FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x, w
   }
 }
 
+FIXED_LANE_FUNCTION f64 load_half_doubles(const void* base, std::size_t index, whole_block = {}) {
+  f64 x;
+  __builtin_memcpy(&x, static_cast<const double*>(base) + index, sizeof x);
+  return x;
+}
+
+FIXED_LANE_FUNCTION void store_half_doubles(void* base, std::size_t index, f64 x,
+                                            whole_block = {}) {
+  __builtin_memcpy(static_cast<double*>(base) + index, &x, sizeof x);
+}
+
 template <class Raw>
 FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index, whole_block = {}) {
   const auto* from = static_cast<const Raw*>(base) + index;
@@ -95,6 +106,17 @@ FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x,
   } else {
     _mm_mask_storeu_epi16(to, mask, __m128i(__builtin_convertvector(x, half_narrow_i16)));
   }
+}
+
+FIXED_LANE_FUNCTION f64 load_half_doubles(const void* base, std::size_t index,
+                                          first_elements some) {
+  return _mm512_maskz_loadu_pd(static_cast<__mmask8>(some.bits),
+                               static_cast<const double*>(base) + index);
+}
+
+FIXED_LANE_FUNCTION void store_half_doubles(void* base, std::size_t index, f64 x,
+                                            first_elements some) {
+  _mm512_mask_storeu_pd(static_cast<double*>(base) + index, static_cast<__mmask8>(some.bits), x);
 }
 
 template <class Raw>

@@ -17,6 +17,8 @@
 //
 #include "batch/detail/dot_lanes.hpp"
 //
+#include "batch/detail/conversion_lanes.hpp"
+//
 #include "batch/detail/vertices.hpp"
 //
 #include "batch/detail/radian_lanes.hpp"

@@ -29,7 +29,7 @@ struct report {
   /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Always
   /// 0 under overflow::wrap.
   std::size_t overflows = 0;
-  /// Square roots of negative numbers.
+  /// Square roots of negative numbers, and conversions of NaN.
   std::size_t domain_errors = 0;
   /// The index of the first element with a fault.
   std::size_t first = nowhere;
