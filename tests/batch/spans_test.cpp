@@ -129,6 +129,30 @@ TYPED_TEST(Spans, MayBeOneSpan) {
   }
 }
 
+// One product just beyond the range among many within it.
+TYPED_TEST(Spans, WithOneOverflow) {
+  using raw = typename TypeParam::raw_type;
+  constexpr double highest = std::numeric_limits<raw>::max();
+  constexpr double one = 1 << TypeParam::fraction_bits;
+  const auto o = operations<TypeParam>()[0];
+  // The smallest whose square is out of range, and its negative.
+  const auto end = TypeParam::from_raw(static_cast<raw>(std::ceil(std::sqrt(highest * one))));
+  for (std::size_t at = 0; at < longest; ++at) {
+    for (const TypeParam factor : {end, TypeParam::from_raw(static_cast<raw>(-end.raw()))}) {
+      Operands<TypeParam> x(o);
+      std::fill(x.a.begin(), x.a.end(), TypeParam::from_raw(3));
+      std::fill(x.b.begin(), x.b.end(), TypeParam::from_raw(-5));
+      x.a[at] = end;
+      x.b[at] = factor;
+      for (std::size_t i = 0; i < longest; ++i) x.want[i] = o.one(x.a[i], x.b[i]);
+      for (const auto path : paths()) {
+        auto out = x.a;
+        check<TypeParam>(o, x.a, x.b, out, x.want, path);
+      }
+    }
+  }
+}
+
 // The results are unspecified, but nothing else is written.
 TYPED_TEST(Spans, ThatOverlapDoNotWriteElsewhere) {
   for (const auto& o : operations<TypeParam>()) {
