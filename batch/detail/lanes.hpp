@@ -254,6 +254,7 @@ FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
 }
 template <class Lanes>
 FIXED_LANE_FUNCTION Lanes unknown(Lanes x) {
+  asm("" : "+w"(x));
   return x;
 }
 FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
