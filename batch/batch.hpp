@@ -43,6 +43,7 @@
 #include <type_traits>
 
 #include "batch/detail/element.hpp"
+#include "batch/detail/inlining.hpp"
 #include "batch/detail/portable.hpp"
 #include "batch/detail/report.hpp"
 #include "batch/detail/spans.hpp"
@@ -88,22 +89,44 @@ raw_transform<typename N::raw_type> raws_of(const transform_rows<N>& rows) noexc
   return raws;
 }
 
-/// Runs a batch: whole blocks on the path of `how`, then the remaining elements one by one.
+/// Runs a batch: a few elements one by one; more on the path of `how`, as far as it goes, and the
+/// remaining ones with the number type.
+/// \tparam few      up to so many elements take less time one by one
 /// \tparam has      whether the loops cover it
 /// \tparam O        its overflow rule
 /// \tparam Fault    its divide errors
 /// \param blocks    (loops, fault_recorder&) -> number of elements done
 /// \param element   (index) -> outcome
 /// \param store     (index, raw)
+/// \param rest      (number of elements done, fault_recorder&), computes the others
 /// \param operation the name in the text of an error
-template <bool has, overflow O, divide_fault Fault = divide_fault::none, class Blocks,
-          class Element, class Store>
-batch::report run_batch(const char* operation, const batch::options& how, std::size_t count,
-                        const Blocks& blocks, const Element& element, const Store& store) {
+template <std::size_t few, bool has, overflow O, divide_fault Fault, class Blocks, class Element,
+          class Store, class Rest>
+FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
+                                            std::size_t count, const Blocks& blocks,
+                                            const Element& element, const Store& store,
+                                            const Rest& rest) {
   fault_recorder found(batch_marks(how, count));
-  const std::size_t done = on_path<has>(how.use, [&](auto loops) { return blocks(loops, found); });
-  each_element(done, count, found, element, store);
+  if (count <= few) {
+    few_elements(0, count, found, element, store);
+  } else {
+    const std::size_t done =
+        on_path<has>(how.use, [&](auto loops) { return blocks(loops, found); });
+    if (done < count) rest(done, found);
+  }
   return found.template finish<O, Fault>(operation);
+}
+
+/// The same, with a plain loop for the remaining elements.
+template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
+          class Blocks, class Element, class Store>
+FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
+                                            std::size_t count, const Blocks& blocks,
+                                            const Element& element, const Store& store) {
+  return run_batch<few, has, O, Fault>(operation, how, count, blocks, element, store,
+                                       [&](std::size_t done, fault_recorder& found) {
+                                         each_element(done, count, found, element, store);
+                                       });
 }
 
 template <class N>
@@ -158,7 +181,7 @@ report multiply(const A& a, const B& b, Out&& out,
   const N* const y = std::data(b);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, out);
-  return detail::run_batch<detail::has_lanes<N>, N::rules.product_range()>(
+  return detail::run_batch<4, detail::has_lanes<N>, N::rules.product_range()>(
       "multiply", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template multiply<N>(x, y, to, count, found);
@@ -177,7 +200,7 @@ report mul_add(const A& a, const B& b, const C& c, Out&& out,
   const N* const z = std::data(c);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, c, out);
-  return detail::run_batch<detail::has_mul_add_lanes<N>, N::rules.product_range()>(
+  return detail::run_batch<4, detail::has_mul_add_lanes<N>, N::rules.product_range()>(
       "mul_add", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template mul_add<N>(x, y, z, to, count, found);
@@ -198,15 +221,20 @@ report divide(const Numerators& n, const Divisors& d, Out&& out, const options& 
   const N* const y = std::data(d);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, n, d, out);
-  detail::fault_recorder found(detail::batch_marks(how, count));
-  std::size_t done = detail::on_path<detail::has_quotient_lanes<N>>(
-      how.use, [&](auto on) { return on.template divide<N>(x, y, to, count, found); });
   const auto element = [=](std::size_t i) { return detail::divided(x[i], y[i]); };
-  if constexpr (N::divide_never_throws && detail::has_quotient_lanes<N>) {
-    done = detail::divide_blocks(done, x, y, to, count, found, element);
-  }
-  detail::each_element(done, count, found, element, detail::store_at(to));
-  return found.template finish<P.quotient_range(), P.fault>("divide");
+  constexpr bool has_quotients = detail::has_quotient_lanes<N>;
+  return detail::run_batch<4, has_quotients, P.quotient_range(), P.fault>(
+      "divide", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template divide<N>(x, y, to, count, found);
+      },
+      element, detail::store_at(to),
+      [&](std::size_t done, detail::fault_recorder& found) {
+        if constexpr (N::divide_never_throws && has_quotients) {
+          done = detail::divide_blocks(done, x, y, to, count, found, element);
+        }
+        detail::each_element(done, count, found, element, detail::store_at(to));
+      });
 }
 
 /// out[i] = sqrt(x[i]). Counts negative operands under every policy.
@@ -217,7 +245,7 @@ report sqrt(const X& x, Out&& out,
   const N* const from = std::data(x);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<detail::has_root_lanes<N>, N::rules.range>(
+  return detail::run_batch<1, detail::has_root_lanes<N>, N::rules.range>(
       "sqrt", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template sqrt<typename N::raw_type, N::fraction_bits>(from, to, count, found);
@@ -276,7 +304,7 @@ report transform(
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  return detail::run_batch<detail::has_lanes<N>, detail::sums_and_products<N>>(
+  return detail::run_batch<0, detail::has_lanes<N>, detail::sums_and_products<N>>(
       "transform", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template transform<N>(by, from, to, count, found);
@@ -302,7 +330,7 @@ report transform(
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y, to_z);
-  return detail::run_batch<detail::has_lanes<N>, detail::sums_and_products<N>>(
+  return detail::run_batch<0, detail::has_lanes<N>, detail::sums_and_products<N>>(
       "transform", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template transform<N>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
@@ -325,7 +353,7 @@ report project(const In& in, number<Raw, F, P> constant, Out&& out,
   const void* const from = std::data(in);
   void* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, in, out);
-  return detail::run_batch<detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+  return detail::run_batch<0, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
       "project", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template project<N>(constant.raw(), from, to, count, found);
@@ -348,7 +376,7 @@ report project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, T
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
   const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
   const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);
-  return detail::run_batch<detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+  return detail::run_batch<0, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
       "project", how, count,
       [&](auto on, detail::fault_recorder& found) {
         return on.template project<N>(constant.raw(),

@@ -6,8 +6,9 @@
 #   1. fixed/fixed.hpp with every header of this library in the place where it is included first;
 #   2. fixed/format.hpp, outside the include guard: including the file again after fmt adds fmt's
 #      formatter, as including that header again does;
-#   3. batch/batch.hpp and batch/radian.hpp, if FIXED_BATCH is defined. Their vector code is
-#      compiled once for each instruction set, so it comes first and the file includes itself.
+#   3. batch/batch.hpp, batch/radian.hpp and batch/conversions.hpp, if FIXED_BATCH is defined. Their
+#      vector code is compiled once for each instruction set, so it comes first and the file
+#      includes itself.
 cmake_minimum_required(VERSION 3.22)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 include(${root}/fixed/version.cmake)
@@ -68,7 +69,7 @@ read_header(batch/detail/targets.hpp targets)
 string(REPLACE "#include \"${parts}\"" "#include \"${own_name}\"" targets "${targets}")
 list(APPEND done batch/detail/targets.hpp)
 expand("${targets}" targets)
-expand("\n#include \"batch/batch.hpp\"\n#include \"batch/radian.hpp\"" batch)
+expand("\n#include \"batch/batch.hpp\"\n#include \"batch/radian.hpp\"\n#include \"batch/conversions.hpp\"" batch)
 
 file(READ ${root}/LICENSE license)
 string(STRIP "${license}" license)

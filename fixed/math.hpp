@@ -108,16 +108,16 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sqrt(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  if (x.raw() < 0) {
-    if constexpr (P.range == overflow::trap) {
+  if constexpr (P.range == overflow::trap) {
+    if (x.raw() < 0) {
       detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, F>{x.raw()});
     }
-    return {};
   }
+  const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
   // With has_fast_root every root is in range.
   constexpr overflow range = detail::has_fast_root<Raw, F> ? overflow::wrap : P.range;
   return number<Raw, F, P>::from_raw(detail::narrow<range, Raw>(
-      detail::nearest_root<F>(x.raw()), [&] { detail::raise_overflow<F>("sqrt", x.raw()); }));
+      detail::nearest_root<F>(positive), [&] { detail::raise_overflow<F>("sqrt", x.raw()); }));
 }
 
 /// a * b + c, rounded once by policy::multiply. The policy handles overflow.

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "fixed/detail/bit_cast.hpp"
+#include "fixed/detail/convert.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/exact.hpp"
 #include "fixed/detail/floating.hpp"
@@ -108,14 +110,20 @@ class number {
   /// Converts a float or double, rounded by policy::multiply. The policy handles overflow; wrapping
   /// keeps the rounded value modulo the range, however large. NaN becomes 0 and an infinity becomes
   /// the end of the range on its side; under overflow::trap, NaN throws domain_error and an
-  /// infinity throws overflow_error. The conversion uses integers only, so floating-point flags do
-  /// not change the result.
+  /// infinity throws overflow_error. Floating-point flags and the processor's rounding mode do not
+  /// change the result.
   ///
   ///     static_assert(q16_16(0.1).raw() == 6554);  // 0.1 is 6553.6 units
   ///     static_assert(q16_16_i386_unrounded(0.1).raw() == 6553);
   ///     static_assert(q16_16(std::numeric_limits<double>::quiet_NaN()) == q16_16());
   template <detail::binary_float Float>
   explicit constexpr number(Float value) noexcept(never_throws) {
+    if constexpr (detail::has_fast_conversion<Raw, P.range>) {
+      if (!std::is_constant_evaluated()) {
+        raw_ = detail::converted<P.multiply, P.range, Raw, FractionBits>(value);
+        return;
+      }
+    }
     using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
     using kind = typename detail::scaled_float<wide>::kind;
     const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
@@ -175,7 +183,11 @@ class number {
   /// has at most 53 significant bits, as all numbers of 32 bits or less do.
   explicit constexpr operator double() const noexcept {
     if constexpr (detail::bits_of<Raw> <= 32) {
-      return static_cast<double>(raw_) / static_cast<double>(std::int64_t{1} << FractionBits);
+      const double x =
+          static_cast<double>(raw_) / static_cast<double>(std::int64_t{1} << FractionBits);
+      if constexpr (std::is_signed_v<Raw>) return x;
+      // Vectorised, unsigned integers become a difference, and zero is -0 when it rounds downward.
+      return detail::bit_cast<double>(detail::bit_cast<std::uint64_t>(x) & ~std::uint64_t{0} >> 1);
     } else {
       return detail::to_float<double, FractionBits>(raw_);
     }

@@ -49,27 +49,18 @@ template <class Number>
                     Number::fraction_bits > 0,
                 "the result of sin_cos_of_tenths() is a signed number of at most 32 "
                 "bits that can represent 1 and 1/2");
-  constexpr int turn = 3600;
-  constexpr int quarter = turn / 4;
-  constexpr const auto& table = detail::cosine_table<Number::fraction_bits, quarter / 90>;
-  const int in_turn = (static_cast<int>(angle % turn) + turn) % turn;
-  const auto from_axis = static_cast<std::size_t>(in_turn % quarter);
-  const std::int32_t along = table[from_axis];
-  const std::int32_t across = table[quarter - from_axis];
-  const auto result = [](std::int32_t cos, std::int32_t sin) -> cos_sin<Number> {
-    using raw = typename Number::raw_type;
-    return {Number::from_raw(static_cast<raw>(cos)), Number::from_raw(static_cast<raw>(sin))};
+  constexpr std::int32_t turn = 3600;
+  constexpr std::int32_t half_turn = turn / 2;
+  constexpr const auto& table = detail::sine_table<Number::fraction_bits, turn / 360>;
+  // Masks, because a processor cannot predict signs and halves. Half a turn changes both signs.
+  const auto from_zero = static_cast<std::int32_t>(angle % turn);
+  const std::int32_t in_turn = from_zero + ((from_zero >> 31) & turn);
+  const std::int32_t sign = (half_turn - 1 - in_turn) >> 31;
+  const auto step = static_cast<std::size_t>(in_turn - (sign & half_turn));
+  const auto result = [sign](std::int32_t magnitude) {
+    return Number::from_raw(static_cast<typename Number::raw_type>((magnitude ^ sign) - sign));
   };
-  switch (in_turn / quarter) {
-    case 0:
-      return result(along, across);
-    case 1:
-      return result(-across, along);
-    case 2:
-      return result(-along, -across);
-    default:
-      return result(across, -along);
-  }
+  return {result(table[step + turn / 4]), result(table[step])};
 }
 
 /// The cosine of an angle in tenths of a degree; see sin_cos_of_tenths().

@@ -107,6 +107,71 @@ FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
   }
 }
 
+/// \name Results whose range is checked later, for several blocks at once
+///
+/// Half the range is added to the rounded sums, so that those in range are not negative and leave
+/// the upper bits clear; then the sign of the result is flipped back. `sums` collects the bits.
+/// \{
+
+/// Wraps 32-bit sums in ulp to 16 bits. Only the lower halves of the results are valid.
+FIXED_LANE_FUNCTION i32 unchecked(i32 sum, u64& sums) {
+  constexpr std::int32_t half_range = 1 << 15;
+  sum += half_range;
+  sums |= u64(sum);
+  return sum ^ half_range;
+}
+
+/// Drops the last F bits of biased sums, in even and odd lanes, and wraps the rest to 32 bits.
+template <int F>
+FIXED_LANE_FUNCTION i32 unchecked(i64 even, i64 odd, u64& sums) {
+  constexpr std::uint64_t half_range = std::uint64_t{1} << (31 + F);
+  const u64 even_sum = u64(even) + half_range;
+  const u64 odd_sum = u64(odd) + half_range;
+  sums |= even_sum | odd_sum;
+  return middle<F>(i64(even_sum), i64(odd_sum)) ^ (std::numeric_limits<std::int32_t>::min)();
+}
+
+/// Whether all results were in range.
+template <class N>
+FIXED_LANE_FUNCTION bool in_range(u64 sums) {
+  if constexpr (sizeof(N) == 2) {
+    return !any_bit(u64(u32(sums) >> 16));
+  } else if constexpr (N::fraction_bits < 32) {
+    return !any_bit(sums >> (32 + N::fraction_bits));
+  } else {
+    return true;
+  }
+}
+
+template <class N>
+FIXED_LANE_FUNCTION i32 unchecked_product(i32 a, i32 b, u64& sums) {
+  constexpr int F = N::fraction_bits;
+  constexpr rounding R = N::rules.multiply;
+  if constexpr (sizeof(N) == 2) {
+    return unchecked(rounded<R, F>(a * b), sums);
+  } else {
+    return unchecked<F>(biased<R, F>(mul_even(i64(a), i64(b))),
+                        biased<R, F>(mul_even(odd_lanes(a), odd_lanes(b))), sums);
+  }
+}
+
+/// \pre as product_and_sum()
+template <class N>
+FIXED_LANE_FUNCTION i32 unchecked_product_and_sum(i32 a, i32 b, i32 c, u64& sums) {
+  constexpr int F = N::fraction_bits;
+  constexpr rounding R = N::rules.multiply;
+  if constexpr (sizeof(N) == 2) {
+    return unchecked(rounded<R, F>(a * b + (c << F)), sums);
+  } else {
+    const i64 one = i64{} + (1 << F);
+    return unchecked<F>(
+        biased<R, F>(mul_even(i64(a), i64(b)) + mul_even(i64(c), one)),
+        biased<R, F>(mul_even(odd_lanes(a), odd_lanes(b)) + mul_even(odd_lanes(c), one)), sums);
+  }
+}
+
+/// \}
+
 template <class N>
 FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
   constexpr overflow O = N::rules.range;
@@ -206,18 +271,38 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   return result;
 }
 
-/// The nearest square roots. A negative operand gives 0 and a bit in `errors`.
+/// The nearest square roots in ulp. A negative operand gives 0 and a bit in `errors`.
 ///
-/// The hardware root of n = x 2^F < 2^47 is off by less than 2^-29 in every rounding mode, and
-/// adding a half by as much again: 2^-28 together. Every root is more than 1 / (8 r + 4) > 2^-27
-/// away from a half r + 1/2 (see detail::nearest_sqrt), so truncating the sum gives the nearest
-/// integer.
+/// Takes the root of n = x 2^F < 2^47 in single precision, and corrects it by the remainder. Let R
+/// be the exact root, so R < 2^23.5, and r the integer that the hardware gives. Scaling by 2^F is
+/// exact. The float of x is off by a part e of itself at most, which counts half, and its root by e
+/// again: the float s of R is off by less than 1.5 R e, and a little for e^2. The nearest integer
+/// is within 1/2 of R, so r is off by d or less if |r - R| + 1/2 < d + 1.
+///
+/// AVX-512 rounds to nearest whatever the mode of the processor: e = 2^-24. If s >= 2^23 it is an
+/// integer, so |r - R| < 1.07; if s < 2^23, |r - R| < 0.76 + 1/4 while s >= 2^22, and less than
+/// 0.39
+/// + 1/2 below: r is off by 1. Elsewhere the mode decides: e = 2^-23, and s is truncated. Likewise
+/// |r - R| < 2.13, or < 1.51 + 1/2, or < 0.76 + 1: r is off by 2.
+///
+/// The nearest integer is above r if n > (r + 1/2)^2 = r^2 + r + 1/4, that is if the rest n - r^2
+/// is more than r, and above r + 1 if the rest is more than 3 r + 2. It is below r and below r - 1
+/// if the rest is less than 1 - r and less than 3 - 3 r. The rest is below 2^27, so 32 bits hold
+/// it. Only for n = 0 this goes below the root, to less than 0; the last line restores it.
 template <int F>
-FIXED_LANE_FUNCTION half_i32 nearest_roots(half_i32 x, std::uint32_t& errors) {
+FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   errors = bits(x);
-  constexpr double units = 1 << F;
-  const f64 n = doubles(x & ~(x >> 31)) * units;
-  return low_words(whole<false>(root(n) + 0.5));
+  constexpr float units = 1 << F;
+  x &= ~(x >> 31);
+  const i32 r = integers(root(floats(x) * units));
+  const i32 rest = i32(u32(x) << F) - i32(u32(r) * u32(r));
+  // The sign of a difference tells which is less.
+  i32 nearest = r - ((r - rest) >> 31) + ((rest - 1 + r) >> 31);
+  if constexpr (!has_nearest_floats) {
+    const i32 three_r = r + r + r;
+    nearest += ((rest - 3 + three_r) >> 31) - ((three_r + 2 - rest) >> 31);
+  }
+  return nearest & ~(nearest >> 31);
 }
 
 /// Records the lanes set in `bad` whose bit is in `of`. Does nothing under overflow::wrap.

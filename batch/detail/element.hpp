@@ -5,12 +5,15 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/exact.hpp"
+#include "fixed/detail/floating.hpp"
+#include "fixed/detail/integer.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/number.hpp"
@@ -92,6 +95,35 @@ constexpr bool may_be_fault(number<Raw, F, P> d, Raw result) noexcept {
     may |= result == (limits::max)();
   }
   return may;
+}
+
+/// A number from a floating-point number. Infinities wrap to the ends of the range.
+template <class N, binary_float Float>
+constexpr outcome_of<N> from_float(Float value) noexcept {
+  using raw = typename N::raw_type;
+  using wide = signed_t<larger(64, 2 * bits_of<raw>)>;
+  using kind = typename scaled_float<wide>::kind;
+  constexpr overflow O = N::rules.range;
+  const auto x = scale<N::rules.multiply, wide>(value, N::fraction_bits);
+  if (x.what == kind::nan) return {0, fault::domain_error};
+  if (x.what == kind::finite) return narrowed_element<raw, O>(x.integer);
+  using limits = std::numeric_limits<raw>;
+  const raw end = x.negative ? (limits::min)() : (limits::max)();
+  return {x.what == kind::beyond && O != overflow::saturate ? static_cast<raw>(x.integer) : end,
+          O == overflow::wrap ? fault::none : fault::overflow};
+}
+
+/// Computes the elements i + k for every bit k that is set in `missing`, and records the faults of
+/// those in `of`.
+template <class N, class Float, class Recorder>
+void missing_from_floats(const void* from, void* to, std::size_t i, std::uint32_t missing,
+                         std::uint32_t of, Recorder& found) noexcept {
+  for (; missing != 0; missing &= missing - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(missing));
+    const auto one = from_float<N>(static_cast<const Float*>(from)[i + k]);
+    static_cast<N*>(to)[i + k] = N::from_raw(one.raw);
+    if ((of >> k & 1U) != 0) found.note(one.what, i + k);
+  }
 }
 
 template <class N>

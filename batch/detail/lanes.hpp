@@ -22,6 +22,7 @@ using u32 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::uint32_t;
 using i64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::int64_t;
 using u64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::uint64_t;
 using f64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = double;
+using f32 [[gnu::vector_size(FIXED_LANE_BYTES)]] = float;
 using half_i32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int32_t;
 using narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int16_t;
 using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
@@ -36,8 +37,9 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 }
 
 // mul_even(a, b)        products of the lower halves, in 64-bit lanes, signed or unsigned by type
-// unknown(x)            x, hidden from the optimiser: clang otherwise proves that operands have
-//                       32 bits, forgets it, and multiplies 64 bits in three products
+// unknown(x)            x in a register, hidden from the optimiser. Clang otherwise proves that
+//                       operands have 32 bits, forgets it, and multiplies 64 bits in three
+//                       products; g++ loads a block once for each use
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b if bit i of mask is set, else of a
 // permute(x, from)      lane i is x[from[i]]
@@ -45,11 +47,16 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // low_words(x)          the lower halves of 64-bit lanes
 // doubles(x)            converts to double
 // bits(x)               the sign bits, one per lane
+// any_bit(x)            whether a bit is set
 // zero_bits(x)          one bit per lane, set if the lane is zero
 // bits_at_least(a, b)   one bit per lane, set if a >= b
 // bits_below(a, b)      one bit per lane, set if a < b
 // clamp(x, low, high)   x limited to [low, high]
 // root(x)               the square root, rounded once
+// floats(x)             converts to float
+// integers(x)           converts to integers: to the nearest, or truncates
+// has_nearest_floats    whether floats(), root() of floats and integers() round to nearest, ties to
+//                       even, in every rounding mode of the processor
 // whole<by_floor>(x)    floor(x) or trunc(x) for |x| < 2^51, modulo 2^32 in the lower halves, in
 //                       every rounding mode
 // store_past(to, x)     stores x past the caches, at a multiple of the register size, if there is
@@ -66,7 +73,8 @@ FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
 FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
   return u64(_mm512_maskz_mul_epu32(0xff, __m512i(a), __m512i(b)));
 }
-FIXED_LANE_FUNCTION u64 unknown(u64 x) {
+template <class Lanes>
+FIXED_LANE_FUNCTION Lanes unknown(Lanes x) {
   asm("" : "+v"(x));
   return x;
 }
@@ -110,6 +118,9 @@ FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
 FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm512_maskz_cvtepi32_pd(0xff, __m256i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) { return _mm512_movepi32_mask(__m512i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return _mm256_movepi32_mask(__m256i(x)); }
+FIXED_LANE_FUNCTION bool any_bit(u64 x) {
+  return _mm512_test_epi64_mask(__m512i(x), __m512i(x)) != 0;
+}
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) {
   return _mm512_testn_epi32_mask(__m512i(x), __m512i(x));
 }
@@ -131,12 +142,24 @@ FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
   _mm512_stream_si512(static_cast<__m512i*>(to), __m512i(x));
 }
 FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
-// Without optimisation g++ 12 implements these two as macros that warn about their mask.
+// Without optimisation g++ 12 implements these as macros that warn about their mask.
 #if !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Woverflow"
 #pragma GCC diagnostic ignored "-Wconversion"
 #endif
+inline constexpr bool has_nearest_floats = true;
+FIXED_LANE_FUNCTION f32 floats(i32 x) {
+  return _mm512_maskz_cvt_roundepi32_ps(0xffff, __m512i(x),
+                                        _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
+FIXED_LANE_FUNCTION f32 root(f32 x) {
+  return _mm512_maskz_sqrt_round_ps(0xffff, x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
+FIXED_LANE_FUNCTION i32 integers(f32 x) {
+  return i32(
+      _mm512_maskz_cvt_roundps_epi32(0xffff, x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+}
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   if constexpr (by_floor) {
@@ -157,7 +180,8 @@ FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
 FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
   return u64(_mm256_mul_epu32(__m256i(a), __m256i(b)));
 }
-FIXED_LANE_FUNCTION u64 unknown(u64 x) {
+template <class Lanes>
+FIXED_LANE_FUNCTION Lanes unknown(Lanes x) {
   asm("" : "+x"(x));
   return x;
 }
@@ -189,6 +213,7 @@ FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(x)));
 }
+FIXED_LANE_FUNCTION bool any_bit(u64 x) { return _mm256_testz_si256(__m256i(x), __m256i(x)) == 0; }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
@@ -201,6 +226,10 @@ FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
   return _mm256_min_pd(_mm256_max_pd(x, low), high);
 }
 FIXED_LANE_FUNCTION f64 root(f64 x) { return _mm256_sqrt_pd(x); }
+inline constexpr bool has_nearest_floats = false;
+FIXED_LANE_FUNCTION f32 floats(i32 x) { return __builtin_convertvector(x, f32); }
+FIXED_LANE_FUNCTION f32 root(f32 x) { return _mm256_sqrt_ps(x); }
+FIXED_LANE_FUNCTION i32 integers(f32 x) { return __builtin_convertvector(x, i32); }
 inline constexpr bool can_store_past = true;
 FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
   _mm256_stream_si256(static_cast<__m256i*>(to), __m256i(x));
@@ -223,7 +252,11 @@ FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
 FIXED_LANE_FUNCTION u64 mul_even(u64 a, u64 b) {
   return u64(vmull_u32(vmovn_u64(uint64x2_t(a)), vmovn_u64(uint64x2_t(b))));
 }
-FIXED_LANE_FUNCTION u64 unknown(u64 x) { return x; }
+template <class Lanes>
+FIXED_LANE_FUNCTION Lanes unknown(Lanes x) {
+  asm("" : "+w"(x));
+  return x;
+}
 FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
 template <unsigned mask>
 FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
@@ -246,6 +279,7 @@ FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
   return vaddvq_u32(uint32x4_t(u32(x >> 31) & places));
 }
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return bits(join(x, half_i32{})); }
+FIXED_LANE_FUNCTION bool any_bit(u64 x) { return vmaxvq_u32(uint32x4_t(x)) != 0; }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
@@ -258,6 +292,10 @@ FIXED_LANE_FUNCTION f64 clamp(f64 x, f64 low, f64 high) {
   return f64(vminq_f64(vmaxq_f64(float64x2_t(x), float64x2_t(low)), float64x2_t(high)));
 }
 FIXED_LANE_FUNCTION f64 root(f64 x) { return f64(vsqrtq_f64(float64x2_t(x))); }
+inline constexpr bool has_nearest_floats = false;
+FIXED_LANE_FUNCTION f32 floats(i32 x) { return __builtin_convertvector(x, f32); }
+FIXED_LANE_FUNCTION f32 root(f32 x) { return f32(vsqrtq_f32(float32x4_t(x))); }
+FIXED_LANE_FUNCTION i32 integers(f32 x) { return __builtin_convertvector(x, i32); }
 inline constexpr bool can_store_past = false;
 FIXED_LANE_FUNCTION void store_past(void* to, i32 x) { __builtin_memcpy(to, &x, sizeof x); }
 FIXED_LANE_FUNCTION void wait_for_stores() {}
@@ -280,72 +318,6 @@ FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
   if constexpr (low == 16) return middle_16(even, odd);
 #endif
   return interleaved(u64(even) >> low, u64(odd) << (32 - low));
-}
-
-/// Loads a block; `base` points to the stored integer of element 0.
-template <class Raw>
-FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index) {
-  const auto* from = static_cast<const Raw*>(base) + index;
-  if constexpr (sizeof(Raw) == 4) {
-    i32 x;
-    __builtin_memcpy(&x, from, sizeof x);
-    return x;
-  } else {
-    narrow_i16 x;
-    __builtin_memcpy(&x, from, sizeof x);
-    return __builtin_convertvector(x, i32);
-  }
-}
-
-template <class Raw>
-FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
-  auto* to = static_cast<Raw*>(base) + index;
-  if constexpr (sizeof(Raw) == 4) {
-    __builtin_memcpy(to, &x, sizeof x);
-  } else {
-    const narrow_i16 low = __builtin_convertvector(x, narrow_i16);
-    __builtin_memcpy(to, &low, sizeof low);
-  }
-}
-
-/// Whether results go to the caches or past them. Only 32-bit integers can bypass them.
-enum class stores : bool { cached, past_caches };
-template <class Raw>
-inline constexpr bool may_store_past = can_store_past && sizeof(Raw) == 4;
-
-/// \pre past the caches: may_store_past, and element `index` is aligned to the register size
-template <class Raw, stores how>
-FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
-  if constexpr (how == stores::past_caches) {
-    store_past(static_cast<Raw*>(base) + index, x);
-  } else {
-    store<Raw>(base, index, x);
-  }
-}
-
-template <class Raw>
-FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index) {
-  const auto* from = static_cast<const Raw*>(base) + index;
-  if constexpr (sizeof(Raw) == 4) {
-    half_i32 x;
-    __builtin_memcpy(&x, from, sizeof x);
-    return x;
-  } else {
-    half_narrow_i16 x;
-    __builtin_memcpy(&x, from, sizeof x);
-    return __builtin_convertvector(x, half_i32);
-  }
-}
-
-template <class Raw>
-FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x) {
-  auto* to = static_cast<Raw*>(base) + index;
-  if constexpr (sizeof(Raw) == 4) {
-    __builtin_memcpy(to, &x, sizeof x);
-  } else {
-    const half_narrow_i16 low = __builtin_convertvector(x, half_narrow_i16);
-    __builtin_memcpy(to, &low, sizeof low);
-  }
 }
 
 }  // namespace fixproof::detail::FIXED_LANES

@@ -6,137 +6,105 @@
 /// exact doubles do nothing if detail::hardware_double is false.
 
 #if defined(FIXED_LANES)
+// Never part of their callers, which are small and therefore quick for short spans.
+#define FIXED_LANE_LOOP FIXED_LANE_TARGET __attribute__((noinline))
+
 namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
   template <class N>
-  FIXED_LANE_TARGET static std::size_t multiply(const void* a, const void* b, void* out,
-                                                std::size_t count, fault_recorder& found) {
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      i32 bad{};
-      store<typename N::raw_type>(
-          out, i,
-          product<N>(load<typename N::raw_type>(a, i), load<typename N::raw_type>(b, i), bad));
-      note_overflows<N::rules.product_range()>(bad, i, found);
-    }
-    return i;
-  }
-
-  template <class N>
-  FIXED_LANE_TARGET static std::size_t mul_add(const void* a, const void* b, const void* c,
-                                               void* out, std::size_t count,
-                                               fault_recorder& found) {
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      i32 bad{};
-      store<typename N::raw_type>(
-          out, i,
-          product_and_sum<N>(load<typename N::raw_type>(a, i), load<typename N::raw_type>(b, i),
-                             load<typename N::raw_type>(c, i), bad));
-      note_overflows<N::rules.product_range()>(bad, i, found);
-    }
-    return i;
-  }
-
-  template <class N>
-  FIXED_LANE_TARGET static std::size_t divide(const void* n, const void* d, void* out,
+  FIXED_LANE_LOOP static std::size_t multiply(const void* a, const void* b, void* out,
                                               std::size_t count, fault_recorder& found) {
+    return each_block(product_blocks<N>{a, b, out}, count, found);
+  }
+
+  template <class N>
+  FIXED_LANE_LOOP static std::size_t mul_add(const void* a, const void* b, const void* c, void* out,
+                                             std::size_t count, fault_recorder& found) {
+    return each_block(mul_add_blocks<N>{a, b, c, out}, count, found);
+  }
+
+  template <class N>
+  FIXED_LANE_LOOP static std::size_t divide(const void* n, const void* d, void* out,
+                                            std::size_t count, fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
-    constexpr std::size_t half = width / 2;
-    std::size_t i = 0;
-    for (; count - i >= half; i += half) {
-      std::uint32_t errors = 0;
-      std::uint32_t overflows = 0;
-      const divisor_lanes divisor = divisor_of<N>(load_half<typename N::raw_type>(d, i));
-      store_half<typename N::raw_type>(
-          out, i, quotient<N>(load_half<typename N::raw_type>(n, i), divisor, errors, overflows));
-      if (errors != 0) [[unlikely]] {
-        found.note_bits(fault::divide_error, errors, i);
-      }
-      if (overflows != 0) [[unlikely]] {
-        found.note_bits(fault::overflow, overflows, i);
-      }
-    }
-    return i;
+    return each_block(quotient_blocks<N>{n, d, out}, count, found);
   }
 
   template <class Raw, int F>
-  FIXED_LANE_TARGET static std::size_t sqrt(const void* x, void* out, std::size_t count,
-                                            fault_recorder& found) {
+  FIXED_LANE_LOOP static std::size_t sqrt(const void* x, void* out, std::size_t count,
+                                          fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
-    constexpr std::size_t half = width / 2;
+    return each_block(root_blocks<Raw, F>{x, out}, count, found);
+  }
+
+  template <class N, class Float>
+  FIXED_LANE_LOOP static std::size_t from_floats(const void* x, void* out, std::size_t count,
+                                                 fault_recorder& found) {
+    if constexpr (!hardware_double) return 0;
+    return each_block(from_float_blocks<N, Float>{x, out}, count, found);
+  }
+
+  template <class N, class Float>
+  FIXED_LANE_LOOP static std::size_t to_floats(const void* x, void* out, std::size_t count,
+                                               fault_recorder& found) {
+    if constexpr (!hardware_double) return 0;
+    if constexpr (std::is_same_v<Float, double>) {
+      return each_block(to_double_blocks<N>{x, out}, count, found);
+    } else {
+      if (!floats_are_nearest()) return 0;
+      return each_block(to_float_blocks<N>{x, out}, count, found);
+    }
+  }
+
+  /// Adds the products to `sum`, modulo 2^64 or exactly. \pre exactly: count <= 2^30
+  template <class Raw, class Sum>
+  FIXED_LANE_LOOP static std::size_t dot(const void* a, const void* b, std::size_t count,
+                                         Sum& sum) {
+    // Two blocks at a time: four sums, so that none waits for itself.
+    dot_sums<Sum> first;
+    dot_sums<Sum> second;
     std::size_t i = 0;
-    for (; count - i >= half; i += half) {
-      std::uint32_t errors = 0;
-      store_half<Raw>(out, i, nearest_roots<F>(load_half<Raw>(x, i), errors));
-      if (errors != 0) [[unlikely]] {
-        found.note_bits(fault::domain_error, errors, i);
+    for (; count - i >= 2 * width; i += 2 * width) {
+      first.add(load<Raw>(a, i), load<Raw>(b, i));
+      second.add(load<Raw>(a, i + width), load<Raw>(b, i + width));
+    }
+    if (count - i >= width) {
+      first.add(load<Raw>(a, i), load<Raw>(b, i));
+      i += width;
+    }
+    if constexpr (has_masks) {
+      if (i < count) {
+        const first_elements rest(count - i);
+        second.add(load<Raw>(a, i, rest), load<Raw>(b, i, rest));
+        i = count;
       }
     }
-    return i;
-  }
-
-  /// Adds the products to `sum` modulo 2^64.
-  template <class Raw>
-  FIXED_LANE_TARGET static std::size_t dot(const void* a, const void* b, std::size_t count,
-                                           std::uint64_t& sum) {
-    u64 sums{};
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      const i32 x = load<Raw>(a, i);
-      const i32 y = load<Raw>(b, i);
-      sums += u64(mul_even(i64(x), i64(y))) + u64(mul_even(odd_lanes(x), odd_lanes(y)));
-    }
-    for (std::size_t lane = 0; lane < width / 2; ++lane) sum += sums[lane];
-    return i;
-  }
-
-  /// Adds the products to `sum` exactly. Adds 2^63 to make each product non-negative, and sums its
-  /// two halves separately. \pre count <= 2^30
-  template <class Raw>
-  FIXED_LANE_TARGET static std::size_t dot(const void* a, const void* b, std::size_t count,
-                                           wide_sum& sum) {
-    constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-    u64 low{};
-    u64 high{};
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      const i32 x = load<Raw>(a, i);
-      const i32 y = load<Raw>(b, i);
-      const u64 even = u64(mul_even(i64(x), i64(y))) ^ sign;
-      const u64 odd = u64(mul_even(odd_lanes(x), odd_lanes(y))) ^ sign;
-      low += (even & 0xffffffff) + (odd & 0xffffffff);
-      high += (even >> 32) + (odd >> 32);
-    }
-    const std::uint64_t added_to_each = (i / (width / 2)) << 31;
-    for (std::size_t lane = 0; lane < width / 2; ++lane) {
-      sum.add(static_cast<std::int64_t>(low[lane]));
-      sum.add_shifted_32(static_cast<std::int64_t>(high[lane] - added_to_each));
-    }
+    first.add_to(sum);
+    second.add_to(sum);
     return i;
   }
 
   template <class N>
-  FIXED_LANE_TARGET static std::size_t transform(const raw_transform<typename N::raw_type>& by,
-                                                 const void* in, void* out, std::size_t count,
-                                                 fault_recorder& found) {
+  FIXED_LANE_LOOP static std::size_t transform(const raw_transform<typename N::raw_type>& by,
+                                               const void* in, void* out, std::size_t count,
+                                               fault_recorder& found) {
     return transform_blocks<N>(by, interleaved_vertices<typename N::raw_type>{in, out}, count,
                                found);
   }
 
   template <class N>
-  FIXED_LANE_TARGET static std::size_t transform(const raw_transform<typename N::raw_type>& by,
-                                                 const std::array<const void*, 3>& in,
-                                                 const std::array<void*, 3>& out, std::size_t count,
-                                                 fault_recorder& found) {
+  FIXED_LANE_LOOP static std::size_t transform(const raw_transform<typename N::raw_type>& by,
+                                               const std::array<const void*, 3>& in,
+                                               const std::array<void*, 3>& out, std::size_t count,
+                                               fault_recorder& found) {
     return transform_blocks<N>(by, vertex_columns<typename N::raw_type>{in, out}, count, found);
   }
 
   template <class N>
-  FIXED_LANE_TARGET static std::size_t project(std::int32_t constant, const void* in, void* out,
-                                               std::size_t count, fault_recorder& found) {
+  FIXED_LANE_LOOP static std::size_t project(std::int32_t constant, const void* in, void* out,
+                                             std::size_t count, fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
@@ -150,10 +118,10 @@ struct loops {
   }
 
   template <class N>
-  FIXED_LANE_TARGET static std::size_t project(std::int32_t constant,
-                                               const std::array<const void*, 3>& in,
-                                               const std::array<void*, 2>& out, std::size_t count,
-                                               fault_recorder& found) {
+  FIXED_LANE_LOOP static std::size_t project(std::int32_t constant,
+                                             const std::array<const void*, 3>& in,
+                                             const std::array<void*, 2>& out, std::size_t count,
+                                             fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
@@ -170,8 +138,8 @@ struct loops {
 
   /// The vector form of detail::nearest_sine().
   template <class Raw, int F>
-  FIXED_LANE_TARGET static std::size_t sines(const void* angles, void* results, std::size_t count,
-                                             std::uint64_t ahead) {
+  FIXED_LANE_LOOP static std::size_t sines(const void* angles, void* results, std::size_t count,
+                                           std::uint64_t ahead) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       const i32 raw = load<Raw>(angles, i);
@@ -187,8 +155,8 @@ struct loops {
 
   /// As sines(), for cosines and sines.
   template <class Raw, int F>
-  FIXED_LANE_TARGET static std::size_t sines_and_cosines(const void* angles, void* cosines,
-                                                         void* sines, std::size_t count) {
+  FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
+                                                       void* sines, std::size_t count) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       const i32 raw = load<Raw>(angles, i);

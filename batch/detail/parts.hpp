@@ -7,7 +7,17 @@
 #if defined(FIXED_LANES)
 #include "batch/detail/lanes.hpp"
 //
+#include "batch/detail/memory.hpp"
+//
 #include "batch/detail/arithmetic.hpp"
+//
+#include "batch/detail/blocks.hpp"
+//
+#include "batch/detail/elements.hpp"
+//
+#include "batch/detail/dot_lanes.hpp"
+//
+#include "batch/detail/conversion_lanes.hpp"
 //
 #include "batch/detail/vertices.hpp"
 //
@@ -19,4 +29,5 @@
 #undef FIXED_LANE_BYTES
 #undef FIXED_LANE_TARGET
 #undef FIXED_LANE_FUNCTION
+#undef FIXED_LANE_LOOP
 #endif

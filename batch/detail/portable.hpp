@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "batch/detail/element.hpp"
+#include "batch/detail/inlining.hpp"
 #include "batch/detail/report.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/storage.hpp"
@@ -17,8 +18,8 @@ namespace fixproof::detail {
 /// \param element (index) -> outcome
 /// \param store   (index, raw)
 template <class Element, class Store>
-void each_element(std::size_t i, std::size_t count, fault_recorder& found, const Element& element,
-                  const Store& store) noexcept {
+FIXED_ALWAYS_INLINE void few_elements(std::size_t i, std::size_t count, fault_recorder& found,
+                                      const Element& element, const Store& store) noexcept {
   for (; i < count; ++i) {
     const auto one = element(i);
     store(i, one.raw);
@@ -26,13 +27,21 @@ void each_element(std::size_t i, std::size_t count, fault_recorder& found, const
   }
 }
 
+/// The same, but not part of its callers, so that they are small and therefore quick for few.
+template <class Element, class Store>
+FIXED_NOINLINE void each_element(std::size_t i, std::size_t count, fault_recorder& found,
+                                 Element element, Store store) noexcept {
+  few_elements(i, count, found, element, store);
+}
+
 /// Computes blocks of quotients for a policy that never throws, in a loop that compilers vectorise.
 /// Faults are rare and found separately. Results are buffered until all operands are read, because
 /// an output may be an input.
 /// \return the number of elements done; each_element() does the rest
 template <class N, class Element>
-std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to, std::size_t count,
-                          fault_recorder& found, const Element& element) noexcept {
+FIXED_NOINLINE std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to,
+                                         std::size_t count, fault_recorder& found,
+                                         Element element) noexcept {
   using raw = typename N::raw_type;
   constexpr std::size_t block = 64;
   std::array<raw, block> results;

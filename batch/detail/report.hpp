@@ -29,7 +29,7 @@ struct report {
   /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Always
   /// 0 under overflow::wrap.
   std::size_t overflows = 0;
-  /// Square roots of negative numbers.
+  /// Square roots of negative numbers, and conversions of NaN.
   std::size_t domain_errors = 0;
   /// The index of the first element with a fault.
   std::size_t first = nowhere;
@@ -46,20 +46,21 @@ namespace fixproof::detail {
 
 /// The number of faults of one kind in a batch; an operand of raise().
 struct fault_count {
-  std::size_t count = 0;
-  std::size_t first = batch::report::nowhere;
+  std::size_t count;
+  std::size_t first;
 };
 
 inline std::string describe(const fault_count& x) {
   return "element " + std::to_string(x.first) + ", " + std::to_string(x.count) + " in all";
 }
 
-/// Collects the faults of one batch.
+/// Collects the faults of one batch. Most batches have none, so it costs next to nothing until the
+/// first one.
 class fault_recorder {
  public:
   /// \param marks one per element, or empty
   explicit fault_recorder(std::span<bool> marks) noexcept : marks_(marks) {
-    std::fill(marks.begin(), marks.end(), false);
+    if (!marks.empty()) std::fill(marks.begin(), marks.end(), false);
   }
 
   void note(fault what, std::size_t index) noexcept {
@@ -69,6 +70,8 @@ class fault_recorder {
   /// Records element index + k for every bit k that is set, from the lowest.
   /// \param bits not zero
   void note_bits(fault what, std::uint32_t bits, std::size_t index) noexcept {
+    if (!any_) found_.fill({0, batch::report::nowhere});
+    any_ = true;
     fault_count& found = found_[static_cast<std::size_t>(what)];
     found.count += static_cast<std::size_t>(std::popcount(bits));
     found.first = (std::min)(found.first, index + static_cast<std::size_t>(std::countr_zero(bits)));
@@ -83,6 +86,15 @@ class fault_recorder {
   /// \param operation the name in the text of the error
   template <overflow O, divide_fault Fault>
   [[nodiscard]] batch::report finish(const char* operation) const {
+    if (!any_) [[likely]] {
+      return {};
+    }
+    return finish_with_faults<O, Fault>(operation);
+  }
+
+ private:
+  template <overflow O, divide_fault Fault>
+  [[nodiscard]] batch::report finish_with_faults(const char* operation) const {
     const fault_count& divides = of(fault::divide_error);
     const fault_count& ranges = of(fault::overflow);
     const fault_count& domains = of(fault::domain_error);
@@ -105,12 +117,12 @@ class fault_recorder {
             (std::min)({divides.first, ranges.first, domains.first})};
   }
 
- private:
   [[nodiscard]] const fault_count& of(fault what) const {
     return found_[static_cast<std::size_t>(what)];
   }
 
-  std::array<fault_count, 4> found_;
+  bool any_ = false;
+  std::array<fault_count, 4> found_;  ///< indeterminate unless any_
   std::span<bool> marks_;
 };
 

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "batch/detail/element.hpp"
+#include "batch/detail/inlining.hpp"
 #include "batch/detail/report.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/hardware.hpp"
@@ -145,7 +146,7 @@ namespace fixproof::detail {
 /// done, on the portable path and on unavailable paths.
 /// \tparam has whether the loops cover the operation on the numbers
 template <bool has, class Call>
-std::size_t on_path(batch::path which, const Call& call) {
+FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
   if constexpr (has) {
 #if defined(FIXED_BATCH_X86)
     if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});

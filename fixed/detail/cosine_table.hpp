@@ -1,5 +1,5 @@
 /// \file
-/// Cosines of the first quadrant, computed at compile time in integers.
+/// Sines and cosines of whole steps, computed at compile time in integers.
 #pragma once
 
 #include <array>
@@ -35,6 +35,21 @@ inline constexpr auto cosine_table = [] {
     if (((exact - error + half) >> dropped) != ((exact + error + half) >> dropped)) {
       cosine_is_not_precise_enough();
     }
+  }
+  return table;
+}();
+
+/// Entry i is sin(i / StepsPerDegree degrees), from 0 to 270 degrees, rounded to nearest. So entry
+/// i and the one 90 degrees later are the sine and the cosine of half a turn.
+template <int FractionBits, int StepsPerDegree>
+inline constexpr auto sine_table = [] {
+  constexpr const auto& cosines = cosine_table<FractionBits, StepsPerDegree>;
+  constexpr std::size_t quarter = cosines.size() - 1;
+  std::array<std::int32_t, 3 * quarter + 1> table{};
+  for (std::size_t i = 0; i <= quarter; ++i) {
+    table[i] = cosines[quarter - i];
+    table[quarter + i] = cosines[i];
+    table[2 * quarter + i] = -cosines[quarter - i];
   }
   return table;
 }();

@@ -23,9 +23,17 @@ constexpr bool fits(Wide value) noexcept {
 template <overflow O, class Raw, class Wide, class Raise>
 constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::trap) {
   if constexpr (O == overflow::saturate) {
-    constexpr Wide lowest{(std::numeric_limits<Raw>::min)()};
-    constexpr Wide highest{(std::numeric_limits<Raw>::max)()};
+    using limits = std::numeric_limits<Raw>;
+#if defined(__AVX2__)
+    // In two steps, of values and not of constants with names, g++ finds a minimum and a maximum,
+    // which it vectorises. Without instructions for them this takes longer.
+    const Wide above = value < Wide{(limits::min)()} ? Wide{(limits::min)()} : Wide{value};
+    return static_cast<Raw>(Wide{(limits::max)()} < above ? Wide{(limits::max)()} : Wide{above});
+#else
+    constexpr Wide lowest{(limits::min)()};
+    constexpr Wide highest{(limits::max)()};
     return static_cast<Raw>(value < lowest ? lowest : highest < value ? highest : value);
+#endif
   } else {
     static_assert(O != overflow::as_range);
     if constexpr (O == overflow::trap) {

@@ -1,50 +1,17 @@
 /// Tests conversions from and to float, double, integers and other number types.
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
+#include "tests/fixed/floats.hpp"
 #include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/rounding_mode.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
 
 using namespace fixproof;
-
-/// Significand and exponent of a finite float or double: value = m 2^e.
-struct parts {
-  std::int64_t m;
-  int e;
-};
-
-parts take_apart(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
-  auto m = static_cast<std::int64_t>(bits & 0xfffffffffffff);
-  if (biased != 0) m += 0x10000000000000;
-  return {bits >> 63 != 0 ? -m : m, (biased == 0 ? 1 : biased) - 1075};
-}
-
-parts take_apart(float x) {
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  const auto biased = static_cast<int>(bits >> 23 & 0xff);
-  auto m = static_cast<std::int64_t>(bits & 0x7fffff);
-  if (biased != 0) m += 0x800000;
-  return {bits >> 31 != 0 ? -m : m, (biased == 0 ? 1 : biased) - 150};
-}
-
-/// The expected number for a finite floating-point value.
-template <class Number, class Float>
-exact::outcome<Number> converted(Float x) {
-  const auto [m, e] = take_apart(x);
-  const int scale = e + Number::fraction_bits;
-  if (scale <= 0) {
-    // Below 2^-70 only the sign matters.
-    return exact::result<Number>({m, exact::integer{1} << (scale < -70 ? 70 : -scale)});
-  }
-  if (scale <= 60) return exact::in_range<Number>(exact::integer{m} << scale);
-  // This is a multiple of every range, so it wraps to 0.
-  const exact::integer sign = m < 0 ? -1 : m > 0 ? 1 : 0;
-  return exact::in_range<Number>(sign * (exact::integer{1} << 100));
-}
+using floats::converted;
+using floats::take_apart;
 
 template <class Number>
 class Conversion : public testing::Test {};
@@ -52,8 +19,14 @@ TYPED_TEST_SUITE(Conversion, some_types);
 
 template <class Number, class Float>
 void expect_converted(Float x) {
-  ASSERT_EQ(exact::run<Number>([x] { return Number(x); }), converted<Number>(x))
-      << take_apart(x).m << " * 2^" << take_apart(x).e;
+  const auto want = converted<Number>(x);
+  for (const int mode : RoundingMode::all) {
+    const auto got = exact::run<Number>([x, mode] {
+      const RoundingMode set(mode);
+      return Number(x);
+    });
+    ASSERT_EQ(got, want) << take_apart(x).m << " * 2^" << take_apart(x).e << ", mode " << mode;
+  }
 }
 
 TYPED_TEST(Conversion, FromFloatingPointOfEveryExponent) {

@@ -1,0 +1,77 @@
+/// \file
+/// Conversions of many numbers from and to float and double, bit-identical to those of one number.
+/// Not part of fixed/fixed.hpp.
+///
+///     std::vector<double> x(1000);
+///     std::vector<fixproof::q16_16> numbers(1000);
+///     fixproof::batch::from_floats(x, numbers);
+///     fixproof::batch::to_floats(numbers, x);
+///
+/// Spans, paths, marks and reports are those of batch/batch.hpp, but no two spans may overlap.
+#pragma once
+
+#include <array>  // std::data, std::size
+#include <cstddef>
+
+#include "batch/batch.hpp"
+#include "batch/detail/element.hpp"
+#include "batch/detail/spans.hpp"
+#include "batch/detail/targets.hpp"
+#include "fixed/detail/floating.hpp"
+#include "fixed/math.hpp"
+
+namespace fixproof::detail {
+
+/// A range of float or double.
+template <class Range>
+concept float_range = requires(const Range& range) {
+  std::size(range);
+}
+&&binary_float<element_t<Range>>;
+
+/// A range of float or double that can be written.
+template <class Range>
+concept float_output = float_range<Range> && requires(Range& range) {
+  { *std::data(range) } -> std::same_as<element_t<Range>&>;
+};
+
+}  // namespace fixproof::detail
+
+namespace fixproof::batch {
+
+/// out[i] = N(x[i]), for float or double. Counts NaN as a domain error under every policy, and
+/// infinities and other values out of range as overflows under overflow::saturate and
+/// overflow::trap.
+template <detail::float_range X, detail::number_range Out>
+requires detail::output_of<Out, detail::element_t<Out>> report from_floats(const X& x, Out&& out,
+                                                                           const options& how = {})
+noexcept(detail::element_t<Out>::never_throws) {
+  using N = detail::element_t<Out>;
+  using Float = detail::element_t<X>;
+  const Float* const from = std::data(x);
+  N* const to = std::data(out);
+  const std::size_t count = detail::batch_length(how, x, out);
+  return detail::run_batch<1, detail::has_lanes<N>, N::rules.range>(
+      "from_floats", how, count,
+      [&](auto on, detail::fault_recorder& found) {
+        return on.template from_floats<N, Float>(from, to, count, found);
+      },
+      [=](std::size_t i) { return detail::from_float<N>(from[i]); }, detail::store_at(to));
+}
+
+/// out[i] = the float or double nearest to x[i], ties to even, in every rounding mode of the
+/// processor.
+template <detail::number_range X, detail::float_output Out>
+void to_floats(const X& x, Out&& out, path use = best()) noexcept {
+  using N = detail::element_t<X>;
+  using Float = detail::element_t<Out>;
+  const N* const from = std::data(x);
+  Float* const to = std::data(out);
+  const std::size_t count = detail::shortest(x, out);
+  detail::fault_recorder none({});
+  std::size_t i = detail::on_path<detail::has_lanes<N>>(
+      use, [&](auto on) { return on.template to_floats<N, Float>(from, to, count, none); });
+  for (; i < count; ++i) to[i] = static_cast<Float>(from[i]);
+}
+
+}  // namespace fixproof::batch

@@ -1,0 +1,86 @@
+/// \file
+/// Runs an operation over a span in blocks; see batch/detail/lanes.hpp.
+///
+/// An operation of batch/detail/elements.hpp has
+///
+///     static constexpr std::size_t size;        // elements of a block
+///     results at(std::size_t i, part) const;    // those from element i on
+///
+/// and its results have
+///
+///     void store(void* out, std::size_t i, part) const;
+///     void note(std::size_t i, std::uint32_t of, fault_recorder& found) const;
+///
+/// `of` has a bit for each element whose fault is recorded. An operation that can leave the check
+/// of its range to a whole group of blocks also has
+///
+///     static constexpr bool checks_later = true;
+///     i32 at(std::size_t i, u64& sums) const;   // see in_range()
+
+#if defined(FIXED_LANES)
+namespace fixproof::detail::FIXED_LANES {
+
+template <class Operation, class Part>
+FIXED_LANE_FUNCTION void one_block(const Operation& operation, std::size_t i, Part part,
+                                   fault_recorder& found) {
+  const auto results = operation.at(i, part);
+  results.store(operation.out, i, part);
+  results.note(i, part.bits, found);
+}
+
+/// Computes the elements below `end`, a multiple of the size.
+template <class Operation>
+FIXED_LANE_FUNCTION void whole_blocks(const Operation& operation, std::size_t end,
+                                      fault_recorder& found) {
+  constexpr std::size_t size = Operation::size;
+  std::size_t i = 0;
+  if constexpr (Operation::checks_later) {
+    using raw = typename Operation::number::raw_type;
+    for (const std::size_t groups = end - end % (4 * size); i != groups; i += 4 * size) {
+      u64 sums{};
+      const i32 first = operation.at(i, sums);
+      const i32 second = operation.at(i + size, sums);
+      const i32 third = operation.at(i + 2 * size, sums);
+      const i32 fourth = operation.at(i + 3 * size, sums);
+      if (in_range<typename Operation::number>(sums)) [[likely]] {
+        store<raw>(operation.out, i, first);
+        store<raw>(operation.out, i + size, second);
+        store<raw>(operation.out, i + 2 * size, third);
+        store<raw>(operation.out, i + 3 * size, fourth);
+      } else {
+        for (std::size_t k = i; k != i + 4 * size; k += size) {
+          one_block(operation, k, whole_block{}, found);
+        }
+      }
+    }
+  }
+  for (; i != end; i += size) one_block(operation, i, whole_block{}, found);
+}
+
+/// Computes a span. \return the number of elements done: all, or none without has_masks if they do
+/// not fill a block
+template <class Operation>
+FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t count,
+                                           fault_recorder& found) {
+  constexpr std::size_t size = Operation::size;
+  if constexpr (has_masks) {
+    const std::size_t rest = count % size;
+    whole_blocks(operation, count - rest, found);
+    if (rest != 0) one_block(operation, count - rest, first_elements(rest), found);
+    return count;
+  } else {
+    if (count < size) return 0;
+    // The last block may overlap the one before, so it is computed first: an output may be an
+    // input.
+    const std::size_t last = count - size;
+    const auto results = operation.at(last, whole_block{});
+    const std::size_t end = (count - 1) / size * size;
+    whole_blocks(operation, end, found);
+    results.store(operation.out, last, whole_block{});
+    results.note(last, ~0U << (end - last), found);
+    return count;
+  }
+}
+
+}  // namespace fixproof::detail::FIXED_LANES
+#endif

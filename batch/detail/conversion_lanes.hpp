@@ -1,0 +1,166 @@
+/// \file
+/// Conversions from and to float and double, for batch/detail/blocks.hpp.
+
+#if defined(FIXED_LANES)
+namespace fixproof::detail::FIXED_LANES {
+
+using half_f32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = float;
+
+/// Half a block of floating-point numbers as doubles. If subnormals can change the result, they
+/// become normal; see detail::as_double().
+template <class Float, rounding R, class Part>
+FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part part) {
+  if constexpr (sizeof(Float) == 4) {
+    half_i32 bits = load_half<std::int32_t>(base, index, part);
+    if constexpr (R == rounding::floor) {
+      constexpr std::int32_t normal = 1 << 23;
+      const half_i32 magnitude = bits & (std::numeric_limits<std::int32_t>::max)();
+      bits |= half_i32(magnitude > 0) & half_i32(magnitude < normal) & normal;
+    }
+    return __builtin_convertvector(half_f32(bits), f64);
+  } else {
+    const f64 x = load_half_doubles(base, index, part);
+    if constexpr (R == rounding::floor) {
+      constexpr std::int64_t normal = std::int64_t{1} << 52;
+      const i64 magnitude = i64(x) & (std::numeric_limits<std::int64_t>::max)();
+      return f64(i64(x) | (i64(magnitude > 0) & i64(magnitude < normal) & normal));
+    } else {
+      return x;
+    }
+  }
+}
+
+/// `twice` / 2 rounded by rule R, for |twice| < 2^51, in every rounding mode.
+template <rounding R>
+FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
+  if constexpr (R == rounding::half_up) {
+    return low_words(i64(u64(whole<true>(twice) + 1) >> 1));
+  } else if constexpr (R == rounding::floor) {
+    return low_words(i64(u64(whole<true>(twice)) >> 1));
+  } else if constexpr (R == rounding::half_even) {
+    const i64 floor = whole<true>(twice);
+    const i64 up = i64(u64(floor + 1) >> 1);
+    // A tie if `twice` is an integer: the sum of its floor and that of its negative is zero.
+    const half_i32 halves = low_words(floor);
+    const half_i32 nearest = low_words(up);
+    const half_i32 exact = half_i32(halves + low_words(whole<true>(-twice)) == 0);
+    return nearest - (nearest & halves & exact & 1);
+  } else {
+    // A truncated negative number has its ceiling.
+    const half_i32 below = low_words(negative(i64(twice)));
+    const half_i32 half = low_words(i64(u64(whole<false>(twice) + 1) >> 1));
+    const half_i32 down = low_words(i64(u64(whole<false>(twice)) >> 1));
+    return R == rounding::half_away ? (half & ~below) | (down & below)
+                                    : (down & ~below) | (half & below);
+  }
+}
+
+/// Half a block of numbers from floating-point numbers. Lanes that may be out of range, or NaN, are
+/// computed one by one.
+template <class N, class Float>
+struct from_float_results {
+  const void* from;
+  void* to;
+  half_i32 values;
+  std::uint32_t missing;
+
+  template <class Part>
+  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
+    store_half<typename N::raw_type>(out, i, values, part);
+  }
+  FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
+    if (missing != 0) [[unlikely]] {
+      missing_from_floats<N, Float>(from, to, i, missing, of, found);
+    }
+  }
+};
+
+template <class N, class Float>
+struct from_float_blocks {
+  static constexpr std::size_t size = width / 2;
+  static constexpr bool checks_later = false;
+  const void* x;
+  void* out;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION from_float_results<N, Float> at(std::size_t i,
+                                                                    Part part) const {
+    using limits = std::numeric_limits<typename N::raw_type>;
+    constexpr rounding R = N::rules.multiply;
+    constexpr bool wraps = N::rules.range == overflow::wrap;
+    constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
+    constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};
+    constexpr double twice_one = std::uint64_t{2} << N::fraction_bits;
+    const f64 twice = load_doubles<Float, R>(x, i, part) * twice_one;
+    const std::uint32_t there =
+        bits_at_least(twice, f64{} + 2 * lowest) & bits_at_least(f64{} + 2 * highest, twice);
+    return {x, out, half_rounded<R>(twice), there ^ ((1U << size) - 1)};
+  }
+};
+
+/// Results without faults.
+struct no_faults {
+  FIXED_LANE_FUNCTION void note(std::size_t /*i*/, std::uint32_t /*of*/,
+                                fault_recorder& /*found*/) const {}
+};
+
+struct double_results : no_faults {
+  f64 values;
+
+  explicit FIXED_LANE_FUNCTION double_results(f64 x) : values(x) {}
+  template <class Part>
+  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
+    store_half_doubles(out, i, values, part);
+  }
+};
+
+template <class N>
+struct to_double_blocks {
+  static constexpr std::size_t size = width / 2;
+  static constexpr bool checks_later = false;
+  const void* x;
+  void* out;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION double_results at(std::size_t i, Part part) const {
+    constexpr double unit = 1.0 / static_cast<double>(std::uint64_t{1} << N::fraction_bits);
+    return double_results(doubles(load_half<typename N::raw_type>(x, i, part)) * unit);
+  }
+};
+
+struct float_results : no_faults {
+  f32 values;
+
+  explicit FIXED_LANE_FUNCTION float_results(f32 x) : values(x) {}
+  template <class Part>
+  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
+    FIXED_LANES::store<std::int32_t>(out, i, i32(values), part);
+  }
+};
+
+template <class N>
+struct to_float_blocks {
+  static constexpr std::size_t size = width;
+  static constexpr bool checks_later = false;
+  const void* x;
+  void* out;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION float_results at(std::size_t i, Part part) const {
+    constexpr float unit = 1.0F / static_cast<float>(std::uint64_t{1} << N::fraction_bits);
+    return float_results(floats(load<typename N::raw_type>(x, i, part)) * unit);
+  }
+};
+
+/// Whether floats() rounds to the nearest, ties to even: whether it does so above a tie to the even
+/// integer below and to the one above.
+FIXED_LANE_FUNCTION bool floats_are_nearest() {
+  if constexpr (has_nearest_floats) return true;
+  constexpr std::int32_t tie = (1 << 24) + 1;
+  const f32 down = floats(unknown(i32{} + tie));
+  const f32 up = floats(unknown(i32{} + (tie + 2)));
+  return down[0] == static_cast<float>(tie - 1) && up[0] == static_cast<float>(tie + 3);
+}
+
+}  // namespace fixproof::detail::FIXED_LANES
+#endif

@@ -1,0 +1,12 @@
+/// \file
+/// What is part of its callers and what is not. A batch of few numbers takes about as long as its
+/// calls, and compilers do not know which of the loops runs.
+#pragma once
+
+#if defined(__GNUC__)
+#define FIXED_ALWAYS_INLINE __attribute__((always_inline)) inline
+#define FIXED_NOINLINE __attribute__((noinline))
+#else
+#define FIXED_ALWAYS_INLINE inline
+#define FIXED_NOINLINE
+#endif

@@ -1,0 +1,127 @@
+/// \file
+/// Converts doubles to stored integers of at most 32 bits with hardware doubles, in a form that
+/// compilers vectorise. Bit-identical to detail::scale() and detail::narrow().
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "fixed/detail/bit_cast.hpp"
+#include "fixed/detail/floating.hpp"
+#include "fixed/detail/hardware.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixproof::detail {
+
+/// Whether converted() has the conversion.
+template <class Raw, overflow O>
+inline constexpr bool has_fast_conversion = hardware_double&& bits_of<Raw> <= 32 &&
+                                            (O == overflow::wrap || O == overflow::saturate);
+
+/// 2^exponent, for exponents of normal numbers.
+constexpr double power_of_two(int exponent) noexcept {
+  return bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+/// `yes` if the condition holds, else `no`. g++ vectorises masks and not conditions, but a single
+/// double that goes to integers and back takes longer than a branch. So it has masks only where it
+/// has the instructions to vectorise the rest.
+template <class Word>
+constexpr Word select(bool condition, Word yes, Word no) noexcept {
+#if defined(__AVX2__) && !defined(__clang__)
+  if constexpr (std::is_floating_point_v<Word>) {
+    return bit_cast<double>(
+        select(condition, bit_cast<std::uint64_t>(yes), bit_cast<std::uint64_t>(no)));
+  } else {
+    const Word mask = Word{0} - Word{condition};
+    return (yes & mask) | (no & ~mask);
+  }
+#else
+  return condition ? yes : no;
+#endif
+}
+
+/// x as a double. If subnormals can change the result, which they do only under rounding::floor, a
+/// subnormal becomes normal by a bit of its exponent: processors may take subnormals for zero.
+template <rounding R, binary_float Float>
+double as_double(Float x) noexcept {
+  if constexpr (R == rounding::floor) {
+    using bits_type = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
+    constexpr int sign = sizeof(Float) * 8 - 1;
+    constexpr bits_type normal = bits_type{1} << (std::numeric_limits<Float>::digits - 1);
+    const auto bits = bit_cast<bits_type>(x);
+    const bits_type magnitude = bits & ((bits_type{1} << sign) - 1);
+    const auto subnormal = select<bits_type>(magnitude - 1 < normal - 1, normal, 0);
+    return static_cast<double>(bit_cast<Float>(static_cast<bits_type>(bits | subnormal)));
+  } else {
+    return static_cast<double>(x);
+  }
+}
+
+/// `twice` / 2 rounded by rule R, in the lower 32 bits, for |twice| < 2^51, in every rounding mode.
+///
+/// Adding 1.5 * 2^52 gives a neighbouring integer of `twice`, which the mode chooses. The sign of
+/// the rest tells whether it is the lower one or the upper one: the rest is exact, or `twice` is so
+/// small that it rounds to the sign that it has.
+/// \param negative whether the number was negative before a multiple of 2^33 was taken from it
+template <rounding R>
+std::uint64_t half_rounded(double twice, bool negative) noexcept {
+  constexpr double ones = 0x1.8p52;
+  const double placed = twice + ones;
+  const double rest = twice - (placed - ones);
+  const std::uint64_t neighbour = bit_cast<std::uint64_t>(placed) - bit_cast<std::uint64_t>(ones);
+  const std::uint64_t floor = neighbour - std::uint64_t{rest < 0};
+  if constexpr (R == rounding::half_up) {
+    return (floor + 1) >> 1;
+  } else if constexpr (R == rounding::floor) {
+    return floor >> 1;
+  } else if constexpr (R == rounding::half_even) {
+    const std::uint64_t up = (floor + 1) >> 1;
+    return up - (up & floor & std::uint64_t{rest == 0});
+  } else {
+    // A negative number is rounded as a positive one, with floor and ceiling exchanged.
+    const std::uint64_t ceiling = neighbour + std::uint64_t{rest > 0};
+    constexpr std::uint64_t up = R == rounding::half_away ? 1 : 0;
+    return select<std::uint64_t>(negative, ceiling + 1 - up, floor + up) >> 1;
+  }
+}
+
+/// A float or double as a stored integer, rounded by rule R. See number's constructor for values
+/// out of range, infinities and NaN.
+template <rounding R, overflow O, class Raw, int FractionBits, binary_float Float>
+Raw converted(Float value) noexcept {
+  constexpr std::uint64_t infinity = 0x7ff0000000000000;
+  constexpr double lowest = (std::numeric_limits<Raw>::min)();
+  constexpr double highest = (std::numeric_limits<Raw>::max)();
+  const auto x = as_double<R>(value);
+  const auto bits = bit_cast<std::uint64_t>(x);
+  const std::uint64_t magnitude = bits & ~(std::uint64_t{1} << 63);
+  const bool negative = bits >> 63 != 0;
+  constexpr double twice_one = power_of_two(FractionBits + 1);
+  if constexpr (O == overflow::saturate) {
+    // The ends of the range are integers, so limiting and rounding may change places.
+    const double twice = select(magnitude > infinity, 0.0, x) * twice_one;
+    const double limited = select(twice < 2 * lowest, 2 * lowest, twice);
+    return static_cast<Raw>(
+        half_rounded<R>(select(limited > 2 * highest, 2 * highest, limited), negative));
+  } else {
+    // From 2^85 ulp on, a double is a multiple of 2^32 ulp. From 2^50 ulp on, its double minus the
+    // multiple of 2^36 next to it is exact.
+    constexpr auto all_multiples = bit_cast<std::uint64_t>(power_of_two(85 - FractionBits));
+    constexpr auto large = bit_cast<std::uint64_t>(power_of_two(50 - FractionBits));
+    constexpr double multiples = 0x1.8p88;
+    const double twice = select(magnitude < all_multiples, x, 0.0) * twice_one;
+    const double reduced = twice - ((twice + multiples) - multiples);
+    const auto low = static_cast<std::uint32_t>(
+        half_rounded<R>(select(magnitude < large, twice, reduced), negative));
+    const std::uint32_t sign = 0U - std::uint32_t{negative};
+    const auto positive_end = static_cast<std::uint32_t>((std::numeric_limits<Raw>::max)());
+    const std::uint32_t end = std::is_signed_v<Raw> ? sign ^ positive_end : ~sign & positive_end;
+    return static_cast<Raw>(select(magnitude == infinity, end, low));
+  }
+}
+
+}  // namespace fixproof::detail
