@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <span>
@@ -122,7 +123,7 @@ struct Seen {
   std::int64_t pixels = 0;
 };
 
-/// The words of a + b or the middle between a and b need no rounding rule that matters here.
+/// The middle between a and b, rounded toward a, as in Arithmetic::midpoint().
 Words between(const Words& a, const Words& b) {
   return {std::midpoint(a[0], b[0]), std::midpoint(a[1], b[1]), std::midpoint(a[2], b[2])};
 }

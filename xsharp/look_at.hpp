@@ -26,9 +26,9 @@ Vec3<N> unit_vector_of(const Triple& direction) {
   return unit_vector(Vec3<N>{part(direction[0]), part(direction[1]), part(direction[2])});
 }
 
-/// The rotation that turns the -z axis to a direction, and leaves the x axis level. Its columns are
-/// unit vectors: x is the cross product of the world's y and z, y that of z and x. For a direction
-/// straight up or down, x is the world's x.
+/// The rotation that turns the -z axis to a direction, and leaves the x axis level. Its columns: x
+/// is the unit vector of the cross product of the world's y axis and z; y is the cross product of z
+/// and x, of unit length up to rounding. For a direction straight up or down, x is the world's x.
 /// @param toward not 0
 template <Scalar N>
 std::array<std::array<N, 3>, 3> look_at_rotation(const Triple& toward) {

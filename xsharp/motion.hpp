@@ -166,7 +166,7 @@ class Motion {
   void face_point() {
     Triple toward{};
     for (std::size_t i = 0; i < 3; ++i) {
-      // Exact: whole units of 2^-16, fewer than 2^53 of them.
+      // Exact within 2^23 pages. Beyond, double rounds to nearest, alike on every platform.
       const double pages = static_cast<double>(look_at_page_[i]) - page_[i];
       toward[i] =
           pages * page_size + static_cast<double>((*look_at_)[i]) - static_cast<double>(place(i));

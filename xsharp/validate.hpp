@@ -176,8 +176,10 @@ inline void validate_look_at(const Camera& camera) {
     throw SceneError("must not have both turn_tenths and look_at");
   }
   require_range("look_at", *camera.look_at, -max_position, max_position);
-  require_range("distance of look_at", length(difference(*camera.look_at, camera.position)),
-                std::ldexp(1, -14), 4 * max_position);
+  // Nearer, the direction would be a few units of 2^-16.
+  if (length(difference(*camera.look_at, camera.position)) < std::ldexp(1, -14)) {
+    throw SceneError("look_at must be at least 2^-14 away from position");
+  }
 }
 
 /// Checks the scene without its objects.

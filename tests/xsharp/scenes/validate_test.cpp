@@ -95,7 +95,7 @@ const std::vector<BadScene>& bad_settings() {
        [](Scene& s) {
          s.camera.look_at = Triple{0, 0, nan};
        }},
-      {"camera: distance of look_at is 0, must be from 6.10352e-05 to 65536",
+      {"camera: look_at must be at least 2^-14 away from position",
        [](Scene& s) { s.camera.look_at = s.camera.position; }},
       {"camera: must not have both turn_tenths and look_at",
        [](Scene& s) {
