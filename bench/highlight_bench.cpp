@@ -2,15 +2,15 @@
 //
 // Highlight/*: the highlights of the faces that scenes/highlight.json shows, with correctly rounded
 // powers, with repeated products, and in float. Each variant takes the same 16.16 normals, places
-// and lights, and adds its highlight to the same colour. `wrong` counts the pixels of 60 frames
-// whose colour is not that of double, of the `pixels` of `faces`; `most` is the largest difference
-// in 255ths.
+// and lights, and adds its highlight to the same colour. `faces` and `pixels` count what 60 frames
+// show. `wrong` counts the pixels whose colour is not that of double, and `most` is the largest
+// difference in 255ths.
 //
 // Unit/*: unit vectors of 16.16 vectors, by the length and divides, by a reciprocal root and
-// products, and in float. `ulp` is the largest error of a component, `rounded` the share of
+// products, and in float. `ulp` is the largest error of a component, and `rounded` is the share of
 // components that are the nearest.
 //
-// Frame/*: a frame of that scene before filling, and of the same without highlights.
+// Frame/*: a frame of that scene before it is filled, with highlights and without.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ namespace {
 
 using Type = fixproof::q16_16_i386;
 
-/// The type with powers of repeated products.
+/// The type, with powers by repeated products.
 struct Repeated {
   Type n{};
 
@@ -114,7 +114,7 @@ Vec3<N> vector(const Words& words) {
   return {number<N>(words[0]), number<N>(words[1]), number<N>(words[2])};
 }
 
-/// A face that is seen, as 16.16 words, and the number of its pixels that nothing covers.
+/// A visible face in 16.16 words, and the number of its pixels that nothing covers.
 struct Seen {
   Words normal{};
   Words to_viewer{};
@@ -130,7 +130,7 @@ Words between(const Words& a, const Words& b) {
 
 void add_frame(std::vector<Seen>& all, const Scene& scene, const Player& player,
                const Picture& picture) {
-  // Pages count from 1 which polygon is seen.
+  // A pixel of the page has the number of its polygon, from 1.
   Page<std::uint32_t> page(scene.width, scene.height);
   Filler filler;
   std::vector<std::size_t> drawn(scene.objects.size());
@@ -174,7 +174,7 @@ const std::vector<Seen>& faces() {
   return all;
 }
 
-/// The scene's lights, from the same words for every number.
+/// The scene's lights, from the same words for every number type.
 template <class N>
 Lighting<N> lighting() {
   const auto view = view_of<Type>(glossy());
@@ -239,8 +239,8 @@ BENCHMARK(highlight<Repeated>)->Name("Highlight/products");
 BENCHMARK(highlight<float>)->Name("Highlight/float");
 BENCHMARK(highlight<double>)->Name("Highlight/double");
 
-/// A unit vector by the reciprocal of the root of the vector's square. The longest component is
-/// first made 1 to 2, so that the square neither overflows nor loses bits.
+/// A unit vector by the reciprocal of the root of the vector's square. The vector is first scaled
+/// until its longest component is from 1 to 2, so that the square neither overflows nor loses bits.
 Vec3<Type> by_reciprocal_root(Vec3<Type> v) {
   const auto size = [](Type x) { return x.raw() < 0 ? -std::int64_t{x.raw()} : x.raw(); };
   std::int64_t longest = std::max({size(v.x), size(v.y), size(v.z)});

@@ -25,9 +25,9 @@
 /// operation that would throw executes a trap instruction. All arithmetic is integer; only
 /// conversions from and to float or double use floating-point registers.
 ///
-/// Translation units of one program may differ in optimisation and floating-point flags and in
-/// FIXED_SMALL, but not in whether exceptions are enabled, nor in FIXED_NO_INT128: inline functions
-/// would have two definitions.
+/// Translation units of one program may differ in optimisation, in floating-point flags and in
+/// FIXED_SMALL. They must agree on exceptions and on FIXED_NO_INT128, or inline functions would
+/// have two definitions.
 #pragma once
 
 #include "fixed/checked.hpp"

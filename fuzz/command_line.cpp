@@ -231,7 +231,7 @@ Ending run(const Input& input) {
                                    arguments, ending.status, ending.err.substr(0, most)));
 }
 
-/// Whether standard output may be the bytes of a program: `dos` writes one when it is no terminal.
+/// Whether standard output may be the bytes of a program: `dos` writes one unless it is a terminal.
 bool may_write_a_program(const Input& input) {
   return !input.arguments.empty() && input.arguments.front() == "dos";
 }

@@ -107,7 +107,8 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
     return result;
   }
 
-  // No listing has a root or a power. These are the type's, whose results no build changes.
+  // No listing has a root or a power. These use those of the type, which are the same in every
+  // build.
   static N length(const Vec3<N>& v) {
     const Vec3<Type> of{type_of(v.x), type_of(v.y), type_of(v.z)};
     return from_raw(Arithmetic<Type>::length(of).raw());

@@ -108,7 +108,7 @@ struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
   static constexpr N power(N base, N exponent) { return fixproof::pow(base, exponent); }
 };
 
-/// double, the reference, and float: neither rounds constants, sines and cosines to 16.16.
+/// double, which is the reference, and float. Neither rounds constants, sines or cosines to 16.16.
 template <std::floating_point N>
 struct Arithmetic<N> {
   static std::int32_t raw(N x) { return raw_constant(static_cast<double>(x), Conversion::nearest); }

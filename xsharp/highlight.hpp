@@ -16,16 +16,17 @@
 
 namespace xsharp {
 
-/// The cosine of a normal and the vector halfway between light and viewer, at most 1. The vectors
-/// have unit length.
+/// The cosine of the angle between a normal and the vector halfway between light and viewer, at
+/// most 1. The vectors have unit length.
 template <Scalar N>
 N halfway_cosine(const Vec3<N>& normal, const Vec3<N>& to_light, const Vec3<N>& to_viewer) {
   return std::min(dot(unit_vector(to_light + to_viewer), normal), from_whole<N>(1));
 }
 
-/// A colour with the highlights of all lights that are on and in front of the face. The light's
-/// intensity is multiplied by strength * cosine^exponent, and the sum by 255, each rounded as the
-/// multiply rounds. The highlight has the colour of the light, whatever the face reflects.
+/// A colour with the highlights of all lights that are on and in front of the face. Each light's
+/// intensity is multiplied by strength * cosine^exponent, and the sum by 255; every product is
+/// rounded as the multiply rounds. A highlight has the colour of the light, whatever the face
+/// reflects.
 /// @param normal    a unit vector in view space
 /// @param to_viewer a unit vector from the face
 template <Scalar N>

@@ -13,8 +13,8 @@
 
 namespace xsharp {
 
-/// The unit vector of a direction in double, of any length above 0. A power of two scales the
-/// direction, so that it keeps 29 bits when it is converted.
+/// The unit vector of a direction in double. The direction may have any length above 0. A power of
+/// two scales the direction, so that it keeps 29 bits when it is converted.
 template <Scalar N>
 Vec3<N> unit_vector_of(const Triple& direction) {
   const double longest =
@@ -35,7 +35,7 @@ std::array<std::array<N, 3>, 3> look_at_rotation(const Triple& toward) {
   const Vec3<N> back = unit_vector_of<N>(scaled(toward, -1));
   const N zero = from_whole<N>(0);
   Vec3<N> right{from_whole<N>(1), zero, zero};
-  // Of the direction itself, not of its rounded unit vector, which may have almost no level part.
+  // From the direction itself: its rounded unit vector may have almost no level part.
   if (toward[0] != 0 || toward[2] != 0) right = unit_vector_of<N>({-toward[2], 0, toward[0]});
   const Vec3<N> up = cross(back, right);
   return {{{right.x, up.x, back.x}, {right.y, up.y, back.y}, {right.z, up.z, back.z}}};

@@ -162,7 +162,7 @@ class Motion {
     }
   }
 
-  /// At the point itself the object keeps its orientation.
+  /// Turns the object toward its point. At the point itself, it keeps its orientation.
   void face_point() {
     Triple toward{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -102,9 +102,9 @@ struct Orbit {
 };
 
 /// The mirror image of a light on a face: the light's intensity * strength * cosine^exponent. The
-/// cosine is that of the normal and the vector halfway between light and viewer.
+/// cosine is that of the angle between the normal and the vector halfway between light and viewer.
 struct Highlight {
-  double exponent = 1;  ///< the greater, the smaller the highlight
+  double exponent = 1;  ///< a greater one makes a smaller highlight
   double strength = 0;
 };
 
@@ -119,7 +119,7 @@ constexpr bool is_lit(const Shading& shading) {
   return shading.ambient || shading.diffuse || shading.highlight;
 }
 
-/// Whether its faces need normals.
+/// Whether faces with this shading need normals.
 constexpr bool needs_normals(const Shading& shading) {
   return shading.diffuse || shading.highlight;
 }
@@ -136,8 +136,8 @@ struct ObjectDescription {
   Spin spin{};
   std::optional<Drift> drift{};
   std::optional<Orbit> orbit{};
-  /// A point, relative to the page where the object begins, that its -z axis points at; excludes a
-  /// spin.
+  /// The point, relative to the page where the object begins, at which its -z axis points. Excludes
+  /// a spin.
   std::optional<Triple> look_at{};
 };
 
@@ -160,7 +160,7 @@ struct Camera {
   std::array<std::int32_t, 3> page{};
   Triple position{};
   std::array<std::int32_t, 3> turn_tenths{};  ///< about x, then y, then z
-  /// A point of the same page in the middle of the picture; excludes a turn.
+  /// The point on the same page that is in the middle of the picture. Excludes a turn.
   std::optional<Triple> look_at{};
 };
 

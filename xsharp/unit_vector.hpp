@@ -16,7 +16,7 @@ namespace xsharp {
 /// Doubles the vector until a component is 8191 or more, so that rounding the length to 2^-16
 /// changes the quotients by less than 2^-29. Each component is then rounded once, by the
 /// arithmetic's divide. A divide by the whole part of the length makes all three components too
-/// large by the same factor, below 1 + 2^-12; toward_unit() removes it.
+/// large by the same factor, which is below 1 + 2^-12; toward_unit() removes it.
 template <Scalar N>
 Vec3<N> unit_vector(Vec3<N> v) {
   const N zero = from_whole<N>(0);

@@ -1,6 +1,6 @@
 /// \file
-/// Angles of vectors and triangles of words of at most 32 bits in digits, each the nearest integer
-/// of ulps: the results of arctangent.hpp and arcsine.hpp without a first try.
+/// Angles of vectors and triangles, computed in digits for words of at most 32 bits. Each is the
+/// nearest integer of ulps, as in arctangent.hpp and arcsine.hpp, without a first try in words.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace fixproof::detail::in_digits {
 
-/// The angle of (width, height), or of (-width, height), from 0 to pi. Both are then other numbers.
-/// \pre both are not negative, nor are both 0
+/// The angle of (width, height), or of (-width, height), from 0 to pi. Overwrites both.
+/// \pre neither is negative, and at least one is not 0
 constexpr std::int64_t angle_ulps(real& height, real& width, bool is_left,
                                   int fraction_bits) noexcept {
   real difference = width;
@@ -68,7 +68,7 @@ constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
   }
 }
 
-// Compilers limit the steps of a constant expression, so words compute it.
+// Compilers limit the steps of a constant expression, so it computes in words.
 
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
   if (std::is_constant_evaluated()) return detail::nearest_angle(y, x, fraction_bits);

@@ -1,10 +1,10 @@
 /// \file
-/// Exponentials, logarithms and hyperbolic functions of words of at most 32 bits in digits, each
-/// the nearest integer of ulps.
+/// Exponentials, logarithms and hyperbolic functions, computed in digits for words of at most 32
+/// bits. Each is the nearest integer of ulps.
 ///
-/// These are the results of exponential.hpp and hyperbolic.hpp without their first try. Where that
-/// decides, its bound has room for the error of the digits; where it does not, the steps are those
-/// of the precise parts.
+/// The results are those of exponential.hpp and hyperbolic.hpp, without their first try. Where that
+/// try decides, its bound has room for the error of the digits. Where it does not, the steps are
+/// those of the precise parts.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int fraction_bits,
   }
 }
 
-/// e^(x / 2^32), as take_power().
+/// e^(x / 2^32), limited like take_power().
 constexpr real exponential_of(std::int64_t x, int lowest) noexcept {
   real power = scaled_integer(x, real_bits - 32, lowest);
   power *= log2_e;
@@ -82,7 +82,7 @@ constexpr std::int64_t hyperbolic_ulps(std::int64_t x, int fraction_bits,
   }
 }
 
-/// Beyond 13 it is 1, as 2 e^-26 is below 2^-36.
+/// Beyond 13 it is 1, because 2 e^-26 is below 2^-36.
 constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits) noexcept {
   if (x >= std::int64_t{13} << 32) return std::int64_t{1} << fraction_bits;
   for (int lowest = short_digit;; lowest = 0) {
@@ -97,7 +97,7 @@ constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits
   }
 }
 
-// Compilers limit the steps of a constant expression, so words compute it.
+// Compilers limit the steps of a constant expression, so it computes in words.
 
 template <exponential_base Base, rounding R>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {

@@ -1,6 +1,6 @@
 /// \file
-/// Sines, cosines and tangents of angles in words of at most 32 bits in digits, each the nearest
-/// integer of ulps: the results of phase.hpp without a first try.
+/// Sines, cosines and tangents, computed in digits for angles in words of at most 32 bits. Each is
+/// the nearest integer of ulps, as in phase.hpp, without a first try in words.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_
     const std::int64_t quarters = angle.quarters + ahead;
     real result = sine_of(angle.part, quarters % 2 != 0);
     const bool is_negative = (quarters & 2) != 0;
-    // Of whole degrees, only the sines that are 1/2 are near it.
+    // The sines of whole degrees that are near 1/2 are 1/2.
     real copy = result;
     if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(copy, 8) == 128) {
       return rounded_half(is_negative, ties);
@@ -62,8 +62,8 @@ constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_u
     const bool is_steep = angle.quarters % 2 != 0;
     real numerator = sine_of(angle.part, is_steep);
     const real denominator = sine_of(angle.part, !is_steep);
-    // The square of the tangent multiplies an error, so short numbers are for tangents below 2^8:
-    // it is below 2^(51 - fraction_bits - 88) + 2^-60.
+    // The square of the tangent multiplies an error, so short numbers serve only tangents below
+    // 2^8. Then the error is below 2^(51 - fraction_bits - 88) + 2^-60.
     real least = numerator;
     least.shift(lowest == 0 ? -34 : -8);
     least -= denominator;
@@ -76,7 +76,7 @@ constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_u
   }
 }
 
-// Compilers limit the steps of a constant expression, so words compute it.
+// Compilers limit the steps of a constant expression, so it computes in words.
 
 /// Quarter turns are exact in degrees and turns.
 template <angle_unit Unit>

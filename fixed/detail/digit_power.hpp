@@ -1,6 +1,6 @@
 /// \file
-/// Powers and roots of words of at most 32 bits in digits, each the nearest integer of ulps: the
-/// results of power.hpp without a first try.
+/// Powers and roots, computed in digits for words of at most 32 bits. Each is the nearest integer
+/// of ulps, as in power.hpp, without a first try in words.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace fixproof::detail::in_digits {
 
-/// The highest r below 2^35 whose o = 2r - 1 makes o^3 or o^2 raw at most `bound`, or 0. A root of
-/// `bound` is then nearest to r, or a tie that goes up.
+/// The highest r below 2^35 for which o^3, or o^2 raw, is at most `bound`, where o = 2r - 1; 0 if
+/// there is none. The root is then nearest to r, or a tie that goes up.
 ///
 /// o counts units of 2^-36, so that every product is exact. \param bound in units of 2^-108
 constexpr std::int64_t nearest_root(std::uint64_t raw, const real& bound, bool is_cube) noexcept {
@@ -47,8 +47,8 @@ constexpr std::int64_t reciprocal_root_ulps(std::uint64_t raw, int fraction_bits
   return nearest_root(raw, scaled_integer(1, exponent + real_bits - 108), false);
 }
 
-/// The odd number of half ulps that x^y is, or 0 if it is no tie or out of range, for
-/// x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits.
+/// x^y as an odd number of half ulps, or 0 if it is not a tie or is out of range, for x = raw /
+/// 2^fraction_bits and y = exponent / 2^fraction_bits.
 ///
 /// Let x be m 2^e with an odd m, and y be n / 2^k with an odd n. A power in whole half ulps needs k
 /// whole square roots of m, an e that 2^k divides and, unless m is 1, n > 0. The power is then m^n
@@ -100,7 +100,7 @@ constexpr std::int64_t power_ulps(std::uint64_t raw, std::int64_t exponent, int 
   }
 }
 
-// Compilers limit the steps of a constant expression, so words compute it.
+// Compilers limit the steps of a constant expression, so it computes in words.
 
 constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   if (std::is_constant_evaluated()) return detail::nearest_cube_root(raw, fraction_bits);

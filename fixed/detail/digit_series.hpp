@@ -3,9 +3,9 @@
 ///
 /// They take the steps of precise_power(), precise_logarithm(), precise_arctangent(),
 /// precise_sine_of() and precise_side(), each rounded alike, so the results are the same to the bit
-/// and their bounds hold. Short numbers take fewer terms. Each of less than 200 steps is off by
-/// less than eight units of 2^-88 there, and the terms left out are below 2^-91, so the error is
-/// below 2^-77.
+/// and their bounds hold. Short numbers take fewer terms. Each of their fewer than 200 steps is off
+/// by less than eight units of 2^-88, and the terms left out are below 2^-91, so the error is below
+/// 2^-77.
 #pragma once
 
 #include <cstdint>
@@ -46,12 +46,12 @@ constexpr real one_as(const real& x) noexcept {
   return one;
 }
 
-/// The news that a short number is too near to a tie.
+/// Says that a short number is too near to a tie.
 inline constexpr std::int64_t undecided = std::numeric_limits<std::int64_t>::min();
 
-/// The integer nearest to x * 2^fraction_bits, as nearest_units() of real.hpp; 2^35 if it is
-/// higher, which is beyond every format. x is then another number. \pre x is not short, or its
-/// error is below 2^-20 of a unit of the result
+/// The integer nearest to x * 2^fraction_bits, like nearest_units() of real.hpp, but at most 2^35,
+/// which is beyond every format. Overwrites x. \pre x is not short, or its error is below 2^-20 of
+/// a unit of the result
 constexpr std::int64_t nearest_units(real& x, int fraction_bits) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 35;
   constexpr int more_bits = 21;
@@ -65,14 +65,14 @@ constexpr std::int64_t nearest_units(real& x, int fraction_bits) noexcept {
   return ends.agree() ? ends.low : undecided;
 }
 
-/// 1/2 or -1/2 rounded by rule `ties`, which is to nearest.
+/// 1/2 or -1/2 rounded by `ties`, which is a rule to nearest.
 constexpr std::int64_t rounded_half(bool is_negative, rounding ties) noexcept {
   if (ties == rounding::half_even) return 0;
   if (is_negative) return ties == rounding::half_up ? 0 : -1;
   return 1;
 }
 
-/// Takes the whole part of x from it, and returns it. x is then from 0 to 1.
+/// Subtracts the whole part from x, and returns that part. x is then from 0 to 1.
 constexpr std::int64_t take_whole(real& x) noexcept {
   real whole = x;
   whole.use_from(0);
@@ -172,7 +172,7 @@ constexpr void take_sine(real& angle, bool is_cosine) noexcept {
 
 /// sqrt(squares / 2^64) to nearest.
 ///
-/// Two bits of squares * 4^(184 - 32) at a time from the top, as nearest_sqrt_by_pairs().
+/// Takes two bits of squares * 4^(184 - 32) at a time from the top, like nearest_sqrt_by_pairs().
 constexpr real root_of(std::uint64_t squares, int lowest) noexcept {
   real root = scaled_integer(0, 0, lowest);
   real rest = root;

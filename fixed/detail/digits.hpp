@@ -1,8 +1,8 @@
 /// \file
 /// Numbers with 184 bits after the point in digits of 16 bits, for programs that must be small.
 ///
-/// The arithmetic is that of real.hpp to the bit, but in loops over one array, which every function
-/// shares, and its products have 32 bits: a Cortex-M0 has no others.
+/// The arithmetic is that of real.hpp to the bit. Every function shares its loops over one array,
+/// and products have 32 bits, because a Cortex-M0 has no others.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 /// result, in a fraction of the time.
 inline constexpr int short_digit = 96 / digit_bits;
 
-/// An integer of 224 bits in two's complement, which counts units of 2^-184, or 2^-88 if it is
+/// An integer of 224 bits in two's complement. It counts units of 2^-184, or of 2^-88 if it is
 /// short. An operation rounds to the units of the number that it changes.
 class real {
  public:
@@ -83,13 +83,13 @@ class real {
   }
 
   constexpr void operator-=(const real& b) noexcept {
-    // -(-x + b), which is smaller than a loop
+    // -(-x + b), which takes less code than a loop
     negate();
     add(b, 0);
     negate();
   }
 
-  /// Multiplies by 2^places, toward -infinity. \pre -224 < places < 224
+  /// Multiplies by 2^places and rounds toward -infinity. \pre -224 < places < 224
   constexpr void shift(int places) noexcept {
     const real old = *this;
     const int whole = places >= 0 ? places / digit_bits : -((digit_bits - 1 - places) / digit_bits);
@@ -102,7 +102,7 @@ class real {
 
   /// The product, rounded down. \pre b >= 0
   constexpr void operator*=(const real& b) noexcept {
-    // 2^8 b counts units of 2^-192, which are whole digits.
+    // 2^8 b counts units of 2^-192, and 192 bits are whole digits.
     constexpr int whole = 192 / digit_bits;
     real factor = b;
     factor.shift(192 - real_bits);

@@ -157,8 +157,7 @@ TEST(FunctionCases, FormatsWithoutTheFunctionAreRefused) {
   EXPECT_NO_THROW(cases::check_format(Operation::mul_div, cases::format_named("q32_32")));
 }
 
-/// Whether level 1 finds a party of which `answer` makes the answer, from the operands and the
-/// right word.
+/// Whether level 1 finds a party whose answers `answer` makes from the operands and the right word.
 template <class Answer>
 bool is_found_with(Operation operation, const Answer& answer) {
   const auto liar = test::saboteur([&](std::span<const std::uint32_t> in,
@@ -220,7 +219,7 @@ std::int64_t half_up(std::int64_t n, std::int64_t d) {
   return (n - rest) / d + (rest >= d - rest ? 1 : 0);
 }
 
-/// The product of two words by their halves. `carry` is 1, or 0 to lose the carry of the low word.
+/// The product of two words, by their halves. `carry` is 1, or 0 to lose the carry of the low word.
 std::int64_t product_by_halves(std::int64_t x, std::int64_t y, std::uint64_t carry) {
   const auto a = static_cast<std::uint64_t>(std::abs(x));
   const auto b = static_cast<std::uint64_t>(std::abs(y));
@@ -231,8 +230,8 @@ std::int64_t product_by_halves(std::int64_t x, std::int64_t y, std::uint64_t car
   return (x < 0) != (y < 0) ? -product : product;
 }
 
-/// The remainder of the nearest quotient; `is_odd` says of a truncated quotient whether its tie
-/// goes to the next one. \pre y is not 0
+/// The remainder of the nearest quotient. `is_odd` says whether a tie goes from the truncated
+/// quotient to the next one. \pre y is not 0
 template <class IsOdd>
 std::uint32_t remainder_of(std::int64_t x, std::int64_t y, const IsOdd& is_odd) {
   const std::int64_t truncated = x % y;
@@ -243,8 +242,8 @@ std::uint32_t remainder_of(std::int64_t x, std::int64_t y, const IsOdd& is_odd) 
   return static_cast<std::uint32_t>(!is_next ? truncated : x < 0 ? missing : -missing);
 }
 
-/// The length; `is_next` says of a root that is rounded down and what is left whether the next one
-/// is nearer.
+/// The length. `is_next` takes the root, rounded down, and what is left, and says whether the next
+/// integer is nearer.
 template <class IsNext>
 std::uint32_t length_of(std::int64_t x, std::int64_t y, std::int64_t z, const IsNext& is_next) {
   const auto [root, rest] = root_and_rest({Integer(x), Integer(y), Integer(z)});
@@ -253,7 +252,7 @@ std::uint32_t length_of(std::int64_t x, std::int64_t y, std::int64_t z, const Is
   return static_cast<std::uint32_t>(nearest < highest ? nearest : highest);
 }
 
-// The algorithms without their defects are right, so the defects alone are found.
+// The algorithms without their defects are right, so only the defects are found.
 TEST(FunctionCases, FindASubtlyWrongAlgorithm) {
   const auto odd = [](std::int64_t quotient, bool /*negative*/) { return quotient % 2 != 0; };
   // Ties of negative odd quotients stay at the odd one.

@@ -79,7 +79,7 @@ struct Arithmetic<fixproof::trade::Partly<Rule>> {
     return {constant(std::cos(radians(tenths)), Conversion::nearest),
             constant(std::sin(radians(tenths)), Conversion::nearest)};
   }
-  // Quotients and lengths are exact: no rotation that is appended has one.
+  // Quotients and lengths are not rounded: an appended rotation needs none.
   static std::optional<N> divide(N n, N d) { return N{n.value / d.value}; }
   static constexpr bool divides_by_whole_part = false;
   static N length(const Vec3<N>& v) { return {std::hypot(v.x.value, v.y.value, v.z.value)}; }

@@ -1,5 +1,5 @@
 /// @file
-/// Reads lights, and what light faces reflect.
+/// Reads lights, and which light faces reflect.
 #pragma once
 
 #include "xsharp/files/json_node.hpp"

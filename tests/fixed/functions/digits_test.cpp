@@ -1,6 +1,6 @@
-/// Tests that digits of 16 bits take the steps of 184 bits in words, and that the functions in
-/// digits have the results of those in words in every number of fraction bits and by every rule for
-/// ties.
+/// Tests that the steps with 184 bits are the same in digits of 16 bits as in words, and that the
+/// functions have the same results in digits as in words, for every number of fraction bits and
+/// every rule for ties.
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -199,8 +199,8 @@ TEST_F(Digits, PhasesAreThoseOfWords) {
   }
 }
 
-/// A function in words and in digits: x, y, fraction bits. Words of at most 32 bits, magnitudes
-/// where the function takes them.
+/// A function in words and in digits, of x, y and the fraction bits. It takes words of at most 32
+/// bits, or their magnitudes.
 struct Named {
   const char* name;
   std::int64_t (*in_words)(std::int64_t, std::int64_t, int);
@@ -209,7 +209,7 @@ struct Named {
 
 std::uint64_t magnitude(std::int64_t x) { return static_cast<std::uint64_t>(x < 0 ? -x : x); }
 
-/// In units of 2^-32 and limited to +-64, as the functions of exponential.hpp do.
+/// x in units of 2^-32 and limited to +-64, as the functions of exponential.hpp take it.
 std::int64_t units(std::int64_t x, int fraction_bits) {
   const std::int64_t limit = std::int64_t{64} << fraction_bits;
   return std::clamp(x, -limit, limit) * (std::int64_t{1} << (32 - fraction_bits));

@@ -48,7 +48,7 @@ class Rules:
         return wrap(sign(n) * sign(d) * q)
 
     def unit(self, v):
-        """The unit vector by the length to nearest, of the vector doubled to about 14 bits."""
+        """The unit vector: doubles the vector to about 14 bits, then divides it by its length to nearest."""
         if not any(v):
             return v
         while max(map(abs, v)) < 8191 * ONE:
@@ -91,8 +91,8 @@ def nearest(x):
 
 
 def camera_of(scene):
-    """World to view, to the nearest: the axes of a camera that looks at a point, or of one that is not
-    turned, and its place the other way."""
+    """World to view, rounded to nearest: the axes of a camera that looks at a point or is not turned, and
+    its negated place."""
     camera = scene.get("camera", {})
     place = [decimal.Decimal(x) for x in camera.get("position", [0, 0, 0])]
     rows = [[decimal.Decimal(i == j) for j in range(3)] for i in range(3)]
@@ -139,7 +139,7 @@ def ball(radius, bands):
 
 
 def obj(file):
-    """Vertices and faces, whose order a scene turns round after the first corner."""
+    """Vertices and faces. A scene reverses the order of a face's corners after the first."""
     vertices, faces = [], []
     for line in open(os.path.join(os.path.dirname(sys.argv[1]), file)):
         kind, *words = line.split()
@@ -186,7 +186,7 @@ class Body:
             add_vertex_normals(vertices, self.faces)
         shadings = data.get("shadings", [data.get("shading", {})] * len(self.faces))
         add_normals(vertices, self.faces, shadings)
-        # A cube's vertices are typed in as whole numbers, a file's too, a ball's are all computed.
+        # The vertices of a cube and of a file are typed in as whole numbers. Those of a ball are all computed.
         convert = published if kind == "ball" else coordinate
         self.vertices = [[convert(c) for c in v] for v in vertices]
         self.m = [[ONE * (i == j) for j in range(3)] + [coordinate(data["position"][i])]
@@ -296,7 +296,7 @@ class Body:
 
 
 def scaled(v):
-    """A power of two makes the longest component at least 8192 and less than 16384."""
+    """The vector times a power of two that makes the longest component at least 8192 and less than 16384."""
     shift = 30 - max(map(abs, v)).bit_length()
     return [x << shift if shift >= 0 else (x + (1 << -shift - 1)) >> -shift for x in v]
 

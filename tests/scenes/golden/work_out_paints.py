@@ -62,7 +62,7 @@ class Lights:
 
 
 def between(a, b):
-    """The middle, rounded toward the first."""
+    """The middle, rounded toward the first operand."""
     return a + (b - a) // 2 if b >= a else a - (a - b) // 2
 
 

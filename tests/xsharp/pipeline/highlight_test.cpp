@@ -25,7 +25,7 @@ Ray<N> ray(const Triple& to_light, const Intensity& intensity) {
           {number<N>(intensity[0]), number<N>(intensity[1]), number<N>(intensity[2])}};
 }
 
-/// The cosine of the normal and the halfway vector, in double.
+/// The cosine of the angle between the normal and the halfway vector, in double.
 double cosine_of(const Triple& normal, const Triple& to_light, const Triple& to_viewer) {
   const Triple half = sum(to_light, to_viewer);
   return length(half) > 0 ? dot(half, normal) / length(half) : 0;
@@ -44,7 +44,7 @@ TYPED_TEST(HighlightOf, IsTheFormula) {
   EXPECT_TRUE(draws::hold(10, -100, 100, [&bright](const Integers& d) {
     const Vec3<N> normal = direction<N>(d[0], d[1], d[2]);
     const Vec3<N> to_viewer = direction<N>(d[3], d[4], d[5]);
-    // Near the mirror image, or most highlights would be black.
+    // The light is near the mirror image; otherwise, most highlights would be black.
     const double across = 2 * dot(triple(normal), triple(to_viewer));
     const Triple off{static_cast<double>(d[6]) / 400, static_cast<double>(d[7]) / 400, 0};
     const Triple mirrored = sum(difference(scaled(triple(normal), across), triple(to_viewer)), off);
@@ -73,7 +73,7 @@ TYPED_TEST(HighlightOf, IsTheFormula) {
   EXPECT_GT(bright, 10);
 }
 
-// By hand: light and viewer are each as far from the normal, so the halfway vector is the normal,
+// By hand: light and viewer are equally far from the normal, so the halfway vector is the normal,
 // and the power is 1. Halfway between (0.6, 0, 0.8) and (0, 0, 1) is (1, 0, 3) / sqrt(10), whose
 // cosine with (0, 0, 1) is 0.948683: squared, 0.9; to the power of 20, 0.9^10 = 0.348678.
 TYPED_TEST(HighlightOf, WorkedByHand) {
@@ -111,10 +111,10 @@ TYPED_TEST(HighlightOf, NoneFromALightThatIsOffOrBehind) {
   EXPECT_EQ(with_highlight(before, normal, normal, {5, 0}, lighting), before);
   lighting.rays[0].on = false;
   EXPECT_EQ(with_highlight(before, normal, normal, {5, 1}, lighting), before);
-  // Behind the face, although halfway to the viewer is before it.
+  // The light is behind the face, although the halfway vector is in front of it.
   lighting.rays[0] = ray<N>({0.8, 0, -0.6}, {1, 1, 1});
   EXPECT_EQ(with_highlight(before, normal, normal, {5, 1}, lighting), before);
-  // Opposite the viewer there is nothing halfway.
+  // A light opposite the viewer has no halfway vector.
   lighting.rays[0] = ray<N>({0.6, 0, 0.8}, {1, 1, 1});
   const Vec3<N> opposite = pipeline::vector<N>({-0.6, 0, -0.8});
   EXPECT_EQ(with_highlight(before, normal, opposite, {5, 1}, lighting), before);

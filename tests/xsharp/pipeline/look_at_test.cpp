@@ -1,4 +1,4 @@
-/// Tests orientations that face a point, alone, of objects in motion and of the camera.
+/// Tests orientations that face a point: on their own, of moving objects and of the camera.
 #include "xsharp/look_at.hpp"
 
 #include "tests/support/test.hpp"
@@ -150,7 +150,8 @@ TYPED_TEST(LookAt, AnObjectAtRestDoesNotChange) {
   EXPECT_FALSE(motion.advance());
 }
 
-// What the camera looks at is in the middle of the picture, as far away as it is, and up is up.
+// The point that the camera looks at is in the middle of the picture and at its own distance, and
+// up is up.
 TYPED_TEST(LookAt, TheCameraSeesItsPointInTheMiddle) {
   using N = TypeParam;
   Scene scene;

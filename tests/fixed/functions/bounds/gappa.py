@@ -144,7 +144,7 @@ class Exact:
 
 class Proof:
     """A statement about the code: `error` is in [low, high] units of 2^-bits. `parts` are the errors that it consists
-    of: a name, Gappa's expression and bits. `grows` is for a bound that grows with an operand: the text of the part
+    of: a name, Gappa's expression, and bits. `grows` describes a bound that grows with an operand: the text of the part
     that grows, the constant part, and the sign of the side."""
 
     def __init__(self, lines, given, error, low, high, bits, hints=(), name="sum", parts=(), grows=None):
@@ -171,7 +171,7 @@ class Proof:
 
     @staticmethod
     def has_false_hint(told):
-        """A hint that is no identity is only a warning of Gappa."""
+        """Whether a hint is not an identity, for which Gappa prints only a warning."""
         return any("trivially equal" in line for line in told)
 
     def least(self, error=None, bits=None):

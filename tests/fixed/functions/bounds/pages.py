@@ -1,5 +1,5 @@
-"""The proof pages, docs/functions/*.md: their tables of errors have what the proofs find, and nothing else. The first
-lines of one of them name each function."""
+"""Checks the proof pages, docs/functions/*.md. Their tables of errors have exactly what the proofs find. Exactly one of
+the pages names each function in its first lines."""
 import os
 import re
 import sys
@@ -10,7 +10,7 @@ HEADER = "| error of | proven | in units of | the code allows | proof |"
 
 
 def merged(errors):
-    """One error for those of the same name: a proof for each sign, or for each side of a bound."""
+    """Merges the errors of one name, which have a proof for each sign or for each side of a bound."""
     by_name = {}
     for error in errors:
         same = by_name.setdefault(error.name, error)
@@ -46,7 +46,7 @@ def rows_of_page(path):
 
 def differences(proofs, source, folder, is_whole=True):
     """How many errors the proofs find, and a message for each row that only the pages or only the proofs have. If
-    these are not all proofs, the rows of others are left alone."""
+    these are not all proofs, ignores the rows of the others."""
     there, wrong, count = {}, [], 0
     names = {prove.__name__ for prove in proofs}
     for name in sorted(os.listdir(folder)):
@@ -64,7 +64,7 @@ def differences(proofs, source, folder, is_whole=True):
 
 
 def without_page(source, folder):
-    """The functions of the headers that not one page names before its first heading of the second level."""
+    """A message for each function of the headers unless exactly one page names it before its first "## " heading."""
     declared = set()
     headers = os.path.dirname(source.folder.rstrip("/"))
     for header in ("exponential", "trigonometry", "angle", "power"):

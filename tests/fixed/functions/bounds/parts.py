@@ -5,7 +5,7 @@ from fractions import Fraction
 from bounds.gappa import (LOG2_E, LOG_2, PI, Exact, NotProven, Proof, arctangent_of, between, coefficients, entries,
                           horner, hypotheses, logarithm, of_constant, truncated, within)
 
-# Of a table whose entries are to nearest.
+# The error of an entry of a table that is rounded to nearest.
 HALF = (Fraction(-1, 2), Fraction(1, 2))
 
 EXPONENTIAL, ARCTANGENT, COSINE, PHASE, ARCSINE = (

@@ -1,8 +1,8 @@
 """The errors of the results that are computed again with 184 bits, in units in the last place of the result (ulps).
 
-Each is the sum of what precise.py proves of the parts, for the format that makes it largest. B is the bound that the
-code promises for a precise part, U the unit 2^-184. A result that fits is below 2^33 ulps, and has up to 32 fraction
-bits.
+Each is the sum of what precise.py proves of the parts, in the format that makes it largest. B is the bound that the
+code promises for a precise part, and U is the unit 2^-184. A result that fits is below 2^33 ulps and has up to 32
+fraction bits.
 """
 from fractions import Fraction
 
@@ -31,7 +31,7 @@ def power(source, exponent):
 
 
 def exponent(source, highest=None):
-    """x log2(e), rounded down, for an x of up to `highest`: else for every x whose exponential may fit."""
+    """x log2(e), rounded down, for an x of up to `highest`; without it, for every x whose exponential may fit."""
     return (highest or (exponent_range(source) + 1) * LOG_2) * off(source, "real_log2_e", LOG2_E) + U
 
 
@@ -72,8 +72,8 @@ def precise_sines(source):
 
 
 def precise_tangents(source):
-    """The ratio of a sine and a cosine that are off by d: by d (1 + t)^2 / (1 - 2d) for a tangent t. Twice the range
-    is looked at, because a result that does not fit may seem to."""
+    """The ratio of a sine and a cosine that are off by d. It is off by d (1 + t)^2 / (1 - 2d) for a tangent t. Covers
+    twice the range, because a result that does not fit may seem to."""
     shift = source.read("phase.hpp", r"d < n >> (\d+)\)")
     if shift < 33:
         raise NotProven("a tangent in range is called out of range")
@@ -88,7 +88,7 @@ def precise_angles(source):
 
 
 def precise_triangles(source):
-    """As precise_angles(), for a side that is a root rounded to nearest."""
+    """Like precise_angles(), for a side that is a root rounded to nearest."""
     return both("the precise result, in ulps", ULPS * (promised(source) + 5 * U), 138)
 
 

@@ -160,7 +160,7 @@ def sine_off(source):
 
 
 def proof_of_cosine(source, units):
-    """That a cosine is off by less than `units`, but without its parts."""
+    """The proof that a cosine is off by less than `units`, without its parts."""
     proof = cosine(source)[-1]
     proof.low, proof.high, proof.parts = Fraction(1 - units), Fraction(units - 1), ()
     return proof

@@ -1,4 +1,4 @@
-"""The roots that a processor's double computes, whose error integers correct."""
+"""The roots that a processor computes in double. Integers correct their errors."""
 from fractions import Fraction
 
 from bounds.gappa import Exact
