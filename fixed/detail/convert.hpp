@@ -80,7 +80,7 @@ std::uint64_t half_rounded(double twice, bool negative) noexcept {
     return floor >> 1;
   } else if constexpr (R == rounding::half_even) {
     const std::uint64_t up = (floor + 1) >> 1;
-    return up - (up & floor & std::uint64_t{rest == 0});
+    return up - (up & floor & std::uint64_t{!(rest < 0 || rest > 0)});
   } else {
     // A negative number is rounded as a positive one, with floor and ceiling exchanged.
     const std::uint64_t ceiling = neighbour + std::uint64_t{rest > 0};
