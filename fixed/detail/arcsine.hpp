@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/nearest.hpp"
 #include "fixed/detail/square_root.hpp"
 
 namespace fixproof::detail {
@@ -57,6 +58,16 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
   // 4^fraction_bits is 0 modulo 2^64 if there are 32.
   const std::uint64_t one = fraction_bits < 32 ? std::uint64_t{1} << (2 * fraction_bits) : 0;
   const std::uint64_t squares = one - known * known;
+
+  if (fraction_bits <= quick_bits) {
+    // Both sides in units of 2^-32 of the longest. The root is off by half a unit.
+    const int shift = 32 - fraction_bits;
+    const auto other = static_cast<std::uint64_t>(nearest_sqrt_of_word(squares << (2 * shift)));
+    const std::uint64_t side = known << shift;
+    const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
+    const nearest_ends quick = quick_angle_within(part, fraction_bits, 1);
+    if (quick.agree()) return is_sine && raw < 0 ? -quick.low : quick.low;
+  }
 
   // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
   // most that it moves the angle.

@@ -108,18 +108,27 @@ constexpr octant<Length> octant_of(const Length& height, const Length& width,
   return {height, width, false, is_left};
 }
 
+/// The ends of the angle of a vector in units of 2^-fraction_bits, by quick_arctangent().
+///
+/// Pi and its half are less than 1 unit of 2^-32 too low, the arctangent is 3 off, and the vector
+/// moves the angle by less than `more`.
+constexpr nearest_ends quick_angle_within(const octant<std::uint64_t>& part, int fraction_bits,
+                                          std::int64_t more) noexcept {
+  const std::int64_t quick =
+      part.turned(quick_arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58 >> 26));
+  constexpr std::int64_t quick_error = 6;
+  return nearest_within(quick, quick_error + more, 32 - fraction_bits);
+}
+
 /// The angle of the vector (x, y) in units of 2^-fraction_bits, from -pi to pi, rounded to nearest;
 /// 0 for the vector 0. \pre |x|, |y| <= 2^32
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
   const auto part = octant_of(static_cast<std::uint64_t>(y < 0 ? -y : y),
                               static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0);
-  if (fraction_bits <= 16) {
-    // Decides all but one in 5,000. Pi and its half are less than 1 unit too low, the angle 3 off.
-    const std::int64_t quick =
-        part.turned(quick_arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58 >> 26));
-    constexpr std::int64_t quick_error = 6;
-    const nearest_ends quick_ends = nearest_within(quick, quick_error, 32 - fraction_bits);
+  if (fraction_bits <= quick_bits) {
+    // Decides all but one in 5,000.
+    const nearest_ends quick_ends = quick_angle_within(part, fraction_bits, 0);
     if (quick_ends.agree()) return y < 0 ? -quick_ends.low : quick_ends.low;
   }
   const std::int64_t angle =

@@ -7,11 +7,15 @@
 /// rational ones are 0, 1 and, for a sine or cosine, 1/2.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
+#include "fixed/detail/radian.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/wide_integer.hpp"
@@ -101,6 +105,13 @@ template <angle_unit Unit, rounding R>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
                                        int fraction_bits) noexcept {
   const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits) + (std::uint64_t{ahead} << 62);
+  if (fraction_bits <= quick_bits) {
+    const auto from_peak = static_cast<std::int32_t>((phase + turns_bias - quarter_turn) >> 31);
+    const nearest_ends quick =
+        nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
+                       static_cast<std::int64_t>(fast_cosine_error), 62 - fraction_bits);
+    if (quick.agree()) return phase >> 63 == 0 ? quick.low : -quick.low;
+  }
   const std::int64_t magnitude = sine_of_phase(phase);
   const std::int64_t sine = phase >> 63 == 0 ? magnitude : -magnitude;
   constexpr std::int64_t error = 64;
@@ -128,32 +139,84 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
   }
 }
 
+/// A tangent or, if `is_steep`, its reciprocal: n / d, both in units of 2^-62.
+struct tangent_ratio {
+  std::uint64_t n;
+  std::uint64_t d;
+  bool is_steep;
+  bool is_negative;
+};
+
+/// The tangent of a phase. The error of n and of d is below 8 units even if the phase is 2 units
+/// off, 0 <= n <= d and d > 0.96.
+///
+/// With c = i / 64 of a quarter turn and an angle z < 0.0246 from there on, tan(c + z) is
+/// (tan(c) + tan(z)) / (1 - tan(c) tan(z)). The series of tan(z) has five terms; the rest is below
+/// 2^-64.
+constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
+  const std::uint64_t in_quarter = phase << 2;  // in units of 2^-64 of a quarter turn
+  const bool is_odd_quarter = (phase >> 62 & 1) != 0;
+  const bool is_upper = in_quarter >> 63 != 0;
+  const std::uint64_t part = is_upper ? 0 - in_quarter : in_quarter;  // at most 2^63
+  const std::uint64_t z = multiply_high(part << 6, half_pi << 1);     // 32 z in units of 2^-64
+  const std::uint64_t square = multiply_high(z, z);
+  std::uint64_t sum = tangent_coefficients.back();
+  for (std::size_t n = tangent_coefficients.size() - 1; n-- > 0;) {
+    sum = tangent_coefficients[n] + multiply_high(square, sum);
+  }
+  const std::uint64_t rest = z + multiply_high(z, multiply_high(square, sum));  // 32 tan(z)
+  const std::uint64_t middle = tangents[part >> 58];
+  return {middle + (rest >> 7), (std::uint64_t{1} << 62) - (multiply_high(middle << 1, rest) >> 6),
+          is_upper != is_odd_quarter, is_odd_quarter};
+}
+
+/// a / b in units of 2^-38 for 0 < b and a / b < 2^25, both below 2^63.
+///
+/// In doubles, the two operands and the quotient are off by 2^-52 of their values in every rounding
+/// mode, so the result is off by 2^-12 of the quotient and 1 unit.
+constexpr std::int64_t quick_ratio(std::uint64_t a, std::uint64_t b) noexcept {
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      constexpr double scale = std::int64_t{1} << 38;
+      return static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(a)) /
+                                       static_cast<double>(static_cast<std::int64_t>(b)) * scale);
+    }
+  }
+  return static_cast<std::int64_t>(truncated_ratio(int128{a} << 38, int128{b}));
+}
+
 /// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
 /// beyond. \pre the angle is no pole
 template <angle_unit Unit>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits);
-  const std::int64_t sine = sine_of_phase(phase);
-  const std::int64_t cosine = sine_of_phase(phase + (std::uint64_t{1} << 62));
-  const bool is_negative = (phase >> 62) % 2 != 0;
+  const tangent_ratio ratio_of = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));
+  const std::uint64_t a = ratio_of.is_steep ? ratio_of.d : ratio_of.n;
+  const std::uint64_t b = ratio_of.is_steep ? ratio_of.n : ratio_of.d;
   // Tangents above 2^24 need more bits.
-  if (cosine >> 38 != 0) {
-    const int128 tangent = truncated_ratio(int128{sine} << 62, int128{cosine});
-    // An error e of sine s and cosine c makes e / c + e s / c^2 <= e (1 + s/c)^2.
+  if (b >> 38 != 0) {
+    // Errors e of a and b make e / b + e a / b^2 <= 1.1 e (1 + a/b)^2.
+    if (fraction_bits <= quick_bits) {
+      const std::int64_t quick = quick_ratio(a, b);
+      const std::int64_t bound = (quick >> 38) + 2;
+      const nearest_ends ends =
+          nearest_within(quick, (bound * bound >> 12) + 3, 38 - fraction_bits);
+      if (ends.agree()) return ratio_of.is_negative ? -ends.low : ends.low;
+    }
+    const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
     const nearest_ends ends =
-        nearest_within(tangent, int128{65 * bound} * int128{bound}, 62 - fraction_bits);
-    if (ends.agree()) return is_negative ? -ends.low : ends.low;
+        nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);
+    if (ends.agree()) return ratio_of.is_negative ? -ends.low : ends.low;
   }
   const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
   const precise_sine_and_cosine both = precise_sine_of(precise.rest);
-  const bool is_steep = precise.quarters % 2 != 0;
-  const real& n = is_steep ? both.cosine : both.sine;
-  const real& d = is_steep ? both.sine : both.cosine;
+  const bool is_negative = precise.quarters % 2 != 0;
+  const real& n = is_negative ? both.cosine : both.sine;
+  const real& d = is_negative ? both.sine : both.cosine;
   // Beyond every format
-  if (d < n >> 34) return is_steep ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
+  if (d < n >> 34) return is_negative ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
   const std::int64_t result = nearest_units(ratio(n, d), fraction_bits);
-  return is_steep ? -result : result;
+  return is_negative ? -result : result;
 }
 
 }  // namespace fixproof::detail

@@ -1,15 +1,21 @@
 /// \file
 /// Powers and roots of words of at most 32 bits, each the nearest integer of ulps.
 ///
-/// All are powers of two whose exponent is a multiple of a binary logarithm. Where 64 bits allow
-/// two integers, exact integers decide a root; a power with a rational result is computed exactly,
+/// A root is first computed with an error below 1/4, and exact integers decide between the two
+/// integers next to it. A power is a power of two whose exponent is a multiple of a binary
+/// logarithm. Where 64 bits allow two integers, a power with a rational result is computed exactly,
 /// and any other one again with more bits.
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/exponential.hpp"
+#include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/hardware.hpp"
+#include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
@@ -17,52 +23,67 @@
 
 namespace fixproof::detail {
 
-/// log2(raw / 2^fraction_bits) in units of 2^-64. The error is below 5 units.
-constexpr int128 logarithm_in_units(std::uint64_t raw, int fraction_bits) noexcept {
-  const scaled_word x = scaled(raw, fraction_bits);
-  return (int128{x.exponent} << 64) + int128{binary_logarithm(x.m)};
+/// The integer next to 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits: the nearest
+/// one or the one below.
+///
+/// It is the root of 2^(3 fraction_bits) / raw. Each of the two operations in double is off by less
+/// than 2^-52 of its result in every rounding mode, so a root below 2^48 is off by less than 1/4.
+constexpr std::int64_t below_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
+  const int128 one = int128{1} << (3 * fraction_bits);
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      // Two conversions of 64 bits are faster than one of 128.
+      const auto part = [](int bits) { return static_cast<double>(std::int64_t{1} << bits); };
+      const double scale = part(fraction_bits) * part(2 * fraction_bits);
+      const auto divisor = static_cast<double>(static_cast<std::int64_t>(raw));
+      return static_cast<std::int64_t>(sqrt(scale / divisor));
+    }
+  }
+  return static_cast<std::int64_t>(nearest_sqrt_by_pairs<49>(truncated_ratio(one, int128{raw})));
 }
 
-/// An exponent in units of 2^-64.
-constexpr binary_exponent split(const int128& exponent) noexcept {
-  return {static_cast<std::int64_t>(exponent >> 64), static_cast<std::uint64_t>(exponent)};
-}
-
-/// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits. There are no ties: eight
-/// times a word is no odd cube.
-constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
-  if (raw == 0) return 0;
-  const int128 log = logarithm_in_units(raw, fraction_bits);
-  // log / 3 by a product with (2^64 + 2) / 3, of the magnitude
-  constexpr std::uint64_t third = 0x5555555555555556;
-  const bool is_negative = log < int128{0};
-  const int128 magnitude = is_negative ? -log : log;
-  const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-  const int128 part = int128{high} * int128{third} +
-                      int128{multiply_high(static_cast<std::uint64_t>(magnitude), third)};
-  constexpr std::int64_t error = 40;  // 5/3, and 2/3 for each of 33 parts of 2^64, and 1
-  return nearest_power(split(is_negative ? -part : part), error, fraction_bits,
-                       [&](std::int64_t low) {
-                         const int128 middle{2 * low + 1};
-                         const int128 cube = int128{raw} << (2 * fraction_bits + 3);
-                         return low + (middle * middle * middle < cube ? 1 : 0);
-                       });
-}
-
-/// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. \pre raw > 0
+/// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. \pre 0 < raw < 2^32
 ///
 /// Only a half is a tie, the root of a power of two; rule R decides.
 template <rounding R>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
-  const int128 log = logarithm_in_units(raw, fraction_bits);
-  constexpr std::int64_t error = 4;
-  return nearest_power(split(-log >> 1), error, fraction_bits, [&](std::int64_t low) {
-    const int128 middle{2 * low + 1};
-    const int128 scaled = middle * middle * int128{raw};
-    const int128 exact = int128{1} << (3 * fraction_bits + 2);
-    if (scaled == exact) return shift_right<R>(2 * low + 1, 1);
-    return low + (scaled < exact ? 1 : 0);
-  });
+  const std::int64_t low = below_reciprocal_root(raw, fraction_bits);
+  const int128 middle{2 * low + 1};
+  const int128 scaled = middle * middle * int128{raw};
+  const int128 exact = int128{1} << (3 * fraction_bits + 2);
+  if (scaled == exact) return shift_right<R>(2 * low + 1, 1);
+  return low + (scaled < exact ? 1 : 0);
+}
+
+/// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded down after an error
+/// below 1/4. \pre 0 < raw < 2^33
+///
+/// With a reciprocal c of the leading six bits, m c is 1 + r as in binary_logarithm(). The root is
+/// that of 1, 2 or 4, times that of 1 / c, times the binomial series of (1 + r)^(1/3). Its terms
+/// after the fourth are below 2^-35, everything else is off by less than 16 units of 2^-61, and a
+/// root is below 2^32.
+constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+  const scaled_word x = scaled(raw, fraction_bits);
+  const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
+  const std::size_t interval = x.m >> 26 & 63;
+  const std::uint64_t rest = x.m * reciprocals[interval] << 5;
+  std::uint64_t sum = cube_root_coefficients.back();
+  for (std::size_t n = cube_root_coefficients.size() - 1; n-- > 0;) {
+    sum = cube_root_coefficients[n] - multiply_high(rest, sum);
+  }
+  const std::uint64_t middle = multiply_high(cube_roots[interval], roots_of_powers[exponent % 3]);
+  const std::uint64_t root = middle + multiply_high(middle, multiply_high(rest, sum));
+  return static_cast<std::int64_t>(root >> (61 - exponent / 3));
+}
+
+/// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits. There are no ties: eight
+/// times a word is no odd cube. \pre raw < 2^33
+constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+  if (raw == 0) return 0;
+  const std::int64_t low = below_cube_root(raw, fraction_bits);
+  const int128 middle{2 * low + 1};
+  const int128 cube = int128{raw} << (2 * fraction_bits + 3);
+  return low + (middle * middle * middle < cube ? 1 : 0);
 }
 
 /// A rational power: the integer nearest to it in ulps, or the news that the power is not rational
@@ -120,22 +141,38 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   return {true, static_cast<std::int64_t>(shift_right<R>(power, static_cast<int>(-shift)))};
 }
 
+/// The ends of x^y for y = exponent / 2^fraction_bits in units of 2^-fraction_bits.
+template <terms Terms>
+constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t exponent,
+                                         int fraction_bits) noexcept {
+  const int128 log = (int128{x.exponent} << 64) + int128{binary_logarithm<Terms>(x.m)};
+  // At most 2^70 and 2^32.
+  const int128 scaled_log = log * int128{exponent} >> fraction_bits;
+  constexpr std::int64_t log_error = Terms == terms::few ? 67108864 : 5;
+  const std::int64_t error =
+      ((exponent < 0 ? -exponent : exponent) * log_error >> fraction_bits) + 6;
+  return power_within<Terms>({static_cast<std::int64_t>(scaled_log >> 64),
+                              static_cast<std::uint64_t>(scaled_log)},
+                             error, fraction_bits);
+}
+
 /// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits in units of
 /// 2^-fraction_bits, rounded to nearest, ties by rule R. \pre raw > 0
 template <rounding R>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {
   if (exponent == 0) return std::int64_t{1} << fraction_bits;
-  const int128 log = logarithm_in_units(raw, fraction_bits);
-  // At most 2^70 and 2^32.
-  const int128 scaled_log = log * int128{exponent} >> fraction_bits;
-  const std::int64_t error = ((exponent < 0 ? -exponent : exponent) * 5 >> fraction_bits) + 6;
-  return nearest_power(split(scaled_log), error, fraction_bits, [&](std::int64_t /*low*/) {
-    const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
-    if (exact.is_known) return exact.ulps;
-    const real precise = precise_logarithm(scaled(raw, fraction_bits));
-    return nearest_precise_power(precise * real{exponent} >> fraction_bits, fraction_bits);
-  });
+  const scaled_word x = scaled(raw, fraction_bits);
+  if (fraction_bits <= quick_bits) {
+    const nearest_ends quick = real_power_within<terms::few>(x, exponent, fraction_bits);
+    if (quick.agree()) return quick.low;
+  }
+  const nearest_ends ends = real_power_within<terms::all>(x, exponent, fraction_bits);
+  if (ends.agree()) return ends.low;
+  const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
+  if (exact.is_known) return exact.ulps;
+  return nearest_precise_power(precise_logarithm(x) * real{exponent} >> fraction_bits,
+                               fraction_bits);
 }
 
 }  // namespace fixproof::detail
