@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/square_root.hpp"
 
@@ -48,7 +49,7 @@ enum class triangle_side { sine, cosine };
 template <triangle_side Side>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;
-  const auto known = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  const auto known = static_cast<std::uint64_t>(chosen(raw < 0, -raw, raw));
   if (known == 0 || known >> fraction_bits != 0) {
     // The other side is 1 or 0.
     const std::int64_t other = known == 0 ? 1 : 0;
@@ -66,7 +67,7 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
     const std::uint64_t side = known << shift;
     const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
     const nearest_ends quick = quick_angle_within(part, fraction_bits, 1);
-    if (quick.agree()) return is_sine && raw < 0 ? -quick.low : quick.low;
+    if (quick.agree()) return chosen(is_sine && raw < 0, -quick.low, quick.low);
   }
 
   // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the

@@ -9,11 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fixed/detail/cosine.hpp"
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
+#include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
 
@@ -37,16 +39,14 @@ constexpr std::uint64_t small_ratio(std::uint64_t n, std::uint64_t d) noexcept {
 constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   const std::uint64_t i = (64 * n / d + 1) / 2;
   const bool is_below = 32 * n < i * d;
-  const std::uint64_t numerator = is_below ? i * d - 32 * n : 32 * n - i * d;
+  const std::uint64_t numerator = chosen(is_below, i * d - 32 * n, 32 * n - i * d);
   const std::uint64_t z = small_ratio(numerator, 32 * d + i * n);
   const std::uint64_t square = multiply_high(z << 11, z << 11);  // 1024 z^2 in units of 2^-64
-  std::uint64_t sum = arctangent_coefficients.back();
-  for (std::size_t k = arctangent_coefficients.size() - 1; k-- > 0;) {
-    sum = arctangent_coefficients[k] - multiply_high(square, sum);
-  }
+  const std::uint64_t sum =
+      sum_of_alternating_series<arctangent_coefficients.size()>(arctangent_coefficients, square);
   const auto angle = static_cast<std::int64_t>(z - multiply_high(z, multiply_high(square, sum)));
   const auto middle = static_cast<std::int64_t>(arctangents[i]);
-  return is_below ? middle - angle : middle + angle;
+  return middle + chosen(is_below, -angle, angle);
 }
 
 /// The arctangent of n / d in units of 2^-32, for 0 <= n <= d <= 2^32, d > 0. The error is below 3
@@ -59,12 +59,12 @@ constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
 constexpr std::int64_t quick_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   const std::uint64_t i = (64 * n / d + 1) / 2;
   const bool is_below = 32 * n < i * d;
-  const std::uint64_t numerator = is_below ? i * d - 32 * n : 32 * n - i * d;  // at most 2^31
+  const std::uint64_t numerator = chosen(is_below, i * d - 32 * n, 32 * n - i * d);  // at most 2^31
   const std::uint64_t z = (numerator << 32) / (32 * d + i * n);
   const std::uint64_t square = z * z >> 32;
   const auto angle = static_cast<std::int64_t>(z - (square * z / 3 >> 32));
   const auto middle = static_cast<std::int64_t>(arctangents[i] >> 26);
-  return is_below ? middle - angle : middle + angle;
+  return middle + chosen(is_below, -angle, angle);
 }
 
 /// The arctangent of x for 0 <= x <= 1.
@@ -95,8 +95,8 @@ struct octant {
   /// The angle of the vector, from 0 to pi, from that of (d, n).
   template <class Angle>
   [[nodiscard]] constexpr Angle turned(Angle angle, const Angle& pi) const noexcept {
-    if (is_steep) angle = (pi >> 1) - angle;
-    return is_left ? pi - angle : angle;
+    angle = chosen(is_steep, (pi >> 1) - angle, angle);
+    return chosen(is_left, pi - angle, angle);
   }
 };
 
@@ -104,8 +104,8 @@ struct octant {
 template <class Length>
 constexpr octant<Length> octant_of(const Length& height, const Length& width,
                                    bool is_left) noexcept {
-  if (width < height) return {width, height, true, is_left};
-  return {height, width, false, is_left};
+  const bool is_steep = width < height;
+  return {chosen(is_steep, width, height), chosen(is_steep, height, width), is_steep, is_left};
 }
 
 /// The ends of the angle of a vector in units of 2^-fraction_bits, by quick_arctangent().
@@ -124,12 +124,12 @@ constexpr nearest_ends quick_angle_within(const octant<std::uint64_t>& part, int
 /// 0 for the vector 0. \pre |x|, |y| <= 2^32
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
-  const auto part = octant_of(static_cast<std::uint64_t>(y < 0 ? -y : y),
-                              static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0);
+  const auto part = octant_of(static_cast<std::uint64_t>(chosen(y < 0, -y, y)),
+                              static_cast<std::uint64_t>(chosen(x < 0, -x, x)), x < 0);
   if (fraction_bits <= quick_bits) {
     // Decides all but one in 5,000.
     const nearest_ends quick_ends = quick_angle_within(part, fraction_bits, 0);
-    if (quick_ends.agree()) return y < 0 ? -quick_ends.low : quick_ends.low;
+    if (quick_ends.agree()) return chosen(y < 0, -quick_ends.low, quick_ends.low);
   }
   const std::int64_t angle =
       part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
@@ -140,7 +140,7 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
     const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
     result = nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
   }
-  return y < 0 ? -result : result;
+  return chosen(y < 0, -result, result);
 }
 
 }  // namespace fixproof::detail

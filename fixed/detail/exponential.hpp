@@ -14,12 +14,13 @@
 #include <type_traits>
 
 #include "fixed/detail/bit_cast.hpp"
-#include "fixed/detail/cosine.hpp"
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/precise_exponential.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
 
 namespace fixproof::detail {
 
@@ -37,12 +38,9 @@ inline constexpr std::size_t few_terms = 5;
 /// terms the remainder is below 2^-42.6, and the result at most 4194304 units too low.
 template <terms Terms = terms::all>
 constexpr std::uint64_t power_of_two(std::uint64_t x) noexcept {
-  constexpr std::size_t last = (Terms == terms::few ? few_terms : power_coefficients.size()) - 1;
+  constexpr std::size_t count = Terms == terms::few ? few_terms : power_coefficients.size();
   const std::uint64_t rest = x << 5;
-  std::uint64_t sum = power_coefficients[last];
-  for (std::size_t n = last; n-- > 0;) {
-    sum = power_coefficients[n] + multiply_high(rest, sum);
-  }
+  const std::uint64_t sum = sum_of_series<count>(power_coefficients, rest);
   const std::uint64_t power = powers_of_two[x >> 59];
   return power + multiply_high(power, multiply_high(rest, sum));
 }
@@ -62,7 +60,7 @@ constexpr binary_exponent exponent_of(std::int64_t x) noexcept {
   } else {
     // x modulo 2^64 is 2^64 more than a negative x.
     const two_words product = multiply_words(static_cast<std::uint64_t>(x), log2_e);
-    const std::uint64_t high = product.high - (x < 0 ? log2_e : 0);
+    const std::uint64_t high = product.high - chosen(x < 0, log2_e, std::uint64_t{0});
     return {static_cast<std::int64_t>(high) >> 31, high << 33 | product.low >> 31};
   }
 }
@@ -89,7 +87,7 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   constexpr std::int64_t lowest = -3;
   const std::int64_t units = exponent.whole + fraction_bits;
   const int place =
-      static_cast<int>(units < lowest ? lowest : units > highest ? highest : units);
+      static_cast<int>(chosen(units < lowest, lowest, chosen(units > highest, highest, units)));
   // In units of 2^-61, power_of_two() is off by less than 5, or with few terms by 2^20 + 1. An error
   // of the exponent adds less than log(2)/4 of it, and a little more if it is large.
   constexpr std::int64_t own_error = Terms == terms::few ? 1048578 : 6;
@@ -150,15 +148,11 @@ inline constexpr logarithm_scale scale_of = [] {
 /// units.
 template <terms Terms = terms::all>
 constexpr std::uint64_t binary_logarithm(std::uint64_t m) noexcept {
-  constexpr std::size_t last =
-      (Terms == terms::few ? few_terms : logarithm_coefficients.size()) - 1;
+  constexpr std::size_t count = Terms == terms::few ? few_terms : logarithm_coefficients.size();
   const std::size_t interval = m >> 26 & 63;
   // m c is 2^64 (1 + r), of which 2^64 is lost; 32 r in units of 2^-64
   const std::uint64_t rest = m * reciprocals[interval] << 5;
-  std::uint64_t sum = logarithm_coefficients[last];
-  for (std::size_t n = last; n-- > 0;) {
-    sum = logarithm_coefficients[n] - multiply_high(rest, sum);
-  }
+  const std::uint64_t sum = sum_of_alternating_series<count>(logarithm_coefficients, rest);
   return logarithms[interval] + multiply_high(rest, sum);
 }
 

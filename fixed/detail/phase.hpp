@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/hardware.hpp"
@@ -18,6 +19,7 @@
 #include "fixed/detail/radian.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
@@ -37,14 +39,14 @@ constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
     const std::uint64_t n = static_cast<std::uint64_t>(in_turn) << (32 - fraction_bits);
     return (n / 45 << 29) + (n % 45 << 29) / 45;
   } else {
-    const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+    const auto magnitude = static_cast<std::uint64_t>(chosen(raw < 0, -raw, raw));
     const two_words high = multiply_words(magnitude, turns_high);
     const std::uint64_t carried = multiply_high(magnitude, turns_low);
     const std::uint64_t low = high.low + carried;
     const std::uint64_t top = high.high + (low < carried ? 1 : 0);
     const std::uint64_t phase =
         fraction_bits == 0 ? low : top << (64 - fraction_bits) | low >> fraction_bits;
-    return raw < 0 ? 0 - phase : phase;
+    return chosen(raw < 0, 0 - phase, phase);
   }
 }
 
@@ -52,7 +54,7 @@ constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
 constexpr std::int64_t sine_of_phase(std::uint64_t phase) noexcept {
   constexpr std::uint64_t quarter = std::uint64_t{1} << 62;
   const std::uint64_t in_half = phase << 1 >> 1;
-  const std::uint64_t from_peak = in_half < quarter ? quarter - in_half : in_half - quarter;
+  const std::uint64_t from_peak = chosen(in_half < quarter, quarter - in_half, in_half - quarter);
   // 2^-64 of a turn is pi/2 units of 2^-62.
   return cosine(multiply_high(from_peak << 1, half_pi << 1));
 }
@@ -110,10 +112,10 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
     const nearest_ends quick =
         nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
                        static_cast<std::int64_t>(fast_cosine_error), 62 - fraction_bits);
-    if (quick.agree()) return phase >> 63 == 0 ? quick.low : -quick.low;
+    if (quick.agree()) return chosen(phase >> 63 == 0, quick.low, -quick.low);
   }
   const std::int64_t magnitude = sine_of_phase(phase);
-  const std::int64_t sine = phase >> 63 == 0 ? magnitude : -magnitude;
+  const std::int64_t sine = chosen(phase >> 63 == 0, magnitude, -magnitude);
   constexpr std::int64_t error = 64;
   const nearest_ends ends = nearest_within(sine, error, 62 - fraction_bits);
   if (ends.agree()) return ends.low;
@@ -157,13 +159,11 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
   const std::uint64_t in_quarter = phase << 2;  // in units of 2^-64 of a quarter turn
   const bool is_odd_quarter = (phase >> 62 & 1) != 0;
   const bool is_upper = in_quarter >> 63 != 0;
-  const std::uint64_t part = is_upper ? 0 - in_quarter : in_quarter;  // at most 2^63
+  const std::uint64_t part = chosen(is_upper, 0 - in_quarter, in_quarter);  // at most 2^63
   const std::uint64_t z = multiply_high(part << 6, half_pi << 1);     // 32 z in units of 2^-64
   const std::uint64_t square = multiply_high(z, z);
-  std::uint64_t sum = tangent_coefficients.back();
-  for (std::size_t n = tangent_coefficients.size() - 1; n-- > 0;) {
-    sum = tangent_coefficients[n] + multiply_high(square, sum);
-  }
+  const std::uint64_t sum =
+      sum_of_series<tangent_coefficients.size()>(tangent_coefficients, square);
   const std::uint64_t rest = z + multiply_high(z, multiply_high(square, sum));  // 32 tan(z)
   const std::uint64_t middle = tangents[part >> 58];
   return {middle + (rest >> 7), (std::uint64_t{1} << 62) - (multiply_high(middle << 1, rest) >> 6),
@@ -190,8 +190,8 @@ constexpr std::int64_t quick_ratio(std::uint64_t a, std::uint64_t b) noexcept {
 template <angle_unit Unit>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
   const tangent_ratio ratio_of = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));
-  const std::uint64_t a = ratio_of.is_steep ? ratio_of.d : ratio_of.n;
-  const std::uint64_t b = ratio_of.is_steep ? ratio_of.n : ratio_of.d;
+  const std::uint64_t a = chosen(ratio_of.is_steep, ratio_of.d, ratio_of.n);
+  const std::uint64_t b = chosen(ratio_of.is_steep, ratio_of.n, ratio_of.d);
   // Tangents above 2^24 need more bits.
   if (b >> 38 != 0) {
     // Errors e of a and b make e / b + e a / b^2 <= 1.1 e (1 + a/b)^2.
@@ -200,7 +200,7 @@ constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noex
       const std::int64_t bound = (quick >> 38) + 2;
       const nearest_ends ends =
           nearest_within(quick, (bound * bound >> 12) + 3, 38 - fraction_bits);
-      if (ends.agree()) return ratio_of.is_negative ? -ends.low : ends.low;
+      if (ends.agree()) return chosen(ratio_of.is_negative, -ends.low, ends.low);
     }
     const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;

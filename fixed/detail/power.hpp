@@ -12,12 +12,14 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
@@ -67,10 +69,8 @@ constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noe
   const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
   const std::size_t interval = x.m >> 26 & 63;
   const std::uint64_t rest = x.m * reciprocals[interval] << 5;
-  std::uint64_t sum = cube_root_coefficients.back();
-  for (std::size_t n = cube_root_coefficients.size() - 1; n-- > 0;) {
-    sum = cube_root_coefficients[n] - multiply_high(rest, sum);
-  }
+  const std::uint64_t sum =
+      sum_of_alternating_series<cube_root_coefficients.size()>(cube_root_coefficients, rest);
   const std::uint64_t middle = multiply_high(cube_roots[interval], roots_of_powers[exponent % 3]);
   const std::uint64_t root = middle + multiply_high(middle, multiply_high(rest, sum));
   return static_cast<std::int64_t>(root >> (61 - exponent / 3));
@@ -150,7 +150,7 @@ constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t expo
   const int128 scaled_log = log * int128{exponent} >> fraction_bits;
   constexpr std::int64_t log_error = Terms == terms::few ? 67108864 : 5;
   const std::int64_t error =
-      ((exponent < 0 ? -exponent : exponent) * log_error >> fraction_bits) + 6;
+      (chosen(exponent < 0, -exponent, exponent) * log_error >> fraction_bits) + 6;
   return power_within<Terms>({static_cast<std::int64_t>(scaled_log >> 64),
                               static_cast<std::uint64_t>(scaled_log)},
                              error, fraction_bits);
