@@ -8,9 +8,11 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/arctangent.hpp"
 #include "fixed/detail/choose.hpp"
+#include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/square_root.hpp"
 
@@ -34,6 +36,19 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
   const std::int64_t fraction = rest * (std::int64_t{1} << 30) / root;
   return {(static_cast<std::uint64_t>(root) << 31) + static_cast<std::uint64_t>(fraction),
           doublings};
+}
+
+/// sqrt(n) in units of 2^-shift, off by less than 1.01 units. \pre 0 < n < 4^(32 - shift), shift >= 16
+constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      // Off by less than 2^-52 of the root in every rounding mode.
+      const double root = sqrt(static_cast<double>(static_cast<std::int64_t>(n)));
+      const auto scale = static_cast<double>(std::int64_t{1} << shift);
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(root * scale));
+    }
+  }
+  return static_cast<std::uint64_t>(nearest_sqrt_of_word(n << (2 * shift)));
 }
 
 /// sqrt(4^fraction_bits - sine^2), the other side of a triangle, in units of 2^-184 of its longest
@@ -61,12 +76,12 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
   const std::uint64_t squares = one - known * known;
 
   if (fraction_bits <= quick_bits) {
-    // Both sides in units of 2^-32 of the longest. The root is off by half a unit.
+    // Both sides in units of 2^-32 of the longest. The root moves the angle by at most its error.
     const int shift = 32 - fraction_bits;
-    const auto other = static_cast<std::uint64_t>(nearest_sqrt_of_word(squares << (2 * shift)));
+    const std::uint64_t other = quick_root(squares, shift);
     const std::uint64_t side = known << shift;
     const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
-    const nearest_ends quick = quick_angle_within(part, fraction_bits, 1);
+    const nearest_ends quick = quick_angle_within(part, fraction_bits, 2);
     if (quick.agree()) return chosen(is_sine && raw < 0, -quick.low, quick.low);
   }
 

@@ -26,21 +26,21 @@ namespace fixproof::detail {
 
 enum class exponential_base { two, e };
 
-/// How many terms of a series a result takes. A few decide nearly all results of formats with at
-/// most `quick_bits` fraction bits.
-enum class terms { few, all };
-inline constexpr std::size_t few_terms = 5;
+// How many terms of their series exact results take, and quick ones.
+inline constexpr std::size_t power_terms = power_coefficients.size();
+inline constexpr std::size_t logarithm_terms = logarithm_coefficients.size();
+inline constexpr std::size_t quick_power_terms = 5;
+inline constexpr std::size_t quick_logarithm_terms = 4;
 
 /// 2^(x / 2^64) in units of 2^-63, at most 15 units too low and never too high.
 ///
 /// The table takes 5 bits of x. The Taylor series of the rest loses at most 2 units in each of
-/// eight steps, counted in units of 2^-64, and its remainder is below 2^-68. With few
+/// eight steps, counted in units of 2^-64, and its remainder is below 2^-68. With five
 /// terms the remainder is below 2^-42.6, and the result at most 4194304 units too low.
-template <terms Terms = terms::all>
+template <std::size_t Terms>
 constexpr std::uint64_t power_of_two(std::uint64_t x) noexcept {
-  constexpr std::size_t count = Terms == terms::few ? few_terms : power_coefficients.size();
   const std::uint64_t rest = x << 5;
-  const std::uint64_t sum = sum_of_series<count>(power_coefficients, rest);
+  const std::uint64_t sum = sum_of_series<Terms>(power_coefficients, rest);
   const std::uint64_t power = powers_of_two[x >> 59];
   return power + multiply_high(power, multiply_high(rest, sum));
 }
@@ -78,7 +78,7 @@ constexpr std::int64_t nearest_precise_power(const real& exponent, int fraction_
 
 /// The ends of 2^exponent in units of 2^-fraction_bits; any integers from 2^33 on for a result that
 /// is not below 2^34 units. \param error of the exponent, in units of 2^-64, below 2^60
-template <terms Terms>
+template <std::size_t Terms>
 constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_t error,
                                     int fraction_bits) noexcept {
   // Without a branch, which operands of all sizes would make hard to predict. Below -2, all results
@@ -88,11 +88,14 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   const std::int64_t units = exponent.whole + fraction_bits;
   const int place =
       static_cast<int>(chosen(units < lowest, lowest, chosen(units > highest, highest, units)));
-  // In units of 2^-61, power_of_two() is off by less than 5, or with few terms by 2^20 + 1. An error
+  // In units of 2^-61, power_of_two() is off by less than 5, or with five terms by 2^20 + 1. An error
   // of the exponent adds less than log(2)/4 of it, and a little more if it is large.
-  constexpr std::int64_t own_error = Terms == terms::few ? 1048578 : 6;
+  constexpr std::int64_t own_error = Terms == quick_power_terms ? 1048578 : 6;
   const auto power = static_cast<std::int64_t>(power_of_two<Terms>(exponent.fraction) >> 2);
-  return nearest_within(power, error / 4 + own_error, 61 - place);
+  nearest_ends ends = nearest_within(power, error / 4 + own_error, 61 - place);
+  // Beyond, both ends are out of range or 0.
+  ends.high = chosen(units == place, ends.high, ends.low);
+  return ends;
 }
 
 /// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule R; any
@@ -105,7 +108,7 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
   // |x| is below 24 * 2^32 unless the result is out of range.
   constexpr std::int64_t error = Base == exponential_base::two ? 0 : 49;
   if (fraction_bits <= quick_bits) {
-    const nearest_ends quick = power_within<terms::few>(exponent, error, fraction_bits);
+    const nearest_ends quick = power_within<quick_power_terms>(exponent, error, fraction_bits);
     if (quick.agree()) return quick.low;
   }
   const std::int64_t place = exponent.whole + fraction_bits;
@@ -113,7 +116,7 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
       (x == 0 || (Base == exponential_base::two && exponent.fraction == 0))) {
     return shift_right<R>(std::int64_t{1} << (place + 2), 2);
   }
-  const nearest_ends ends = power_within<terms::all>(exponent, error, fraction_bits);
+  const nearest_ends ends = power_within<power_terms>(exponent, error, fraction_bits);
   if (ends.agree()) return ends.low;
   real precise = real{x} << (real_bits - 32);
   if constexpr (Base == exponential_base::e) precise = product(precise, real_from(real_log2_e));
@@ -144,17 +147,21 @@ inline constexpr logarithm_scale scale_of = [] {
 ///
 /// A reciprocal c of the leading six bits makes m c = 1 + r with 0 <= r < 2^-6 + 2^-32, without an
 /// error. The Taylor series loses at most 3 units, its remainder is below 2^-68, and the logarithm
-/// of c is to nearest. With few terms the remainder is below 2^-38, and the error below 67108864
-/// units.
-template <terms Terms = terms::all>
+/// of c is to nearest. Fewer terms leave a remainder of r^(Terms + 1) log2(e) / (Terms + 1).
+template <std::size_t Terms>
 constexpr std::uint64_t binary_logarithm(std::uint64_t m) noexcept {
-  constexpr std::size_t count = Terms == terms::few ? few_terms : logarithm_coefficients.size();
   const std::size_t interval = m >> 26 & 63;
   // m c is 2^64 (1 + r), of which 2^64 is lost; 32 r in units of 2^-64
   const std::uint64_t rest = m * reciprocals[interval] << 5;
-  const std::uint64_t sum = sum_of_alternating_series<count>(logarithm_coefficients, rest);
+  const std::uint64_t sum = sum_of_alternating_series<Terms>(logarithm_coefficients, rest);
   return logarithms[interval] + multiply_high(rest, sum);
 }
+
+/// The error of a binary_logarithm() with at least three terms in units of 2^-64: if terms are
+/// missing, it is below 2^-(6 Terms + 7).
+template <std::size_t Terms>
+inline constexpr std::int64_t logarithm_error =
+    Terms == logarithm_terms ? 5 : std::int64_t{1} << (57 - 6 * Terms);
 
 /// A number from 1 to 2 times a power of two: m / 2^32 * 2^exponent.
 struct scaled_word {
@@ -185,7 +192,7 @@ constexpr real precise_logarithm(const scaled_word& x) noexcept {
 }
 
 /// The ends of the logarithm of x in units of 2^-fraction_bits.
-template <logarithm_base Base, terms Terms>
+template <logarithm_base Base, std::size_t Terms>
 constexpr nearest_ends logarithm_within(const scaled_word& x, int fraction_bits) noexcept {
   const std::uint64_t fraction = binary_logarithm<Terms>(x.m);
   std::int64_t value = x.exponent * scale_of<Base>.whole;
@@ -194,9 +201,8 @@ constexpr nearest_ends logarithm_within(const scaled_word& x, int fraction_bits)
   } else {
     value += static_cast<std::int64_t>(multiply_high(fraction, scale_of<Base>.fraction) >> 7);
   }
-  // In units of 2^-57, the whole exponent is off by at most 16.5, the rest by less than 2, or with
-  // few terms by 2^19.
-  constexpr std::int64_t error = Terms == terms::few ? 524310 : 20;
+  // In units of 2^-57, the whole exponent is off by at most 16.5, and the rest is rounded twice.
+  constexpr std::int64_t error = logarithm_error<Terms> / 128 + 20;
   return nearest_within(value, error, 57 - fraction_bits);
 }
 
@@ -207,10 +213,10 @@ template <logarithm_base Base>
 constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
   if (fraction_bits <= quick_bits) {
-    const nearest_ends quick = logarithm_within<Base, terms::few>(x, fraction_bits);
+    const nearest_ends quick = logarithm_within<Base, quick_logarithm_terms>(x, fraction_bits);
     if (quick.agree()) return quick.low;
   }
-  const nearest_ends ends = logarithm_within<Base, terms::all>(x, fraction_bits);
+  const nearest_ends ends = logarithm_within<Base, logarithm_terms>(x, fraction_bits);
   if (ends.agree()) return ends.low;
   return nearest_units(product(precise_logarithm(x), scale_of<Base>.precise), fraction_bits);
 }

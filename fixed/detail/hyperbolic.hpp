@@ -31,7 +31,7 @@ constexpr real precise_exponential(const real& x) noexcept {
 constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
   const binary_exponent exponent = exponent_of<exponential_base::e>(-x);
   const std::int64_t shift = 1 - exponent.whole;
-  return shift < 64 ? static_cast<std::int64_t>(power_of_two(exponent.fraction) >> shift) : 0;
+  return shift < 64 ? static_cast<std::int64_t>(power_of_two<power_terms>(exponent.fraction) >> shift) : 0;
 }
 
 enum class hyperbola { sine, cosine };
@@ -45,7 +45,7 @@ constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noe
   if (exponent.whole >= 34 - fraction_bits) return std::int64_t{1} << 35;
   // e^x / 2 and e^-x / 2 as parts of 2^whole, in units of 2^-62
   const auto whole = static_cast<int>(exponent.whole);
-  const auto rising = static_cast<std::int64_t>(power_of_two(exponent.fraction) >> 2);
+  const auto rising = static_cast<std::int64_t>(power_of_two<power_terms>(exponent.fraction) >> 2);
   const std::int64_t falling = falling_exponential(x) >> (whole + 1);
   const std::int64_t value = is_sine ? rising - falling : rising + falling;
   // `rising` is off by 5, and by 17 for an error of 49 units in the exponent; `falling` by 6.

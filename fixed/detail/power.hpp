@@ -142,16 +142,16 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
 }
 
 /// The ends of x^y for y = exponent / 2^fraction_bits in units of 2^-fraction_bits.
-template <terms Terms>
+template <std::size_t LogarithmTerms, std::size_t PowerTerms>
 constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t exponent,
                                          int fraction_bits) noexcept {
-  const int128 log = (int128{x.exponent} << 64) + int128{binary_logarithm<Terms>(x.m)};
+  const int128 log = (int128{x.exponent} << 64) + int128{binary_logarithm<LogarithmTerms>(x.m)};
   // At most 2^70 and 2^32.
   const int128 scaled_log = log * int128{exponent} >> fraction_bits;
-  constexpr std::int64_t log_error = Terms == terms::few ? 67108864 : 5;
+  constexpr std::int64_t log_error = logarithm_error<LogarithmTerms>;
   const std::int64_t error =
       (chosen(exponent < 0, -exponent, exponent) * log_error >> fraction_bits) + 6;
-  return power_within<Terms>({static_cast<std::int64_t>(scaled_log >> 64),
+  return power_within<PowerTerms>({static_cast<std::int64_t>(scaled_log >> 64),
                               static_cast<std::uint64_t>(scaled_log)},
                              error, fraction_bits);
 }
@@ -164,10 +164,10 @@ constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t expone
   if (exponent == 0) return std::int64_t{1} << fraction_bits;
   const scaled_word x = scaled(raw, fraction_bits);
   if (fraction_bits <= quick_bits) {
-    const nearest_ends quick = real_power_within<terms::few>(x, exponent, fraction_bits);
+    const nearest_ends quick = real_power_within<6, quick_power_terms>(x, exponent, fraction_bits);
     if (quick.agree()) return quick.low;
   }
-  const nearest_ends ends = real_power_within<terms::all>(x, exponent, fraction_bits);
+  const nearest_ends ends = real_power_within<logarithm_terms, power_terms>(x, exponent, fraction_bits);
   if (ends.agree()) return ends.low;
   const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
   if (exact.is_known) return exact.ulps;
