@@ -59,6 +59,34 @@ constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
 
 enum class triangle_side { sine, cosine };
 
+/// The angle of a triangle for its side `known` / 2^fraction_bits and its longest side 1, from 0 to
+/// pi, to nearest.
+/// \param squares 4^fraction_bits - known^2 \param is_left whether the known side is negative
+template <triangle_side Side>
+constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t squares,
+                                              bool is_left, int fraction_bits) noexcept {
+  constexpr bool is_sine = Side == triangle_side::sine;
+  // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
+  // most that it moves the angle.
+  constexpr int bits = 57;
+  const scaled_root root = root_of(squares);
+  const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
+  const std::uint64_t side = known << (bits - fraction_bits);
+  const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, is_left);
+  const std::int64_t angle =
+      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
+  constexpr std::int64_t error = 16;
+  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
+  if (ends.agree()) [[likely]] return ends.low;
+  const real precise_other = precise_side(squares, fraction_bits);
+  const real precise_known = real{known} << (real_bits - fraction_bits);
+  const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
+                               : octant_of(precise_other, precise_known, is_left);
+  return nearest_units(
+      precise.turned(precise_arctangent(ratio(precise.n, precise.d)), real_from(real_pi)),
+      fraction_bits);
+}
+
 /// The arcsine or arccosine of raw / 2^fraction_bits in units of 2^-fraction_bits.
 /// \pre |raw| <= 2^fraction_bits <= 2^32
 template <triangle_side Side>
@@ -82,31 +110,12 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
     const std::uint64_t side = known << shift;
     const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
     const nearest_ends quick = quick_angle_within(part, fraction_bits, 2);
-    if (quick.agree()) return chosen(is_sine && raw < 0, -quick.low, quick.low);
+    if (quick.agree()) [[likely]] return chosen(is_sine && raw < 0, -quick.low, quick.low);
   }
 
-  // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
-  // most that it moves the angle.
-  constexpr int bits = 57;
-  const scaled_root root = root_of(squares);
-  const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
-  const std::uint64_t side = known << (bits - fraction_bits);
-  const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
   const std::int64_t angle =
-      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
-  constexpr std::int64_t error = 16;
-  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
-  std::int64_t result = ends.low;
-  if (!ends.agree()) {
-    const real precise_other = precise_side(squares, fraction_bits);
-    const real precise_known = real{known} << (real_bits - fraction_bits);
-    const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
-                                 : octant_of(precise_other, precise_known, raw < 0);
-    result = nearest_units(
-        precise.turned(precise_arctangent(ratio(precise.n, precise.d)), real_from(real_pi)),
-        fraction_bits);
-  }
-  return is_sine && raw < 0 ? -result : result;
+      careful_triangle_angle<Side>(known, squares, raw < 0, fraction_bits);
+  return is_sine && raw < 0 ? -angle : angle;
 }
 
 }  // namespace fixproof::detail

@@ -8,11 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_tables.hpp"
-#include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -32,62 +30,33 @@ constexpr std::uint64_t small_ratio(std::uint64_t n, std::uint64_t d) noexcept {
   return (high << 26) + (rest << 26) / d;
 }
 
-/// The arctangent of n / d in units of 2^-58, for 0 <= n <= d <= 2^57, d > 0. The error is below 6
-/// units.
+/// The arctangent of n / d in units of 2^-58, for 0 <= n <= d, d > 0 and n + d < 2^58. The error is
+/// below 6 units.
 ///
-/// Let c = i/32 be nearest to n / d. Then atan(n/d) = atan(c) + atan(z), exactly, with
-/// z = (32 n - i d) / (32 d + i n) and |z| <= 2^-6. z is rounded down to 2^-58; the series of
+/// Let c = i/64 be n / d rounded down. Then atan(n/d) = atan(c) + atan(z), exactly, with
+/// z = (64 n - i d) / (64 d + i n) and 0 <= z < 2^-6. z is rounded down to 2^-58; the series of
 /// atan(z) / z loses less than 2 units, and its remainder is below 2^-63.
 constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
-  const std::uint64_t i = (64 * n / d + 1) / 2;
-  const bool is_below = 32 * n < i * d;
-  const std::uint64_t numerator = chosen(is_below, i * d - 32 * n, 32 * n - i * d);
-  const std::uint64_t z = small_ratio(numerator, 32 * d + i * n);
+  const std::uint64_t i = 64 * n / d;
+  const std::uint64_t z = small_ratio(64 * n - i * d, 64 * d + i * n);
   const std::uint64_t square = multiply_high(z << 11, z << 11);  // 1024 z^2 in units of 2^-64
   const std::uint64_t sum =
       sum_of_alternating_series<arctangent_coefficients.size()>(arctangent_coefficients, square);
-  const auto angle = static_cast<std::int64_t>(z - multiply_high(z, multiply_high(square, sum)));
-  const auto middle = static_cast<std::int64_t>(arctangents[i]);
-  return middle + chosen(is_below, -angle, angle);
-}
-
-/// n / d in units of 2^-32, off by less than 1.01 units. \pre |n| <= d / 64, 0 < d <= 2^38
-constexpr std::int64_t quick_small_ratio(std::int64_t n, std::int64_t d) noexcept {
-  if constexpr (hardware_double) {
-    if (!std::is_constant_evaluated()) {
-      // Off by less than 2^-52 of the quotient in every rounding mode, and faster than integers.
-      constexpr double scale = std::int64_t{1} << 32;
-      return static_cast<std::int64_t>(static_cast<double>(n) / static_cast<double>(d) * scale);
-    }
-  }
-  const bool is_negative = n < 0;
-  const auto magnitude = static_cast<std::uint64_t>(is_negative ? -n : n);
-  const auto z = static_cast<std::int64_t>((magnitude << 32) / static_cast<std::uint64_t>(d));
-  return is_negative ? -z : z;
-}
-
-/// An integer i with |n / d - i / 32| <= 1 / 64 + 2^-40. \pre 0 <= n <= d <= 2^57, 0 < d
-constexpr std::int64_t nearest_part(std::int64_t n, std::int64_t d) noexcept {
-  if constexpr (hardware_double) {
-    if (!std::is_constant_evaluated()) {
-      return static_cast<std::int64_t>(static_cast<double>(n) / static_cast<double>(d) * 32 + 0.5);
-    }
-  }
-  return (64 * n / d + 1) / 2;
+  const std::uint64_t angle = z - multiply_high(z, multiply_high(square, sum));
+  return static_cast<std::int64_t>(arctangents[i] + angle);
 }
 
 /// The arctangent of n / d in units of 2^-32, for 0 <= n <= d <= 2^32, d > 0. The error is below 3
 /// units.
 ///
-/// As arctangent(), with doubles for the divisions and one term of the series. z is off by less than
-/// 1.01 units. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is rounded by less
-/// than 1.02 units, and the middle is less than 1 too low.
-constexpr std::int64_t quick_arctangent(std::int64_t n, std::int64_t d) noexcept {
-  const std::int64_t i = nearest_part(n, d);
-  const std::int64_t z = quick_small_ratio(32 * n - i * d, 32 * d + i * n);
-  const std::int64_t square = z * z >> 32;
-  const auto middle = static_cast<std::int64_t>(arctangents[static_cast<std::size_t>(i)] >> 26);
-  return middle + z - (square * z / 3 >> 32);
+/// As arctangent(), with one division fewer and one term of the series. z is less than 1 unit too
+/// low. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is less than 1.01 units too
+/// low, and the arctangent of c less than 1.
+constexpr std::int64_t quick_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
+  const std::uint64_t i = 64 * n / d;
+  const std::uint64_t z = ((64 * n - i * d) << 32) / (64 * d + i * n);
+  const std::uint64_t square = z * z >> 32;
+  return static_cast<std::int64_t>((arctangents[i] >> 26) + z - (square * z / 3 >> 32));
 }
 
 /// The arctangent of x for 0 <= x <= 1.
@@ -138,11 +107,20 @@ constexpr octant<Length> octant_of(const Length& height, const Length& width,
 constexpr nearest_ends quick_angle_within(const octant<std::uint64_t>& part, int fraction_bits,
                                           std::int64_t more) noexcept {
   const std::int64_t quick =
-      part.turned(quick_arctangent(static_cast<std::int64_t>(part.n),
-                                   static_cast<std::int64_t>(part.d)),
-                  static_cast<std::int64_t>(pi_58 >> 26));
+      part.turned(quick_arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58 >> 26));
   constexpr std::int64_t quick_error = 6;
   return nearest_within(quick, quick_error + more, 32 - fraction_bits);
+}
+
+/// The angle of a vector in units of 2^-fraction_bits, from 0 to pi, rounded to nearest.
+constexpr std::int64_t careful_angle(const octant<std::uint64_t>& part, int fraction_bits) noexcept {
+  const std::int64_t angle =
+      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
+  constexpr std::int64_t error = 8;
+  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
+  if (ends.agree()) [[likely]] return ends.low;
+  const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
+  return nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
 }
 
 /// The angle of the vector (x, y) in units of 2^-fraction_bits, from -pi to pi, rounded to nearest;
@@ -153,19 +131,11 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
                               static_cast<std::uint64_t>(chosen(x < 0, -x, x)), x < 0);
   if (fraction_bits <= quick_bits) {
     // Decides all but one in 5,000.
-    const nearest_ends quick_ends = quick_angle_within(part, fraction_bits, 0);
-    if (quick_ends.agree()) return chosen(y < 0, -quick_ends.low, quick_ends.low);
+    const nearest_ends quick = quick_angle_within(part, fraction_bits, 0);
+    if (quick.agree()) [[likely]] return chosen(y < 0, -quick.low, quick.low);
   }
-  const std::int64_t angle =
-      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
-  constexpr std::int64_t error = 8;
-  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
-  std::int64_t result = ends.low;
-  if (!ends.agree()) {
-    const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
-    result = nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
-  }
-  return chosen(y < 0, -result, result);
+  const std::int64_t angle = careful_angle(part, fraction_bits);
+  return y < 0 ? -angle : angle;
 }
 
 }  // namespace fixproof::detail

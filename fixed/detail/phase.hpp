@@ -9,12 +9,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_tables.hpp"
-#include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/detail/real.hpp"
@@ -170,53 +168,44 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
           is_upper != is_odd_quarter, is_odd_quarter};
 }
 
-/// a / b in units of 2^-38 for 0 < b and a / b < 2^25, both below 2^63.
-///
-/// In doubles, the two operands and the quotient are off by 2^-52 of their values in every rounding
-/// mode, so the result is off by 2^-12 of the quotient and 1 unit.
-constexpr std::int64_t quick_ratio(std::uint64_t a, std::uint64_t b) noexcept {
-  if constexpr (hardware_double) {
-    if (!std::is_constant_evaluated()) {
-      constexpr double scale = std::int64_t{1} << 38;
-      return static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(a)) /
-                                       static_cast<double>(static_cast<std::int64_t>(b)) * scale);
-    }
-  }
-  return static_cast<std::int64_t>(truncated_ratio(int128{a} << 38, int128{b}));
-}
-
 /// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
-/// beyond. \pre the angle is no pole
+/// beyond. \param a, b the tangent as tangent_of_phase() has it
 template <angle_unit Unit>
-constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  const tangent_ratio ratio_of = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));
-  const std::uint64_t a = chosen(ratio_of.is_steep, ratio_of.d, ratio_of.n);
-  const std::uint64_t b = chosen(ratio_of.is_steep, ratio_of.n, ratio_of.d);
+constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, std::int64_t raw,
+                                       int fraction_bits) noexcept {
+  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
+  const bool is_negative = precise.quarters % 2 != 0;
   // Tangents above 2^24 need more bits.
   if (b >> 38 != 0) {
-    // Errors e of a and b make e / b + e a / b^2 <= 1.1 e (1 + a/b)^2.
-    if (fraction_bits <= quick_bits) {
-      const std::int64_t quick = quick_ratio(a, b);
-      const std::int64_t bound = (quick >> 38) + 2;
-      const nearest_ends ends =
-          nearest_within(quick, (bound * bound >> 12) + 3, 38 - fraction_bits);
-      if (ends.agree()) return chosen(ratio_of.is_negative, -ends.low, ends.low);
-    }
     const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
     const nearest_ends ends =
         nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);
-    if (ends.agree()) return ratio_of.is_negative ? -ends.low : ends.low;
+    if (ends.agree()) [[likely]] return is_negative ? -ends.low : ends.low;
   }
-  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
   const precise_sine_and_cosine both = precise_sine_of(precise.rest);
-  const bool is_negative = precise.quarters % 2 != 0;
   const real& n = is_negative ? both.cosine : both.sine;
   const real& d = is_negative ? both.sine : both.cosine;
   // Beyond every format
   if (d < n >> 34) return is_negative ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
   const std::int64_t result = nearest_units(ratio(n, d), fraction_bits);
   return is_negative ? -result : result;
+}
+
+/// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
+/// beyond. \pre the angle is no pole
+template <angle_unit Unit>
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
+  const tangent_ratio tangent = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));
+  const std::uint64_t a = chosen(tangent.is_steep, tangent.d, tangent.n);
+  const std::uint64_t b = chosen(tangent.is_steep, tangent.n, tangent.d);
+  if (fraction_bits <= quick_bits && b >> 46 != 0) {
+    const auto quick = static_cast<std::int64_t>((a << 1) / (b >> 31));
+    const std::int64_t bound = (quick >> 32) + 2;
+    const nearest_ends ends = nearest_within(quick, 3 * bound * bound, 32 - fraction_bits);
+    if (ends.agree()) [[likely]] return chosen(tangent.is_negative, -ends.low, ends.low);
+  }
+  return careful_tangent<Unit>(a, b, raw, fraction_bits);
 }
 
 }  // namespace fixproof::detail
