@@ -98,10 +98,26 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   return ends;
 }
 
-/// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule R; any
-/// integer from 2^33 on for a result that is not below 2^34 units.
+/// The exponential, as nearest_exponential(), for every operand.
 ///
 /// Only a power of two with a whole exponent is rational.
+template <exponential_base Base, rounding R>
+constexpr std::int64_t careful_exponential(std::int64_t x, const binary_exponent& exponent,
+                                           std::int64_t error, int fraction_bits) noexcept {
+  const std::int64_t place = exponent.whole + fraction_bits;
+  if (place >= -2 && place < 34 &&
+      (x == 0 || (Base == exponential_base::two && exponent.fraction == 0))) {
+    return shift_right<R>(std::int64_t{1} << (place + 2), 2);
+  }
+  const nearest_ends ends = power_within<power_terms>(exponent, error, fraction_bits);
+  if (ends.agree()) [[likely]] return ends.low;
+  real precise = real{x} << (real_bits - 32);
+  if constexpr (Base == exponential_base::e) precise = product(precise, real_from(real_log2_e));
+  return nearest_precise_power(precise, fraction_bits);
+}
+
+/// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule R; any
+/// integer from 2^33 on for a result that is not below 2^34 units.
 template <exponential_base Base, rounding R>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
   const binary_exponent exponent = exponent_of<Base>(x);
@@ -109,18 +125,9 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
   constexpr std::int64_t error = Base == exponential_base::two ? 0 : 49;
   if (fraction_bits <= quick_bits) {
     const nearest_ends quick = power_within<quick_power_terms>(exponent, error, fraction_bits);
-    if (quick.agree()) return quick.low;
+    if (quick.agree()) [[likely]] return quick.low;
   }
-  const std::int64_t place = exponent.whole + fraction_bits;
-  if (place >= -2 && place < 34 &&
-      (x == 0 || (Base == exponential_base::two && exponent.fraction == 0))) {
-    return shift_right<R>(std::int64_t{1} << (place + 2), 2);
-  }
-  const nearest_ends ends = power_within<power_terms>(exponent, error, fraction_bits);
-  if (ends.agree()) return ends.low;
-  real precise = real{x} << (real_bits - 32);
-  if constexpr (Base == exponential_base::e) precise = product(precise, real_from(real_log2_e));
-  return nearest_precise_power(precise, fraction_bits);
+  return careful_exponential<Base, R>(x, exponent, error, fraction_bits);
 }
 
 enum class logarithm_base { two, e, ten };
@@ -206,6 +213,14 @@ constexpr nearest_ends logarithm_within(const scaled_word& x, int fraction_bits)
   return nearest_within(value, error, 57 - fraction_bits);
 }
 
+/// The logarithm of x in units of 2^-fraction_bits, rounded to nearest.
+template <logarithm_base Base>
+constexpr std::int64_t careful_logarithm(const scaled_word& x, int fraction_bits) noexcept {
+  const nearest_ends ends = logarithm_within<Base, logarithm_terms>(x, fraction_bits);
+  if (ends.agree()) [[likely]] return ends.low;
+  return nearest_units(product(precise_logarithm(x), scale_of<Base>.precise), fraction_bits);
+}
+
 /// The logarithm of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded to nearest. There
 /// are no ties: a logarithm of a rational number is whole or irrational in these bases.
 /// \pre 0 < raw < 2^33
@@ -213,12 +228,10 @@ template <logarithm_base Base>
 constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
   if (fraction_bits <= quick_bits) {
-    const nearest_ends quick = logarithm_within<Base, quick_logarithm_terms>(x, fraction_bits);
-    if (quick.agree()) return quick.low;
+    const auto quick = logarithm_within<Base, quick_logarithm_terms>(x, fraction_bits);
+    if (quick.agree()) [[likely]] return quick.low;
   }
-  const nearest_ends ends = logarithm_within<Base, logarithm_terms>(x, fraction_bits);
-  if (ends.agree()) return ends.low;
-  return nearest_units(product(precise_logarithm(x), scale_of<Base>.precise), fraction_bits);
+  return careful_logarithm<Base>(x, fraction_bits);
 }
 
 }  // namespace fixproof::detail

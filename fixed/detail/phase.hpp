@@ -110,13 +110,13 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
     const nearest_ends quick =
         nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
                        static_cast<std::int64_t>(fast_cosine_error), 62 - fraction_bits);
-    if (quick.agree()) return chosen(phase >> 63 == 0, quick.low, -quick.low);
+    if (quick.agree()) [[likely]] return chosen(phase >> 63 == 0, quick.low, -quick.low);
   }
   const std::int64_t magnitude = sine_of_phase(phase);
   const std::int64_t sine = chosen(phase >> 63 == 0, magnitude, -magnitude);
   constexpr std::int64_t error = 64;
   const nearest_ends ends = nearest_within(sine, error, 62 - fraction_bits);
-  if (ends.agree()) return ends.low;
+  if (ends.agree()) [[likely]] return ends.low;
   if (Unit == angle_unit::degree && fraction_bits == 0 && raw % 30 == 0) {
     return shift_right<R>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
   }

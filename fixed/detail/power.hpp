@@ -86,6 +86,9 @@ constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) n
   return low + (middle * middle * middle < cube ? 1 : 0);
 }
 
+/// The terms of a logarithm whose multiple is the exponent of a quick power.
+inline constexpr std::size_t quick_real_power_terms = 6;
+
 /// A rational power: the integer nearest to it in ulps, or the news that the power is not rational
 /// or has too many bits to be a tie.
 struct exact_power {
@@ -145,15 +148,33 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
 template <std::size_t LogarithmTerms, std::size_t PowerTerms>
 constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t exponent,
                                          int fraction_bits) noexcept {
-  const int128 log = (int128{x.exponent} << 64) + int128{binary_logarithm<LogarithmTerms>(x.m)};
+  // A quick logarithm is in units of 2^-57, whose product with a word takes one multiplication.
+  constexpr bool is_quick = LogarithmTerms < logarithm_terms;
+  using log_type = std::conditional_t<is_quick, std::int64_t, int128>;
+  constexpr int bits = is_quick ? 57 : 64;
+  const std::uint64_t fraction = binary_logarithm<LogarithmTerms>(x.m) >> (64 - bits);
+  const log_type log = (log_type{x.exponent} << bits) + static_cast<log_type>(fraction);
   // At most 2^70 and 2^32.
-  const int128 scaled_log = log * int128{exponent} >> fraction_bits;
-  constexpr std::int64_t log_error = logarithm_error<LogarithmTerms>;
+  const int128 scaled_log = int128{log} * int128{exponent} << (64 - bits) >> fraction_bits;
+  constexpr std::int64_t log_error = logarithm_error<LogarithmTerms> + (is_quick ? 128 : 0);
   const std::int64_t error =
       (chosen(exponent < 0, -exponent, exponent) * log_error >> fraction_bits) + 6;
   return power_within<PowerTerms>({static_cast<std::int64_t>(scaled_log >> 64),
-                              static_cast<std::uint64_t>(scaled_log)},
-                             error, fraction_bits);
+                                   static_cast<std::uint64_t>(scaled_log)},
+                                  error, fraction_bits);
+}
+
+/// x^y, as nearest_real_power(), for every operand. \param x raw / 2^fraction_bits
+template <rounding R>
+constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& x,
+                                          std::int64_t exponent, int fraction_bits) noexcept {
+  const nearest_ends ends =
+      real_power_within<logarithm_terms, power_terms>(x, exponent, fraction_bits);
+  if (ends.agree()) [[likely]] return ends.low;
+  const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
+  if (exact.is_known) return exact.ulps;
+  return nearest_precise_power(precise_logarithm(x) * real{exponent} >> fraction_bits,
+                               fraction_bits);
 }
 
 /// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits in units of
@@ -164,15 +185,11 @@ constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t expone
   if (exponent == 0) return std::int64_t{1} << fraction_bits;
   const scaled_word x = scaled(raw, fraction_bits);
   if (fraction_bits <= quick_bits) {
-    const nearest_ends quick = real_power_within<6, quick_power_terms>(x, exponent, fraction_bits);
-    if (quick.agree()) return quick.low;
+    const nearest_ends quick =
+        real_power_within<quick_real_power_terms, quick_power_terms>(x, exponent, fraction_bits);
+    if (quick.agree()) [[likely]] return quick.low;
   }
-  const nearest_ends ends = real_power_within<logarithm_terms, power_terms>(x, exponent, fraction_bits);
-  if (ends.agree()) return ends.low;
-  const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
-  if (exact.is_known) return exact.ulps;
-  return nearest_precise_power(precise_logarithm(x) * real{exponent} >> fraction_bits,
-                               fraction_bits);
+  return careful_real_power<R>(raw, x, exponent, fraction_bits);
 }
 
 }  // namespace fixproof::detail
