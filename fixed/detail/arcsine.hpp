@@ -38,7 +38,8 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
           doublings};
 }
 
-/// sqrt(n) in units of 2^-shift, off by less than 1.01 units. \pre 0 < n < 4^(32 - shift), shift >= 16
+/// sqrt(n) in units of 2^-shift, off by less than 1.01 units. \pre 0 < n < 4^(32 - shift), shift >=
+/// 16
 constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
@@ -77,7 +78,8 @@ constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t
       part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
   constexpr std::int64_t error = 16;
   const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   const real precise_other = precise_side(squares, fraction_bits);
   const real precise_known = real{known} << (real_bits - fraction_bits);
   const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
@@ -110,11 +112,11 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
     const std::uint64_t side = known << shift;
     const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
     const nearest_ends quick = quick_angle_within(part, fraction_bits, 2);
-    if (quick.agree()) [[likely]] return chosen(is_sine && raw < 0, -quick.low, quick.low);
+    if (quick.agree()) [[likely]]
+      return chosen(is_sine && raw < 0, -quick.low, quick.low);
   }
 
-  const std::int64_t angle =
-      careful_triangle_angle<Side>(known, squares, raw < 0, fraction_bits);
+  const std::int64_t angle = careful_triangle_angle<Side>(known, squares, raw < 0, fraction_bits);
   return is_sine && raw < 0 ? -angle : angle;
 }
 

@@ -50,8 +50,8 @@ constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
 /// units.
 ///
 /// As arctangent(), with one division fewer and one term of the series. z is less than 1 unit too
-/// low. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is less than 1.01 units too
-/// low, and the arctangent of c less than 1.
+/// low. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is less than 1.01 units
+/// too low, and the arctangent of c less than 1.
 constexpr std::int64_t quick_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   const std::uint64_t i = 64 * n / d;
   const std::uint64_t z = ((64 * n - i * d) << 32) / (64 * d + i * n);
@@ -113,12 +113,14 @@ constexpr nearest_ends quick_angle_within(const octant<std::uint64_t>& part, int
 }
 
 /// The angle of a vector in units of 2^-fraction_bits, from 0 to pi, rounded to nearest.
-constexpr std::int64_t careful_angle(const octant<std::uint64_t>& part, int fraction_bits) noexcept {
+constexpr std::int64_t careful_angle(const octant<std::uint64_t>& part,
+                                     int fraction_bits) noexcept {
   const std::int64_t angle =
       part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
   constexpr std::int64_t error = 8;
   const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
   return nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
 }
@@ -132,7 +134,8 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
   if (fraction_bits <= quick_bits) {
     // Decides all but one in 5,000.
     const nearest_ends quick = quick_angle_within(part, fraction_bits, 0);
-    if (quick.agree()) [[likely]] return chosen(y < 0, -quick.low, quick.low);
+    if (quick.agree()) [[likely]]
+      return chosen(y < 0, -quick.low, quick.low);
   }
   const std::int64_t angle = careful_angle(part, fraction_bits);
   return y < 0 ? -angle : angle;

@@ -77,7 +77,7 @@ constexpr std::int64_t nearest_precise_power(const real& exponent, int fraction_
 }
 
 /// The ends of 2^exponent in units of 2^-fraction_bits; any integers from 2^33 on for a result that
-/// is not below 2^34 units. \param error of the exponent, in units of 2^-64, below 2^60
+/// is not below 2^34 units. \param error of the exponent, in units of 2^-64, below 2^53
 template <std::size_t Terms>
 constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_t error,
                                     int fraction_bits) noexcept {
@@ -88,8 +88,8 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   const std::int64_t units = exponent.whole + fraction_bits;
   const int place =
       static_cast<int>(chosen(units < lowest, lowest, chosen(units > highest, highest, units)));
-  // In units of 2^-61, power_of_two() is off by less than 5, or with five terms by 2^20 + 1. An error
-  // of the exponent adds less than log(2)/4 of it, and a little more if it is large.
+  // In units of 2^-61, power_of_two() is off by less than 5, or with five terms by 2^20 + 1. An
+  // error of the exponent adds less than log(2)/4 of it, and a little more if it is large.
   constexpr std::int64_t own_error = Terms == quick_power_terms ? 1048578 : 6;
   const auto power = static_cast<std::int64_t>(power_of_two<Terms>(exponent.fraction) >> 2);
   nearest_ends ends = nearest_within(power, error / 4 + own_error, 61 - place);
@@ -110,14 +110,15 @@ constexpr std::int64_t careful_exponential(std::int64_t x, const binary_exponent
     return shift_right<R>(std::int64_t{1} << (place + 2), 2);
   }
   const nearest_ends ends = power_within<power_terms>(exponent, error, fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   real precise = real{x} << (real_bits - 32);
   if constexpr (Base == exponential_base::e) precise = product(precise, real_from(real_log2_e));
   return nearest_precise_power(precise, fraction_bits);
 }
 
-/// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule R; any
-/// integer from 2^33 on for a result that is not below 2^34 units.
+/// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule R;
+/// any integer from 2^33 on for a result that is not below 2^34 units.
 template <exponential_base Base, rounding R>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
   const binary_exponent exponent = exponent_of<Base>(x);
@@ -125,7 +126,8 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
   constexpr std::int64_t error = Base == exponential_base::two ? 0 : 49;
   if (fraction_bits <= quick_bits) {
     const nearest_ends quick = power_within<quick_power_terms>(exponent, error, fraction_bits);
-    if (quick.agree()) [[likely]] return quick.low;
+    if (quick.agree()) [[likely]]
+      return quick.low;
   }
   return careful_exponential<Base, R>(x, exponent, error, fraction_bits);
 }
@@ -217,7 +219,8 @@ constexpr nearest_ends logarithm_within(const scaled_word& x, int fraction_bits)
 template <logarithm_base Base>
 constexpr std::int64_t careful_logarithm(const scaled_word& x, int fraction_bits) noexcept {
   const nearest_ends ends = logarithm_within<Base, logarithm_terms>(x, fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   return nearest_units(product(precise_logarithm(x), scale_of<Base>.precise), fraction_bits);
 }
 
@@ -229,7 +232,8 @@ constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) n
   const scaled_word x = scaled(raw, fraction_bits);
   if (fraction_bits <= quick_bits) {
     const auto quick = logarithm_within<Base, quick_logarithm_terms>(x, fraction_bits);
-    if (quick.agree()) [[likely]] return quick.low;
+    if (quick.agree()) [[likely]]
+      return quick.low;
   }
   return careful_logarithm<Base>(x, fraction_bits);
 }

@@ -29,8 +29,8 @@ constexpr real precise_exponential(const real& x) noexcept {
 /// e^-y for y = x / 2^32 >= 0, in units of 2^-62. The error is below 10 units, or with
 /// quick_power_terms below 2097152.
 ///
-/// power_of_two() is off by 7.5 units, or by 2^21, and the shift by 1. The exponent is off by 2y + 1
-/// units of 2^-64, which adds (2y + 1) e^-y log(2)/4 < 1/4.
+/// power_of_two() is off by 7.5 units, or by 2^21, and the shift by 1. The exponent is off by 2y +
+/// 1 units of 2^-64, which adds (2y + 1) e^-y log(2)/4 < 1/4.
 template <std::size_t Terms>
 constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
   const binary_exponent exponent = exponent_of<exponential_base::e>(-x);
@@ -65,10 +65,12 @@ constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noe
   if (up.whole >= 34 - fraction_bits) return std::int64_t{1} << 35;
   if (fraction_bits <= quick_bits) {
     const auto quick = hyperbolic_within<Function, quick_power_terms>(x, up, fraction_bits);
-    if (quick.agree()) [[likely]] return quick.low;
+    if (quick.agree()) [[likely]]
+      return quick.low;
   }
   const auto ends = hyperbolic_within<Function, power_terms>(x, up, fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   const real precise = real{x} << (real_bits - 32);
   const real rising = precise_exponential(precise);
   const real falling = precise_exponential(-precise);
@@ -85,14 +87,14 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
   if (x >= flat) return std::int64_t{1} << fraction_bits;
   constexpr std::int64_t one = std::int64_t{1} << 62;
   if (fraction_bits <= quick_bits) {
-    const auto t =
-        static_cast<std::uint64_t>(falling_exponential<quick_power_terms>(2 * x));
+    const auto t = static_cast<std::uint64_t>(falling_exponential<quick_power_terms>(2 * x));
     constexpr auto whole = static_cast<std::uint64_t>(one);
     // In units of 2^-32, the divisor makes it up to 4 too high.
     const auto quick = static_cast<std::int64_t>(((whole - t) << 1) / ((whole + t) >> 31));
     constexpr std::int64_t quick_error = 4;
     const nearest_ends ends = nearest_within(quick, quick_error, 32 - fraction_bits);
-    if (ends.agree()) [[likely]] return ends.low;
+    if (ends.agree()) [[likely]]
+      return ends.low;
   }
   const std::int64_t t = falling_exponential<power_terms>(2 * x);
   const auto value =
@@ -100,7 +102,8 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
   // The derivative is at least -2, so the error of t counts twice.
   constexpr std::int64_t error = 24;
   const nearest_ends ends = nearest_within(value, error, 62 - fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   const real precise = precise_exponential(-(real{x} << (real_bits - 31)));
   return nearest_units(ratio(real_one - precise, real_one + precise), fraction_bits);
 }

@@ -110,13 +110,15 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
     const nearest_ends quick =
         nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
                        static_cast<std::int64_t>(fast_cosine_error), 62 - fraction_bits);
-    if (quick.agree()) [[likely]] return chosen(phase >> 63 == 0, quick.low, -quick.low);
+    if (quick.agree()) [[likely]]
+      return chosen(phase >> 63 == 0, quick.low, -quick.low);
   }
   const std::int64_t magnitude = sine_of_phase(phase);
   const std::int64_t sine = chosen(phase >> 63 == 0, magnitude, -magnitude);
   constexpr std::int64_t error = 64;
   const nearest_ends ends = nearest_within(sine, error, 62 - fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   if (Unit == angle_unit::degree && fraction_bits == 0 && raw % 30 == 0) {
     return shift_right<R>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
   }
@@ -158,7 +160,7 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
   const bool is_odd_quarter = (phase >> 62 & 1) != 0;
   const bool is_upper = in_quarter >> 63 != 0;
   const std::uint64_t part = chosen(is_upper, 0 - in_quarter, in_quarter);  // at most 2^63
-  const std::uint64_t z = multiply_high(part << 6, half_pi << 1);     // 32 z in units of 2^-64
+  const std::uint64_t z = multiply_high(part << 6, half_pi << 1);  // 32 z in units of 2^-64
   const std::uint64_t square = multiply_high(z, z);
   const std::uint64_t sum =
       sum_of_series<tangent_coefficients.size()>(tangent_coefficients, square);
@@ -168,28 +170,29 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
           is_upper != is_odd_quarter, is_odd_quarter};
 }
 
-/// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
-/// beyond. \param a, b the tangent as tangent_of_phase() has it
+/// The tangent, as nearest_tangent(), of every angle. \param a, b the tangent of its phase is a / b
 template <angle_unit Unit>
-constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, std::int64_t raw,
-                                       int fraction_bits) noexcept {
-  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
-  const bool is_negative = precise.quarters % 2 != 0;
+constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is_negative,
+                                       std::int64_t raw, int fraction_bits) noexcept {
   // Tangents above 2^24 need more bits.
   if (b >> 38 != 0) {
     const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
+    // Errors e of a and of b make e / b + e a / b^2 < 1.1 e (1 + a/b)^2.
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
     const nearest_ends ends =
         nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);
-    if (ends.agree()) [[likely]] return is_negative ? -ends.low : ends.low;
+    if (ends.agree()) [[likely]]
+      return is_negative ? -ends.low : ends.low;
   }
+  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
   const precise_sine_and_cosine both = precise_sine_of(precise.rest);
-  const real& n = is_negative ? both.cosine : both.sine;
-  const real& d = is_negative ? both.sine : both.cosine;
+  const bool is_steep = precise.quarters % 2 != 0;
+  const real& n = is_steep ? both.cosine : both.sine;
+  const real& d = is_steep ? both.sine : both.cosine;
   // Beyond every format
-  if (d < n >> 34) return is_negative ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
+  if (d < n >> 34) return is_steep ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
   const std::int64_t result = nearest_units(ratio(n, d), fraction_bits);
-  return is_negative ? -result : result;
+  return is_steep ? -result : result;
 }
 
 /// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
@@ -200,12 +203,14 @@ constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noex
   const std::uint64_t a = chosen(tangent.is_steep, tangent.d, tangent.n);
   const std::uint64_t b = chosen(tangent.is_steep, tangent.n, tangent.d);
   if (fraction_bits <= quick_bits && b >> 46 != 0) {
+    // In units of 2^-32. The bits that b loses make a / b too high by less than 2.2 (1 + a/b)^2.
     const auto quick = static_cast<std::int64_t>((a << 1) / (b >> 31));
     const std::int64_t bound = (quick >> 32) + 2;
     const nearest_ends ends = nearest_within(quick, 3 * bound * bound, 32 - fraction_bits);
-    if (ends.agree()) [[likely]] return chosen(tangent.is_negative, -ends.low, ends.low);
+    if (ends.agree()) [[likely]]
+      return chosen(tangent.is_negative, -ends.low, ends.low);
   }
-  return careful_tangent<Unit>(a, b, raw, fraction_bits);
+  return careful_tangent<Unit>(a, b, tangent.is_negative, raw, fraction_bits);
 }
 
 }  // namespace fixproof::detail

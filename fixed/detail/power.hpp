@@ -58,12 +58,12 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
 }
 
 /// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded down after an error
-/// below 1/4. \pre 0 < raw < 2^33
+/// below 1/4. \pre 0 < raw < 2^32
 ///
 /// With a reciprocal c of the leading six bits, m c is 1 + r as in binary_logarithm(). The root is
 /// that of 1, 2 or 4, times that of 1 / c, times the binomial series of (1 + r)^(1/3). Its terms
-/// after the fourth are below 2^-35, everything else is off by less than 16 units of 2^-61, and a
-/// root is below 2^32.
+/// after the fourth are below 2^-35, so that a root below 2^32, as 2^31 times at most 2, is off by
+/// less than 268435456 units of 2^-61 of that 2^31.
 constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
   const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
@@ -77,7 +77,7 @@ constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noe
 }
 
 /// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits. There are no ties: eight
-/// times a word is no odd cube. \pre raw < 2^33
+/// times a word is no odd cube. \pre raw < 2^32
 constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   if (raw == 0) return 0;
   const std::int64_t low = below_cube_root(raw, fraction_bits);
@@ -159,9 +159,9 @@ constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t expo
   constexpr std::int64_t log_error = logarithm_error<LogarithmTerms> + (is_quick ? 128 : 0);
   const std::int64_t error =
       (chosen(exponent < 0, -exponent, exponent) * log_error >> fraction_bits) + 6;
-  return power_within<PowerTerms>({static_cast<std::int64_t>(scaled_log >> 64),
-                                   static_cast<std::uint64_t>(scaled_log)},
-                                  error, fraction_bits);
+  return power_within<PowerTerms>(
+      {static_cast<std::int64_t>(scaled_log >> 64), static_cast<std::uint64_t>(scaled_log)}, error,
+      fraction_bits);
 }
 
 /// x^y, as nearest_real_power(), for every operand. \param x raw / 2^fraction_bits
@@ -170,7 +170,8 @@ constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& 
                                           std::int64_t exponent, int fraction_bits) noexcept {
   const nearest_ends ends =
       real_power_within<logarithm_terms, power_terms>(x, exponent, fraction_bits);
-  if (ends.agree()) [[likely]] return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
   if (exact.is_known) return exact.ulps;
   return nearest_precise_power(precise_logarithm(x) * real{exponent} >> fraction_bits,
@@ -187,7 +188,8 @@ constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t expone
   if (fraction_bits <= quick_bits) {
     const nearest_ends quick =
         real_power_within<quick_real_power_terms, quick_power_terms>(x, exponent, fraction_bits);
-    if (quick.agree()) [[likely]] return quick.low;
+    if (quick.agree()) [[likely]]
+      return quick.low;
   }
   return careful_real_power<R>(raw, x, exponent, fraction_bits);
 }

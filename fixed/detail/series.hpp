@@ -12,8 +12,8 @@ namespace fixproof::detail {
 
 // Recursions, because compilers do not unroll every loop.
 
-/// c0 + x (c1 + x (c2 + ...)) with the first `Terms` coefficients from `First` on, for x in units of
-/// 2^-64. Each product is rounded down.
+/// c0 + x (c1 + x (c2 + ...)) with the first `Terms` coefficients from `First` on, for x in units
+/// of 2^-64. Each product is rounded down.
 template <std::size_t Terms, std::size_t First = 0, std::size_t Size>
 constexpr std::uint64_t sum_of_series(const std::array<std::uint64_t, Size>& c,
                                       std::uint64_t x) noexcept {

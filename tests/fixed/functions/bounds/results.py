@@ -3,49 +3,47 @@ import math
 from fractions import Fraction
 
 from bounds.gappa import LOG2_E, LOG_10, LOG_2, PI, NotProven, Proof, between, near, within
-from bounds.parts import ARCSINE, ARCTANGENT, COSINE, EXPONENTIAL, PHASE, cosine
+from bounds.parts import (ARCSINE, ARCTANGENT, COSINE, EXPONENTIAL, PHASE, cosine, logarithm_terms, phase_error,
+                          power_terms)
 
 HYPERBOLIC, POWER = "hyperbolic.hpp", "power.hpp"
 
-# (2^d - 1) / d for 0 < d < 2^-28 is between log(2) and this.
-GROWTH = LOG_2 * (1 + Fraction(1, 2**28))
+# (2^d - 1) / d for 0 < d < 2^-10 is between log(2) and this.
+GROWTH = LOG_2 * (1 + Fraction(1, 2**10))
 
 
-def power_given(source):
+def power_given(low):
     """The code's y for the power Y of the exponent that the code has."""
-    low = source.read(EXPONENTIAL, r"at most (\d+) units too low and never too high")
     return ["y in [1,2]", "Y in [1,2]", f"y - Y in [-{low}b-63,0]"]
 
 
-def logarithm_off(source):
-    return source.read(EXPONENTIAL, r"The error is below (\d+) units", "log2(m / 2^32) in units of 2^-64")
-
-
 def exponent_range(source):
-    """Above or below, nearest_power() says that the result is out of range or 0."""
+    """power_within() takes exponents from here on as they are. Above, results are out of range, and below less than 1/4."""
     highest = source.read(EXPONENTIAL, r"highest = (\d+);")
-    lowest = source.read(EXPONENTIAL, r"exponent.whole < -(\d+) - fraction_bits\) return 0")
-    if lowest < 2:
-        raise NotProven("a result that rounds up is called 0")
+    lowest = source.read(EXPONENTIAL, r"lowest = -(\d+);")
+    if lowest < 3 or highest < 34:
+        raise NotProven("a result in range is changed")
     return max(highest, 32 + lowest)
 
 
-def nearest_power(source):
-    """2^e for an exponent that is off by up to `error` units of 2^-64, any number of them up to 2^36."""
-    shift, quarter, more, bits = source.read(
-        EXPONENTIAL, r"power_of_two\(exponent.fraction\) >> (\d+)\).*?nearest_within\(power, error / (\d+) \+ (\d+), (\d+) - place")
+def power_within(source):
+    """2^e for an exponent that is off by up to `error` units of 2^-64, any number of them up to 2^53."""
+    shift, quarter, bits = source.read(
+        EXPONENTIAL, r"power_of_two<Terms>\(exponent.fraction\) >> (\d+)\).*?nearest_within\(power, error / (\d+) \+ own_error, (\d+) - place")
+    quick, exact = source.read(EXPONENTIAL, r"own_error = Terms == quick_power_terms \? (\d+) : (\d+);")
     if (shift, quarter, bits) != (2, 4, 61):
-        raise NotProven("nearest_power() has other units")
+        raise NotProven("power_within() has other units")
     proofs = []
-    # The exact power is Y (1 + k e).
-    for sign, k in (("-", f"k in {between(0, GROWTH)}"), ("+", f"k in {between(-GROWTH, 0)}")):
-        lines = ["v = fixed<-61,dn>(y);", "q = fixed<0,dn>(0.25 * e);", "W = Y + Y * (k * (e * 1b-64));"]
-        error = f"(v - W) {'+' if sign == '-' else '-'} (q + {more}) * 1b-61"
-        inverse = "+" if sign == "-" else "-"
-        hint = (f"{error} -> (v - y) + (y - Y) + e * (({inverse}0.25 * 1b-61) - Y * k * 1b-64) "
-                f"{inverse} (q - 0.25 * e) * 1b-61 {inverse} {more}b-61;")
-        low, high = (0, 2**80) if sign == "-" else (-2**80, 0)
-        proofs.append(Proof(lines, [*power_given(source), "e in [0,1b36]", k], error, low, high, 61, [hint]))
+    for (_, low), more in zip(power_terms(source), (exact, quick)):
+        # The exact power is Y (1 + k e).
+        for sign, k in (("-", f"k in {between(0, GROWTH)}"), ("+", f"k in {between(-GROWTH, 0)}")):
+            lines = ["v = fixed<-61,dn>(y);", "q = fixed<0,dn>(0.25 * e);", "W = Y + Y * (k * (e * 1b-64));"]
+            error = f"(v - W) {'+' if sign == '-' else '-'} (q + {more}) * 1b-61"
+            inverse = "+" if sign == "-" else "-"
+            hint = (f"{error} -> (v - y) + (y - Y) + e * (({inverse}0.25 * 1b-61) - Y * k * 1b-64) "
+                    f"{inverse} (q - 0.25 * e) * 1b-61 {inverse} {more}b-61;")
+            least, most = (0, 2**80) if sign == "-" else (-2**80, 0)
+            proofs.append(Proof(lines, [*power_given(low), "e in [0,1b53]", k], error, least, most, 61, [hint]))
     return proofs
 
 
@@ -53,76 +51,94 @@ def exponential(source):
     """x log2(e) for |x| up to where results are out of range."""
     units = source.read(EXPONENTIAL, r"exponential_base::two \? 0 : (\d+);", "nearest_exponential")
     highest = (exponent_range(source) + Fraction(1, 2**20)) * LOG_2
-    return [exponent(source, highest, units)]
+    return [exponent(source, sign, highest, units) for sign in "+-"]
 
 
-def exponent(source, highest, units):
-    lines = ["e = fixed<-64,dn>(x * l);"]
+def exponent(source, sign, highest, units):
+    """Of e^x, or of e^-x, for x >= 0."""
     word = source.word("log2_e")
+    lines = ["e = fixed<-64,dn>(x * l);"] if sign == "+" else ["e = fixed<-64,dn>(-(x * l));"]
     given = [f"x in {between(0, highest)}", within("L", word, 63, LOG2_E), f"l = {word}b-63"]
-    return Proof(lines, given, "e - x * L", -units, 0, 64, ["e - x * L -> (e - x * l) + x * (l - L);"])
+    error, hint = (("e - x * L", "e - x * L -> (e - x * l) + x * (l - L);") if sign == "+"
+                   else ("e + x * L", "e + x * L -> (e + x * l) - x * (l - L);"))
+    low, high = (-units, 0) if sign == "+" else (-1, units)
+    hints = [hint] if sign == "+" else [hint, "e + x * l -> e - (-(x * l));"]
+    return Proof(lines, given, error, low, high, 64, hints)
 
 
 def logarithm(source):
-    off = logarithm_off(source)
-    units, bits = source.read(EXPONENTIAL, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) -",
-                              "constexpr std::int64_t nearest_logarithm")
+    divisor, more, bits = source.read(EXPONENTIAL, r"error = logarithm_error<Terms> / (\d+) \+ (\d+); return nearest_within\(value, error, (\d+) -",
+                                      "constexpr nearest_ends logarithm_within")
     proofs = []
-    for scale in (LOG_2, LOG_2 / LOG_10):
-        whole = math.floor(scale * 2 ** (bits + 1) + 1) >> 1
-        part = math.floor(scale * 2**64)
-        lines = [f"w = {whole}b-{bits};", f"s = {part}b-64;", f"t = fixed<-{bits},dn>(fixed<-64,dn>(f * s));"]
-        given = ["n in [-32,32]", "f in [0,1]", f"f - F in [-{off}b-64,{off}b-64]", "F in [-0.1,1.1]",
-                 within("S", whole, bits, scale), f"s - S in {between(Fraction(part, 2**64) - scale, Fraction(part, 2**64) - scale)}"]
-        proofs.append(Proof(lines, given, "(n * w + t) - (n + F) * S", -units, units, bits,
-                            ["(n * w + t) - (n + F) * S -> n * (w - S) + (t - f * s) + f * (s - S) + (f - F) * S;"]))
-    proofs.append(Proof([f"t = fixed<-{bits},dn>(f);"], ["f in [0,1]", f"f - F in [-{off}b-64,{off}b-64]"],
-                        "(n + t) - (n + F)", -units, units, bits, ["(n + t) - (n + F) -> (t - f) + (f - F);"]))
+    for _, off in logarithm_terms(source)[:2]:
+        units = off // divisor + more
+        for scale in (LOG_2, LOG_2 / LOG_10):
+            whole = math.floor(scale * 2 ** (bits + 1) + 1) >> 1
+            part = math.floor(scale * 2**64)
+            lines = [f"w = {whole}b-{bits};", f"s = {part}b-64;", f"t = fixed<-{bits},dn>(fixed<-64,dn>(f * s));"]
+            given = ["n in [-32,32]", "f in [0,1]", f"f - F in [-{off}b-64,{off}b-64]", "F in [-0.1,1.1]",
+                     within("S", whole, bits, scale), f"s - S in {between(Fraction(part, 2**64) - scale, Fraction(part, 2**64) - scale)}"]
+            proofs.append(Proof(lines, given, "(n * w + t) - (n + F) * S", -units, units, bits,
+                                ["(n * w + t) - (n + F) * S -> n * (w - S) + (t - f * s) + f * (s - S) + (f - F) * S;"]))
+        proofs.append(Proof([f"t = fixed<-{bits},dn>(f);"], ["f in [0,1]", f"f - F in [-{off}b-64,{off}b-64]"],
+                            "(n + t) - (n + F)", -units, units, bits, ["(n + t) - (n + F) -> (t - f) + (f - F);"]))
     return proofs
 
 
+def falling_off(source):
+    """The error with all terms and with few."""
+    return (source.read(HYPERBOLIC, r"The error is below (\d+) units", "e^-y for y"),
+            source.read(HYPERBOLIC, r"quick_power_terms below (\d+)\.", "e^-y for y"))
+
+
 def falling_exponential(source):
-    """e^-x for x > 0 is T. The code has T + M, because its exponent is too high by up to 2x + 1 units of 2^-64.
-    (2x + 1) e^-x is at most 2 e^(-1/2) < 1.2131, because e^(x - 1/2) >= x + 1/2."""
-    units = source.read(HYPERBOLIC, r"The error is below (\d+) units", "e^-y for y")
-    exponents = exponent(source, 27, 2 * 27 + 1)
-    # The bound of the exponent for any x: its error is at least -(2x + 1) units.
-    exponents.error = "(e - x * L) + (2 * x + 1) * 1b-64"
-    exponents.low, exponents.high = Fraction(0), Fraction(2**70)
-    exponents.hints = [f"{exponents.error} -> (e - x * l) + 1b-64 + x * ((l - L) + 1b-63);"]
-    lines = ["t = fixed<-62,dn>(y * h);", "T = Y * h - M;"]
-    given = [*power_given(source), "h in [0,0.5]", f"M in {between(0, Fraction('1.2131') * GROWTH / 2**64)}"]
-    return [exponents, Proof(lines, given, "t - T", -units, units, 62, ["t - T -> (t - y * h) + (y - Y) * h + M;"])]
+    """e^-x for x > 0 is T. The code has T + M, because its exponent is too high by up to 2x units of 2^-64, or too
+    low by up to 1. 2 x e^-x is at most 2/e < 0.74."""
+    exponents = exponent(source, "-", 27, 1)
+    exponents.error = "(e + x * L) - 2 * x * 1b-64"
+    exponents.low, exponents.high = Fraction(-(2**70)), Fraction(0)
+    exponents.hints = [f"{exponents.error} -> (e - (-(x * l))) - x * ((l - L) + 1b-63);"]
+    proofs = [exponents]
+    for (_, low), units in zip(power_terms(source), falling_off(source)):
+        lines = ["t = fixed<-62,dn>(y * h);", "T = Y * h - M;"]
+        given = [*power_given(low), "h in [0,0.5]", f"M in {between(-GROWTH / 2**64, Fraction('0.74') * GROWTH / 2**64)}"]
+        proofs.append(Proof(lines, given, "t - T", -units, units, 62, ["t - T -> (t - y * h) + (y - Y) * h + M;"]))
+    return proofs
 
 
 def sinh_and_cosh(source):
-    units, bits = source.read(HYPERBOLIC, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) - whole",
-                              "nearest_hyperbolic")
-    falling = source.read(HYPERBOLIC, r"The error is below (\d+) units", "e^-y for y")
+    quick, exact, bits = source.read(HYPERBOLIC, r"error = Terms == quick_power_terms \? (\d+) : (\d+); return nearest_within\(value, error, (\d+) - whole",
+                                     "hyperbolic_within")
     off = source.read(EXPONENTIAL, r"exponential_base::two \? 0 : (\d+);", "nearest_exponential")
     proofs = []
-    for sign in "-+":
-        lines = [f"r = fixed<-{bits},dn>(0.5 * y);", "U = 0.5 * Y + 0.5 * Y * k;", f"d = fixed<-{bits},dn>(t * h);"]
-        given = [*power_given(source), f"k in {between(0, off * GROWTH / 2**64)}", "h in [0,0.5]",
-                 f"t - T in [-{falling}b-62,{falling}b-62]"]
-        error = f"(r {sign} d) - (U {sign} T * h)"
-        proofs.append(Proof(lines, given, error, -units, units, bits,
-                            [f"{error} -> (r - 0.5 * y) + 0.5 * (y - Y) - 0.5 * Y * k {sign} ((d - t * h) + (t - T) * h);"]))
+    for (_, low), falling, units in zip(power_terms(source), falling_off(source), (exact, quick)):
+        for sign in "-+":
+            lines = [f"r = fixed<-{bits},dn>(0.5 * y);", "U = 0.5 * Y + 0.5 * Y * k;", f"d = fixed<-{bits},dn>(t * h);"]
+            given = [*power_given(low), f"k in {between(0, off * GROWTH / 2**64)}", "h in [0,0.5]",
+                     f"t - T in [-{falling}b-62,{falling}b-62]"]
+            error = f"(r {sign} d) - (U {sign} T * h)"
+            proofs.append(Proof(lines, given, error, -units, units, bits,
+                                [f"{error} -> (r - 0.5 * y) + 0.5 * (y - Y) - 0.5 * Y * k {sign} ((d - t * h) + (t - T) * h);"]))
     return proofs
 
 
 def tanh(source):
     units, bits = source.read(HYPERBOLIC, r"error = (\d+); const nearest_ends ends = nearest_within\(value, error, (\d+) - fraction_bits",
                               "nearest_hyperbolic_tangent")
-    falling = source.read(HYPERBOLIC, r"The error is below (\d+) units", "e^-y for y")
+    falling, quick_falling = falling_off(source)
     flat = source.read(HYPERBOLIC, r"flat = std::int64_t\{(\d+)\} << 32")
     # Beyond, the distance from 1 is below 2 e^(-2 flat), less than half a unit of 2^-32.
     if 2 * sum(Fraction(2 * flat) ** n / math.factorial(n) for n in range(120)) ** -1 >= Fraction(1, 2**33):
         raise NotProven("tanh is not flat")
     lines = [f"v = fixed<-{bits},dn>((1 - t) / (1 + t));", "V = (1 - T) / (1 + T);"]
     given = ["t in [0,1]", "T in [0,1]", f"t - T in [-{falling}b-62,{falling}b-62]"]
+    quick_units, quick_bits = source.read(HYPERBOLIC, r"quick_error = (\d+); .*?nearest_within\(quick, quick_error, (\d+) - fraction_bits")
+    quick_lines = ["c = fixed<-31,dn>(1 + t);", f"v = fixed<-{quick_bits},dn>((1 - t) / c);", "V = (1 - T) / (1 + T);"]
+    quick_given = [*given[:2], f"t - T in [-{quick_falling}b-62,{quick_falling}b-62]"]
     return [Proof(lines, given, "v - V", -units, units, bits,
-                  ["v - V -> (v - (1 - t) / (1 + t)) - 2 * (t - T) / ((1 + t) * (1 + T));"])]
+                  ["v - V -> (v - (1 - t) / (1 + t)) - 2 * (t - T) / ((1 + t) * (1 + T));"]),
+            Proof(quick_lines, quick_given, "v - V", -quick_units, quick_units, quick_bits,
+                  ["v - V -> (v - (1 - t) / c) + (1 - t) * ((1 + t) - c) / (c * (1 + t)) - 2 * (t - T) / ((1 + t) * (1 + T));"])]
 
 
 def sine_off(source):
@@ -140,6 +156,10 @@ def sine(source):
         raise NotProven("the sine has other units")
     (proof,) = cosine(source)
     proof.low, proof.high = Fraction(1 - units), Fraction(units - 1)
+    # A quick sine rounds the phase to 31 bits of a quarter turn.
+    allowed = source.read("radian.hpp", r"even if d is 0\.(\d\d) units off")
+    if Fraction(1, 2) + phase_error(source) * 4 / 2**33 > Fraction(allowed, 100):
+        raise NotProven("a quick sine takes a phase that is off by more")
     return [proof]
 
 
@@ -162,25 +182,39 @@ def distance_from_pole():
 
 
 def tangent(source):
-    """t = s/c for a sine s and a cosine c that are off by up to e < 1; all in units, e' = e 2^-62, c >= c0.
-    |t - S/C| <= e (1 + S/C) / c. As S + C >= 1, 1/c <= (1 + t) / (1 - 2e'), and 1 + S/C = (S + C) / C is at most
-    (1 + t) (1 + 2e' / (1 - 2e')) / (1 - e' / c0). The quotient is rounded by less than a unit. The code's `bound` is
-    at least 1 and 1 + t. Exact, without Gappa."""
-    units, factor, bits = source.read(
-        PHASE, r"tangent >> 62\) \+ (\d); .*?int128\{(\d+) \* bound\} \* int128\{bound\}, (\d+) -", "nearest_tangent")
-    least = source.read(PHASE, r"cosine >> (\d+) != 0")
-    if units != 2 or bits != 62:
-        raise NotProven("nearest_tangent() has other units")
-    (proof,) = cosine(source)
-    off = factor - 2
-    proof.low, proof.high = Fraction(-off), Fraction(off)
-    e, c = Fraction(off, 2**62), Fraction(2**least, 2**62)
-    if off * (1 + 2 * e / (1 - 2 * e)) / (1 - e / c) / (1 - 2 * e) + 1 > factor:
+    """t = a/b for a and b that are off by up to e of tangent_of_phase(), of which one is at least 0.96; units are
+    e' = e 2^-62. |t - A/B| <= e' (1 + A/B) / b. As a or b is at least 0.96, 1/b is at most (1 + t) / 0.96, and 1 + A/B
+    is at most (1 + t) (1 + 2e' / (b - e')). Exact, without Gappa."""
+    source.read(PHASE, r"d > 0\.(96)\.", "The tangent of a phase")
+    units, _ = source.read(PHASE, r"below (\d+) units even if the phase is (\d+) units off", "The tangent of a phase")
+    more, factor, bits = source.read(
+        PHASE, r"tangent >> 62\) \+ (\d); .*?int128\{(\d+) \* bound\} \* int128\{bound\}, (\d+) -", "careful_tangent")
+    least = source.read(PHASE, r"b >> (\d+) != 0", "careful_tangent")
+    if more != 2 or bits != 62:
+        raise NotProven("careful_tangent() has other units")
+    # tan(c) tan(z) is at most the tangent of 31/64 of a quarter turn times 1/40.
+    if 1 - Fraction(source.table("tangents")[-2], 2**62) / 40 < Fraction(96, 100):
+        raise NotProven("d may be smaller")
+
+    def grown(least):
+        e = Fraction(units, 2**62)
+        return units / Fraction(96, 100) * (1 + 2 * e / (Fraction(2**least, 2**62) - e))
+
+    # The quotient is rounded by less than a unit, and `bound` is at least 2 and 1 + t.
+    if 4 * grown(least) + 1 > 4 * factor:
         raise NotProven("tangent: the factor is too small")
-    # A cosine is at least 2/pi of the distance from the pole, so it is never negative but for its sign.
-    if distance_from_pole() * 2 / PI <= e:
-        raise NotProven("tangent: a cosine may be negative")
-    return [proof]
+    # A quick one divides by b' > b - 2^31 units, so it is up to t 2^31 / b' higher.
+    low, shift, quick_more, quick_factor, quick_bits = source.read(
+        PHASE, r"b >> (\d+) != 0.*?\(b >> (\d+)\)\); .*?quick >> 32\) \+ (\d); .*?nearest_within\(quick, (\d+) \* bound \* bound, (\d+) -", "constexpr std::int64_t nearest_tangent")
+    if (shift, quick_more, quick_bits) != (31, 2, 32):
+        raise NotProven("nearest_tangent() has other units")
+    lost = 2 / Fraction(96, 100) / (1 - Fraction(2**shift, 2**low))
+    if 4 * (lost + grown(low) / 2**30) + 1 > 4 * quick_factor:
+        raise NotProven("tangent: the quick factor is too small")
+    # A phase is on the right side of every pole.
+    if distance_from_pole() / (2 * PI) <= Fraction(units, 2**62):
+        raise NotProven("tangent: the sign may be wrong")
+    return []
 
 
 def turned(source, bits=58):
@@ -191,14 +225,14 @@ def turned(source, bits=58):
 
 
 def angle(source):
-    units, bits = source.read(ARCTANGENT, r"error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
+    units, bits = source.read(ARCTANGENT, r" error = (\d+); const nearest_ends ends = nearest_within\(angle, error, (\d+) -")
     off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
     given = [f"a - A in [-{off}b-58,{off}b-58]", near("q", Fraction(0), turned(source) / 2**58)]
     return [Proof([], given, "(a + q) - A", -units, units, bits, ["(a + q) - A -> (a - A) + q;"])]
 
 
 def quick_angle(source):
-    units, bits = source.read(ARCTANGENT, r"quick_error = (\d+); .*?nearest_within\(quick, quick_error, (\d+) -")
+    units, bits = source.read(ARCTANGENT, r"quick_error = (\d+); .*?nearest_within\(quick, quick_error \+ more, (\d+) -")
     shift = source.read(ARCTANGENT, r"pi_58 >> (\d+)\)")
     off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-32")
     if bits != 58 - shift:
@@ -222,38 +256,36 @@ def triangle(source):
                   [f"{error} -> (a - A) + q + ((o - r) + (r - O)) * k;"])]
 
 
-def cube_root(source):
-    """The exponent: log / 3 as a product with (2^64 + 2) / 3. The logarithm is n + f, of up to 33."""
-    units = source.read(POWER, r"error = (\d+);", "nearest_cube_root")
-    third = source.read(POWER, r"third = (0x[0-9a-f]+)")
-    off = logarithm_off(source)
-    lines = [f"h = {third}b-64;", "e = n * h + fixed<-64,dn>(f * h);"]
-    given = ["n in [0,32]", "f in [0,1]", f"(n + f) - M in [-{off}b-64,{off}b-64]", within("H", third, 64, Fraction(1, 3))]
-    return [Proof(lines, given, "e - M * H", -units, units, 64,
-                  ["e - M * H -> (e - (n * h + f * h)) + (n + f) * (h - H) + ((n + f) - M) * H;",
-                   "e - (n * h + f * h) -> fixed<-64,dn>(f * h) - f * h;"])]
-
-
-def reciprocal_root(source):
-    units = source.read(POWER, r"error = (\d+);", "nearest_reciprocal_root")
-    off = logarithm_off(source)
-    return [Proof(["e = fixed<-64,dn>(-0.5 * m);"], ["m in [-32,33]", f"m - M in [-{off}b-64,{off}b-64]"],
-                  "e + 0.5 * M", -units, units, 64, ["e + 0.5 * M -> (e - (-0.5 * m)) - 0.5 * (m - M);"])]
+def quick_triangle(source):
+    """As triangle(), with the sides in units of 2^-32: what moves the vector is below `more`."""
+    more = source.read(ARCSINE, r"quick_angle_within\(part, fraction_bits, (\d+)\)")
+    hundredths = source.read(ARCSINE, r"off by less than 1\.0(\d) units", "in units of 2^-shift")
+    off = 1 + Fraction(hundredths, 100)
+    given = ["k in [-1.0001,1.0001]", f"o - O in {between(-off / 2**32, off / 2**32)}"]
+    return [Proof([], given, "(o - O) * k", -more, more, 32)]
 
 
 def power(source):
-    """The exponent: y times the logarithm. The bound is a multiple of |y|; y and -y differ in the rounding only."""
-    off, more = source.read(POWER, r"exponent\) \* (\d+) >> fraction_bits\) \+ (\d+);", "nearest_real_power")
-    log = logarithm_off(source)
+    """The exponent: y times the logarithm. The bound is a multiple of |y|; y and -y differ in the rounding only. A
+    quick logarithm loses bits first."""
+    added = source.read(POWER, r"is_quick \? (\d+) : 0\);")
+    more = source.read(POWER, r"log_error >> fraction_bits\) \+ (\d+);")
+    quick_bits = source.read(POWER, r"bits = is_quick \? (\d+) : 64;")
+    exact, _, quick = logarithm_terms(source)
     proofs = []
-    for sign in "+-":
-        lines = ["e = fixed<-64,dn>(m * y);", f"q = fixed<0,dn>({off} * y);"]
-        if sign == "-":
-            lines[0] = "e = fixed<-64,up>(m * y);"
-        for side, low, high in (("-", -2**80, 0), ("+", 0, 2**80)):
-            error = f"(e - M * y) {side} (q + {more}) * 1b-64"
-            hint = (f"{error} -> (e - m * y) + y * ((m - M) {side} {off}b-64) {side} (q - {off} * y) * 1b-64 "
-                    f"{side} {more}b-64;")
-            proofs.append(Proof(lines, ["y in [0,1b31]", "m in [-32,33]", f"m - M in [-{log}b-64,{log}b-64]"],
-                                error, low, high, 64, [hint]))
+    for log, off, bits in ((exact[1], exact[1], 64), (quick[1], quick[1] + added, quick_bits)):
+        for sign in "+-":
+            rounding = "dn" if sign == "+" else "up"
+            lines = [f"l = fixed<-{bits},dn>(m);", f"e = fixed<-64,{rounding}>(l * y);", f"q = fixed<0,dn>({off} * y);"]
+            lost = 1 if bits == 64 else 2 ** (64 - bits)
+            given = ["y in [0,1b31]", "m in [-32,33]", f"m - M in [-{log}b-64,{log}b-64]"]
+            if bits == 64:
+                lines[0] = "l = m;"
+            for side, low, high in (("-", -2**80, 0), ("+", 0, 2**80)):
+                error = f"(e - M * y) {side} (q + {more}) * 1b-64"
+                hint = (f"{error} -> (e - l * y) + y * (((l - m) + (m - M)) {side} {off}b-64) {side} (q - {off} * y) * 1b-64 "
+                        f"{side} {more}b-64;")
+                proofs.append(Proof(lines, given, error, low, high, 64, [hint]))
+            if lost > added and bits != 64:
+                raise NotProven("a quick logarithm loses more")
     return proofs
