@@ -34,9 +34,8 @@ constexpr std::int64_t below_reciprocal_root(std::uint64_t raw, int fraction_bit
   const int128 one = int128{1} << (3 * fraction_bits);
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
-      // Two conversions of 64 bits are faster than one of 128.
-      const auto part = [](int bits) { return static_cast<double>(std::int64_t{1} << bits); };
-      const double scale = part(fraction_bits) * part(2 * fraction_bits);
+      const auto unit = static_cast<double>(std::int64_t{1} << fraction_bits);
+      const double scale = unit * unit * unit;
       const auto divisor = static_cast<double>(static_cast<std::int64_t>(raw));
       return static_cast<std::int64_t>(sqrt(scale / divisor));
     }
