@@ -84,14 +84,15 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   // Without a branch, which operands of all sizes would make hard to predict. Below -2, all results
   // are less than a half.
   constexpr std::int64_t highest = 34;
-  constexpr std::int64_t lowest = -3;
+  constexpr std::int64_t lowest = -2;
   const std::int64_t units = exponent.whole + fraction_bits;
   const int place =
       static_cast<int>(chosen(units < lowest, lowest, chosen(units > highest, highest, units)));
   // In units of 2^-61, power_of_two() is off by less than 5, or with five terms by 2^20 + 1. An
   // error of the exponent adds less than log(2)/4 of it, and a little more if it is large.
   constexpr std::int64_t own_error = Terms == quick_power_terms ? 1048578 : 6;
-  const auto power = static_cast<std::int64_t>(power_of_two<Terms>(exponent.fraction) >> 2);
+  const std::uint64_t fraction = chosen(units == place, exponent.fraction, std::uint64_t{0});
+  const auto power = static_cast<std::int64_t>(power_of_two<Terms>(fraction) >> 2);
   nearest_ends ends = nearest_within(power, error / 4 + own_error, 61 - place);
   // Beyond, both ends are out of range or 0.
   ends.high = chosen(units == place, ends.high, ends.low);

@@ -21,7 +21,7 @@ def exponent_range(source):
     """power_within() takes exponents from here on as they are. Above, results are out of range, and below less than 1/4."""
     highest = source.read(EXPONENTIAL, r"highest = (\d+);")
     lowest = source.read(EXPONENTIAL, r"lowest = -(\d+);")
-    if lowest < 3 or highest < 34:
+    if lowest < 2 or highest < 34:
         raise NotProven("a result in range is changed")
     return max(highest, 32 + lowest)
 
@@ -29,7 +29,7 @@ def exponent_range(source):
 def power_within(source):
     """2^e for an exponent that is off by up to `error` units of 2^-64, any number of them up to 2^53."""
     shift, quarter, bits = source.read(
-        EXPONENTIAL, r"power_of_two<Terms>\(exponent.fraction\) >> (\d+)\).*?nearest_within\(power, error / (\d+) \+ own_error, (\d+) - place")
+        EXPONENTIAL, r"power_of_two<Terms>\(fraction\) >> (\d+)\).*?nearest_within\(power, error / (\d+) \+ own_error, (\d+) - place")
     quick, exact = source.read(EXPONENTIAL, r"own_error = Terms == quick_power_terms \? (\d+) : (\d+);")
     if (shift, quarter, bits) != (2, 4, 61):
         raise NotProven("power_within() has other units")
