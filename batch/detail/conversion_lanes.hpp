@@ -159,7 +159,8 @@ FIXED_LANE_FUNCTION bool floats_are_nearest() {
   constexpr std::int32_t tie = (1 << 24) + 1;
   const f32 down = floats(unknown(i32{} + tie));
   const f32 up = floats(unknown(i32{} + (tie + 2)));
-  return down[0] == static_cast<float>(tie - 1) && up[0] == static_cast<float>(tie + 3);
+  return static_cast<std::int32_t>(down[0]) == tie - 1 &&
+         static_cast<std::int32_t>(up[0]) == tie + 3;
 }
 
 }  // namespace fixproof::detail::FIXED_LANES
