@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,7 +33,7 @@ using oracle::Function;
 using Words = std::vector<std::int32_t>;
 
 /// The operands that a function is given.
-enum class Operands { exponents, positive, unit, angles, any };
+enum class Operands { exponents, positive, unit, angles, any, powers };
 
 /// More elements than libfixmath's result cache holds.
 constexpr std::size_t count = 16384;
@@ -40,14 +42,20 @@ struct Contender {
   std::string name;
   Function function;
   Operands operands;
-  std::function<void(const Words& in, Words& out)> run;
+  std::function<void(const Words& x, const Words& y, Words& out)> run;
   std::int64_t error;  ///< the largest, in ulps
 };
 
 template <class OfWord>
-std::function<void(const Words&, Words&)> each(OfWord of_word) {
-  return [of_word](const Words& in, Words& out) {
-    for (std::size_t i = 0; i < count; ++i) out[i] = of_word(in[i]);
+std::function<void(const Words&, const Words&, Words&)> each(OfWord of_word) {
+  return [of_word](const Words& x, const Words& y, Words& out) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if constexpr (std::is_invocable_v<OfWord, std::int32_t>) {
+        out[i] = of_word(x[i]);
+      } else {
+        out[i] = of_word(x[i], y[i]);
+      }
+    }
   };
 }
 
@@ -60,6 +68,21 @@ template <class OfDouble>
 auto by_double(OfDouble of_double) {
   return each([of_double](std::int32_t word) {
     return static_cast<std::int32_t>(std::lrint(of_double(word / 65536.0) * 65536));
+  });
+}
+
+template <class OfNumbers>
+auto by_type_of_two(OfNumbers of_numbers) {
+  return each([of_numbers](std::int32_t x, std::int32_t y) {
+    return of_numbers(q16_16::from_raw(x), q16_16::from_raw(y)).raw();
+  });
+}
+
+template <class OfDoubles>
+auto by_double_of_two(OfDoubles of_doubles) {
+  return each([of_doubles](std::int32_t x, std::int32_t y) {
+    const double units = of_doubles(x / 65536.0, y / 65536.0) * 65536;
+    return static_cast<std::int32_t>(std::lrint(std::clamp(units, -2147483648.0, 2147483647.0)));
   });
 }
 
@@ -126,7 +149,23 @@ std::vector<Contender> contenders() {
   add(
       Function::atan, Operands::any, "atan", [](q16_16 x) { return atan(x); },
       [](double x) { return std::atan(x); });
+  const auto add_of_two = [&all](Function function, Operands operands, const std::string& name,
+                                 const auto& of_numbers, const auto& of_doubles) {
+    all.push_back({name + "/q16_16", function, operands, by_type_of_two(of_numbers), 0});
+    all.push_back({name + "/double", function, operands, by_double_of_two(of_doubles), 1});
+  };
+  add_of_two(
+      Function::atan2, Operands::any, "atan2", [](q16_16 y, q16_16 x) { return atan2(y, x); },
+      [](double y, double x) { return std::atan2(y, x); });
+  add_of_two(
+      Function::hypot, Operands::any, "hypot", [](q16_16 x, q16_16 y) { return hypot(x, y); },
+      [](double x, double y) { return std::hypot(x, y); });
+  add_of_two(
+      Function::pow, Operands::powers, "pow", [](q16_16 x, q16_16 y) { return pow(x, y); },
+      [](double x, double y) { return std::pow(x, y); });
 #if defined(FIXPROOF_LIBFIXMATH)
+  all.push_back({"atan2/libfixmath", Function::atan2, Operands::any, each(fix16_atan2),
+                 std::int64_t{1} << 33});
   const auto add_libfixmath = [&all](Function function, Operands operands, const std::string& name,
                                      fix16_t (*of_word)(fix16_t)) {
     all.push_back({name + "/libfixmath", function, operands, each(of_word), std::int64_t{1} << 33});
@@ -154,30 +193,44 @@ std::int32_t operand_from(std::mt19937& random, Operands operands, std::size_t i
       return word >> 15;  // within +-1
     case Operands::angles:
       return word >> 8;  // within +-128
+    case Operands::powers:
+      return (word & 0x3ffff) + 16384;  // from 1/4 to 4 1/4
     case Operands::any:
       break;
   }
   return word >> i % 31;
 }
 
+/// The nearest word to a result out of range.
+std::int64_t limited(std::int64_t ulps) {
+  return std::clamp<std::int64_t>(ulps, std::numeric_limits<std::int32_t>::min(),
+                                  std::numeric_limits<std::int32_t>::max());
+}
+
 void time_contender(benchmark::State& state, const Contender& contender) {
-  Words in(count);
+  Words x(count);
+  Words y(count);
   Words out(count);
   std::mt19937 random(54);
-  for (std::size_t i = 0; i < count; ++i) in[i] = operand_from(random, contender.operands, i);
-  contender.run(in, out);
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] = operand_from(random, contender.operands, i);
+    // Exponents within +-2, or numbers of other lengths than x.
+    y[i] = contender.operands == Operands::powers ? static_cast<std::int32_t>(random()) >> 14
+                                                  : operand_from(random, contender.operands, 7 * i);
+  }
+  contender.run(x, y, out);
   std::int64_t off = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto exact =
-        oracle::fast::nearest(contender.function, in[i], 0, 16, oracle::Rounding::half_up);
-    off = std::max<std::int64_t>(off, std::abs(out[i] - exact.value_or(0)));
+        oracle::fast::nearest(contender.function, x[i], y[i], 16, oracle::Rounding::half_up);
+    off = std::max<std::int64_t>(off, std::abs(out[i] - limited(exact.value_or(0))));
   }
   if (off > contender.error) {
     state.SkipWithError("wrong result");
     return;
   }
   for ([[maybe_unused]] auto _ : state) {
-    contender.run(in, out);
+    contender.run(x, y, out);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
