@@ -8,9 +8,13 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/hardware.hpp"
+#include "fixed/detail/nearest.hpp"
 #include "fixed/detail/square_root.hpp"
 
 namespace fixproof::detail {
@@ -35,10 +39,53 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
           doublings};
 }
 
+/// sqrt(n) in units of 2^-shift, off by less than 1.01 units. \pre 0 < n < 4^(32 - shift), shift >=
+/// 16
+constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      // Off by less than 2^-52 of the root in every rounding mode.
+      const double root = sqrt(static_cast<double>(static_cast<std::int64_t>(n)));
+      const auto scale = static_cast<double>(std::int64_t{1} << shift);
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(root * scale));
+    }
+  }
+  return static_cast<std::uint64_t>(nearest_sqrt_of_word(n << (2 * shift)));
+}
+
 /// sqrt(4^fraction_bits - sine^2), the other side of a triangle, in units of 2^-184 of its longest
 /// side. \param squares 4^fraction_bits - sine^2
 constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
   return nearest_sqrt_by_pairs<real_bits>(real{squares} << (2 * (real_bits - fraction_bits)));
+}
+
+/// The angle of a triangle for its side `known` / 2^fraction_bits and its longest side 1, from 0 to
+/// pi, to nearest.
+/// \param squares 4^fraction_bits - known^2 \param is_left whether the known side is negative
+template <triangle_side Side>
+constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t squares,
+                                              bool is_left, int fraction_bits) noexcept {
+  constexpr bool is_sine = Side == triangle_side::sine;
+  // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
+  // most that it moves the angle.
+  constexpr int bits = 57;
+  const scaled_root root = root_of(squares);
+  const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
+  const std::uint64_t side = known << (bits - fraction_bits);
+  const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, is_left);
+  const std::int64_t angle =
+      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
+  constexpr std::int64_t error = 16;
+  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
+  if (ends.agree()) [[likely]]
+    return ends.low;
+  const real precise_other = precise_side(squares, fraction_bits);
+  const real precise_known = real{known} << (real_bits - fraction_bits);
+  const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
+                               : octant_of(precise_other, precise_known, is_left);
+  return nearest_units(
+      precise.turned(precise_arctangent(ratio(precise.n, precise.d)), real_from(real_pi)),
+      fraction_bits);
 }
 
 /// The arcsine or arccosine of raw / 2^fraction_bits in units of 2^-fraction_bits.
@@ -46,7 +93,7 @@ constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
 template <triangle_side Side>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;
-  const auto known = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  const auto known = static_cast<std::uint64_t>(chosen(raw < 0, -raw, raw));
   if (known == 0 || known >> fraction_bits != 0) {
     // The other side is 1 or 0.
     const std::int64_t other = known == 0 ? 1 : 0;
@@ -57,28 +104,19 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
   const std::uint64_t one = fraction_bits < 32 ? std::uint64_t{1} << (2 * fraction_bits) : 0;
   const std::uint64_t squares = one - known * known;
 
-  // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
-  // most that it moves the angle.
-  constexpr int bits = 57;
-  const scaled_root root = root_of(squares);
-  const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
-  const std::uint64_t side = known << (bits - fraction_bits);
-  const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
-  const std::int64_t angle =
-      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
-  constexpr std::int64_t error = 16;
-  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
-  std::int64_t result = ends.low;
-  if (!ends.agree()) {
-    const real precise_other = precise_side(squares, fraction_bits);
-    const real precise_known = real{known} << (real_bits - fraction_bits);
-    const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
-                                 : octant_of(precise_other, precise_known, raw < 0);
-    result = nearest_units(
-        precise.turned(precise_arctangent(ratio(precise.n, precise.d)), real_from(real_pi)),
-        fraction_bits);
+  if (fraction_bits <= quick_bits) {
+    // Both sides in units of 2^-32 of the longest. The root moves the angle by at most its error.
+    const int shift = 32 - fraction_bits;
+    const std::uint64_t other = quick_root(squares, shift);
+    const std::uint64_t side = known << shift;
+    const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
+    const nearest_ends quick = quick_angle_within(part, fraction_bits, 2);
+    if (quick.agree()) [[likely]]
+      return chosen(is_sine && raw < 0, -quick.low, quick.low);
   }
-  return is_sine && raw < 0 ? -result : result;
+
+  const std::int64_t angle = careful_triangle_angle<Side>(known, squares, raw < 0, fraction_bits);
+  return is_sine && raw < 0 ? -angle : angle;
 }
 
 }  // namespace fixproof::detail

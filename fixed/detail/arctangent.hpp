@@ -9,11 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fixed/detail/cosine.hpp"
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
+#include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
 
@@ -28,43 +30,33 @@ constexpr std::uint64_t small_ratio(std::uint64_t n, std::uint64_t d) noexcept {
   return (high << 26) + (rest << 26) / d;
 }
 
-/// The arctangent of n / d in units of 2^-58, for 0 <= n <= d <= 2^57, d > 0. The error is below 6
-/// units.
+/// The arctangent of n / d in units of 2^-58, for 0 <= n <= d, d > 0 and n + d < 2^58. The error is
+/// below 6 units.
 ///
-/// Let c = i/32 be nearest to n / d. Then atan(n/d) = atan(c) + atan(z), exactly, with
-/// z = (32 n - i d) / (32 d + i n) and |z| <= 2^-6. z is rounded down to 2^-58; the series of
+/// Let c = i/64 be n / d rounded down. Then atan(n/d) = atan(c) + atan(z), exactly, with
+/// z = (64 n - i d) / (64 d + i n) and 0 <= z < 2^-6. z is rounded down to 2^-58; the series of
 /// atan(z) / z loses less than 2 units, and its remainder is below 2^-63.
 constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
-  const std::uint64_t i = (64 * n / d + 1) / 2;
-  const bool is_below = 32 * n < i * d;
-  const std::uint64_t numerator = is_below ? i * d - 32 * n : 32 * n - i * d;
-  const std::uint64_t z = small_ratio(numerator, 32 * d + i * n);
+  const std::uint64_t i = 64 * n / d;
+  const std::uint64_t z = small_ratio(64 * n - i * d, 64 * d + i * n);
   const std::uint64_t square = multiply_high(z << 11, z << 11);  // 1024 z^2 in units of 2^-64
-  std::uint64_t sum = arctangent_coefficients.back();
-  for (std::size_t k = arctangent_coefficients.size() - 1; k-- > 0;) {
-    sum = arctangent_coefficients[k] - multiply_high(square, sum);
-  }
-  const auto angle = static_cast<std::int64_t>(z - multiply_high(z, multiply_high(square, sum)));
-  const auto middle = static_cast<std::int64_t>(arctangents[i]);
-  return is_below ? middle - angle : middle + angle;
+  const std::uint64_t sum =
+      sum_of_alternating_series<arctangent_coefficients.size()>(arctangent_coefficients, square);
+  const std::uint64_t angle = z - multiply_high(z, multiply_high(square, sum));
+  return static_cast<std::int64_t>(arctangents[i] + angle);
 }
 
 /// The arctangent of n / d in units of 2^-32, for 0 <= n <= d <= 2^32, d > 0. The error is below 3
 /// units.
 ///
-/// As arctangent(), with one division in place of two and one term of the series. z is less than 1
-/// unit too low. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is less than 1.01
-/// units too low, and the middle less than 1. So atan(z) is off by -1.9 to 1.01 units, and the sum
-/// or difference by -2.9 to 1.9.
+/// As arctangent(), with one division fewer and one term of the series. z is less than 1 unit too
+/// low. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is less than 1.01 units
+/// too low, and the arctangent of c less than 1.
 constexpr std::int64_t quick_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
-  const std::uint64_t i = (64 * n / d + 1) / 2;
-  const bool is_below = 32 * n < i * d;
-  const std::uint64_t numerator = is_below ? i * d - 32 * n : 32 * n - i * d;  // at most 2^31
-  const std::uint64_t z = (numerator << 32) / (32 * d + i * n);
+  const std::uint64_t i = 64 * n / d;
+  const std::uint64_t z = ((64 * n - i * d) << 32) / (64 * d + i * n);
   const std::uint64_t square = z * z >> 32;
-  const auto angle = static_cast<std::int64_t>(z - (square * z / 3 >> 32));
-  const auto middle = static_cast<std::int64_t>(arctangents[i] >> 26);
-  return is_below ? middle - angle : middle + angle;
+  return static_cast<std::int64_t>((arctangents[i] >> 26) + z - (square * z / 3 >> 32));
 }
 
 /// The arctangent of x for 0 <= x <= 1.
@@ -95,8 +87,8 @@ struct octant {
   /// The angle of the vector, from 0 to pi, from that of (d, n).
   template <class Angle>
   [[nodiscard]] constexpr Angle turned(Angle angle, const Angle& pi) const noexcept {
-    if (is_steep) angle = (pi >> 1) - angle;
-    return is_left ? pi - angle : angle;
+    angle = chosen(is_steep, (pi >> 1) - angle, angle);
+    return chosen(is_left, pi - angle, angle);
   }
 };
 
@@ -104,34 +96,49 @@ struct octant {
 template <class Length>
 constexpr octant<Length> octant_of(const Length& height, const Length& width,
                                    bool is_left) noexcept {
-  if (width < height) return {width, height, true, is_left};
-  return {height, width, false, is_left};
+  const bool is_steep = width < height;
+  return {chosen(is_steep, width, height), chosen(is_steep, height, width), is_steep, is_left};
+}
+
+/// The ends of the angle of a vector in units of 2^-fraction_bits, by quick_arctangent().
+///
+/// Pi and its half are less than 1 unit of 2^-32 too low, the arctangent is 3 off, and the vector
+/// moves the angle by less than `more`.
+constexpr nearest_ends quick_angle_within(const octant<std::uint64_t>& part, int fraction_bits,
+                                          std::int64_t more) noexcept {
+  const std::int64_t quick =
+      part.turned(quick_arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58 >> 26));
+  constexpr std::int64_t quick_error = 6;
+  return nearest_within(quick, quick_error + more, 32 - fraction_bits);
+}
+
+/// The angle of a vector in units of 2^-fraction_bits, from 0 to pi, rounded to nearest.
+constexpr std::int64_t careful_angle(const octant<std::uint64_t>& part,
+                                     int fraction_bits) noexcept {
+  const std::int64_t angle =
+      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
+  constexpr std::int64_t error = 8;
+  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
+  if (ends.agree()) [[likely]]
+    return ends.low;
+  const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
+  return nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
 }
 
 /// The angle of the vector (x, y) in units of 2^-fraction_bits, from -pi to pi, rounded to nearest;
 /// 0 for the vector 0. \pre |x|, |y| <= 2^32
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
-  const auto part = octant_of(static_cast<std::uint64_t>(y < 0 ? -y : y),
-                              static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0);
-  if (fraction_bits <= 16) {
-    // Decides all but one in 5,000. Pi and its half are less than 1 unit too low, the angle 3 off.
-    const std::int64_t quick =
-        part.turned(quick_arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58 >> 26));
-    constexpr std::int64_t quick_error = 6;
-    const nearest_ends quick_ends = nearest_within(quick, quick_error, 32 - fraction_bits);
-    if (quick_ends.agree()) return y < 0 ? -quick_ends.low : quick_ends.low;
+  const auto part = octant_of(static_cast<std::uint64_t>(chosen(y < 0, -y, y)),
+                              static_cast<std::uint64_t>(chosen(x < 0, -x, x)), x < 0);
+  if (fraction_bits <= quick_bits) {
+    // Decides all but one in 5,000.
+    const nearest_ends quick = quick_angle_within(part, fraction_bits, 0);
+    if (quick.agree()) [[likely]]
+      return chosen(y < 0, -quick.low, quick.low);
   }
-  const std::int64_t angle =
-      part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
-  constexpr std::int64_t error = 8;
-  const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
-  std::int64_t result = ends.low;
-  if (!ends.agree()) {
-    const real precise = precise_arctangent(ratio(real{part.n}, real{part.d}));
-    result = nearest_units(part.turned(precise, real_from(real_pi)), fraction_bits);
-  }
-  return y < 0 ? -result : result;
+  const std::int64_t angle = careful_angle(part, fraction_bits);
+  return y < 0 ? -angle : angle;
 }
 
 }  // namespace fixproof::detail

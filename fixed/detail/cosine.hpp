@@ -6,14 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/series.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
-
-/// floor(a * b / 2^64).
-constexpr std::uint64_t multiply_high(std::uint64_t a, std::uint64_t b) noexcept {
-  return multiply_words(a, b).high;
-}
 
 /// pi/2 in units of 2^-62, to nearest.
 inline constexpr std::uint64_t half_pi = 0x6487ed5110b4611a;
@@ -39,10 +35,8 @@ inline constexpr std::array<std::uint64_t, 12> cosine_coefficients = [] {
 /// adds 4.
 constexpr std::int64_t cosine(std::uint64_t angle) noexcept {
   const std::uint64_t u = multiply_high(angle << 1, angle << 1);  // in units of 2^-64
-  std::uint64_t sum = cosine_coefficients.back();
-  for (std::size_t n = cosine_coefficients.size() - 1; n-- > 0;) {
-    sum = cosine_coefficients[n] - multiply_high(u, sum);
-  }
+  const std::uint64_t sum =
+      sum_of_alternating_series<cosine_coefficients.size()>(cosine_coefficients, u);
   return (std::int64_t{1} << 62) - static_cast<std::int64_t>(multiply_high(u, sum));
 }
 

@@ -110,6 +110,34 @@ inline constexpr std::array<std::uint64_t, 10> logarithm_coefficients{
     0xb8aa3b295c17f0c, 0x2e2a8eca5705fc, 0xf6384ee1d020, 0x5c551d94ae1, 0x24eed8a1df,
     0xf6384ee2,        0x6985d8b,        0x2e2a8f,       0x1484b,       0x93c};
 
+/// The cube roots of 1 divided by the reciprocals in units of 2^-63, to nearest.
+inline constexpr std::array<std::uint64_t, 64> cube_roots{
+    0x8000000000000000, 0x80a9c910c1841cd6, 0x8151d6977616d668, 0x81f833b8bbc83cc3,
+    0x829ceb290672df0e, 0x8340073145218c0f, 0x83e191b557e444ad, 0x84819439637b0eea,
+    0x852017e62664bc73, 0x85bd258dbb1566d0, 0x8658c5b0a5cb6d25, 0x86f3008100800822,
+    0x878bdde68d2dbc07, 0x88236582a6a118e2, 0x88b99eb2e6ebb49e, 0x894e909531f0e732,
+    0x89e24209b804f0d4, 0x8a74b9b65ce3ca99, 0x8b05fe096746e188, 0x8b96153b71da4465,
+    0x8c25055286643844, 0x8cb2d423f0ab095a, 0x8d3f8755bc5f3fd8, 0x8dcb2461b765c188,
+    0x8e55b096f6e3f09d, 0x8edf311b25f7e7e3, 0x8f67aaed1309618a, 0x8fef22e597c49ccb,
+    0x90759db94cf1e7d1, 0x90fb1ff9f3240188, 0x917fae17bcb28fef, 0x92034c62f502f030,
+    0x9285ff0d6babfd4c, 0x9307ca2a1a6949f8, 0x9388b1b0ade24905, 0x9408b97c53e71495,
+    0x9487e54e0fbd6ecf, 0x950638cd5e4e35b5, 0x9583b78970b74ee5, 0x960064f8ce5f35e1,
+    0x967c447c47e262e7, 0x96f7595d7071a9c3, 0x9771a6d1a4dc29c8, 0x97eb2ff8c07acdb5,
+    0x9863f7df1e09ef77, 0x98dc017e141cc128, 0x99534fbc23019254, 0x99c9e56dd283c3d5,
+    0x9a3fc556957d684c, 0x9ab4f2289cf819de, 0x9b296e86600873c9, 0x9b9d3d02547d7c9a,
+    0x9c10601ffdb0d75d, 0x9c82da530f996d0b, 0x9cf4ae02e2203395, 0x9d65dd871b8ee2df,
+    0x9dd66b2ae1f1b7f1, 0x9e46592c2df6d870, 0x9eb5a9bcd51d0418, 0x9f245f0109c50855,
+    0x9f927b12c25aa7fb, 0x9fffffffd1555555, 0xa06cefca12ef25d7, 0xa0d94c69d84f179d};
+
+/// The cube roots of 1, 2 and 4 in units of 2^-62, to nearest.
+inline constexpr std::array<std::uint64_t, 3> roots_of_powers{
+    0x4000000000000000, 0x50a28be635ca2b89, 0x6597fa94f5b8f20b};
+
+/// Coefficient n is that of r^n in (1 + r)^(1/3), without its sign and divided by 32^n, in units of
+/// 2^-64, to nearest, for n from 1.
+inline constexpr std::array<std::uint64_t, 4> cube_root_coefficients{
+    0x2aaaaaaaaaaaaab, 0x71c71c71c71c7, 0x1f9add3c0ca4, 0xa88f469599};
+
 /// log2(e) in units of 2^-63, rounded down.
 inline constexpr std::uint64_t log2_e = 0xb8aa3b295c17f0bb;
 
@@ -122,40 +150,112 @@ inline constexpr real_words real_log_2{0xaf40f343267298b6, 0xabc9e3b39803f2f6, 0
 /// log10(2) in units of 2^-184, to nearest.
 inline constexpr real_words real_log10_2{0xbc13569862a1e8fa, 0xcc47c4acd605be48, 0x4d104d427de7fb};
 
-/// The arctangent of i/32 in units of 2^-58, to nearest.
-inline constexpr std::array<std::uint64_t, 33> arctangents{0x0,
+/// The arctangent of i/64 in units of 2^-58, to nearest.
+inline constexpr std::array<std::uint64_t, 65> arctangents{0x0,
+                                                           0xfffaaadddb94d,
                                                            0x1ffd55bba97625,
+                                                           0x2ff7030861b454,
                                                            0x3feab76e59fbd4,
+                                                           0x4fd67c39f15676,
                                                            0x5fb860980bc43a,
+                                                           0x6f8e7af9bc1f0e,
                                                            0x7f56ea6ab0bdb7,
+                                                           0x8f0fd7d821b937,
                                                            0x9eb77746331363,
+                                                           0xae4c08f1f6134f,
                                                            0xbdcbda5e72d811,
+                                                           0xcd35474b643131,
                                                            0xdc86ba94930510,
+                                                           0xebbeaef902b9b4,
                                                            0xfadbafc96406eb,
+                                                           0x109dc597d863626,
                                                            0x118bf5a30bf1782,
+                                                           0x1278372057ef45c,
                                                            0x1362773707ebcbd,
+                                                           0x144aa436c2af09b,
                                                            0x1530ad9951cd49e,
+                                                           0x1614840309cfe19,
                                                            0x16f61941e4def09,
+                                                           0x17d5604b63b3f76,
                                                            0x18b24d394a1b257,
+                                                           0x198cd5454d6b186,
                                                            0x1a64eec3cc23fcb,
+                                                           0x1b3a911da65c6c7,
                                                            0x1c0db4c94ec9ef9,
+                                                           0x1cde53432c13509,
                                                            0x1dac670561bb4f7,
+                                                           0x1e77eb7f175a344,
                                                            0x1f40dd0b541417d,
+                                                           0x200738e78348172,
                                                            0x20cafd29b6619f9,
+                                                           0x218c28b6b687b42,
                                                            0x224abb37f7a551f,
+                                                           0x2306b5117cf826e,
                                                            0x23c01757bdfd67e,
+                                                           0x2476e3c5993cd44,
                                                            0x252b1cb2611c61c,
+                                                           0x25dcc5080d9794e,
                                                            0x268be0399c6f769,
+                                                           0x27387239a82e337,
                                                            0x27e27f713d2de88,
+                                                           0x288a0cb6f2b6ab8,
                                                            0x292f1f464d3dc25,
+                                                           0x29d1bcb76dd808a,
                                                            0x2a71eaf7120c3d7,
+                                                           0x2b0fb03ee65f75b,
                                                            0x2bab130e2d36302,
+                                                           0x2c441a22baf71be,
                                                            0x2cdacc7247c10da,
+                                                           0x2d6f3124167b313,
                                                            0x2e014f8af08c67a,
+                                                           0x2e912f1f751c1e1,
                                                            0x2f1ed77aba62bca,
+                                                           0x2faa50513f4126b,
                                                            0x3033a16e2b14999,
+                                                           0x30bad2aed9858a3,
                                                            0x313febfeafe3ef5,
+                                                           0x31c2f5533980bb8,
                                                            0x3243f6a8885a309};
+
+/// The tangent of i/64 of a quarter turn in units of 2^-62, to nearest, for i to 32.
+inline constexpr std::array<std::uint64_t, 33> tangents{0x0,
+                                                        0x192346247a91f00,
+                                                        0x324e4f147622c40,
+                                                        0x4b88e733fce0c58,
+                                                        0x64daee316cb6898,
+                                                        0x7e4c60ea36e7a37,
+                                                        0x97e5639d3032013,
+                                                        0xb1ae4c867069ae6,
+                                                        0xcbafaf02a98ac04,
+                                                        0xe5f2675a5a67929,
+                                                        0x1007fa758626ae2b,
+                                                        0x11b6103d3597e939,
+                                                        0x136a08355c63dbc5,
+                                                        0x15248ae1701b1770,
+                                                        0x16e649f7d786492f,
+                                                        0x18b00196b3d021d2,
+                                                        0x1a827999fcef3242,
+                                                        0x1c5e87185e67b610,
+                                                        0x1e450e0d273e7a50,
+                                                        0x20370336b4f9ee86,
+                                                        0x22356e321069d70d,
+                                                        0x24416bde08f04a1b,
+                                                        0x265c311208fff978,
+                                                        0x28870db739cbb52c,
+                                                        0x2ac370556ff320bd,
+                                                        0x2d12ea28ea3b6c51,
+                                                        0x2f7733da53219d2b,
+                                                        0x31f232f7f0bdd5a2,
+                                                        0x34860055c8509f96,
+                                                        0x3734ef831835e45c,
+                                                        0x3a01978e709a5c63,
+                                                        0x3ceedd5f922e0cc9,
+                                                        0x4000000000000000};
+
+/// Coefficient n is that of z^(2n + 1) in tan(z), divided by 1024^n, in units of 2^-64, to nearest,
+/// for n from 1.
+inline constexpr std::array<std::uint64_t, 4> tangent_coefficients{0x15555555555555, 0x22222222222,
+                                                                   0x37437437, 0x5993d};
 
 /// Coefficient n is 1 / ((2n + 1) 1024^n) in units of 2^-64, to nearest, for n from 1.
 inline constexpr std::array<std::uint64_t, 4> arctangent_coefficients{

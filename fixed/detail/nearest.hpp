@@ -6,6 +6,10 @@
 
 namespace fixproof::detail {
 
+/// The highest number of fraction bits for which functions try a quick result with a larger error
+/// first.
+inline constexpr int quick_bits = 16;
+
 /// The integers nearest to the ends of an interval. If they are equal, every value between rounds
 /// to that integer.
 struct nearest_ends {

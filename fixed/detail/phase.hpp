@@ -7,14 +7,18 @@
 /// rational ones are 0, 1 and, for a sine or cosine, 1/2.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
+#include "fixed/detail/radian.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
@@ -32,14 +36,14 @@ constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
     const std::uint64_t n = static_cast<std::uint64_t>(in_turn) << (32 - fraction_bits);
     return (n / 45 << 29) + (n % 45 << 29) / 45;
   } else {
-    const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+    const auto magnitude = static_cast<std::uint64_t>(chosen(raw < 0, -raw, raw));
     const two_words high = multiply_words(magnitude, turns_high);
     const std::uint64_t carried = multiply_high(magnitude, turns_low);
     const std::uint64_t low = high.low + carried;
     const std::uint64_t top = high.high + (low < carried ? 1 : 0);
     const std::uint64_t phase =
         fraction_bits == 0 ? low : top << (64 - fraction_bits) | low >> fraction_bits;
-    return raw < 0 ? 0 - phase : phase;
+    return chosen(raw < 0, 0 - phase, phase);
   }
 }
 
@@ -47,7 +51,7 @@ constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
 constexpr std::int64_t sine_of_phase(std::uint64_t phase) noexcept {
   constexpr std::uint64_t quarter = std::uint64_t{1} << 62;
   const std::uint64_t in_half = phase << 1 >> 1;
-  const std::uint64_t from_peak = in_half < quarter ? quarter - in_half : in_half - quarter;
+  const std::uint64_t from_peak = chosen(in_half < quarter, quarter - in_half, in_half - quarter);
   // 2^-64 of a turn is pi/2 units of 2^-62.
   return cosine(multiply_high(from_peak << 1, half_pi << 1));
 }
@@ -100,11 +104,20 @@ template <angle_unit Unit, rounding R>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
                                        int fraction_bits) noexcept {
   const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits) + (std::uint64_t{ahead} << 62);
+  if (fraction_bits <= quick_bits) {
+    const auto from_peak = static_cast<std::int32_t>((phase + turns_bias - quarter_turn) >> 31);
+    const nearest_ends quick =
+        nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
+                       static_cast<std::int64_t>(fast_cosine_error), 62 - fraction_bits);
+    if (quick.agree()) [[likely]]
+      return chosen(phase >> 63 == 0, quick.low, -quick.low);
+  }
   const std::int64_t magnitude = sine_of_phase(phase);
-  const std::int64_t sine = phase >> 63 == 0 ? magnitude : -magnitude;
+  const std::int64_t sine = chosen(phase >> 63 == 0, magnitude, -magnitude);
   constexpr std::int64_t error = 64;
   const nearest_ends ends = nearest_within(sine, error, 62 - fraction_bits);
-  if (ends.agree()) return ends.low;
+  if (ends.agree()) [[likely]]
+    return ends.low;
   if (Unit == angle_unit::degree && fraction_bits == 0 && raw % 30 == 0) {
     return shift_right<R>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
   }
@@ -127,22 +140,49 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
   }
 }
 
-/// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
-/// beyond. \pre the angle is no pole
+/// A tangent or, if `is_steep`, its reciprocal: n / d, both in units of 2^-62.
+struct tangent_ratio {
+  std::uint64_t n;
+  std::uint64_t d;
+  bool is_steep;
+  bool is_negative;
+};
+
+/// The tangent of a phase. The error of n and of d is below 8 units even if the phase is 2 units
+/// off, 0 <= n <= d and d > 0.96.
+///
+/// With c = i / 64 of a quarter turn and an angle z < 0.0246 from there on, tan(c + z) is
+/// (tan(c) + tan(z)) / (1 - tan(c) tan(z)). The series of tan(z) has five terms; the rest is below
+/// 2^-64.
+constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
+  const std::uint64_t in_quarter = phase << 2;  // in units of 2^-64 of a quarter turn
+  const bool is_odd_quarter = (phase >> 62 & 1) != 0;
+  const bool is_upper = in_quarter >> 63 != 0;
+  const std::uint64_t part = chosen(is_upper, 0 - in_quarter, in_quarter);  // at most 2^63
+  const std::uint64_t z = multiply_high(part << 6, half_pi << 1);  // 32 z in units of 2^-64
+  const std::uint64_t square = multiply_high(z, z);
+  const std::uint64_t sum =
+      sum_of_series<tangent_coefficients.size()>(tangent_coefficients, square);
+  const std::uint64_t rest = z + multiply_high(z, multiply_high(square, sum));  // 32 tan(z)
+  const std::uint64_t middle = tangents[part >> 58];
+  return {middle + (rest >> 7), (std::uint64_t{1} << 62) - (multiply_high(middle << 1, rest) >> 6),
+          is_upper != is_odd_quarter, is_odd_quarter};
+}
+
+/// The tangent, as nearest_tangent(), of every angle.
+/// \param a numerator of the tangent of its phase \param b the divisor
 template <angle_unit Unit>
-constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits);
-  const std::int64_t sine = sine_of_phase(phase);
-  const std::int64_t cosine = sine_of_phase(phase + (std::uint64_t{1} << 62));
-  const bool is_negative = (phase >> 62) % 2 != 0;
+constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is_negative,
+                                       std::int64_t raw, int fraction_bits) noexcept {
   // Tangents above 2^24 need more bits.
-  if (cosine >> 38 != 0) {
-    const int128 tangent = truncated_ratio(int128{sine} << 62, int128{cosine});
-    // An error e of sine s and cosine c makes e / c + e s / c^2 <= e (1 + s/c)^2.
+  if (b >> 38 != 0) {
+    const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
+    // Errors e of a and of b make e / b + e a / b^2 < 1.1 e (1 + a/b)^2.
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
     const nearest_ends ends =
-        nearest_within(tangent, int128{65 * bound} * int128{bound}, 62 - fraction_bits);
-    if (ends.agree()) return is_negative ? -ends.low : ends.low;
+        nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);
+    if (ends.agree()) [[likely]]
+      return is_negative ? -ends.low : ends.low;
   }
   const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
   const precise_sine_and_cosine both = precise_sine_of(precise.rest);
@@ -153,6 +193,24 @@ constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noex
   if (d < n >> 34) return is_steep ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
   const std::int64_t result = nearest_units(ratio(n, d), fraction_bits);
   return is_steep ? -result : result;
+}
+
+/// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
+/// beyond. \pre the angle is no pole
+template <angle_unit Unit>
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
+  const tangent_ratio tangent = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));
+  const std::uint64_t a = chosen(tangent.is_steep, tangent.d, tangent.n);
+  const std::uint64_t b = chosen(tangent.is_steep, tangent.n, tangent.d);
+  if (fraction_bits <= quick_bits && b >> 46 != 0) {
+    // In units of 2^-32. The bits that b loses make a / b too high by less than 2.2 (1 + a/b)^2.
+    const auto quick = static_cast<std::int64_t>((a << 1) / (b >> 31));
+    const std::int64_t bound = (quick >> 32) + 2;
+    const nearest_ends ends = nearest_within(quick, 3 * bound * bound, 32 - fraction_bits);
+    if (ends.agree()) [[likely]]
+      return chosen(tangent.is_negative, -ends.low, ends.low);
+  }
+  return careful_tangent<Unit>(a, b, tangent.is_negative, raw, fraction_bits);
 }
 
 }  // namespace fixproof::detail

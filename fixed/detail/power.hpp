@@ -1,69 +1,94 @@
 /// \file
 /// Powers and roots of words of at most 32 bits, each the nearest integer of ulps.
 ///
-/// All are powers of two whose exponent is a multiple of a binary logarithm. Where 64 bits allow
-/// two integers, exact integers decide a root; a power with a rational result is computed exactly,
+/// A root is first computed with an error below 1/4, and exact integers decide between the two
+/// integers next to it. A power is a power of two whose exponent is a multiple of a binary
+/// logarithm. Where 64 bits allow two integers, a power with a rational result is computed exactly,
 /// and any other one again with more bits.
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
+#include "fixed/detail/choose.hpp"
 #include "fixed/detail/exponential.hpp"
+#include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/hardware.hpp"
+#include "fixed/detail/nearest.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/series.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
 
-/// log2(raw / 2^fraction_bits) in units of 2^-64. The error is below 5 units.
-constexpr int128 logarithm_in_units(std::uint64_t raw, int fraction_bits) noexcept {
-  const scaled_word x = scaled(raw, fraction_bits);
-  return (int128{x.exponent} << 64) + int128{binary_logarithm(x.m)};
+/// The integer next to 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits: the nearest
+/// one or the one below.
+///
+/// It is the root of 2^(3 fraction_bits) / raw. Each of the two operations in double is off by less
+/// than 2^-52 of its result in every rounding mode, so a root below 2^48 is off by less than 1/4.
+constexpr std::int64_t below_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
+  if constexpr (hardware_double) {
+    if (!std::is_constant_evaluated()) {
+      const auto unit = static_cast<double>(std::int64_t{1} << fraction_bits);
+      const double scale = unit * unit * unit;
+      const auto divisor = static_cast<double>(static_cast<std::int64_t>(raw));
+      return static_cast<std::int64_t>(sqrt(scale / divisor));
+    }
+  }
+  // In 16.16, a Cortex-M0 takes 4,900 instructions with a numerator of one word, and 123,300 with
+  // one of 128 bits.
+  if (fraction_bits <= 21)
+    return nearest_sqrt_of_word((std::uint64_t{1} << (3 * fraction_bits)) / raw);
+  const int128 numerator = int128{1} << (3 * fraction_bits);
+  return static_cast<std::int64_t>(
+      nearest_sqrt_by_pairs<49>(truncated_ratio(numerator, int128{raw})));
 }
 
-/// An exponent in units of 2^-64.
-constexpr binary_exponent split(const int128& exponent) noexcept {
-  return {static_cast<std::int64_t>(exponent >> 64), static_cast<std::uint64_t>(exponent)};
-}
-
-/// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits. There are no ties: eight
-/// times a word is no odd cube.
-constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
-  if (raw == 0) return 0;
-  const int128 log = logarithm_in_units(raw, fraction_bits);
-  // log / 3 by a product with (2^64 + 2) / 3, of the magnitude
-  constexpr std::uint64_t third = 0x5555555555555556;
-  const bool is_negative = log < int128{0};
-  const int128 magnitude = is_negative ? -log : log;
-  const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-  const int128 part = int128{high} * int128{third} +
-                      int128{multiply_high(static_cast<std::uint64_t>(magnitude), third)};
-  constexpr std::int64_t error = 40;  // 5/3, and 2/3 for each of 33 parts of 2^64, and 1
-  return nearest_power(split(is_negative ? -part : part), error, fraction_bits,
-                       [&](std::int64_t low) {
-                         const int128 middle{2 * low + 1};
-                         const int128 cube = int128{raw} << (2 * fraction_bits + 3);
-                         return low + (middle * middle * middle < cube ? 1 : 0);
-                       });
-}
-
-/// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. \pre raw > 0
+/// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. \pre 0 < raw < 2^32
 ///
 /// Only a half is a tie, the root of a power of two; rule R decides.
 template <rounding R>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
-  const int128 log = logarithm_in_units(raw, fraction_bits);
-  constexpr std::int64_t error = 4;
-  return nearest_power(split(-log >> 1), error, fraction_bits, [&](std::int64_t low) {
-    const int128 middle{2 * low + 1};
-    const int128 scaled = middle * middle * int128{raw};
-    const int128 exact = int128{1} << (3 * fraction_bits + 2);
-    if (scaled == exact) return shift_right<R>(2 * low + 1, 1);
-    return low + (scaled < exact ? 1 : 0);
-  });
+  const std::int64_t low = below_reciprocal_root(raw, fraction_bits);
+  const int128 middle{2 * low + 1};
+  const int128 scaled = middle * middle * int128{raw};
+  const int128 exact = int128{1} << (3 * fraction_bits + 2);
+  if (scaled == exact) return shift_right<R>(2 * low + 1, 1);
+  return low + (scaled < exact ? 1 : 0);
+}
+
+/// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded down after an error
+/// below 1/4. \pre 0 < raw < 2^32
+///
+/// With a reciprocal c of the leading six bits, m c is 1 + r as in binary_logarithm(). The root is
+/// that of 1, 2 or 4, times that of 1 / c, times the binomial series of (1 + r)^(1/3). Its terms
+/// after the fourth are below 2^-35, so that a root below 2^32, as 2^31 times at most 2, is off by
+/// less than 268435456 units of 2^-61 of that 2^31.
+constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+  const scaled_word x = scaled(raw, fraction_bits);
+  const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
+  const std::size_t interval = x.m >> 26 & 63;
+  const std::uint64_t rest = x.m * reciprocals[interval] << 5;
+  const std::uint64_t sum =
+      sum_of_alternating_series<cube_root_coefficients.size()>(cube_root_coefficients, rest);
+  const std::uint64_t middle = multiply_high(cube_roots[interval], roots_of_powers[exponent % 3]);
+  const std::uint64_t root = middle + multiply_high(middle, multiply_high(rest, sum));
+  return static_cast<std::int64_t>(root >> (61 - exponent / 3));
+}
+
+/// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits. There are no ties: eight
+/// times a word is no odd cube. \pre raw < 2^32
+constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
+  if (raw == 0) return 0;
+  const std::int64_t low = below_cube_root(raw, fraction_bits);
+  const int128 middle{2 * low + 1};
+  const int128 cube = int128{raw} << (2 * fraction_bits + 3);
+  return low + (middle * middle * middle < cube ? 1 : 0);
 }
 
 /// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule R. \pre raw is not 0
@@ -72,6 +97,9 @@ constexpr auto nearest_reciprocal(Raw raw) noexcept {
   using wide = signed_t<2 * FractionBits + larger(bits_of<Raw> - FractionBits, 2) + 2>;
   return rounded_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
 }
+
+/// The terms of a logarithm whose multiple is the exponent of a quick power.
+inline constexpr std::size_t quick_real_power_terms = 6;
 
 /// A rational power: the integer nearest to it in ulps, or the news that the power is not rational
 /// or has too many bits to be a tie.
@@ -128,22 +156,54 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   return {true, static_cast<std::int64_t>(shift_right<R>(power, static_cast<int>(-shift)))};
 }
 
+/// The ends of x^y for y = exponent / 2^fraction_bits in units of 2^-fraction_bits.
+template <std::size_t LogarithmTerms, std::size_t PowerTerms>
+constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t exponent,
+                                         int fraction_bits) noexcept {
+  // A quick logarithm is in units of 2^-57, whose product with a word takes one multiplication.
+  constexpr bool is_quick = LogarithmTerms < logarithm_terms;
+  using log_type = std::conditional_t<is_quick, std::int64_t, int128>;
+  constexpr int bits = is_quick ? 57 : 64;
+  const std::uint64_t fraction = binary_logarithm<LogarithmTerms>(x.m) >> (64 - bits);
+  const log_type log = (log_type{x.exponent} << bits) + static_cast<log_type>(fraction);
+  // At most 2^70 and 2^32.
+  const int128 scaled_log = int128{log} * int128{exponent} << (64 - bits) >> fraction_bits;
+  constexpr std::int64_t log_error = logarithm_error<LogarithmTerms> + (is_quick ? 128 : 0);
+  const std::int64_t error =
+      (chosen(exponent < 0, -exponent, exponent) * log_error >> fraction_bits) + 6;
+  return power_within<PowerTerms>(
+      {static_cast<std::int64_t>(scaled_log >> 64), static_cast<std::uint64_t>(scaled_log)}, error,
+      fraction_bits);
+}
+
+/// x^y, as nearest_real_power(), for every operand. \param x raw / 2^fraction_bits
+template <rounding R>
+constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& x,
+                                          std::int64_t exponent, int fraction_bits) noexcept {
+  const nearest_ends ends =
+      real_power_within<logarithm_terms, power_terms>(x, exponent, fraction_bits);
+  if (ends.agree()) [[likely]]
+    return ends.low;
+  const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
+  if (exact.is_known) return exact.ulps;
+  return nearest_precise_power(precise_logarithm(x) * real{exponent} >> fraction_bits,
+                               fraction_bits);
+}
+
 /// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits in units of
 /// 2^-fraction_bits, rounded to nearest, ties by rule R. \pre raw > 0
 template <rounding R>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {
   if (exponent == 0) return std::int64_t{1} << fraction_bits;
-  const int128 log = logarithm_in_units(raw, fraction_bits);
-  // At most 2^70 and 2^32.
-  const int128 scaled_log = log * int128{exponent} >> fraction_bits;
-  const std::int64_t error = ((exponent < 0 ? -exponent : exponent) * 5 >> fraction_bits) + 6;
-  return nearest_power(split(scaled_log), error, fraction_bits, [&](std::int64_t /*low*/) {
-    const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
-    if (exact.is_known) return exact.ulps;
-    const real precise = precise_logarithm(scaled(raw, fraction_bits));
-    return nearest_precise_power(precise * real{exponent} >> fraction_bits, fraction_bits);
-  });
+  const scaled_word x = scaled(raw, fraction_bits);
+  if (fraction_bits <= quick_bits) {
+    const nearest_ends quick =
+        real_power_within<quick_real_power_terms, quick_power_terms>(x, exponent, fraction_bits);
+    if (quick.agree()) [[likely]]
+      return quick.low;
+  }
+  return careful_real_power<R>(raw, x, exponent, fraction_bits);
 }
 
 }  // namespace fixproof::detail

@@ -47,6 +47,11 @@ constexpr two_words multiply_words(std::uint64_t a, std::uint64_t b) noexcept {
 #endif
 }
 
+/// floor(a * b / 2^64).
+constexpr std::uint64_t multiply_high(std::uint64_t a, std::uint64_t b) noexcept {
+  return multiply_words(a, b).high;
+}
+
 /// A two's complement integer of 64 Words bits. Sums, products and left shifts are modulo its
 /// range.
 template <std::size_t Words>

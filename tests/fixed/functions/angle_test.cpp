@@ -98,10 +98,11 @@ TEST(Angles, RangeFollowsThePolicy) {
 TEST(Angles, PartsHaveTheirError) {
   std::mt19937_64 random(1994);
   for (int i = 0; i < 5000; ++i) {
-    // Up to 2^57, of which those below 2^32 are divided in two steps.
-    const std::uint64_t d = (random() >> (7 + random() % 45)) + 1;
+    // Below 2^57, of which those below 2^32 are divided in two steps.
+    const std::uint64_t d = (random() >> (7 + random() % 45)) | 1;
     std::uint64_t n = random() % (d + 1);
     if (i % 3 == 0) n = d / 64 * (random() % 65);
+    if (i % 3 == 1 && n > 0) n = d * (n % 64) / 64;  // Next to the places where the table steps.
     const auto exact = static_cast<std::int64_t>(
         detail::precise_arctangent(detail::ratio(detail::real{n}, detail::real{d})) >>
         (detail::real_bits - 58));

@@ -48,8 +48,9 @@ TEST(Exponentials, PowersHaveTheirError) {
     if (i % 4 == 1) x = (x | ~std::uint64_t{0} >> 5) - x % 16;
     const detail::real precise = detail::precise_power(detail::real{x} << (detail::real_bits - 64));
     const auto exact = static_cast<std::uint64_t>(precise >> (detail::real_bits - 63));
-    const std::uint64_t below = exact - detail::power_of_two(x);
+    const std::uint64_t below = exact - detail::power_of_two<detail::power_terms>(x);
     ASSERT_LE(below, 15U) << x;
+    ASSERT_LE(exact - detail::power_of_two<detail::quick_power_terms>(x), 4194304U) << x;
   }
 }
 
@@ -61,8 +62,12 @@ TEST(Exponentials, LogarithmsHaveTheirError) {
     if (i % 4 == 1) m = (m | 0x3ffffff) - m % 16;
     const detail::real precise = detail::precise_logarithm(m);
     const auto exact = static_cast<std::uint64_t>(precise >> (detail::real_bits - 64));
-    const auto difference = static_cast<std::int64_t>(detail::binary_logarithm(m) - exact);
-    ASSERT_LE(std::abs(difference), 5) << m;
+    const auto off = [&](std::uint64_t logarithm) {
+      return std::abs(static_cast<std::int64_t>(logarithm - exact));
+    };
+    ASSERT_LE(off(detail::binary_logarithm<detail::logarithm_terms>(m)), 5) << m;
+    ASSERT_LE(off(detail::binary_logarithm<4>(m)), detail::logarithm_error<4>) << m;
+    ASSERT_LE(off(detail::binary_logarithm<6>(m)), detail::logarithm_error<6>) << m;
   }
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <thread>
@@ -42,6 +43,20 @@ void prune(std::vector<HardWord>& words, std::size_t count) {
   words.resize(count);
 }
 
+/// The distance from a tie of a root, which the type computes with exact integers only, in units of
+/// 2^-40 ulps.
+template <class N>
+std::int64_t root_distance(oracle::Function function, std::int64_t raw, N /*format*/) {
+  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  const bool is_cube_root = function == oracle::Function::cbrt;
+  if (!is_cube_root && (function != oracle::Function::rsqrt || raw <= 0)) return none;
+  const long double x = std::ldexp(static_cast<long double>(raw), -N::fraction_bits);
+  const long double root =
+      std::ldexp(is_cube_root ? std::cbrt(std::abs(x)) : 1 / std::sqrt(x), N::fraction_bits);
+  const long double distance = std::abs(root - std::floor(root) - 0.5L);
+  return static_cast<std::int64_t>(std::ldexp(distance, 40));
+}
+
 /// Those of `first`, `first + step` and so on up to the highest word whose distance is below
 /// `limit`, and of more than 4 * `count` the nearest.
 template <class N>
@@ -53,6 +68,7 @@ std::vector<HardWord> nearest_of(const functions::Named<N>& f, std::size_t count
     constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
     detail::last_distance = none;
     const N result = f.compute(N::from_raw(static_cast<typename N::raw_type>(raw)), N());
+    if (detail::last_distance == none) detail::last_distance = root_distance(f.function, raw, N());
     if (detail::last_distance >= limit) continue;
     // Limits come from results out of range, whose ties do not matter.
     if (result.raw() == limits::max() || result.raw() == limits::min()) continue;

@@ -29,6 +29,16 @@ void expect_parts_have_their_error() {
     const detail::real sine = precise.quarters % 2 == 0 ? both.sine : both.cosine;
     const auto exact_sine = static_cast<std::int64_t>(sine >> (detail::real_bits - 62));
     ASSERT_LT(std::abs(detail::sine_of_phase(phase) - exact_sine), 64) << raw << " with " << bits;
+
+    // The tangent n / d crosswise: n / d = N / D if n D = N d. Each is at most 1, off by 8 units.
+    const auto tangent = detail::tangent_of_phase(phase);
+    const bool is_reciprocal = (precise.quarters % 2 != 0) != tangent.is_steep;
+    const detail::real n = detail::real{tangent.n} << (detail::real_bits - 62);
+    const detail::real d = detail::real{tangent.d} << (detail::real_bits - 62);
+    const detail::real difference = product(n, is_reciprocal ? both.sine : both.cosine) -
+                                    product(d, is_reciprocal ? both.cosine : both.sine);
+    const auto units = static_cast<std::int64_t>(difference >> (detail::real_bits - 62));
+    ASSERT_LE(std::abs(units), 16) << raw << " with " << bits;
   }
 }
 

@@ -1,6 +1,8 @@
 /// Tests the limits of powers, roots, reciprocals and lengths.
 #include "fixed/power.hpp"
 
+#include <array>
+
 #include "fixed/fixed.hpp"
 #include "oracle/unbounded.hpp"
 #include "tests/support/test.hpp"
@@ -46,6 +48,36 @@ TEST(Powers, RangeAndDomainFollowThePolicy) {
   EXPECT_THROW((void)rsqrt(trapping()), domain_error);
   EXPECT_THROW((void)reciprocal(trapping()), domain_error);
   EXPECT_THROW((void)hypot(trapping(30000), trapping(30000)), overflow_error);
+}
+
+/// Reciprocals of roots in constant expressions, which take integers in place of doubles.
+template <class N>
+constexpr auto constant_roots = [] {
+  std::array<std::int64_t, 31> roots{};
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    roots[i] = rsqrt(N::from_raw((std::int32_t{1} << i) + 1)).raw();
+  }
+  return roots;
+}();
+
+template <class N>
+void expect_constant_roots_are_nearest() {
+  for (std::size_t i = 0; i < constant_roots<N>.size(); ++i) {
+    const Integer root = constant_roots<N>[i];
+    if (root == std::numeric_limits<std::int32_t>::max()) continue;
+    const Integer raw = (Integer(1) << i) + 1;
+    const Integer exact = Integer(4) << (3 * N::fraction_bits);
+    const Integer below = root > 0 ? Integer(2 * root - 1) : Integer(0);
+    EXPECT_LE(below * below * raw, exact) << raw;
+    EXPECT_LT(exact, (2 * root + 1) * (2 * root + 1) * raw) << raw;
+  }
+}
+
+TEST(Powers, ConstantReciprocalsOfRootsAreNearest) {
+  expect_constant_roots_are_nearest<q16_16>();
+  // From 22 fraction bits on, the integers are wider.
+  expect_constant_roots_are_nearest<number<std::int32_t, 21>>();
+  expect_constant_roots_are_nearest<number<std::int32_t, 22>>();
 }
 
 template <class N>

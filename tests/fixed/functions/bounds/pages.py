@@ -29,7 +29,7 @@ def rows(name, proofs):
         errors = merged(error for proof in proofs for error in proof.errors())
     except NotProven as error:
         raise NotProven(f"{name}: {error}") from error
-    cells = ((e.name, interval(e.low, e.high, e.more), f"2^-{e.bits}", e.allowed, f"`{name}`") for e in errors)
+    cells = ((e.name, interval(e.low, e.high, e.more), f"2^-{e.bits}" if e.bits else "1", e.allowed, f"`{name}`") for e in errors)
     return [f"| {' | '.join(row)} |".replace("|  |", "| |") for row in cells]
 
 

@@ -7,6 +7,10 @@
 
 namespace fixproof::detail {
 
+/// The highest number of fraction bits for which functions try a quick result with a larger error
+/// first.
+inline constexpr int quick_bits = 16;
+
 /// The distance of the last value from a tie in units of 2^-40 ulps.
 inline thread_local std::int64_t last_distance = 0;
 
