@@ -119,24 +119,9 @@ class number {
   template <detail::binary_float Float>
   explicit constexpr number(Float value) noexcept(never_throws) {
     if constexpr (detail::has_fast_conversion<Raw, P.range>) {
-      if (!std::is_constant_evaluated()) {
-        raw_ = detail::converted<P.multiply, P.range, Raw, FractionBits>(value);
-        return;
-      }
-    }
-    using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
-    using kind = typename detail::scaled_float<wide>::kind;
-    const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
-    if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
-      raw_ = detail::narrow<P.range, raw_type>(
-          x.integer, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
-      return;
-    }
-    if constexpr (P.range == overflow::trap) {
-      if (x.what == kind::nan) detail::raise<domain_error>("domain error", "conversion", value);
-      detail::raise<overflow_error>("overflow", "conversion", value);
+      raw_ = detail::converted<P.multiply, P.range, Raw, FractionBits>(value);
     } else {
-      if (x.what != kind::nan) raw_ = x.negative ? lowest : highest;
+      raw_ = converted_in_integers(value);
     }
   }
 
@@ -425,6 +410,23 @@ class number {
   /// \}
 
  private:
+  template <detail::binary_float Float>
+  static constexpr raw_type converted_in_integers(Float value) noexcept(never_throws) {
+    using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
+    using kind = typename detail::scaled_float<wide>::kind;
+    const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
+    if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
+      return detail::narrow<P.range, raw_type>(
+          x.integer, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
+    }
+    if constexpr (P.range == overflow::trap) {
+      if (x.what == kind::nan) detail::raise<domain_error>("domain error", "conversion", value);
+      detail::raise<overflow_error>("overflow", "conversion", value);
+    }
+    if (x.what == kind::nan) return 0;
+    return x.negative ? lowest : highest;
+  }
+
   using operand = detail::operand<Raw, FractionBits>;
 
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();

@@ -1,6 +1,9 @@
 /// \file
 /// Converts doubles to stored integers of at most 32 bits with hardware doubles, in a form that
 /// compilers vectorise. Bit-identical to detail::scale() and detail::narrow().
+///
+/// Constant expressions use it, too: with std::is_constant_evaluated() in the constructor, g++ 12
+/// would initialise global numbers when the program starts.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +50,7 @@ constexpr Word select(bool condition, Word yes, Word no) noexcept {
 /// x as a double. If subnormals can change the result, which they do only under rounding::floor, a
 /// subnormal becomes normal by a bit of its exponent: processors may take subnormals for zero.
 template <rounding R, binary_float Float>
-double as_double(Float x) noexcept {
+constexpr double as_double(Float x) noexcept {
   if constexpr (R == rounding::floor) {
     using bits_type = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
     constexpr int sign = sizeof(Float) * 8 - 1;
@@ -68,7 +71,7 @@ double as_double(Float x) noexcept {
 /// small that it rounds to the sign that it has.
 /// \param negative whether the number was negative before a multiple of 2^33 was taken from it
 template <rounding R>
-std::uint64_t half_rounded(double twice, bool negative) noexcept {
+constexpr std::uint64_t half_rounded(double twice, bool negative) noexcept {
   constexpr double ones = 0x1.8p52;
   const double placed = twice + ones;
   const double rest = twice - (placed - ones);
@@ -92,7 +95,7 @@ std::uint64_t half_rounded(double twice, bool negative) noexcept {
 /// A float or double as a stored integer, rounded by rule R. See number's constructor for values
 /// out of range, infinities and NaN.
 template <rounding R, overflow O, class Raw, int FractionBits, binary_float Float>
-Raw converted(Float value) noexcept {
+constexpr Raw converted(Float value) noexcept {
   constexpr std::uint64_t infinity = 0x7ff0000000000000;
   constexpr double lowest = (std::numeric_limits<Raw>::min)();
   constexpr double highest = (std::numeric_limits<Raw>::max)();
@@ -103,10 +106,13 @@ Raw converted(Float value) noexcept {
   constexpr double twice_one = power_of_two(FractionBits + 1);
   if constexpr (O == overflow::saturate) {
     // The ends of the range are integers, so limiting and rounding may change places.
-    const double twice = select(magnitude > infinity, 0.0, x) * twice_one;
-    const double limited = select(twice < 2 * lowest, 2 * lowest, twice);
+    // They are limited first, because a constant expression must not overflow.
+    constexpr double least = 2 * lowest / twice_one;
+    constexpr double most = 2 * highest / twice_one;
+    const double number = select(magnitude > infinity, 0.0, x);
+    const double limited = select(number < least, least, number);
     return static_cast<Raw>(
-        half_rounded<R>(select(limited > 2 * highest, 2 * highest, limited), negative));
+        half_rounded<R>(select(limited > most, most, limited) * twice_one, negative));
   } else {
     // From 2^85 ulp on, a double is a multiple of 2^32 ulp. From 2^50 ulp on, its double minus the
     // multiple of 2^36 next to it is exact.
