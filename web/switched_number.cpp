@@ -79,4 +79,16 @@ Transform<Switched> Arithmetic<Switched>::concatenate(const Transform<N>& first,
   });
 }
 
+Switched Arithmetic<Switched>::length(const Vec3<N>& v) {
+  return fixproof::web::with_current([&]<class T>(std::type_identity<T> /*type*/) {
+    return N::of(Arithmetic<T>::length({v.x.as<T>(), v.y.as<T>(), v.z.as<T>()}));
+  });
+}
+
+Switched Arithmetic<Switched>::power(N base, N exponent) {
+  return fixproof::web::with_current([&]<class T>(std::type_identity<T> /*type*/) {
+    return N::of(Arithmetic<T>::power(base.as<T>(), exponent.as<T>()));
+  });
+}
+
 }  // namespace xsharp

@@ -142,6 +142,8 @@ struct Arithmetic<fixproof::web::SwitchedNumber> {
   static Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v);
   static Transform<N> concatenate(const Transform<N>& first, const Transform<N>& second,
                                   Concatenation how);
+  static N length(const Vec3<N>& v);
+  static N power(N base, N exponent);
 };
 
 }  // namespace xsharp
