@@ -21,7 +21,8 @@ template <class T>
 std::span<const T> read_as(std::string_view bytes, std::vector<T>& room) {
   static_assert(std::is_trivially_copyable_v<T>);
   room.resize(bytes.size() / sizeof(T));
-  std::memcpy(room.data(), bytes.data(), room.size() * sizeof(T));
+  // Of no bytes, memcpy may be given no null pointer.
+  if (!room.empty()) std::memcpy(room.data(), bytes.data(), room.size() * sizeof(T));
   return room;
 }
 

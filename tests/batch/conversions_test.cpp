@@ -66,8 +66,13 @@ Expected<Number> expected_from(Float x) {
   using Quiet = fixproof::number<typename Number::raw_type, Number::fraction_bits, quiet(P)>;
   using Loud = fixproof::number<typename Number::raw_type, Number::fraction_bits, loud(P)>;
   constexpr Fault beyond = P.range == fixproof::overflow::wrap ? Fault::none : Fault::overflow;
-  if (std::isnan(x)) return {Number(), Fault::domain_error};
-  if (std::isinf(x)) return {x > 0 ? limits::max() : limits::lowest(), beyond};
+  // By their bits, because -ffast-math takes infinities and NaN for impossible.
+  const auto [m, e] = floats::take_apart(x);
+  constexpr int digits = std::numeric_limits<Float>::digits;
+  if (e == std::numeric_limits<Float>::max_exponent - digits + 1) {
+    if (std::abs(m) != std::int64_t{1} << (digits - 1)) return {Number(), Fault::domain_error};
+    return {m > 0 ? limits::max() : limits::lowest(), beyond};
+  }
   return {Number::from_raw(floats::converted<Quiet>(x).raw),
           floats::converted<Loud>(x).throws ? Fault::overflow : Fault::none};
 }

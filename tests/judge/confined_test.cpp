@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <atomic>
-
 #include "tests/support/test.hpp"
 
 namespace {
@@ -49,13 +47,17 @@ TEST(Confined, StartsNoProcess) {
 }
 
 TEST(Confined, HasLittleMemory) {
+#ifdef JUDGE_SANITIZED
+  GTEST_SKIP() << "AddressSanitizer ends the process before it throws";
+#endif
   EXPECT_EQ(downfall_of([](std::string_view) { return std::string(16 * memory, 'x'); }),
             Downfall::out_of_memory);
 }
 
 TEST(Confined, HasLittleTime) {
   EXPECT_EQ(downfall_of([](std::string_view) {
-              for (std::atomic<bool> goes_on = true; goes_on;) {
+              // Volatile, or the compiler may take a loop without effects for one that ends.
+              for (volatile bool goes_on = true; goes_on;) {
               }
               return std::string();
             }),
