@@ -14,7 +14,14 @@ using real = recorded<q16_16>;
 static_assert(!std::is_same_v<real, q16_16>);
 
 /// What one side does otherwise.
-enum class Plant { nothing, operand, arithmetic, order, conversion, extra };
+enum class Plant { nothing, operand, arithmetic, order, conversion, contraction, extra };
+
+/// 0 if the product is rounded. A compiler that contracts it with the difference computes 2^-14.
+inline double contracted() {
+  const volatile double a = 1 + 0x1p-27;
+  const volatile double b = 1 + 0x1p-26;
+  return (a * a - b) * 0x1p40;
+}
 
 /// The number of the loop's first operation that the planted difference changes, from 0: turns have
 /// four operations.
@@ -53,6 +60,9 @@ inline void run(const std::string& path, std::uint64_t turns, Plant plant, std::
           continue;
         case Plant::conversion:
           sum += real(1e-3);
+          break;
+        case Plant::contraction:
+          sum += real(contracted());
           break;
         default:
           sum = -sum;
