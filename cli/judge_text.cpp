@@ -27,7 +27,7 @@ std::string machine_text(const judge::Verdict& verdict) {
   return text + '\n';
 }
 
-/// The line of a case without its number, which the smallest case has not.
+/// Returns the line of a case without its number, which the smallest case does not have.
 std::string smallest_text(const check::JudgedCase& one, const check::Rules& rules) {
   const std::string line = check::text_of(one, rules);
   return line.substr(line.find("): ") + 3);
@@ -108,7 +108,7 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   if (verdict.unsteady) {
     text += fmt::format(
         "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a "
-        "flag or memory that its caller does not set\n",
+        "flag or memory that its caller does not set, or a flag that Intel leaves undefined\n",
         verdict.unsteady->operands);
   }
   if (verdict.first_divide_error) {
