@@ -20,7 +20,7 @@ std::string decimal_text(const oracle::Integer& numerator, const oracle::Integer
   const auto digit_of = [](const oracle::Integer& value) {
     return static_cast<char>('0' + static_cast<int>(value));
   };
-  // Boost's own conversion takes half of the module, because it uses streams.
+  // Boost's own conversion uses streams, which would take half of the module.
   std::string text;
   oracle::Integer whole = rest / divisor;
   do {
