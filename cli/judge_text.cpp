@@ -100,8 +100,9 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   }
   text += '\n';
   if (verdict.not_preserved) {
-    text += fmt::format("BREAKS its convention in {} cases: it does not keep {}, first for {}\n",
+    text += fmt::format("BREAKS its convention in {} {}: it does not keep {}, first for {}\n",
                         support::grouped(verdict.not_preserved_count),
+                        verdict.not_preserved_count == 1 ? "case" : "cases",
                         register_names(verdict.not_preserved->registers, bits),
                         verdict.not_preserved->operands);
   }
@@ -125,10 +126,11 @@ std::string verdict_text(const judge::Subject& subject, const judge::Verdict& ve
   if (verdict.stuck) return text;
   const check::Judge& judge = *verdict.judge;
   if (judge.wrong().count() == 0) {
-    text += fmt::format("AGREES on {} cases\n", support::grouped(judge.cases()));
+    text += fmt::format("AGREES on {} {}\n", support::grouped(judge.cases()),
+                        judge.cases() == 1 ? "case" : "cases");
   } else {
-    text += fmt::format("WRONG in {} of {} cases\n", support::grouped(judge.wrong().count()),
-                        support::grouped(judge.cases()));
+    text += fmt::format("WRONG in {} of {} {}\n", support::grouped(judge.wrong().count()),
+                        support::grouped(judge.cases()), judge.cases() == 1 ? "case" : "cases");
     if (verdict.smallest) {
       text += fmt::format("  smallest: {}\n", smallest_text(*verdict.smallest, verdict.rules));
     }

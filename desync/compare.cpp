@@ -223,10 +223,13 @@ Comparison compare_last_frames(LogFile& a, LogFile& b) {
     const bool cut_a = in_a.end == a.blocks();
     const bool cut_b = in_b.end == b.blocks();
     if (blocks_a == blocks_b || (blocks_a < blocks_b ? cut_a : cut_b)) continue;
-    // One side did more operations in the frame than the other.
-    comparison.verdict = Verdict::block;
-    comparison.a = place_of(a, in_a.end - 1, in_a.end);
-    comparison.b = place_of(b, in_b.end - 1, in_b.end);
+    // One side does more operations in the frame: the first one is in the block after the common
+    // ones.
+    comparison.a = place_of(a, std::min(in_a.first + common, in_a.end - 1), in_a.end);
+    comparison.b = place_of(b, std::min(in_b.first + common, in_b.end - 1), in_b.end);
+    Place& longer = blocks_a > blocks_b ? comparison.a : comparison.b;
+    comparison.verdict = longer.records.empty() ? Verdict::block : Verdict::path;
+    if (!longer.records.empty()) longer.index = 0;
     return comparison;
   }
   return comparison;

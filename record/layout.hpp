@@ -28,8 +28,6 @@ inline constexpr std::size_t block_records = 1024;
 inline constexpr std::size_t entry_words = 4;
 /// The number of entries in a page.
 inline constexpr std::size_t page_entries = page_room / entry_words;
-/// The version of the format.
-inline constexpr std::uint32_t version = 1;
 
 /// What a page contains. It is in the upper half of the first word; the lower half is `magic`.
 enum class page_type : std::uint32_t {

@@ -181,6 +181,7 @@ class log {
 
   /// Names what follows; see record::mark().
   void mark(std::string_view name) noexcept {
+    name = name.substr(0, max_name_length);
     const word number = number_of(name);
     put_remark(kind::mark, hash_text(name.data(), name.size()));
     if (number != 0) name_ = number;

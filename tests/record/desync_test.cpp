@@ -264,6 +264,44 @@ TEST_F(Runs, ADifferenceInARollback) {
   EXPECT_EQ(operation.kind, record::kind::add);
 }
 
+/// Records a frame of `operations` operations in full, and a short one after it.
+void play_long_frame(const std::string& path, int operations) {
+  const record::log log(path, {.full = {.is_of_frames = true, .first = 7, .last = 7}});
+  record::frame(7);
+  recorder_test::real sum;
+  for (int i = 0; i < operations; ++i) sum += recorder_test::real();
+  record::frame(8);
+  sum += sum;
+}
+
+TEST_F(Runs, AFrameThatGoesOnAfterAFullBlock) {
+  // The frame's own record and 1,023 operations fill a block.
+  play_long_frame(a(), 1023);
+  play_long_frame(b(), 1025);
+  for (const bool swapped : {false, true}) {
+    LogFile first(swapped ? b() : a());
+    LogFile second(swapped ? a() : b());
+    const Comparison found = desync::compare_last_frames(first, second);
+    EXPECT_EQ(found.verdict, Verdict::path);
+    EXPECT_EQ(found.a.index.has_value(), swapped);
+    const desync::Place& longer = swapped ? found.a : found.b;
+    ASSERT_TRUE(longer.index);
+    EXPECT_EQ(longer.records.at(*longer.index).operation, 1023U);
+  }
+}
+
+TEST_F(Runs, TheLongestNamesAreCutAndFound) {
+  const std::string name(300, 'x');
+  {
+    const record::log log(a(), {.full = {.first = 0, .last = 0}});
+    record::mark(name);
+    (void)(recorder_test::real(1) + recorder_test::real(2));
+  }
+  LogFile log(a());
+  EXPECT_EQ(log.name(log.records(0).at(1).name == 0 ? 0 : 1), name.substr(0, 255));
+  EXPECT_EQ(log.name_with_hash(log.records(0).at(1).name), name.substr(0, 255));
+}
+
 TEST_F(Runs, FramesThatAreNotConfirmedDoNotCount) {
   for (const auto& [path, guess] : {std::pair(a(), 1), std::pair(b(), 2)}) {
     const record::log log(path);

@@ -14,7 +14,7 @@ using real = recorded<q16_16>;
 static_assert(!std::is_same_v<real, q16_16>);
 
 /// What one side does differently.
-enum class Plant { nothing, operand, arithmetic, order, conversion, contraction, extra };
+enum class Plant { nothing, operand, arithmetic, order, contraction, extra };
 
 /// 0 if the product is rounded. A compiler that contracts it with the difference computes 2^-14.
 inline double contracted() {
@@ -57,9 +57,6 @@ inline void run(const std::string& path, std::uint64_t turns, Plant plant, std::
           sum += step;
           sum = sum * real(q16_16(1));
           continue;
-        case Plant::conversion:
-          sum += real(1e-3);
-          break;
         case Plant::contraction:
           sum += real(contracted());
           break;
