@@ -1,7 +1,6 @@
 #include "web/words.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace fixproof::web {
 
