@@ -28,8 +28,7 @@
 #include <libfixmath/fix16.h>
 #endif
 #if defined(FIXPROOF_FREETYPE)
-#include <ft2build.h>
-#include FT_FREETYPE_H
+#include <freetype/freetype.h>
 #endif
 
 namespace {
@@ -301,14 +300,16 @@ std::int32_t operand_from(std::mt19937& random, Operands operands, std::size_t i
   return word >> i % 31;
 }
 
-Triples triples_from(std::mt19937& random, Operands operands) {
+Triples triples_of(Operands operands) {
   Triples in;
+  std::mt19937 random(54);
+  std::mt19937 third(55);
   for (std::size_t i = 0; i < count; ++i) {
     in.x[i] = operand_from(random, operands, i);
     // Exponents within +-2, or numbers of other lengths than x.
     in.y[i] = operands == Operands::powers ? static_cast<std::int32_t>(random()) >> 14
                                            : operand_from(random, operands, 7 * i);
-    in.z[i] = operand_from(random, operands, 11 * i);
+    in.z[i] = operand_from(third, operands, 11 * i);
     if (operands == Operands::quotients) {
       // No divisor is 0, and x * y / z is at most x.
       in.y[i] |= 1;
@@ -322,8 +323,7 @@ Triples triples_from(std::mt19937& random, Operands operands) {
 }
 
 void time_contender(benchmark::State& state, const Contender& contender) {
-  std::mt19937 random(54);
-  const Triples in = triples_from(random, contender.operands);
+  const Triples in = triples_of(contender.operands);
   Words out(count);
   contender.run(in, out);
   std::int64_t off = 0;
