@@ -1,4 +1,4 @@
-// Times functions of 16.16: the type, libfixmath, and double with lrint. First
+// Times functions of 16.16: the type, libfixmath, FreeType, and double with lrint. First
 // checks every result: the type must be exact, the others within the errors stated here. The
 // counter `off` is the largest error in ulp.
 #include <benchmark/benchmark.h>
@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -21,9 +22,13 @@
 #include "fixed/fixed.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
+#include "oracle/fast_format.hpp"
 #include "oracle/function.hpp"
 #if defined(FIXPROOF_LIBFIXMATH)
 #include <libfixmath/fix16.h>
+#endif
+#if defined(FIXPROOF_FREETYPE)
+#include <freetype/freetype.h>
 #endif
 
 namespace {
@@ -33,30 +38,63 @@ using oracle::Function;
 using Words = std::vector<std::int32_t>;
 
 /// The operands that a function is given.
-enum class Operands { exponents, positive, unit, angles, any, powers };
+enum class Operands { exponents, positive, unit, angles, any, powers, quotients };
 
 /// More elements than libfixmath's result cache holds.
 constexpr std::size_t count = 16384;
 
+struct Triples {
+  Words x = Words(count);
+  Words y = Words(count);
+  Words z = Words(count);
+};
+
+/// The nearest word to the function of x, of x and y, or of all three.
+using Exact = std::function<std::int64_t(std::int32_t x, std::int32_t y, std::int32_t z)>;
+using Run = std::function<void(const Triples& in, Words& out)>;
+
 struct Contender {
   std::string name;
-  Function function;
+  Exact exact;
   Operands operands;
-  std::function<void(const Words& x, const Words& y, Words& out)> run;
+  Run run;
   std::int64_t error;  ///< the largest, in ulps
 };
 
 template <class OfWord>
-std::function<void(const Words&, const Words&, Words&)> each(OfWord of_word) {
-  return [of_word](const Words& x, const Words& y, Words& out) {
+Run each(OfWord of_word) {
+  return [of_word](const Triples& in, Words& out) {
     for (std::size_t i = 0; i < count; ++i) {
       if constexpr (std::is_invocable_v<OfWord, std::int32_t>) {
-        out[i] = of_word(x[i]);
+        out[i] = of_word(in.x[i]);
+      } else if constexpr (std::is_invocable_v<OfWord, std::int32_t, std::int32_t>) {
+        out[i] = of_word(in.x[i], in.y[i]);
       } else {
-        out[i] = of_word(x[i], y[i]);
+        out[i] = of_word(in.x[i], in.y[i], in.z[i]);
       }
     }
   };
+}
+
+/// The nearest word to a result out of range.
+std::int64_t limited(std::int64_t ulps) {
+  return std::clamp<std::int64_t>(ulps, std::numeric_limits<std::int32_t>::min(),
+                                  std::numeric_limits<std::int32_t>::max());
+}
+
+Exact exact(Function function) {
+  return [function](std::int32_t x, std::int32_t y, std::int32_t /*z*/) {
+    return limited(
+        oracle::fast::nearest(function, x, y, 16, oracle::Rounding::half_up).value_or(0));
+  };
+}
+
+constexpr oracle::Format format{.bits = 32, .fraction_bits = 16, .is_signed = true};
+
+std::uint32_t bits(std::int32_t word) { return static_cast<std::uint32_t>(word); }
+
+std::int64_t word_of(std::optional<oracle::LongWord> result) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(result.value_or(0)));
 }
 
 template <class OfNumber>
@@ -78,6 +116,21 @@ auto by_type_of_two(OfNumbers of_numbers) {
   });
 }
 
+template <class OfNumbers>
+auto by_type_of_three(OfNumbers of_numbers) {
+  return each([of_numbers](std::int32_t x, std::int32_t y, std::int32_t z) {
+    return of_numbers(q16_16::from_raw(x), q16_16::from_raw(y), q16_16::from_raw(z)).raw();
+  });
+}
+
+template <class OfDoubles>
+auto by_double_of_three(OfDoubles of_doubles) {
+  return each([of_doubles](std::int32_t x, std::int32_t y, std::int32_t z) {
+    const double units = of_doubles(x / 65536.0, y / 65536.0, z / 65536.0) * 65536;
+    return static_cast<std::int32_t>(std::lrint(std::clamp(units, -2147483648.0, 2147483647.0)));
+  });
+}
+
 template <class OfDoubles>
 auto by_double_of_two(OfDoubles of_doubles) {
   return each([of_doubles](std::int32_t x, std::int32_t y) {
@@ -90,8 +143,8 @@ std::vector<Contender> contenders() {
   std::vector<Contender> all;
   const auto add = [&all](Function function, Operands operands, const std::string& name,
                           const auto& of_number, const auto& of_double) {
-    all.push_back({name + "/q16_16", function, operands, by_type(of_number), 0});
-    all.push_back({name + "/double", function, operands, by_double(of_double), 1});
+    all.push_back({name + "/q16_16", exact(function), operands, by_type(of_number), 0});
+    all.push_back({name + "/double", exact(function), operands, by_double(of_double), 1});
   };
   constexpr double two_pi = 2 * std::numbers::pi;
   add(
@@ -149,26 +202,63 @@ std::vector<Contender> contenders() {
   add(
       Function::atan, Operands::any, "atan", [](q16_16 x) { return atan(x); },
       [](double x) { return std::atan(x); });
-  const auto add_of_two = [&all](Function function, Operands operands, const std::string& name,
-                                 const auto& of_numbers, const auto& of_doubles) {
-    all.push_back({name + "/q16_16", function, operands, by_type_of_two(of_numbers), 0});
-    all.push_back({name + "/double", function, operands, by_double_of_two(of_doubles), 1});
+  const auto add_of_two = [&all](const Exact& exact_word, Operands operands,
+                                 const std::string& name, const auto& of_numbers,
+                                 const auto& of_doubles) {
+    all.push_back({name + "/q16_16", exact_word, operands, by_type_of_two(of_numbers), 0});
+    all.push_back({name + "/double", exact_word, operands, by_double_of_two(of_doubles), 1});
   };
   add_of_two(
-      Function::atan2, Operands::any, "atan2", [](q16_16 y, q16_16 x) { return atan2(y, x); },
+      exact(Function::atan2), Operands::any, "atan2",
+      [](q16_16 y, q16_16 x) { return atan2(y, x); },
       [](double y, double x) { return std::atan2(y, x); });
   add_of_two(
-      Function::hypot, Operands::any, "hypot", [](q16_16 x, q16_16 y) { return hypot(x, y); },
+      exact(Function::hypot), Operands::any, "hypot",
+      [](q16_16 x, q16_16 y) { return hypot(x, y); },
       [](double x, double y) { return std::hypot(x, y); });
   add_of_two(
-      Function::pow, Operands::powers, "pow", [](q16_16 x, q16_16 y) { return pow(x, y); },
+      exact(Function::pow), Operands::powers, "pow", [](q16_16 x, q16_16 y) { return pow(x, y); },
       [](double x, double y) { return std::pow(x, y); });
+  const Exact exact_fmod = [](std::int32_t x, std::int32_t y, std::int32_t /*z*/) {
+    return word_of(oracle::fast::truncated_remainder(bits(x), bits(y), format));
+  };
+  add_of_two(
+      exact_fmod, Operands::quotients, "fmod", [](q16_16 x, q16_16 y) { return fmod(x, y); },
+      [](double x, double y) { return std::fmod(x, y); });
+  add_of_two(
+      [](std::int32_t x, std::int32_t y, std::int32_t /*z*/) {
+        return word_of(oracle::fast::nearest_remainder(bits(x), bits(y), format));
+      },
+      Operands::quotients, "remainder", [](q16_16 x, q16_16 y) { return remainder(x, y); },
+      [](double x, double y) { return std::remainder(x, y); });
+  const auto add_of_three = [&all](const Exact& exact_word, Operands operands,
+                                   const std::string& name, const auto& of_numbers,
+                                   const auto& of_doubles) {
+    all.push_back({name + "/q16_16", exact_word, operands, by_type_of_three(of_numbers), 0});
+    all.push_back({name + "/double", exact_word, operands, by_double_of_three(of_doubles), 1});
+  };
+  const Exact exact_mul_div = [](std::int32_t x, std::int32_t y, std::int32_t z) {
+    return word_of(oracle::fast::product_quotient(bits(x), bits(y), bits(z), format));
+  };
+  add_of_three(
+      exact_mul_div, Operands::quotients, "mul_div",
+      [](q16_16 x, q16_16 y, q16_16 z) { return mul_div(x, y, z); },
+      [](double x, double y, double z) { return x * y / z; });
+  add_of_three(
+      [](std::int32_t x, std::int32_t y, std::int32_t z) {
+        return limited(static_cast<std::int64_t>(
+            oracle::fast::nearest_length(bits(x), bits(y), bits(z), format)));
+      },
+      Operands::any, "hypot3", [](q16_16 x, q16_16 y, q16_16 z) { return hypot(x, y, z); },
+      [](double x, double y, double z) { return std::hypot(x, y, z); });
 #if defined(FIXPROOF_LIBFIXMATH)
-  all.push_back({"atan2/libfixmath", Function::atan2, Operands::any, each(fix16_atan2),
+  all.push_back({"atan2/libfixmath", exact(Function::atan2), Operands::any, each(fix16_atan2),
                  std::int64_t{1} << 33});
+  all.push_back({"fmod/libfixmath", exact_fmod, Operands::quotients, each(fix16_mod), 0});
   const auto add_libfixmath = [&all](Function function, Operands operands, const std::string& name,
                                      fix16_t (*of_word)(fix16_t)) {
-    all.push_back({name + "/libfixmath", function, operands, each(of_word), std::int64_t{1} << 33});
+    all.push_back(
+        {name + "/libfixmath", exact(function), operands, each(of_word), std::int64_t{1} << 33});
   };
   add_libfixmath(Function::exp, Operands::exponents, "exp", fix16_exp);
   add_libfixmath(Function::log, Operands::positive, "log", fix16_log);
@@ -177,6 +267,14 @@ std::vector<Contender> contenders() {
   add_libfixmath(Function::asin, Operands::unit, "asin", fix16_asin);
   add_libfixmath(Function::acos, Operands::unit, "acos", fix16_acos);
   add_libfixmath(Function::atan, Operands::any, "atan", fix16_atan);
+#endif
+#if defined(FIXPROOF_FREETYPE)
+  // It rounds negative ties down.
+  all.push_back({"mul_div/FreeType", exact_mul_div, Operands::quotients,
+                 each([](std::int32_t x, std::int32_t y, std::int32_t z) {
+                   return static_cast<std::int32_t>(FT_MulDiv(x, y, z));
+                 }),
+                 1});
 #endif
   return all;
 }
@@ -195,42 +293,50 @@ std::int32_t operand_from(std::mt19937& random, Operands operands, std::size_t i
       return word >> 8;  // within +-128
     case Operands::powers:
       return (word & 0x3ffff) + 16384;  // from 1/4 to 4 1/4
+    case Operands::quotients:
     case Operands::any:
       break;
   }
   return word >> i % 31;
 }
 
-/// The nearest word to a result out of range.
-std::int64_t limited(std::int64_t ulps) {
-  return std::clamp<std::int64_t>(ulps, std::numeric_limits<std::int32_t>::min(),
-                                  std::numeric_limits<std::int32_t>::max());
+Triples triples_of(Operands operands) {
+  Triples in;
+  std::mt19937 random(54);
+  std::mt19937 third(55);
+  for (std::size_t i = 0; i < count; ++i) {
+    in.x[i] = operand_from(random, operands, i);
+    // Exponents within +-2, or numbers of other lengths than x.
+    in.y[i] = operands == Operands::powers ? static_cast<std::int32_t>(random()) >> 14
+                                           : operand_from(random, operands, 7 * i);
+    in.z[i] = operand_from(third, operands, 11 * i);
+    if (operands == Operands::quotients) {
+      // No divisor is 0, and x * y / z is at most x.
+      in.y[i] |= 1;
+      in.z[i] |= 1;
+      if (std::abs(std::int64_t{in.z[i]}) < std::abs(std::int64_t{in.y[i]})) {
+        std::swap(in.y[i], in.z[i]);
+      }
+    }
+  }
+  return in;
 }
 
 void time_contender(benchmark::State& state, const Contender& contender) {
-  Words x(count);
-  Words y(count);
+  const Triples in = triples_of(contender.operands);
   Words out(count);
-  std::mt19937 random(54);
-  for (std::size_t i = 0; i < count; ++i) {
-    x[i] = operand_from(random, contender.operands, i);
-    // Exponents within +-2, or numbers of other lengths than x.
-    y[i] = contender.operands == Operands::powers ? static_cast<std::int32_t>(random()) >> 14
-                                                  : operand_from(random, contender.operands, 7 * i);
-  }
-  contender.run(x, y, out);
+  contender.run(in, out);
   std::int64_t off = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto exact =
-        oracle::fast::nearest(contender.function, x[i], y[i], 16, oracle::Rounding::half_up);
-    off = std::max<std::int64_t>(off, std::abs(out[i] - limited(exact.value_or(0))));
+    const std::int64_t expected = contender.exact(in.x[i], in.y[i], in.z[i]);
+    off = std::max<std::int64_t>(off, std::abs(out[i] - expected));
   }
   if (off > contender.error) {
     state.SkipWithError("wrong result");
     return;
   }
   for ([[maybe_unused]] auto _ : state) {
-    contender.run(x, y, out);
+    contender.run(in, out);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));

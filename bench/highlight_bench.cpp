@@ -11,6 +11,8 @@
 // components that are the nearest.
 //
 // Frame/*: a frame of that scene before it is filled, with highlights and without.
+//
+// A scene that cannot be read, or is not drawn without errors, is an error of its benchmarks.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -18,10 +20,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <exception>
 #include <numeric>
 #include <optional>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -156,6 +160,24 @@ void add_frame(std::vector<Seen>& all, const Scene& scene, const Player& player,
   }
 }
 
+/// @throws std::runtime_error if something was not drawn
+void require_all_drawn(const Tally& tally) {
+  if (tally.faults == 0 && tally.out_of_reach == 0) return;
+  throw std::runtime_error("scenes/highlight.json has " + std::to_string(tally.faults) +
+                           " divide errors and " + std::to_string(tally.out_of_reach) +
+                           " objects out of reach");
+}
+
+/// A benchmark whose exceptions are its errors.
+template <void (*Benchmark)(benchmark::State&)>
+void reported(benchmark::State& state) {
+  try {
+    Benchmark(state);
+  } catch (const std::exception& error) {
+    state.SkipWithError(error.what());
+  }
+}
+
 /// The visible faces of the frames.
 const std::vector<Seen>& faces() {
   static const std::vector<Seen> all = [] {
@@ -166,7 +188,7 @@ const std::vector<Seen>& faces() {
     for (int frame = 0; frame < frames * frames_between; ++frame) {
       if (frame > 0) animation.move();
       if (frame % frames_between != 0) continue;
-      animation.draw(picture);
+      require_all_drawn(animation.draw(picture));
       add_frame(seen, scene, animation, picture);
     }
     return seen;
@@ -234,10 +256,10 @@ void highlight(benchmark::State& state) {
   state.counters["pixels"] = static_cast<double>(pixels);
   state.counters["most"] = most;
 }
-BENCHMARK(highlight<Type>)->Name("Highlight/pow");
-BENCHMARK(highlight<Repeated>)->Name("Highlight/products");
-BENCHMARK(highlight<float>)->Name("Highlight/float");
-BENCHMARK(highlight<double>)->Name("Highlight/double");
+BENCHMARK(reported<highlight<Type>>)->Name("Highlight/pow");
+BENCHMARK(reported<highlight<Repeated>>)->Name("Highlight/products");
+BENCHMARK(reported<highlight<float>>)->Name("Highlight/float");
+BENCHMARK(reported<highlight<double>>)->Name("Highlight/double");
 
 /// A unit vector by the reciprocal of the root of the vector's square. The vector is first scaled
 /// until its longest component is from 1 to 2, so that the square neither overflows nor loses bits.
@@ -311,27 +333,29 @@ void unit(benchmark::State& state, const Unit& unit_of) {
 void unit_by_length(benchmark::State& state) { unit<Type>(state, unit_vector<Type>); }
 void unit_by_root(benchmark::State& state) { unit<Type>(state, by_reciprocal_root); }
 void unit_in_float(benchmark::State& state) { unit<float>(state, in_float); }
-BENCHMARK(unit_by_length)->Name("Unit/hypot");
-BENCHMARK(unit_by_root)->Name("Unit/rsqrt");
-BENCHMARK(unit_in_float)->Name("Unit/float");
+BENCHMARK(reported<unit_by_length>)->Name("Unit/hypot");
+BENCHMARK(reported<unit_by_root>)->Name("Unit/rsqrt");
+BENCHMARK(reported<unit_in_float>)->Name("Unit/float");
 
 template <class N>
 void frame(benchmark::State& state, const Scene& scene) {
   Animation<N> animation(scene);
   Picture picture;
+  Tally tally;
   for ([[maybe_unused]] auto _ : state) {
     animation.move();
-    animation.draw(picture);
+    tally = tally + animation.draw(picture);
     benchmark::DoNotOptimize(picture.points.data());
   }
+  require_all_drawn(tally);
 }
 void frame_with(benchmark::State& state) { frame<Type>(state, glossy()); }
 void frame_without(benchmark::State& state) { frame<Type>(state, dull()); }
 void frame_float_with(benchmark::State& state) { frame<float>(state, glossy()); }
 void frame_float_without(benchmark::State& state) { frame<float>(state, dull()); }
-BENCHMARK(frame_with)->Name("Frame/highlights");
-BENCHMARK(frame_without)->Name("Frame/none");
-BENCHMARK(frame_float_with)->Name("Frame/float/highlights");
-BENCHMARK(frame_float_without)->Name("Frame/float/none");
+BENCHMARK(reported<frame_with>)->Name("Frame/highlights");
+BENCHMARK(reported<frame_without>)->Name("Frame/none");
+BENCHMARK(reported<frame_float_with>)->Name("Frame/float/highlights");
+BENCHMARK(reported<frame_float_without>)->Name("Frame/float/none");
 
 }  // namespace

@@ -109,6 +109,7 @@ struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
 };
 
 /// double, which is the reference, and float. Neither rounds constants, sines or cosines to 16.16.
+/// Lengths and powers are those of the C++ library, which may be the neighbour of the nearest.
 template <std::floating_point N>
 struct Arithmetic<N> {
   static std::int32_t raw(N x) { return raw_constant(static_cast<double>(x), Conversion::nearest); }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "fixed/detail/arcsine.hpp"
 #include "fixed/detail/arctangent.hpp"
@@ -68,10 +67,10 @@ constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
   }
 }
 
-// Compilers limit the steps of a constant expression, so it computes in words.
+// Constant expressions compute in words; variant.hpp has the reasons.
 
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_angle(y, x, fraction_bits);
+  if (__builtin_is_constant_evaluated()) return detail::nearest_angle(y, x, fraction_bits);
   return vector_angle_ulps(y, x, fraction_bits);
 }
 
@@ -79,7 +78,7 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
 /// \pre |raw| <= 2^fraction_bits <= 2^32
 template <triangle_side Side>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) {
+  if (__builtin_is_constant_evaluated()) {
     return detail::nearest_triangle_angle<Side>(raw, fraction_bits);
   }
   return triangle_angle_ulps(raw, fraction_bits, Side);

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "fixed/detail/digit_series.hpp"
 #include "fixed/detail/exponential.hpp"
@@ -97,28 +96,31 @@ constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits
   }
 }
 
-// Compilers limit the steps of a constant expression, so it computes in words.
+// Constant expressions compute in words; variant.hpp has the reasons.
 
 template <exponential_base Base, rounding R>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_exponential<Base, R>(x, fraction_bits);
+  if (__builtin_is_constant_evaluated())
+    return detail::nearest_exponential<Base, R>(x, fraction_bits);
   return exponential_ulps(x, fraction_bits, Base, R);
 }
 
 template <logarithm_base Base>
 constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_logarithm<Base>(raw, fraction_bits);
+  if (__builtin_is_constant_evaluated()) return detail::nearest_logarithm<Base>(raw, fraction_bits);
   return logarithm_ulps(raw, fraction_bits, Base);
 }
 
 template <hyperbola Function>
 constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_hyperbolic<Function>(x, fraction_bits);
+  if (__builtin_is_constant_evaluated())
+    return detail::nearest_hyperbolic<Function>(x, fraction_bits);
   return hyperbolic_ulps(x, fraction_bits, Function);
 }
 
 constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_hyperbolic_tangent(x, fraction_bits);
+  if (__builtin_is_constant_evaluated())
+    return detail::nearest_hyperbolic_tangent(x, fraction_bits);
   return hyperbolic_tangent_ulps(x, fraction_bits);
 }
 

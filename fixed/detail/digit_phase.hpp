@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "fixed/detail/digit_series.hpp"
 #include "fixed/detail/function_kinds.hpp"
@@ -76,7 +75,7 @@ constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_u
   }
 }
 
-// Compilers limit the steps of a constant expression, so it computes in words.
+// Constant expressions compute in words; variant.hpp has the reasons.
 
 /// Quarter turns are exact in degrees and turns.
 template <angle_unit Unit>
@@ -84,7 +83,7 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
   if constexpr (Unit == angle_unit::radian) {
     return false;
   } else {
-    if (std::is_constant_evaluated()) return detail::is_pole<Unit>(raw, fraction_bits);
+    if (__builtin_is_constant_evaluated()) return detail::is_pole<Unit>(raw, fraction_bits);
     phase angle = phase_of(raw, fraction_bits, Unit, short_digit);
     angle.part.negate();
     return angle.quarters % 2 != 0 && !angle.part.negative();
@@ -94,7 +93,7 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
 template <angle_unit Unit, rounding R>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
                                        int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) {
+  if (__builtin_is_constant_evaluated()) {
     return detail::nearest_sine_of<Unit, R>(raw, ahead, fraction_bits);
   }
   return sine_ulps(raw, ahead, fraction_bits, Unit, R);
@@ -102,7 +101,7 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
 
 template <angle_unit Unit>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_tangent<Unit>(raw, fraction_bits);
+  if (__builtin_is_constant_evaluated()) return detail::nearest_tangent<Unit>(raw, fraction_bits);
   return tangent_ulps(raw, fraction_bits, Unit);
 }
 

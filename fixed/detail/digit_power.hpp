@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "fixed/detail/digit_exponential.hpp"
 #include "fixed/detail/digit_series.hpp"
@@ -100,23 +99,24 @@ constexpr std::int64_t power_ulps(std::uint64_t raw, std::int64_t exponent, int 
   }
 }
 
-// Compilers limit the steps of a constant expression, so it computes in words.
+// Constant expressions compute in words; variant.hpp has the reasons.
 
 constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_cube_root(raw, fraction_bits);
+  if (__builtin_is_constant_evaluated()) return detail::nearest_cube_root(raw, fraction_bits);
   return cube_root_ulps(raw, fraction_bits);
 }
 
 template <rounding R>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) return detail::nearest_reciprocal_root<R>(raw, fraction_bits);
+  if (__builtin_is_constant_evaluated())
+    return detail::nearest_reciprocal_root<R>(raw, fraction_bits);
   return reciprocal_root_ulps(raw, fraction_bits, R);
 }
 
 template <rounding R>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {
-  if (std::is_constant_evaluated()) {
+  if (__builtin_is_constant_evaluated()) {
     return detail::nearest_real_power<R>(raw, exponent, fraction_bits);
   }
   return power_ulps(raw, exponent, fraction_bits, R);

@@ -3,8 +3,7 @@
 ///
 /// They take the steps of precise_power(), precise_logarithm(), precise_arctangent(),
 /// precise_sine_of() and precise_side(), each rounded alike, so the results are the same to the bit
-/// and their bounds hold. Short numbers take fewer terms. Each of their fewer than 200 steps is off
-/// by less than eight units of 2^-88, and the terms left out are below 2^-91, so the error is below
+/// and their bounds hold. Short numbers take fewer terms, and the error of a short number is below
 /// 2^-77.
 #pragma once
 
@@ -50,11 +49,12 @@ constexpr real one_as(const real& x) noexcept {
 inline constexpr std::int64_t undecided = std::numeric_limits<std::int64_t>::min();
 
 /// The integer nearest to x * 2^fraction_bits, like nearest_units() of real.hpp, but at most 2^35,
-/// which is beyond every format. Overwrites x. \pre x is not short, or its error is below 2^-20 of
-/// a unit of the result
+/// which is beyond every format; `undecided` if x is short and too near to a tie. Overwrites x.
+/// \pre x is not short, or its error is at most 2^-21 of a unit of the result
 constexpr std::int64_t nearest_units(real& x, int fraction_bits) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 35;
   constexpr int more_bits = 21;
+  // A unit of 2^-21 for the error of x, and one for the shift, which rounds down.
   const std::int64_t error = x.lowest() == 0 ? 0 : 2;
   x.use_from(0);
   x.shift(fraction_bits + more_bits - real_bits);

@@ -27,7 +27,11 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 inline constexpr int short_digit = 96 / digit_bits;
 
 /// An integer of 224 bits in two's complement. It counts units of 2^-184, or of 2^-88 if it is
-/// short. An operation rounds to the units of the number that it changes.
+/// short. It is from -2^39 to 2^39; sums, products and shifts are modulo 2^40.
+///
+/// An operation rounds to the units of the number that it changes. If that is short, and the other
+/// is not, the operation ignores the lower bits of the other: below 2^-88 in sums and divisors, and
+/// below 2^-96 in factors.
 class real {
  public:
   constexpr real() noexcept = default;
@@ -64,7 +68,7 @@ class real {
     return static_cast<std::int64_t>(low);
   }
 
-  /// Adds b, and a unit if `carry` is 1. All sums are modulo 2^224.
+  /// Adds b, and a unit if `carry` is 1.
   constexpr void add(const real& b, two_digits carry) noexcept {
     for (int i = lowest_; i < real_digits; ++i) {
       carry += two_digits{digits_[index(i)]} + b.digits_[index(i)];
@@ -100,7 +104,7 @@ class real {
     }
   }
 
-  /// The product, rounded down. \pre b >= 0
+  /// The product, rounded down. \pre 0 <= b < 2^32
   constexpr void operator*=(const real& b) noexcept {
     // 2^8 b counts units of 2^-192, and 192 bits are whole digits.
     constexpr int whole = 192 / digit_bits;
@@ -131,7 +135,7 @@ class real {
     }
   }
 
-  /// The quotient, rounded down. \pre *this >= 0, b > 0, the quotient is below 2^39
+  /// The quotient, rounded down. \pre *this >= 0, 0 < b < 2^38, the quotient is below 2^39
   constexpr void operator/=(const real& b) noexcept {
     // One bit at a time. Those of the quotient take the places of those of the dividend.
     real minus = b;

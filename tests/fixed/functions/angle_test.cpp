@@ -2,14 +2,13 @@
 #include "fixed/angle.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 
 #include "fixed/constants.hpp"
 #include "fixed/fixed.hpp"
 #include "oracle/function.hpp"
+#include "tests/fixed/functions/hard_pairs.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
@@ -28,17 +27,9 @@ void expect_nearest(N y, N x) {
   ASSERT_EQ(atan2(y, x).raw(), limited) << y.raw() << ' ' << x.raw();
 }
 
-/// A line of a file of hard pairs: format, y, x, result, distance.
-struct HardPair {
-  std::string format;
-  std::int64_t y = 0;
-  std::int64_t x = 0;
-  std::int64_t result = 0;
-};
-
 /// (x, y) and its mirror images.
 template <class N>
-void expect_hard_pair(const HardPair& pair) {
+void expect_hard_pair(const functions::HardPair& pair) {
   using raw = typename N::raw_type;
   EXPECT_EQ(detail::nearest_angle(pair.y, pair.x, N::fraction_bits), pair.result)
       << pair.y << ' ' << pair.x;
@@ -52,20 +43,22 @@ void expect_hard_pair(const HardPair& pair) {
 }
 
 /// The number of pairs of each format in a file, all of which were tried.
-std::map<std::string, int> tried_pairs(const char* path) {
-  std::ifstream file(path);
+std::map<std::string, int> tried_pairs(const std::string& name) {
+  const std::map<std::string, void (*)(const functions::HardPair&)> formats{
+      {"q8_8", expect_hard_pair<q8_8>},
+      {"q16_16", expect_hard_pair<q16_16>},
+      {"q24_8", expect_hard_pair<q24_8>},
+      {"q8_24", expect_hard_pair<q8_24>},
+      {"q2_30", expect_hard_pair<q2_30>}};
   std::map<std::string, int> tried;
-  std::string line;
-  while (std::getline(file, line)) {
-    if (line.starts_with('#')) continue;
-    std::istringstream parts(line);
-    HardPair pair;
-    if (!(parts >> pair.format >> pair.y >> pair.x >> pair.result)) ADD_FAILURE() << line;
-    if (pair.format == "q8_8") expect_hard_pair<q8_8>(pair);
-    if (pair.format == "q16_16") expect_hard_pair<q16_16>(pair);
-    if (pair.format == "q24_8") expect_hard_pair<q24_8>(pair);
-    if (pair.format == "q8_24") expect_hard_pair<q8_24>(pair);
-    if (pair.format == "q2_30") expect_hard_pair<q2_30>(pair);
+  for (const functions::HardPair& pair : functions::hard_pairs(name)) {
+    const auto format = formats.find(pair.format);
+    if (format == formats.end()) {
+      ADD_FAILURE() << name << " has a pair of the format " << pair.format
+                    << ", which tried_pairs() does not know";
+      continue;
+    }
+    format->second(pair);
     ++tried[pair.format];
   }
   return tried;
@@ -73,12 +66,12 @@ std::map<std::string, int> tried_pairs(const char* path) {
 
 // The hardest of 16.16, 2^-63.5 ulps from a tie, is (-1953906981, 910339403).
 TEST(Angles, TheHardestPairs) {
-  EXPECT_EQ(tried_pairs(FUNCTIONS_FOLDER "/hard_pairs.txt"),
+  EXPECT_EQ(tried_pairs("hard_pairs.txt"),
             (std::map<std::string, int>{{"q8_8", 1367}, {"q16_16", 610}}));
 }
 
 TEST(Angles, TheHardestPairsOf32Bits) {
-  EXPECT_EQ(tried_pairs(FUNCTIONS_FOLDER "/hard_pairs_32.txt"),
+  EXPECT_EQ(tried_pairs("hard_pairs_32.txt"),
             (std::map<std::string, int>{{"q24_8", 602}, {"q8_24", 75}, {"q2_30", 33}}));
 }
 

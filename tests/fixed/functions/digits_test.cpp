@@ -2,8 +2,8 @@
 /// functions have the same results in digits as in words, for every number of fraction bits and
 /// every rule for ties.
 #include <array>
-#include <fstream>
-#include <sstream>
+#include <map>
+#include <string>
 
 #include "fixed/detail/arcsine.hpp"
 #include "fixed/detail/digit_angle.hpp"
@@ -12,6 +12,7 @@
 #include "fixed/detail/hyperbolic.hpp"
 #include "fixed/detail/phase.hpp"
 #include "fixed/detail/power.hpp"
+#include "tests/fixed/functions/hard_pairs.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
@@ -343,18 +344,11 @@ TEST_F(Digits, HardPairsAreThoseOfTheFiles) {
   const std::map<std::string, int> fraction_bits{
       {"q8_8", 8}, {"q16_16", 16}, {"q24_8", 8}, {"q8_24", 24}, {"q2_30", 30}};
   std::size_t pairs = 0;
-  for (const char* name : {"/hard_pairs.txt", "/hard_pairs_32.txt"}) {
-    std::ifstream file(std::string(FUNCTIONS_FOLDER) + name);
-    std::string line;
-    while (std::getline(file, line)) {
-      if (line.starts_with('#')) continue;
-      std::istringstream parts(line);
-      std::string format;
-      std::int64_t y = 0;
-      std::int64_t x = 0;
-      std::int64_t result = 0;
-      ASSERT_TRUE(parts >> format >> y >> x >> result) << line;
-      ASSERT_EQ(digits::nearest_angle(y, x, fraction_bits.at(format)), result) << line;
+  for (const char* name : {"hard_pairs.txt", "hard_pairs_32.txt"}) {
+    for (const functions::HardPair& pair : functions::hard_pairs(name)) {
+      ASSERT_TRUE(fraction_bits.contains(pair.format)) << name << ": format " << pair.format;
+      ASSERT_EQ(digits::nearest_angle(pair.y, pair.x, fraction_bits.at(pair.format)), pair.result)
+          << pair.format << ' ' << pair.y << ' ' << pair.x;
       ++pairs;
     }
   }

@@ -146,6 +146,54 @@ TYPED_TEST(ArithmeticOf, OnlyThe8088LosesTheCarryOfATranslation) {
   }));
 }
 
+// A float has 24 significant bits. Units of 2^-16 beyond them are rounded to even.
+TEST(ArithmeticInFloat, RoundsTo24Bits) {
+  using A = Arithmetic<float>;
+  EXPECT_EQ(A::from_raw(0x18000), 1.5F);
+  EXPECT_EQ(A::raw(-1.5F), -0x18000);
+  EXPECT_EQ(A::raw(A::from_raw(0x1000001)), 0x1000000);
+  EXPECT_EQ(A::raw(A::from_raw(0x1000003)), 0x1000004);
+  EXPECT_EQ(A::from_raw(max_raw), 32768.0F);
+  EXPECT_EQ(A::raw(32768.0F), max_raw);
+  EXPECT_EQ(A::raw(std::numeric_limits<float>::quiet_NaN()), 0);
+  // Constants are rounded to a float, not to 16.16.
+  EXPECT_EQ(A::constant(0.1, Conversion::published), 0.1F);
+  EXPECT_EQ(A::constant(-1.0, Conversion::published), -1.0F);
+  EXPECT_EQ(A::constant(16777217, Conversion::nearest), 16777216.0F);
+}
+
+TEST(ArithmeticInFloat, ComputesInFloat) {
+  using A = Arithmetic<float>;
+  EXPECT_EQ(A::divide(1, 3), 0x1.555556p-2F);
+  EXPECT_FALSE(A::divide(1, 0));
+  EXPECT_FALSE(A::divide(0, -0.0F));
+  EXPECT_FALSE(A::divides_by_whole_part);
+  EXPECT_EQ(A::midpoint(1, 2), 1.5F);
+  EXPECT_EQ(A::midpoint(std::numeric_limits<float>::max(), std::numeric_limits<float>::max()),
+            std::numeric_limits<float>::max());
+  EXPECT_NEAR(A::length({2, -3, 6}), 7, 0x1p-21);  // an ulp
+  EXPECT_EQ(A::power(0.5F, 10), 0x1p-10F);
+  EXPECT_NEAR(A::power(2, 0.5F), std::sqrt(2.0), 0x1p-23);
+  EXPECT_NEAR(A::turn(300).sin, 0.5, 0x1p-24);
+  EXPECT_NEAR(A::turn(-300).cos, std::sqrt(0.75), 0x1p-24);
+  EXPECT_EQ(nearest_pixel(-0.5F), 0);
+  EXPECT_EQ(nearest_pixel(2.5F), 3);
+}
+
+TEST(ArithmeticInFloat, TransformsAreSumsOfProducts) {
+  using A = Arithmetic<float>;
+  Transform<float> t = identity<float>();
+  t.rows[0] = {2, 0, -1, 5};
+  EXPECT_EQ(A::apply(t, {3, 4, 7}), (Vec3<float>{4, 4, 7}));
+  // 2 * 2 + -1 * 0, 2 * 0, 2 * -1 + -1 * 1, 2 * 5 + 5
+  for (const Concatenation how : {Concatenation::published, Concatenation::repaired}) {
+    const Transform<float> both = A::concatenate(t, t, how);
+    EXPECT_EQ(both.rows[0], (std::array<float, 4>{4, 0, -3, 15}));
+    EXPECT_EQ(both.rows[1], t.rows[1]);
+    EXPECT_EQ(both.rows[2], t.rows[2]);
+  }
+}
+
 // A custom policy that divides by the whole part alone is not an 8088 build.
 TEST(Concatenation, APolicyOfOnesOwnKeepsTheCarry) {
   constexpr fixproof::policy own{.divisor = fixproof::divisor_width::whole_part};

@@ -29,7 +29,8 @@ def rows(name, proofs):
         errors = merged(error for proof in proofs for error in proof.errors())
     except NotProven as error:
         raise NotProven(f"{name}: {error}") from error
-    cells = ((e.name, interval(e.low, e.high, e.more), f"2^-{e.bits}" if e.bits else "1", e.allowed, f"`{name}`") for e in errors)
+    cells = ((e.name, interval(e.low, e.high, e.more), f"2^-{e.bits}" if e.bits else "1", e.allowed, f"`{name}`")
+             for e in errors)
     return [f"| {' | '.join(row)} |".replace("|  |", "| |") for row in cells]
 
 
@@ -63,13 +64,25 @@ def differences(proofs, source, folder, is_whole=True):
     return count, wrong + [f"{place}: not proven: {row}" for row, place in there.items()]
 
 
+def declared_in(source, header):
+    path = os.path.join(os.path.dirname(source.folder.rstrip("/")), f"{header}.hpp")
+    with open(path, encoding="ascii") as file:
+        return set(re.findall(r"constexpr\s+number<Raw, F, P>\s+(\w+)\(", file.read()))
+
+
+def in_table_of_functions(folder):
+    """The functions in the first table of functions.md, which is beside the folder of pages."""
+    with open(os.path.join(folder, os.pardir, "functions.md"), encoding="utf-8") as file:
+        table = re.search(r"(?:^\|.*\n)+", file.read(), re.M)[0]
+    return {name for row in table.splitlines() for name in re.findall(r"`(\w+)[`(]", row.split("|")[1])}
+
+
 def without_page(source, folder):
-    """A message for each function of the headers unless exactly one page names it before its first "## " heading."""
-    declared = set()
-    headers = os.path.dirname(source.folder.rstrip("/"))
-    for header in ("exponential", "trigonometry", "angle", "power"):
-        with open(os.path.join(headers, f"{header}.hpp"), encoding="ascii") as file:
-            declared |= set(re.findall(r"constexpr\s+number<Raw, F, P>\s+(\w+)\(", file.read()))
+    """A message for each function of the headers unless exactly one page names it before its first "## " heading. The
+    last three headers declare other functions, too; only those in the table of functions count."""
+    declared = set().union(*(declared_in(source, name) for name in ("exponential", "trigonometry", "angle", "power")))
+    others = set().union(*(declared_in(source, name) for name in ("math", "cmath", "wide")))
+    declared |= others & in_table_of_functions(folder)
     named = []
     for name in os.listdir(folder):
         with open(os.path.join(folder, name), encoding="utf-8") as file:
