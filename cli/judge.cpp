@@ -9,6 +9,7 @@
 #include "cli/arguments.hpp"
 #include "cli/case_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/judge_listing.hpp"
 #include "cli/judge_text.hpp"
 #include "cli/rule_named.hpp"
 #include "cli/solver_options.hpp"
@@ -43,6 +44,7 @@ struct JudgeOptions {
   bool prove = false;
   SolverOptions solver{.seconds = 30};
   std::string trace;
+  ListingOptions listing;
 };
 
 /// The names of routines here, beside those of all commands.
@@ -212,6 +214,9 @@ bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
 
 int judge_file(const JudgeOptions& options) {
   const support::Interrupt interrupt;
+  if (!options.listing.routines.empty()) {
+    return judge_against_listings(options.file, options.at, options.listing);
+  }
   const judge::Image image = image_of(options);
   if (options.list) {
     std::cout << judge::source_of(image);
@@ -314,6 +319,11 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
                   "only run one case step by step, its operands as gen writes them: '00018000 "
                   "00020000'")
       ->check(not_empty());
+  options.listing.add_to(command);
+  for (const char* name :
+       {"--as", "--frame", "--symbol", "--bits", "--prove", "--list", "--trace"}) {
+    command.get_option("--against-listing")->excludes(command.get_option(name));
+  }
 }
 
 }  // namespace
@@ -343,7 +353,8 @@ Examples:
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
   fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
   fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
-  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax')");
+  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
+  fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");
   command->callback([options, &status] { status = judge_file(*options); });
 }
 

@@ -43,24 +43,18 @@ std::uint32_t number_in(std::string_view text) {
 }
 
 void enter_at(Image& image, std::string_view at) {
-  const std::size_t dots = at.find("..");
-  std::string_view start = at.substr(0, dots);
-  if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
+  const Location place = location_named(at);
+  if (place.segment) {
     if (image.container != "MZ .EXE") {
       throw UsageError("--at SEGMENT:OFFSET is for an .EXE; this code has one segment");
     }
-    const std::uint32_t segment = number_in(start.substr(0, colon)) + image.first / 16;
-    if (segment > 0xFFFF) throw UsageError("--at: the segment is outside the file");
-    image.code_segment = static_cast<std::uint16_t>(segment);
-    start.remove_prefix(colon + 1);
-  }
-  image.entry = number_in(start);
-  if (dots != std::string_view::npos) {
-    image.entry_end = number_in(at.substr(dots + 2));
-    if (image.entry_end <= image.entry) {
-      throw UsageError("--at: the end is not after the offset");
+    if (*place.segment > 0xFFFF - image.first / 16) {
+      throw UsageError("--at: the segment is outside the file");
     }
+    image.code_segment = static_cast<std::uint16_t>(*place.segment + image.first / 16);
   }
+  image.entry = place.offset;
+  image.entry_end = place.end.value_or(0);
 }
 
 void enter_symbol(Image& image, const std::string& name) {
@@ -91,9 +85,13 @@ void enter(Image& image, const LoadOptions& options) {
   image.entry = image.symbols.front().offset;
 }
 
+bool is_source(const std::string& path) {
+  return has_extension(path, ".asm") || has_extension(path, ".nasm");
+}
+
 Image image_of(const std::string& path, const LoadOptions& options) {
   Image image;
-  if (has_extension(path, ".asm") || has_extension(path, ".nasm")) {
+  if (is_source(path)) {
     image.bits = options.bits.value_or(16);
     load_source(image, path);
     enter(image, options);
@@ -117,6 +115,18 @@ Image image_of(const std::string& path, const LoadOptions& options) {
   }
   enter(image, options);
   return image;
+}
+
+/// Puts the file's name before the error that `read` throws.
+template <class Read>
+auto naming_the_file(const std::string& path, const Read& read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("{}: {}", path, error.what()));
+  }
 }
 
 }  // namespace
@@ -146,8 +156,33 @@ void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
   image.entry = origin;
 }
 
+Location location_named(std::string_view at) {
+  const std::size_t dots = at.find("..");
+  std::string_view start = at.substr(0, dots);
+  Location place;
+  if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
+    place.segment = number_in(start.substr(0, colon));
+    start.remove_prefix(colon + 1);
+  }
+  place.offset = number_in(start);
+  if (dots != std::string_view::npos) {
+    place.end = number_in(at.substr(dots + 2));
+    if (*place.end <= place.offset) throw UsageError("--at: the end is not after the offset");
+  }
+  return place;
+}
+
+std::string bytes_of(const std::string& path) {
+  return naming_the_file(path, [&] {
+    if (!is_source(path)) return support::read_bounded(path, max_file_bytes);
+    Image image;
+    load_source(image, path);
+    return std::string(image.memory.begin() + image.first, image.memory.begin() + image.end);
+  });
+}
+
 Image load(const std::string& path, const LoadOptions& options) {
-  try {
+  return naming_the_file(path, [&] {
     Image image = image_of(path, options);
     const std::uint32_t entry = image.code_at(image.entry);
     if (entry < image.first || entry >= image.end) {
@@ -156,11 +191,7 @@ Image load(const std::string& path, const LoadOptions& options) {
                                    image.end - image.code_at(0)));
     }
     return image;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw UsageError(fmt::format("{}: {}", path, error.what()));
-  }
+  });
 }
 
 }  // namespace fixproof::judge

@@ -2,8 +2,10 @@
 /// Reads a user's code from a file.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "judge/image.hpp"
 
@@ -16,6 +18,20 @@ struct LoadOptions {
   std::string at{};
   std::string symbol{};
 };
+
+/// A place as `--at` has it.
+struct Location {
+  std::optional<std::uint32_t> segment{};
+  std::uint32_t offset = 0;
+  std::optional<std::uint32_t> end{};  ///< after the routine; more than `offset`
+};
+/// Parses `OFFSET`, `OFFSET..END` or either after `SEGMENT:`.
+/// @throws support::UsageError
+Location location_named(std::string_view at);
+
+/// Returns the bytes of a file as they are, of NASM source those that nasm assembles.
+/// @throws support::UsageError naming the file and what is wrong with it
+std::string bytes_of(const std::string& path);
 
 /// Loads a flat binary, .COM, MZ .EXE, ELF object or NASM source. The contents tell .EXE and ELF,
 /// the name tells .COM and source; everything else is flat, from address 0.

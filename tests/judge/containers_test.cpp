@@ -5,28 +5,12 @@
 
 namespace {
 
+using judged::exe_of;
 using judged::expect;
 using judged::judge;
 using judged::routine;
 
 std::string source_of(const std::string& name) { return command::run({"cat", routine(name)}).out; }
-
-std::string word(unsigned value) {
-  return {static_cast<char>(value & 0xFFU), static_cast<char>(value >> 8U & 0xFFU)};
-}
-
-/// An .EXE of code, with relocations at these offsets and the stack in a segment behind it.
-std::string exe_of(const std::string& code, const std::vector<unsigned>& relocations) {
-  const auto size = static_cast<unsigned>(64 + code.size());
-  const auto paragraphs = static_cast<unsigned>((code.size() + 15) / 16);
-  std::string exe = "MZ" + word(size % 512) + word((size + 511) / 512) +
-                    word(static_cast<unsigned>(relocations.size())) + word(4) + word(0x200) +
-                    word(0xFFFF) + word(paragraphs) + word(0x1000) + word(0) + word(0) + word(0) +
-                    word(0x1C) + word(0);
-  for (const unsigned at : relocations) exe += word(at) + word(0);
-  exe.resize(64);
-  return exe + code;
-}
 
 const std::string few = "|--cases|20000";
 
