@@ -29,13 +29,29 @@ TEST(Containers, AComProgram) {
          {".COM program, routine at 0101h, 16-bit code", "AGREES on 20,000 cases"});
 }
 
-TEST(Containers, AnExeWithARelocation) {
+TEST(Containers, AnExeThatReadsATableInARelocatedSegment) {
   const ScratchFolder folder;
-  std::string code = command::assemble("bits 16\n" + source_of("halves_from_data"));
-  code[2] = static_cast<char>(code.size() / 16 - 1);  // the segment of `half`, from the start
-  expect(judge(folder.write("game.exe", exe_of(code, {2})),
-               "--at|0:0|--frame|eax, ebx -> eax|--as|mul" + few),
-         1, {"BROKEN: for 00000000 0003ffff"});  // a near call of a far routine
+  // The routine is in segment 2 of the program, its table in the last 16 bytes.
+  std::string code =
+      std::string(32, '\x90') + command::assemble("bits 16\n" + source_of("halves_from_table"));
+  const auto place = 32U + static_cast<unsigned char>(code[code.size() - 4]);
+  ASSERT_EQ(code[place - 1], '\xB9');  // MOV CX,imm16
+  code[place] = static_cast<char>(code.size() / 16 - 1);
+  const std::string options =
+      "--at|2:0|--frame|eax, ebx -> eax|--as|mul|--rounding|half-away" + few;
+  expect(judge(folder.write("game.exe", exe_of(code, {place})), options), 0,
+         {"MZ .EXE, routine at 0000h, 16-bit code", "on Unicorn", "AGREES on 20,000 cases"});
+  // Without the relocation DS leads to memory that is not the program's.
+  expect(judge(folder.write("game.exe", exe_of(code, {})), options), 1,
+         {"WRONG in ", "USES FOREIGN MEMORY: add eax,[bx] at "});
+}
+
+TEST(Containers, AFarRoutineThatIsCalledNearIsBroken) {
+  const ScratchFolder folder;
+  const std::string code = command::assemble("bits 16\nimul bx\nretf");
+  expect(judge(folder.write("far.exe", exe_of(code, {})),
+               "--frame|ax, bx -> ax|--as|mul|--format|q8_8" + few),
+         1, {"BROKEN: for "});
 }
 
 TEST(Containers, AFarPascalFunctionInAnExe) {

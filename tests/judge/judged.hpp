@@ -43,7 +43,7 @@ inline std::string exe_of(const std::string& code, const std::vector<unsigned>& 
                     word(static_cast<unsigned>(relocations.size())) + word(exe_header / 16) +
                     word(0x200) + word(0xFFFF) + word(paragraphs) + word(0x1000) + word(0) +
                     word(0) + word(0) + word(0x1C) + word(0);
-  for (const unsigned at : relocations) exe += word(at) + word(0);
+  for (const unsigned at : relocations) exe += word(at % 16) + word(at / 16);
   exe.resize(exe_header);
   return exe + code;
 }
