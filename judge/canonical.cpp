@@ -21,9 +21,12 @@ constexpr std::chrono::seconds time_to_disassemble{20};
 constexpr std::uint32_t piece = 4096;
 /// No instruction is longer.
 constexpr std::uint32_t longest = 15;
-/// Each offset's instruction stands alone, at a multiple of this. The NOPs behind it end whatever
-/// the disassembler sees in the bytes that follow the instruction.
+/// Each offset's instruction stands alone, at a multiple of this. Behind it are CS: prefixes and a
+/// NOP: wherever the disassembler is after the bytes that follow the instruction, it takes the rest
+/// for one instruction.
 constexpr std::uint32_t slot = 2 * longest;
+constexpr char prefix = '\x2E';
+constexpr char nop = '\x90';
 
 /// A line of ndisasm: an offset and the bytes, both in hex, then the text. The bytes of a long
 /// instruction go on in lines that start with blanks and a minus sign.
@@ -141,8 +144,9 @@ const CanonicalLine& Code::at(std::uint32_t offset) {
 
 void Code::disassemble(std::uint32_t first, std::vector<CanonicalLine>& lines) const {
   const std::uint32_t count = std::min(piece, size() - first);
-  std::string slots(std::size_t{slot} * count, '\x90');
+  std::string slots(std::size_t{slot} * count, prefix);
   for (std::uint32_t i = 0; i < count; ++i) {
+    slots[std::size_t{slot} * (i + 1) - 1] = nop;
     const std::uint32_t whole = std::min(longest, size() - first - i);
     std::copy_n(bytes_.begin() + first + i, whole, slots.begin() + std::ptrdiff_t{slot} * i);
   }

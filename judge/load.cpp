@@ -57,24 +57,35 @@ void enter_at(Image& image, std::string_view at) {
   image.entry_end = place.end.value_or(0);
 }
 
+/// A name in a list.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t longest = 60;
+  return support::printable(name.size() > longest ? name.substr(0, longest) + "..." : name);
+}
+
 void enter_symbol(Image& image, const std::string& name) {
+  constexpr std::size_t shown = 20;
   std::string all;
-  for (const Symbol& symbol : image.symbols) {
+  for (std::size_t i = 0; i < image.symbols.size(); ++i) {
+    const Symbol& symbol = image.symbols[i];
     if (symbol.name == name) {
       image.entry = symbol.offset;
       return;
     }
-    all += (all.empty() ? "" : ", ") + symbol.name;
+    if (i < shown) all += (all.empty() ? "" : ", ") + shortened(symbol.name);
+  }
+  if (image.symbols.size() > shown) {
+    all += fmt::format(" and {} others", image.symbols.size() - shown);
   }
   if (image.symbols.empty()) {
-    throw UsageError(
-        fmt::format("--symbol {}: a {} has no symbols; use --at", name, image.container));
+    throw UsageError(fmt::format("--symbol {}: a {} has no symbols; use --at",
+                                 support::quoted(name), image.container));
   }
-  throw UsageError(fmt::format("--symbol {}: there is none; choose one of {}",
-                               support::quoted(name), support::printable(all)));
+  throw UsageError(
+      fmt::format("--symbol {}: there is none; choose one of {}", support::quoted(name), all));
 }
 
-void enter(Image& image, const LoadOptions& options) {
+void find_entry(Image& image, const LoadOptions& options) {
   if (!options.at.empty()) return enter_at(image, options.at);
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
   if (image.container != "ELF object") return;
@@ -85,19 +96,30 @@ void enter(Image& image, const LoadOptions& options) {
   image.entry = image.symbols.front().offset;
 }
 
+Image entered(Image image, const LoadOptions& options) {
+  find_entry(image, options);
+  const std::uint32_t entry = image.code_at(image.entry);
+  if (entry < image.first || entry >= image.end) {
+    throw UsageError(fmt::format("the routine at {:x}h is outside the code, {:x}h to {:x}h",
+                                 image.entry, image.first - image.code_at(0),
+                                 image.end - image.code_at(0)));
+  }
+  return image;
+}
+
 bool is_source(const std::string& path) {
   return has_extension(path, ".asm") || has_extension(path, ".nasm");
 }
 
-Image image_of(const std::string& path, const LoadOptions& options) {
+Image image_of_source(const std::string& path, const LoadOptions& options) {
   Image image;
-  if (is_source(path)) {
-    image.bits = options.bits.value_or(16);
-    load_source(image, path);
-    enter(image, options);
-    return image;
-  }
-  const std::string bytes = support::read_bounded(path, max_file_bytes);
+  image.bits = options.bits.value_or(16);
+  load_source(image, path);
+  return image;
+}
+
+Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
+  Image image;
   if (bytes.starts_with("\177ELF")) {
     image.bits = options.bits.value_or(32);
     load_elf(image, bytes);
@@ -113,7 +135,6 @@ Image image_of(const std::string& path, const LoadOptions& options) {
     image.container = "flat binary";
     load_flat(image, bytes, 0);
   }
-  enter(image, options);
   return image;
 }
 
@@ -183,15 +204,15 @@ std::string bytes_of(const std::string& path) {
 
 Image load(const std::string& path, const LoadOptions& options) {
   return naming_the_file(path, [&] {
-    Image image = image_of(path, options);
-    const std::uint32_t entry = image.code_at(image.entry);
-    if (entry < image.first || entry >= image.end) {
-      throw UsageError(fmt::format("the routine at {:x}h is outside the code, {:x}h to {:x}h",
-                                   image.entry, image.first - image.code_at(0),
-                                   image.end - image.code_at(0)));
-    }
-    return image;
+    return entered(is_source(path)
+                       ? image_of_source(path, options)
+                       : image_of(path, support::read_bounded(path, max_file_bytes), options),
+                   options);
   });
+}
+
+Image load_bytes(const std::string& path, const std::string& bytes, const LoadOptions& options) {
+  return naming_the_file(path, [&] { return entered(image_of(path, bytes, options), options); });
 }
 
 }  // namespace fixproof::judge

@@ -38,6 +38,9 @@ std::string bytes_of(const std::string& path);
 /// @throws support::UsageError naming the file and what is wrong with it
 Image load(const std::string& path, const LoadOptions& options);
 
+/// The same for the contents of a file other than source; of the path only the ending counts.
+Image load_bytes(const std::string& path, const std::string& bytes, const LoadOptions& options);
+
 // What load() is made of, by container. Each fills in `image` all but the routine.
 
 /// @param origin the address of the first byte
