@@ -46,7 +46,8 @@ void enter_at(Image& image, std::string_view at) {
   const Location place = location_named(at);
   if (place.segment) {
     if (image.container != "MZ .EXE") {
-      throw UsageError("--at SEGMENT:OFFSET is for an .EXE; this code has one segment");
+      throw UsageError(
+          "--at SEGMENT:OFFSET is for an .EXE; this code has one segment, so write --at OFFSET");
     }
     if (*place.segment > 0xFFFF - image.first / 16) {
       throw UsageError("--at: the segment is outside the file");
@@ -81,8 +82,9 @@ void enter_symbol(Image& image, const std::string& name) {
     throw UsageError(fmt::format("--symbol {}: a {} has no symbols; use --at",
                                  support::quoted(name), image.container));
   }
-  throw UsageError(
-      fmt::format("--symbol {}: there is none; choose one of {}", support::quoted(name), all));
+  if (name.empty()) throw UsageError(fmt::format("give --symbol; choose one of {}", all));
+  throw UsageError(fmt::format("--symbol {}: there is no such symbol; choose one of {}",
+                               support::quoted(name), all));
 }
 
 void find_entry(Image& image, const LoadOptions& options) {
@@ -90,7 +92,7 @@ void find_entry(Image& image, const LoadOptions& options) {
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
   if (image.container != "ELF object") return;
   if (image.symbols.size() != 1) {
-    if (image.symbols.empty()) throw UsageError("there is no function; use --at");
+    if (image.symbols.empty()) throw UsageError("the object has no global function; use --at");
     enter_symbol(image, "");  // throws with the names
   }
   image.entry = image.symbols.front().offset;
@@ -188,7 +190,7 @@ Location location_named(std::string_view at) {
   place.offset = number_in(start);
   if (dots != std::string_view::npos) {
     place.end = number_in(at.substr(dots + 2));
-    if (*place.end <= place.offset) throw UsageError("--at: the end is not after the offset");
+    if (*place.end <= place.offset) throw UsageError("--at: END must be above OFFSET");
   }
   return place;
 }
