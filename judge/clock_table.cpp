@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-// The manuals are those of x86model/clocks.cpp.
+// Intel's figures, for the forms that x86model/clocks.cpp does not have.
 
 namespace fixproof::judge {
 

@@ -76,7 +76,11 @@ class Counter {
     const auto known = lines_.find(step.at);
     if (known != lines_.end()) return known->second;
     const std::uint32_t at = subject_.image.code_at(step.at);
-    const auto bytes = std::span(subject_.image.memory).subspan(at, step.bytes);
+    // An instruction may reach beyond the end of a segment.
+    const auto& memory = subject_.image.memory;
+    const std::size_t first = std::min<std::size_t>(at, memory.size());
+    const auto bytes =
+        std::span(memory).subspan(first, std::min<std::size_t>(step.bytes, memory.size() - first));
     Line line = listing_.at(step.at);
     line.bytes = step.bytes;
     return lines_.emplace(step.at, timed_line(line, bytes, subject_.image.bits)).first->second;
