@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "proof/process.hpp"
+#include "support/interrupt.hpp"
+
 namespace fixproof::judge {
 
 namespace {
@@ -199,6 +202,11 @@ bool begins_alike(const CanonicalRoutine& listed, const CanonicalRoutine& found)
   return same >= enough;
 }
 
+/// A file that begins like a listing at every third byte takes minutes.
+void stop_if_interrupted() {
+  if (support::Interrupt::flag()) throw proof::Stopped();
+}
+
 }  // namespace
 
 ListingComparison compare_listing(Code& listing, std::uint32_t listed_at, Code& code,
@@ -210,6 +218,7 @@ std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range ran
   const CanonicalRoutine listed(listing, 0, true);
   std::vector<ListingComparison> equal;
   for (std::uint32_t at = range.first; at < range.end; ++at) {
+    stop_if_interrupted();
     if (code.at(at).text != listed.line(0).text) continue;
     if (CanonicalRoutine(code, at, false, listed.size()).text() != listed.text()) continue;
     ListingComparison one = compare_listing(listing, 0, code, at);
@@ -223,6 +232,7 @@ std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range r
   const CanonicalRoutine listed(listing, 0, true);
   std::optional<ListingComparison> nearest;
   for (std::uint32_t at = range.first; at < range.end; ++at) {
+    stop_if_interrupted();
     const std::string& text = code.at(at).text;
     // No listing starts so. A jump or a RET is the end of what stands before the routine.
     if (text.empty() || text == "nop" || text == "ret" || text == "retf" || text == "jmp") continue;

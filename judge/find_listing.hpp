@@ -43,11 +43,13 @@ struct Range {
 };
 
 /// Finds every place in the range where the code is a listing's first routine.
+/// @throws proof::Stopped
 std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range range);
 
 /// Finds the place with the fewest differences. At least half of the listing's instructions must be
 /// there.
 /// @param taken parts of the code that are something else
+/// @throws proof::Stopped
 std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range range,
                                               const std::vector<Range>& taken);
 
