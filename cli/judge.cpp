@@ -9,9 +9,11 @@
 #include "cli/arguments.hpp"
 #include "cli/case_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/judge_listing.hpp"
 #include "cli/judge_text.hpp"
 #include "cli/rule_named.hpp"
 #include "cli/solver_options.hpp"
+#include "judge/clocks.hpp"
 #include "judge/inspection.hpp"
 #include "judge/listing.hpp"
 #include "judge/load.hpp"
@@ -41,8 +43,10 @@ struct JudgeOptions {
   std::size_t shown = 3;
   bool list = false;
   bool prove = false;
+  bool clocks = false;
   SolverOptions solver{.seconds = 30};
   std::string trace;
+  ListingOptions listing;
 };
 
 /// Shorter names of operations that only this command takes.
@@ -201,6 +205,13 @@ bool print_inspection(const judge::Subject& subject) {
   return inspection.is_clean();
 }
 
+void print_clocks(const judge::Subject& subject) {
+  const std::string reason = judge::absence_on_unicorn();
+  std::cout << '\n'
+            << (reason.empty() ? clocks_text(judge::count_clocks(subject))
+                               : fmt::format("clocks are not counted: {}\n", reason));
+}
+
 /// Prints a proof, a counterexample, or why there is neither. Returns false for a counterexample.
 bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
                  const judge::Verdict& verdict) {
@@ -213,6 +224,9 @@ bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
 
 int judge_file(const JudgeOptions& options) {
   const support::Interrupt interrupt;
+  if (!options.listing.routines.empty()) {
+    return judge_against_listings(options.file, options.at, options.listing);
+  }
   const judge::Image image = image_of(options);
   if (options.list) {
     std::cout << judge::source_of(image);
@@ -240,8 +254,10 @@ int judge_file(const JudgeOptions& options) {
     std::cout << heading_text(subject, options.file, rules_line(use.rules, false))
               << whole_text(subject, whole);
     if (whole.verdict.stuck) return 1;
-    const bool right = whole.verdict.is_right() && whole.candidates.front().exceptions == 0;
-    return print_inspection(subject) && right ? 0 : 1;
+    const bool right = print_inspection(subject) && whole.verdict.is_right() &&
+                       whole.candidates.front().exceptions == 0;
+    if (options.clocks) print_clocks(subject);
+    return right ? 0 : 1;
   }
   use.rounding_is_open = options.rounding.empty() && check::is_rounded(operation);
   const judge::Verdict verdict = judge::judge_routine(subject, use);
@@ -251,6 +267,7 @@ int judge_file(const JudgeOptions& options) {
             << verdict_text(subject, verdict);
   if (verdict.stuck) return 1;
   bool right = print_inspection(subject) && verdict.is_right();
+  if (options.clocks) print_clocks(subject);
   if (options.prove) right = print_proof(options, subject, verdict) && right;
   return right ? 0 : 1;
 }
@@ -313,6 +330,10 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
   command.add_flag("--prove", options.prove,
                    "also prove the routine for all operands, or find a case that fails");
   options.solver.add_to(command);
+  command.add_flag(
+      "--clocks", options.clocks,
+      "also count the clocks of calls on an 8088, 286, 386 and 486, by Intel's tables, "
+      "and the bytes fetched");
   command.add_flag("--list", options.list,
                    "only disassemble the routine, to NASM source of the same bytes");
   command
@@ -321,6 +342,11 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
           "only run one case step by step; write its operands as gen does, such as '00018000 "
           "00020000'")
       ->check(not_empty());
+  options.listing.add_to(command);
+  for (const char* name :
+       {"--as", "--frame", "--symbol", "--bits", "--prove", "--clocks", "--list", "--trace"}) {
+    command.get_option("--against-listing")->excludes(command.get_option(name));
+  }
 }
 
 }  // namespace
@@ -351,7 +377,8 @@ Examples:
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
   fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
   fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
-  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax')");
+  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
+  fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");
   command->callback([options, &status] { status = judge_file(*options); });
 }
 

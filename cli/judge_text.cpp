@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
 #include "check/verdict_text.hpp"
+#include "cli/measure_text.hpp"
 #include "support/plain_text.hpp"
 #include "x86model/flags.hpp"
 #include "x86model/text.hpp"
@@ -188,6 +190,35 @@ std::string inspection_text(const judge::Inspection& inspection) {
   if (const auto& f = inspection.changes_own_code) {
     text += fmt::format("  CHANGES ITS OWN CODE: {} writes {:x}h, an instruction, for {}\n",
                         place(*f), f->address, f->operands);
+  }
+  return text;
+}
+
+std::string clocks_text(const judge::RoutineClocks& clocks) {
+  std::string text = fmt::format("clocks of {} calls by Intel's tables:\n", clocks.calls);
+  if (clocks.calls == 0) return "clocks are not counted: no call returns\n";
+  const auto row = [&text](std::string_view name, const judge::Spread& spread) {
+    text += fmt::format("  {:<14}{:>9}{:>18}{:>9}\n", name, support::grouped(spread.least()),
+                        between(spread.mean_min(), spread.mean_max(), 1),
+                        support::grouped(spread.most()));
+  };
+  text += fmt::format("  {:<14}{:>9}{:>18}{:>9}\n", "", "least", "mean", "most");
+  row("instructions", clocks.instructions);
+  row("bytes fetched", clocks.code_bytes);
+  row("bytes of data", clocks.data_bytes);
+  for (const auto& on : clocks.on) {
+    if (on.without.empty()) {
+      row(x86model::name_of(on.cpu), on.clocks);
+      continue;
+    }
+    const judge::Line& first = on.without.front();
+    text += fmt::format("  {:<14}no figure for {} at {:04x}h", x86model::name_of(on.cpu),
+                        first.text, first.at);
+    for (std::size_t i = 1; i < std::min<std::size_t>(on.without.size(), 3); ++i) {
+      text += fmt::format(", {} at {:04x}h", on.without[i].text, on.without[i].at);
+    }
+    if (on.without.size() > 3) text += fmt::format(" and {} others", on.without.size() - 3);
+    text += on.is_too_wide ? "; 32 bits need a 386\n" : "\n";
   }
   return text;
 }

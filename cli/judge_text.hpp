@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "judge/clocks.hpp"
 #include "judge/inspection.hpp"
 #include "judge/prove.hpp"
 #include "judge/verdict.hpp"
@@ -25,6 +26,9 @@ std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict&
 
 /// Returns what the step-by-step calls show.
 std::string inspection_text(const judge::Inspection& inspection);
+
+/// Returns the clocks of each processor, or the instructions without a figure.
+std::string clocks_text(const judge::RoutineClocks& clocks);
 
 /// Returns the outcome of a proof.
 std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rules,

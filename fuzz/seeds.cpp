@@ -296,6 +296,28 @@ void write_captures(const fs::path& root, const fs::path& vectors) {
   }
 }
 
+/// Machine code after a letter for the container and the place; see code_file.cpp. Objects are
+/// among the regressions.
+void write_code(const fs::path& root) {
+  Corpus corpus(root, "code_file");
+  // IMUL BX, RET
+  constexpr std::string_view code = "\xF7\xEB\xC3";
+  for (const char* line : {"f", "f1", "f0x0..3", "f2h", "F", "c", "c101h", "c$name", "f0:0"}) {
+    corpus.add(fmt::format("{}\n{}", line, code));
+  }
+  const auto word = [](unsigned value) {
+    return std::string{static_cast<char>(value & 0xFFU), static_cast<char>(value >> 8U)};
+  };
+  std::string exe = "MZ" + word(64 + 19) + word(1) + word(2) + word(4) + word(0x200) +
+                    word(0xFFFF) + word(2) + word(0x1000) + word(0) + word(0) + word(0) +
+                    word(0x1C) + word(0) + word(1) + word(0) + word(0) + word(1);
+  exe.resize(64);
+  exe += std::string(16, '\x90') + std::string(code);
+  for (const char* line : {"e", "e0", "e1:0", "e1:0..3", "e7:0", "F"}) {
+    corpus.add(fmt::format("{}\n{}", line, exe));
+  }
+}
+
 /// Right and wrong answers to the questions of solver_answer.cpp.
 void write_solver_answers(const fs::path& root) {
   Corpus corpus(root, "solver_answer");
@@ -380,6 +402,7 @@ int main(int argc, char** argv) {
     write_reports(root);
     write_captures(root, argv[3]);
     write_solver_answers(root);
+    write_code(root);
     write_logs(root);
   } catch (const std::exception& error) {
     support::write_error(fmt::format("fuzz_seeds: {}\n", error.what()));

@@ -223,11 +223,17 @@ class Emulator final : public Machine {
     using Memory = void(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
     Memory* const at_access = [](uc_engine*, uc_mem_type type, std::uint64_t address, int size,
                                  std::int64_t, void* data) {
-      auto& trace = *self(data).trace_;
-      if (trace.steps.empty()) return;
-      trace.accesses.push_back({static_cast<std::uint32_t>(trace.steps.size() - 1),
-                                static_cast<std::uint32_t>(address),
-                                static_cast<std::uint32_t>(size), type == UC_MEM_WRITE ? 1U : 0U});
+      Emulator& e = self(data);
+      if (e.trace_->steps.empty()) return;
+      Access access{.step = static_cast<std::uint32_t>(e.trace_->steps.size() - 1),
+                    .address = static_cast<std::uint32_t>(address),
+                    .bytes = static_cast<std::uint32_t>(size),
+                    .is_write = type == UC_MEM_WRITE ? 1U : 0U};
+      const bool is_known = size <= 4 && address <= e.bytes_ - 4;
+      if (access.is_write == 0 && is_known) {
+        access.value = fetch(e.memory_.get() + address, size);
+      }
+      e.trace_->accesses.push_back(access);
     };
     add(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, at_access, 1, 0);
   }

@@ -16,8 +16,6 @@ namespace fixproof::judge {
 
 namespace {
 
-constexpr std::uint64_t calls_to_inspect = 40;
-
 bool is_own(const Image& image, std::uint32_t address, std::uint32_t bytes) {
   const auto inside = [&](std::uint32_t first, std::uint32_t end) {
     return address >= first && address + bytes <= end;

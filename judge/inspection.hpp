@@ -12,6 +12,9 @@
 
 namespace fixproof::judge {
 
+/// The number of calls that are looked at step by step.
+inline constexpr std::uint64_t calls_to_inspect = 40;
+
 /// Defects that results do not show. Each finding is the first of its kind.
 struct Inspection {
   struct Finding {

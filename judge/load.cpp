@@ -43,45 +43,51 @@ std::uint32_t number_in(std::string_view text) {
 }
 
 void enter_at(Image& image, std::string_view at) {
-  const std::size_t dots = at.find("..");
-  std::string_view start = at.substr(0, dots);
-  if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
+  const Location place = location_named(at);
+  if (place.segment) {
     if (image.container != "MZ .EXE") {
       throw UsageError(
           "--at SEGMENT:OFFSET is for an .EXE; this code has one segment, so write --at OFFSET");
     }
-    const std::uint32_t segment = number_in(start.substr(0, colon)) + image.first / 16;
-    if (segment > 0xFFFF) throw UsageError("--at: the segment is outside the file");
-    image.code_segment = static_cast<std::uint16_t>(segment);
-    start.remove_prefix(colon + 1);
-  }
-  image.entry = number_in(start);
-  if (dots != std::string_view::npos) {
-    image.entry_end = number_in(at.substr(dots + 2));
-    if (image.entry_end <= image.entry) {
-      throw UsageError("--at: END must be above OFFSET");
+    if (*place.segment > 0xFFFF - image.first / 16) {
+      throw UsageError("--at: the segment is outside the file");
     }
+    image.code_segment = static_cast<std::uint16_t>(*place.segment + image.first / 16);
   }
+  image.entry = place.offset;
+  image.entry_end = place.end.value_or(0);
+}
+
+/// A name in a list.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t longest = 60;
+  return support::printable(name.size() > longest ? name.substr(0, longest) + "..." : name);
 }
 
 void enter_symbol(Image& image, const std::string& name) {
+  constexpr std::size_t shown = 20;
   std::string all;
-  for (const Symbol& symbol : image.symbols) {
+  for (std::size_t i = 0; i < image.symbols.size(); ++i) {
+    const Symbol& symbol = image.symbols[i];
     if (symbol.name == name) {
       image.entry = symbol.offset;
       return;
     }
-    all += (all.empty() ? "" : ", ") + symbol.name;
+    if (i < shown) all += (all.empty() ? "" : ", ") + shortened(symbol.name);
+  }
+  if (image.symbols.size() > shown) {
+    all += fmt::format(" and {} others", image.symbols.size() - shown);
   }
   if (image.symbols.empty()) {
-    throw UsageError(
-        fmt::format("--symbol {}: a {} has no symbols; use --at", name, image.container));
+    throw UsageError(fmt::format("--symbol {}: a {} has no symbols; use --at",
+                                 support::quoted(name), image.container));
   }
+  if (name.empty()) throw UsageError(fmt::format("give --symbol; choose one of {}", all));
   throw UsageError(fmt::format("--symbol {}: there is no such symbol; choose one of {}",
-                               support::quoted(name), support::printable(all)));
+                               support::quoted(name), all));
 }
 
-void enter(Image& image, const LoadOptions& options) {
+void find_entry(Image& image, const LoadOptions& options) {
   if (!options.at.empty()) return enter_at(image, options.at);
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
   if (image.container != "ELF object") return;
@@ -92,15 +98,30 @@ void enter(Image& image, const LoadOptions& options) {
   image.entry = image.symbols.front().offset;
 }
 
-Image image_of(const std::string& path, const LoadOptions& options) {
-  Image image;
-  if (has_extension(path, ".asm") || has_extension(path, ".nasm")) {
-    image.bits = options.bits.value_or(16);
-    load_source(image, path);
-    enter(image, options);
-    return image;
+Image entered(Image image, const LoadOptions& options) {
+  find_entry(image, options);
+  const std::uint32_t entry = image.code_at(image.entry);
+  if (entry < image.first || entry >= image.end) {
+    throw UsageError(fmt::format("the routine at {:x}h is outside the code, {:x}h to {:x}h",
+                                 image.entry, image.first - image.code_at(0),
+                                 image.end - image.code_at(0)));
   }
-  const std::string bytes = support::read_bounded(path, max_file_bytes);
+  return image;
+}
+
+bool is_source(const std::string& path) {
+  return has_extension(path, ".asm") || has_extension(path, ".nasm");
+}
+
+Image image_of_source(const std::string& path, const LoadOptions& options) {
+  Image image;
+  image.bits = options.bits.value_or(16);
+  load_source(image, path);
+  return image;
+}
+
+Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
+  Image image;
   if (bytes.starts_with("\177ELF")) {
     image.bits = options.bits.value_or(32);
     load_elf(image, bytes);
@@ -116,8 +137,19 @@ Image image_of(const std::string& path, const LoadOptions& options) {
     image.container = "flat binary";
     load_flat(image, bytes, 0);
   }
-  enter(image, options);
   return image;
+}
+
+/// Puts the file's name before the error that `read` throws.
+template <class Read>
+auto naming_the_file(const std::string& path, const Read& read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("{}: {}", path, error.what()));
+  }
 }
 
 }  // namespace
@@ -147,21 +179,42 @@ void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
   image.entry = origin;
 }
 
-Image load(const std::string& path, const LoadOptions& options) {
-  try {
-    Image image = image_of(path, options);
-    const std::uint32_t entry = image.code_at(image.entry);
-    if (entry < image.first || entry >= image.end) {
-      throw UsageError(fmt::format("the routine at {:x}h is outside the code, {:x}h to {:x}h",
-                                   image.entry, image.first - image.code_at(0),
-                                   image.end - image.code_at(0)));
-    }
-    return image;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw UsageError(fmt::format("{}: {}", path, error.what()));
+Location location_named(std::string_view at) {
+  const std::size_t dots = at.find("..");
+  std::string_view start = at.substr(0, dots);
+  Location place;
+  if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
+    place.segment = number_in(start.substr(0, colon));
+    start.remove_prefix(colon + 1);
   }
+  place.offset = number_in(start);
+  if (dots != std::string_view::npos) {
+    place.end = number_in(at.substr(dots + 2));
+    if (*place.end <= place.offset) throw UsageError("--at: END must be above OFFSET");
+  }
+  return place;
+}
+
+std::string bytes_of(const std::string& path) {
+  return naming_the_file(path, [&] {
+    if (!is_source(path)) return support::read_bounded(path, max_file_bytes);
+    Image image;
+    load_source(image, path);
+    return std::string(image.memory.begin() + image.first, image.memory.begin() + image.end);
+  });
+}
+
+Image load(const std::string& path, const LoadOptions& options) {
+  return naming_the_file(path, [&] {
+    return entered(is_source(path)
+                       ? image_of_source(path, options)
+                       : image_of(path, support::read_bounded(path, max_file_bytes), options),
+                   options);
+  });
+}
+
+Image load_bytes(const std::string& path, const std::string& bytes, const LoadOptions& options) {
+  return naming_the_file(path, [&] { return entered(image_of(path, bytes, options), options); });
 }
 
 }  // namespace fixproof::judge

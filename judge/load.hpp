@@ -2,8 +2,10 @@
 /// Reads a user's code from a file.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "judge/image.hpp"
 
@@ -18,11 +20,29 @@ struct LoadOptions {
   std::string symbol{};
 };
 
+/// A place as `--at` has it.
+struct Location {
+  std::optional<std::uint32_t> segment{};
+  std::uint32_t offset = 0;
+  std::optional<std::uint32_t> end{};  ///< after the routine; more than `offset`
+};
+/// Parses `OFFSET`, `OFFSET..END` or either after `SEGMENT:`.
+/// @throws support::UsageError
+Location location_named(std::string_view at);
+
+/// Returns the bytes of a file as they are, of NASM source those that nasm assembles.
+/// @throws support::UsageError naming the file and what is wrong with it
+std::string bytes_of(const std::string& path);
+
 /// Loads a flat binary, .COM, MZ .EXE, ELF object or NASM source. An .EXE and an ELF object are
 /// recognised by their contents, a .COM program and a source by their names. Any other file is a
 /// flat binary that starts at address 0.
 /// @throws support::UsageError naming the file and what is wrong with it
 Image load(const std::string& path, const LoadOptions& options);
+
+/// Loads the contents of a file other than source. Of the path only the ending counts.
+/// @throws support::UsageError as load()
+Image load_bytes(const std::string& path, const std::string& bytes, const LoadOptions& options);
 
 // The loaders of load(), one for each container. Each fills in `image`, with the start of the code
 // as the routine.

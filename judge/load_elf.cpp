@@ -15,6 +15,10 @@ using support::UsageError;
 
 /// The address of the first section. It keeps 0 an invalid pointer.
 constexpr std::uint32_t origin = 0x1000;
+/// More than there is room for; sections of a damaged file may add up to any
+/// size.
+constexpr std::size_t max_code_bytes = 0x100000;
+constexpr std::size_t longest_name = 1024;
 
 class Object {
  public:
@@ -24,7 +28,9 @@ class Object {
     const auto header = at<Elf32_Ehdr>(0);
     if (header.e_ident[EI_CLASS] != ELFCLASS32 || header.e_ident[EI_DATA] != ELFDATA2LSB ||
         header.e_machine != EM_386) {
-      throw UsageError("the ELF file is not i386 code; compile with -m32, assemble with -f elf32");
+      throw UsageError(
+          "the ELF file is not i386 code; compile with -m32, "
+          "assemble with -f elf32");
     }
     if (header.e_type != ET_REL) {
       throw UsageError("the ELF file is linked; give the object from before linking");
@@ -34,11 +40,14 @@ class Object {
       sections_.push_back(at<Elf32_Shdr>(header.e_shoff + std::uint64_t{i} * sizeof(Elf32_Shdr)));
     }
     place();
+    expect_sound_tables();
     read_symbols();
     for (const Elf32_Shdr& section : sections_) {
       if (section.sh_type == SHT_REL) relocate(section);
       if (section.sh_type == SHT_RELA && is_placed(section.sh_info)) {
-        throw UsageError("the ELF file has relocations with addends, which i386 code does not use");
+        throw UsageError(
+            "the ELF file has relocations with addends, which "
+            "i386 code does not use");
       }
     }
   }
@@ -59,6 +68,7 @@ class Object {
     for (std::uint64_t i = std::uint64_t{strings.sh_offset} + offset;; ++i) {
       const char c = at<char>(i);
       if (c == '\0') return text;
+      if (text.size() == longest_name) throw damaged();
       text += c;
     }
   }
@@ -73,7 +83,10 @@ class Object {
     for (Elf32_Shdr& section : sections_) {
       if ((section.sh_flags & SHF_ALLOC) == 0) continue;
       const std::size_t alignment = section.sh_addralign == 0 ? 1 : section.sh_addralign;
-      if (alignment > 0x1000 || section.sh_size > 0x100000) throw damaged();
+      if (alignment > 0x1000) throw damaged();
+      if (flat.size() + alignment + std::size_t{section.sh_size} > max_code_bytes) {
+        throw UsageError("the ELF file has more than 1 MiB of code and data");
+      }
       flat.resize((flat.size() + alignment - 1) / alignment * alignment);
       section.sh_addr = origin + static_cast<std::uint32_t>(flat.size());
       if (section.sh_type == SHT_NOBITS) {
@@ -89,6 +102,18 @@ class Object {
     if (flat.empty()) throw UsageError("the ELF file has no code");
     image_.container = "ELF object";
     load_flat(image_, flat, origin);
+  }
+
+  /// One table of symbols, and relocations that do not share bytes: otherwise a
+  /// small file could ask for any amount of work.
+  void expect_sound_tables() const {
+    std::uint64_t symbol_tables = 0;
+    std::uint64_t relocation_bytes = 0;
+    for (const Elf32_Shdr& table : sections_) {
+      if (table.sh_type == SHT_SYMTAB) ++symbol_tables;
+      if (table.sh_type == SHT_REL) relocation_bytes += table.sh_size;
+    }
+    if (symbol_tables > 1 || relocation_bytes > bytes_.size()) throw damaged();
   }
 
   [[nodiscard]] const Elf32_Shdr& section(std::uint32_t number) const {

@@ -26,6 +26,7 @@ struct Access {
   std::uint32_t address = 0;  ///< linear
   std::uint32_t bytes = 0;
   std::uint32_t is_write = 0;
+  std::uint32_t value = 0;  ///< what is read; 0 for a write
 };
 
 struct Trace {

@@ -1,31 +1,34 @@
 // The containers that judge reads.
+#include <array>
+
 #include "tests/judge/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
 
+using judged::exe_of;
 using judged::expect;
 using judged::judge;
 using judged::routine;
+using judged::word;
 
 std::string source_of(const std::string& name) { return command::run({"cat", routine(name)}).out; }
 
-std::string word(unsigned value) {
-  return {static_cast<char>(value & 0xFFU), static_cast<char>(value >> 8U & 0xFFU)};
-}
-
-/// Returns an .EXE of code with relocations at these offsets. The stack segment follows the code.
-std::string exe_of(const std::string& code, const std::vector<unsigned>& relocations) {
-  const auto size = static_cast<unsigned>(64 + code.size());
-  const auto paragraphs = static_cast<unsigned>((code.size() + 15) / 16);
-  std::string exe = "MZ" + word(size % 512) + word((size + 511) / 512) +
-                    word(static_cast<unsigned>(relocations.size())) + word(4) + word(0x200) +
-                    word(0xFFFF) + word(paragraphs) + word(0x1000) + word(0) + word(0) + word(0) +
-                    word(0x1C) + word(0);
-  for (const unsigned at : relocations) exe += word(at) + word(0);
-  exe.resize(64);
-  return exe + code;
+/// The start of an ELF object for the i386 with sections, each the words of its header.
+std::string object_of(const std::vector<std::array<unsigned, 10>>& sections,
+                      const std::string& rest = "") {
+  const auto dword = [](unsigned value) { return word(value & 0xFFFFU) + word(value >> 16U); };
+  constexpr unsigned header = 52;
+  std::string object = "\177ELF\1\1\1";
+  object.resize(16);
+  object += word(1) + word(3) + dword(1) + dword(0) + dword(0) + dword(header) + dword(0) +
+            word(header) + word(0) + word(0) + word(40) +
+            word(static_cast<unsigned>(sections.size())) + word(0);
+  for (const auto& one : sections) {
+    for (const unsigned value : one) object += dword(value);
+  }
+  return object + rest;
 }
 
 const std::string few = "|--cases|20000";
@@ -45,14 +48,29 @@ TEST(Containers, AComProgram) {
          {".COM program, routine at 0101h, 16-bit code", "AGREES on 20,000 cases"});
 }
 
-TEST(Containers, AnExeWithARelocation) {
+TEST(Containers, AnExeThatReadsATableInARelocatedSegment) {
   const ScratchFolder folder;
-  std::string code = command::assemble("bits 16\n" + source_of("halves_from_data"));
-  code[2] =
-      static_cast<char>(code.size() / 16 - 1);  // the segment of `half`, counted from the start
-  expect(judge(folder.write("game.exe", exe_of(code, {2})),
-               "--at|0:0|--frame|eax, ebx -> eax|--as|mul" + few),
-         1, {"BROKEN: for 00000000 0003ffff"});  // a near call of a far routine
+  // The routine is in segment 2 of the program, its table in the last 16 bytes.
+  std::string code =
+      std::string(32, '\x90') + command::assemble("bits 16\n" + source_of("halves_from_table"));
+  const auto place = 32U + static_cast<unsigned char>(code[code.size() - 4]);
+  ASSERT_EQ(code[place - 1], '\xB9');  // MOV CX,imm16
+  code[place] = static_cast<char>(code.size() / 16 - 1);
+  const std::string options =
+      "--at|2:0|--frame|eax, ebx -> eax|--as|mul|--rounding|half-away" + few;
+  expect(judge(folder.write("game.exe", exe_of(code, {place})), options), 0,
+         {"MZ .EXE, routine at 0000h, 16-bit code", "on Unicorn", "AGREES on 20,000 cases"});
+  // Without the relocation DS leads to memory that is not the program's.
+  expect(judge(folder.write("game.exe", exe_of(code, {})), options), 1,
+         {"WRONG in ", "USES FOREIGN MEMORY: add eax,[bx] at "});
+}
+
+TEST(Containers, AFarRoutineThatIsCalledNearIsBroken) {
+  const ScratchFolder folder;
+  const std::string code = command::assemble("bits 16\nimul bx\nretf");
+  expect(judge(folder.write("far.exe", exe_of(code, {})),
+               "--frame|ax, bx -> ax|--as|mul|--format|q8_8" + few),
+         1, {"BROKEN: for "});
 }
 
 TEST(Containers, AFarPascalFunctionInAnExe) {
@@ -79,8 +97,41 @@ TEST(Containers, WhatCannotBeReadIsSaid) {
   command::expect_usage_error(judge(folder.write("bad.asm", "mov ax"), "--as|mul"),
                               "bad.asm: nasm: 1: error: ");
   command::expect_usage_error(judge(folder.write("cut.exe", "MZ"), "--as|mul"), "is cut off");
+  command::expect_usage_error(judge(folder.write("code", "\xC3"), "--as|mul|--symbol|a\nb"),
+                              "--symbol 'a?b': a flat binary has no symbols; use --at");
   command::expect_usage_error(judge(folder.write("code", "\xC3"), "--as|mul|--at|7"),
                               "the routine at 7h is outside the code, 0h to 1h");
+}
+
+TEST(Containers, ASmallObjectThatAsksForMuchIsRefused) {
+  const ScratchFolder folder;
+  const auto refuse = [&](const std::string& object, const std::string& part) {
+    command::expect_usage_error(judge(folder.write("hostile.o", object), "--as|mul"), part);
+  };
+  // name, type, flags, address, offset, size, link, info, alignment, size of an entry
+  constexpr std::array<unsigned, 10> zeros{0, 8, 2, 0, 0, 0x100000, 0, 0, 1, 0};
+  refuse(object_of(std::vector(2000, zeros)), "more than 1 MiB of code and data");
+
+  constexpr std::array<unsigned, 10> code{0, 1, 6, 0, 0, 16, 0, 0, 1, 0};
+  // Each symbol: name, value, size, then global, of section 0. All names are the same 60,000 bytes.
+  constexpr unsigned symbols = 3000;
+  constexpr unsigned tables = 52 + 3 * 40;
+  std::string table;
+  for (unsigned i = 0; i < symbols; ++i) {
+    table += word(1) + word(0) + std::string(8, '\0') + word(0x12) + word(0);
+  }
+  const std::array<unsigned, 10> table_header{0, 2, 0, 0, tables, symbols * 16, 2, 0, 1, 16};
+  const std::array<unsigned, 10> names{0, 3, 0, 0, tables + symbols * 16, 60'002, 0, 0, 1, 0};
+  const std::string strings =
+      std::string(1, '\0') + std::string(60'000, 'x') + std::string(1, '\0');
+  refuse(object_of({code, table_header, names}, table + strings), "the ELF file is damaged");
+  refuse(object_of(std::vector{code, table_header, names},
+                   table + std::string(1, '\0') + "name" + std::string(1, '\0')),
+         "choose one of name, name");
+
+  std::vector<std::array<unsigned, 10>> relocations(3000, {0, 9, 0, 0, 0, 64, 0, 0, 1, 8});
+  relocations[0] = code;
+  refuse(object_of(relocations), "the ELF file is damaged");
 }
 
 }  // namespace
