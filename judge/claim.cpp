@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "check/ports.hpp"
 #include "check/word.hpp"
 
 namespace fixproof::judge {
@@ -191,6 +192,7 @@ std::string overflowed(const check::Rules& rules) {
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
   const cases::Format& format = rules.format;
   const int bits = format.word_bits;
+  if (rules.port != nullptr && !rules.port->is_general) return std::nullopt;
   if (!format.is_signed || (bits != 16 && bits != 32)) return std::nullopt;
   if (shape == Shape::of_digits && bits != 32) return std::nullopt;
   const Operation operation = rules.operation;
