@@ -34,6 +34,10 @@ class Prover {
         listing_(subject.image) {}
 
   RoutineProof prove() {
+    if (rules_.port != nullptr && !rules_.port->is_general) {
+      proof_.why = "no general rules express this rule, so there is nothing to prove";
+      return proof_;
+    }
     if (!claim_of(rules_, Shape::of_signed)) {
       proof_.why =
           "there are proofs for mul, div, muldiv, add and sub of signed words of 16 and 32 bits, "

@@ -29,6 +29,13 @@ TEST(JudgeProof, TheListedDivideIsProven) {
   expect(judge(file, "--as|div" + prove), 0, {"PROVEN for all operands (8 paths"});
 }
 
+TEST(JudgeProof, RulesOfProgramsThatGeneralRulesExpressAreProven) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  expect(judge(routine("mul"), judged::in_registers + prove + "|--rule|rott"), 0,
+         {"PROVEN for all operands (1 path"});
+  expect(judge(routine("mul"), judged::in_registers + prove + "|--rule|doom"), 1, {"DISPROVEN ("});
+}
+
 TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   expect(judge(routine("one_in_4g"),
