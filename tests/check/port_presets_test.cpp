@@ -98,7 +98,7 @@ TEST(PortPresets, Doom) {
   expect_same<fixed>("chocolate-doom", Operation::div, [](fixed a, fixed b, fixed) {
     const fixed size_a = a < 0 ? -a : a;
     const fixed size_b = b < 0 ? -b : b;
-    if (size_a >> 14 >= size_b) {
+    if ((size_a >> 14) >= size_b) {
       return word((a < 0) != (b < 0) ? std::numeric_limits<fixed>::lowest()
                                      : std::numeric_limits<fixed>::max());
     }
