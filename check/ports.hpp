@@ -31,6 +31,9 @@ struct PortRule {
   /// A routine with a shift is for every signed format of 32 bits with a fraction, others
   /// for 16.16.
   bool has_shift = false;
+  /// Doom's comparison before a divide: abs(a) >> 14 >= abs(b), in 32 bits that wrap, gives an end
+  /// of the range by the sign of a ^ b. The general rules are for all other operands.
+  bool has_guard = false;
   /// The second operand is no two's complement: bit 31 is its sign, and bits 0 to 15 its magnitude.
   bool has_signed_fraction = false;
 

@@ -29,7 +29,7 @@ struct Claim {
 
 /// Returns the claim for operands a, b and c. Empty if there is none: for operations other than
 /// mul, div, mul_div, add and sub, unsigned formats, other words than 16 and 32 bits, and rules of
-/// programs that no general rule expresses.
+/// programs that differ from the general ones in more than a guard.
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape);
 
 }  // namespace fixproof::judge

@@ -34,14 +34,11 @@ class Prover {
         listing_(subject.image) {}
 
   RoutineProof prove() {
-    if (rules_.port != nullptr && !rules_.port->is_general) {
-      proof_.why = "no general rules express this rule, so there is nothing to prove";
-      return proof_;
-    }
     if (!claim_of(rules_, Shape::of_signed)) {
       proof_.why =
           "there are proofs for mul, div, muldiv, add and sub of signed words of 16 and 32 bits, "
-          "and for quotients that may overflow to anything or de";
+          "for quotients that may overflow to anything or de, and for a --rule that general rules "
+          "express, or that is Doom's";
       return proof_;
     }
     SymbolicRun run = run_symbolically(subject_, listing_, terms_);

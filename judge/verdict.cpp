@@ -49,7 +49,7 @@ check::JudgedCase smallest_from(const Subject& subject, const check::Rules& rule
     return one;
   };
   if (subject.variant.format.word_bits <= 32) {
-    const check::JudgedCase before = judged(words);
+    check::JudgedCase before = judged(words);
     if (is_right(rules, before)) return before;  // it does not happen again: see Verdict::unsteady
     words = verify::shrink(
         std::move(words), subject.variant.format.word_bits,
