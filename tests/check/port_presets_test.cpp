@@ -90,20 +90,24 @@ TEST(PortPresets, Descent) {
   expect_same<q16_16_i386_unrounded>("descent", Operation::div, divided);
 }
 
+/// FixedDiv of docs/ports.md; empty for a divide error.
+template <class Number>
+Said guarded_quotient(Number a, Number b, Number) {
+  using limits = std::numeric_limits<Number>;
+  if ((abs(a) >> 14) >= abs(b)) {
+    return word((a < 0) != (b < 0) ? limits::lowest() : limits::max());
+  }
+  return word(try_divide(a, b));
+}
+
 TEST(PortPresets, Doom) {
-  constexpr policy doom{.multiply = rounding::floor, .divide = rounding::truncate};
-  using fixed = with_policy<q16_16, doom>;
-  expect_same<fixed>("doom", Operation::mul, multiplied);
-  // The function of docs/ports.md, which differs where Doom faults.
-  expect_same<fixed>("chocolate-doom", Operation::div, [](fixed a, fixed b, fixed) {
-    const fixed size_a = a < 0 ? -a : a;
-    const fixed size_b = b < 0 ? -b : b;
-    if ((size_a >> 14) >= size_b) {
-      return word((a < 0) != (b < 0) ? std::numeric_limits<fixed>::lowest()
-                                     : std::numeric_limits<fixed>::max());
-    }
-    return b == 0 ? Said() : word(a / b);
-  });
+  expect_same<q16_16_i386_unrounded>("doom", Operation::mul, multiplied);
+  expect_same<q16_16_i386_unrounded>("doom", Operation::div,
+                                     guarded_quotient<q16_16_i386_unrounded>);
+  constexpr policy wraps{.multiply = rounding::floor, .divide = rounding::truncate};
+  using fixed = with_policy<q16_16, wraps>;
+  expect_same<fixed>("chocolate-doom", Operation::mul, multiplied);
+  expect_same<fixed>("chocolate-doom", Operation::div, guarded_quotient<fixed>);
 }
 
 TEST(PortPresets, AllegroInC) {
